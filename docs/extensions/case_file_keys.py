@@ -20,7 +20,7 @@ Schema = dict[str, Any]
 
 NAMES = {"number": "number", "integer": "whole number", "string": "text", "array": "list", "object": "table"}
 # Tables that are alike stand once.
-_OF_BOTH = {"body.a": "[body.a] and [body.b]", "inner": "[inner] and [outer]"}
+_OF_BOTH = {"body.a": "[body.a] and [body.b]", "roller": "[roller], [inner] and [outer]"}
 EVERY_PROFILE = ("kind", *COMMON)
 
 
@@ -47,7 +47,7 @@ class CaseFileKeys(SphinxDirective):
             + " too.",
             "",
         ]
-        return head + _profiles(whole["$defs"]["BodyTable"]["properties"]["profile"])
+        return head + _profiles(whole["$defs"]["Body"]["properties"]["profile"])
 
 
 class BearingFileKeys(CaseFileKeys):
@@ -76,10 +76,11 @@ def tables(whole: Schema) -> Iterator[tuple[str, Schema]]:
         for key, value in table["properties"].items():
             if "properties" in value.get("items", {}):
                 waiting.append((f"[{place}.{key}]", value["items"]))
+            path = f"{place}.{key}".lstrip(".")
             for name in _tables_in(value):
                 if name not in seen and name in whole["$defs"]:
                     seen.add(name)
-                    waiting.append((f"{place}.{key}".lstrip("."), whole["$defs"][name]))
+                    waiting.append((f"[{path}]" if value.get("type") == "array" else path, whole["$defs"][name]))
 
 
 def _heading(place: str) -> str:

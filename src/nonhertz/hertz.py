@@ -194,7 +194,7 @@ class LineContact:
         x, z = numbers("x", x, _PLACES_REMEDY), numbers("z", z, _PLACES_REMEDY)
         if np.any(z < 0.0):
             raise InputError("z", float(z.min()), "not be negative", "z points into the body, from 0 on its surface")
-        check_poisson(poisson)
+        check_poisson("poisson", poisson)
         zeta = (x + 1j * z) / self.half_width
         # Separate square roots, for the branch that behaves as zeta far away.
         root = np.sqrt(zeta - 1.0) * np.sqrt(zeta + 1.0)

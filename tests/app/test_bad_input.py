@@ -26,6 +26,7 @@ NOT_CONVEX = (
     "must only be used for a convex body, which has a diameter: "
     "give the thickness of a ring or plate in mm, or write 'none'."
 )
+NO_COUNT = "be 'series' or a whole number from 1 to 100"
 PLAIN = "must be a plain number: write it without quotes and without a unit."
 STRIPS = "be 'auto' or a whole number from 1 to 2000: leave it out for an automatic grid"
 KEYS_OF_MATERIAL = (
@@ -136,7 +137,7 @@ MISTAKES = {
         f"{A}material = 207000\n{B}{LOAD}",
         [
             "body.a.material = 207000 must be a name or a table: "
-            "give a name such as 'steel' or a table { modulus = 207000, poisson = 0.3 }."
+            "give a name such as 'steel', 'nonhertz materials' lists them all, or modulus and poisson."
         ],
     ),
     # Profiles
@@ -220,7 +221,7 @@ MISTAKES = {
     # Solver
     "unknown element": (
         f"{A}{B}{LOAD}[solver]\nelement = 'parabola'\n",
-        ["solver.element = 'parabola' must be a known element: the nearest is 'parabolic'."],
+        ["solver.element = 'parabola' must be one of 'semi-elliptic', 'parabolic': the nearest is 'parabolic'."],
     ),
     "no strips": (f"{A}{B}{LOAD}[solver]\nstrips = 0\n", [f"solver.strips = 0 must {STRIPS}."]),
     "half a strip": (f"{A}{B}{LOAD}[solver]\nstrips = 40.5\n", [f"solver.strips = 40.5 must {STRIPS}."]),
@@ -284,7 +285,7 @@ MISTAKES = {
     "number for a title": (f"title = 3\n{A}{B}{LOAD}", ["title = 3 must be text: put it in quotes."]),
     # Side faces
     "misspelt side faces": refused_word(
-        "side_faces", "'miror'", "be one of 'free', 'mirror', 'calibrated', 'none' or a weight", FACES_REMEDY
+        "side_faces", "'miror'", "be one of 'free', 'mirror', 'calibrated', 'none' or a number", FACES_REMEDY
     ),
     "negative weight": refused_word("side_faces", "-1.2", "not be negative", FACES_REMEDY),
     "weight of nan": refused_word("side_faces", "nan", "be a finite number", FACES_REMEDY),
@@ -293,26 +294,26 @@ MISTAKES = {
     "side faces that are true": (
         with_keys("side_faces = true"),
         [
-            "body.a.side_faces = True must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: "
+            "body.a.side_faces = True must be one of 'free', 'mirror', 'calibrated', 'none' or a number: "
             f"{FACES_REMEDY}."
         ],
     ),
     "table of side faces": (
         with_keys("side_faces = {}"),
-        [f"body.a.side_faces must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: {FACES_REMEDY}."],
+        [f"body.a.side_faces must be one of 'free', 'mirror', 'calibrated', 'none' or a number: {FACES_REMEDY}."],
     ),
     "no side faces in a list": (
         with_keys("side_faces = []"),
-        [f"body.a.side_faces = () must be one rule, or a pair of rules: {FACES_REMEDY}."],
+        [f"body.a.side_faces = [] must be one value or two: {FACES_REMEDY}."],
     ),
     "three side faces": (
         with_keys("side_faces = [1, 2, 3]"),
-        [f"body.a.side_faces = (1, 2, 3) must be one rule, or a pair of rules: {FACES_REMEDY}."],
+        [f"body.a.side_faces = [1, 2, 3] must be one value or two: {FACES_REMEDY}."],
     ),
     "both side faces": (
         with_keys("side_faces = ['miror', '1']"),
         [
-            "body.a.side_faces[1] = 'miror' must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: "
+            "body.a.side_faces[1] = 'miror' must be one of 'free', 'mirror', 'calibrated', 'none' or a number: "
             f"{FACES_REMEDY}.",
             f"body.a.side_faces[2] = '1' {PLAIN}",
         ],
@@ -320,7 +321,7 @@ MISTAKES = {
     "list in a list of side faces": (
         with_keys("side_faces = ['none', [1, 2]]"),
         [
-            "body.a.side_faces[2] = [1, 2] must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: "
+            "body.a.side_faces[2] = [1, 2] must be one of 'free', 'mirror', 'calibrated', 'none' or a number: "
             f"{FACES_REMEDY}."
         ],
     ),
@@ -336,28 +337,29 @@ MISTAKES = {
         ["body.a.lenght = 20 must be a known key: the nearest is 'length'."],
     ),
     # Images
-    "no image": refused_word("images", "0", "be a whole number from 1 to 100", IMAGES_REMEDY),
-    "half an image": refused_word("images", "1.5", "be a whole number from 1 to 100", IMAGES_REMEDY),
-    "too many images": refused_word("images", "101", "be a whole number from 1 to 100", IMAGES_REMEDY),
-    "images in a word": refused_word("images", "'all'", "be a whole number or 'series'", IMAGES_REMEDY),
-    "images in quotes": (with_keys("images = '3'"), [f"body.a.images = '3' {PLAIN}"]),
+    "no image": refused_word("images", "0", NO_COUNT, IMAGES_REMEDY),
+    "half an image": refused_word("images", "1.5", NO_COUNT, IMAGES_REMEDY),
+    "too many images": refused_word("images", "101", NO_COUNT, IMAGES_REMEDY),
+    "images in a word": refused_word("images", "'all'", NO_COUNT, IMAGES_REMEDY),
+    "images in quotes": refused_word("images", "'3'", NO_COUNT, IMAGES_REMEDY),
     "images that are true": (
         with_keys("images = true"),
-        [f"body.a.images = True must be a whole number from 1 to 100: {IMAGES_REMEDY}."],
+        [f"body.a.images = True must be 'series' or a whole number from 1 to 100: {IMAGES_REMEDY}."],
     ),
-    "infinitely many images": refused_word("images", "inf", "be a whole number from 1 to 100", IMAGES_REMEDY),
-    "list of images": refused_word("images", "[3]", "be a whole number from 1 to 100", IMAGES_REMEDY),
-    "series without a depth": refused_word(
-        "images",
-        "'series'",
-        "only be used for a body with a depth, without which it has no sum",
-        "give the body a depth, or a number of images",
+    "infinitely many images": refused_word("images", "inf", NO_COUNT, IMAGES_REMEDY),
+    "list of images": refused_word("images", "[3]", NO_COUNT, IMAGES_REMEDY),
+    "series without a depth": (
+        f"{A}kind = 'body'\nimages = 'series'\n{B}{LOAD}",
+        [
+            "body.a.images = 'series' must only be used for a body with a depth, without which it has no sum: "
+            "give the body a depth, or a number of images."
+        ],
     ),
     # Depth
     "misspelt depth": refused_word(
         "depth",
         "'plane-strian'",
-        "be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a length",
+        "be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a number in mm",
         DEPTH_REMEDY,
     ),
     "no depth": refused_word("depth", "0.0", "be positive", DEPTH_REMEDY),
@@ -366,7 +368,10 @@ MISTAKES = {
     "depth in quotes": refused_word("depth", "'8'", "have a unit", "write 8 without quotes if it is in mm"),
     "depth of nan": refused_word("depth", "nan", "be a finite number", DEPTH_REMEDY),
     "list of depths": refused_word(
-        "depth", "[8]", "be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a length", DEPTH_REMEDY
+        "depth",
+        "[8]",
+        "be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a number in mm",
+        DEPTH_REMEDY,
     ),
     "diameter of a plate for its depth": (
         f"{A}[body.b]\ndepth = 'diameter'\n{LOAD}",
@@ -418,9 +423,9 @@ MISTAKES = {
     "all of a finite body": (
         f"{A}kind = 'roller'\nside_faces = 'clibrated'\nimages = 0\ndepth = '8 N'\neffective_length = 21\n{B}{LOAD}",
         [
-            "body.a.side_faces = 'clibrated' must be one of 'free', 'mirror', 'calibrated', 'none' or a weight: "
+            "body.a.side_faces = 'clibrated' must be one of 'free', 'mirror', 'calibrated', 'none' or a number: "
             f"{FACES_REMEDY}.",
-            f"body.a.images = 0 must be a whole number from 1 to 100: {IMAGES_REMEDY}.",
+            f"body.a.images = 0 must be 'series' or a whole number from 1 to 100: {IMAGES_REMEDY}.",
             f"body.a.depth = '8 N' must have a unit of length: write {LENGTH}.",
             "body.a.effective_length = 21.0 must not exceed the length of 20.0 mm: "
             "give the length that can touch in mm, or leave it out for all of the body.",
@@ -448,8 +453,7 @@ MISTAKES = {
     "body in a changing one that is narrower somewhere": (
         f"[body.a]\ndiameter = {{ y = [-10, 10], diameter = [-30, -19] }}\n[body.b]\ndiameter = 20\n{LOAD}",
         [
-            "body.a.diameter = TabulatedDiameter(y=(-10.0, 10.0), diameter=(-30.0, -19.0)) must leave a positive "
-            "combined curvature with body.b.diameter = 20.0: "
+            "body.a.diameter must leave a positive combined curvature with body.b.diameter = 20.0: "
             "make the concave body's diameter larger than the convex one's."
         ],
     ),
@@ -461,7 +465,8 @@ MISTAKES = {
         f"{A}lenght = 3\n{B}material = 'bras'\n[load]\nload = -1\ntilt = '5 kg'\n",
         [
             "body.a.lenght = 3 must be a known key: the nearest is 'length'.",
-            "body.b.material = 'bras' must be a known material: 'nonhertz materials' lists them all.",
+            "body.b.material = 'bras' must be a known material: "
+            "give a name such as 'steel', 'nonhertz materials' lists them all, or modulus and poisson.",
             "load.load = -1.0 must be positive: give the force in N that presses the bodies together.",
             "load.tilt = '5 kg' must have a unit of angle: "
             "write a number in rad, or text with a unit of angle such as '0.5 mrad' or '8 um/25 mm'.",

@@ -417,7 +417,7 @@ def test_the_command_for_bearings_says_what_a_contact_needs(folder, capsys):
     [
         ("nowhere.toml", None, "nowhere.toml must exist: give the path of a bearing file, or begin with one from"),
         ("broken.toml", "[bearing\n", "broken.toml must be valid TOML: "),
-        ("empty.toml", "", "1. bearing must be given: write it under a heading [bearing]."),
+        ("empty.toml", "", "1. roller must be given: write it under a heading [roller]."),
     ],
 )
 def test_files_that_hold_no_bearing(folder, capsys, name, text, begins):
@@ -456,7 +456,7 @@ def test_help_imports_nothing_heavy() -> None:
         "import sys\n"
         "from nonhertz.cli import main\n"
         "main(['bearing', '--help'])\n"
-        "heavy = {'numpy', 'scipy', 'numba', 'pydantic', 'pint', 'matplotlib'} & set(sys.modules)\n"
+        "heavy = {'numpy', 'scipy', 'numba', 'pint', 'matplotlib'} & set(sys.modules)\n"
         "sys.exit(', '.join(sorted(heavy)) or 0)\n"
     )
     environment = os.environ | {"PYTHONPATH": str(Path(nh.__file__).parents[1])}

@@ -378,7 +378,7 @@ def test_help_imports_nothing_heavy() -> None:
         "import sys\n"
         "from nonhertz.cli import main\n"
         "main(['--help'])\n"
-        "heavy = {'numpy', 'scipy', 'numba', 'pydantic', 'pint', 'matplotlib'} & set(sys.modules)\n"
+        "heavy = {'numpy', 'scipy', 'numba', 'pint', 'matplotlib'} & set(sys.modules)\n"
         "sys.exit(', '.join(sorted(heavy)) or 0)\n"
     )
     run = subprocess.run(
@@ -448,7 +448,7 @@ def test_an_empty_name_for_results_is_refused(
     assert [path.name for path in Path.cwd().iterdir()] == [case]
 
 
-@pytest.mark.parametrize("package", ["cyclopts", "pydantic", "pint", "matplotlib"])
+@pytest.mark.parametrize("package", ["cyclopts", "pint", "matplotlib"])
 @pytest.mark.slow
 def test_a_missing_extra_says_how_to_install_it(case: str, package: str) -> None:
     Path(case).write_text(CASE.replace("diameter = 20.0", 'diameter = "20 mm"'), encoding="utf-8")

@@ -32,7 +32,7 @@ STARTING = tomllib.loads(starting_case())
 @cache
 def kinds() -> dict[str, dict[str, Any]]:
     """Return the schema of each kind of profile."""
-    tables = schema()["$defs"]["BodyTable"]["properties"]["profile"]["anyOf"][0]["anyOf"]
+    tables = schema()["$defs"]["Body"]["properties"]["profile"]["anyOf"][0]["anyOf"]
     return {table["properties"]["kind"]["const"]: table for table in tables}
 
 

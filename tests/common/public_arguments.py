@@ -15,8 +15,8 @@ import numpy as np
 
 import nonhertz as nh
 from nonhertz import bearing, hertz, life, measured, profile, strength, subsurface
-from nonhertz.io.casefile import LifeCase
 from nonhertz.io.results import as_json
+from nonhertz.io.sections import Life
 from nonhertz.io.title_block import TitleBlock
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "crowned-roller.toml"
@@ -197,7 +197,7 @@ ENTRIES: dict[str, Entry] = {
     "read_result": entry(nh.read_result, path=(FOLDER / "result.json", "file")),
     "Case": entry(
         nh.Case, contact=(CONTACT, "thing"), prescribed=({"load": 1e3}, "thing"), solver=({"strips": 11}, "options"),
-        life=(LifeCase(), "thing"), title=("one", "name"), path=(Path("case.toml"), "thing"),
+        life=(Life(), "thing"), title=("one", "name"), path=(Path("case.toml"), "thing"),
         title_block=(TitleBlock(), "thing"),
     ),
     "Solution.pressure": entry(SOLUTION.pressure, x=(0.0, "numbers"), y=([0.0, 1.0], "numbers")),

@@ -48,7 +48,7 @@ LONGEST_ROUND = 12.0  # s, of all tests that a mutant meets; one alone may take 
 FINDING_OUT = 30.0, 900.0  # s, for a test and a file of them on the sources as they are
 SLOWED = 6.0  # by other programs: waited for so many times as long as the processor is needed
 COMPILING_TIME = 240.0  # s, added to the time of the tests before a compiled mutant is taken to hang
-LOADED = ("numpy", "scipy.linalg", "scipy.optimize", "scipy.special", "numba", "pydantic", "pint", "matplotlib.figure")
+LOADED = ("numpy", "scipy.linalg", "scipy.optimize", "scipy.special", "numba", "pint", "matplotlib.figure")
 
 ROOMS = "strip bodies subsurface life solver result patch maps measured bearing study io".split()  # noqa: SIM905
 # Where tests are; those of page, report and figures are left out.

@@ -21,7 +21,7 @@ PARTLY = {"load": 2e3, "tilt": 5e-4}  # lifts off on one side
 
 
 def solved(given):
-    prescription = Prescription.checked(*(given.get(name) for name in ("approach", "load", "tilt", "moment")))
+    prescription = Prescription(**given)
     problem = problem_of(FINITE, prescription, nh.SEMI_ELLIPTIC)
     return problem, levels_of(FINITE, problem, 31)
 

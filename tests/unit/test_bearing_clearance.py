@@ -304,7 +304,7 @@ def test_it_prints_in_um():
             "interference = 12.0 must not exceed 1 % of the diameter of 30 mm: give it on the diameter",
         ),
         (lambda: on_shaft(0.01, smoothing=-0.002), "smoothing = -0.002 must not be negative"),
-        (lambda: on_shaft(0.01, material="steel"), "material = 'steel' must be a Material"),
+        (lambda: on_shaft(0.01, material=3), "material = 3 must be a Material or the name of one"),
         (lambda: on_shaft(0.01, expansion=12.5), "expansion = 12.5 must not exceed 0.001 per kelvin"),
         (lambda: on_shaft(0.01, temperature=-300.0), "temperature = -300.0 must lie between -273.15 and 1000 degC"),
         (

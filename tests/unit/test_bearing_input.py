@@ -40,7 +40,7 @@ def tapered(**changes):
         (lambda: cylindrical(outer_shape=lambda angle: 0.0), "outer_shape = () must return 13 lengths"),
         (lambda: tapered(contact_angle=12.0), "contact_angle = 12.0 must not exceed 0.7854 rad"),
         (lambda: tapered(contact_angle=0.05), "contact_angle = 0.05 must exceed the rollers' cone angle"),
-        (lambda: tapered(roller=ROLLER), "must be a TabulatedDiameter that is larger at negative y"),
+        (lambda: tapered(roller=ROLLER), "must be a table of y and diameter that is larger at negative y"),
         (lambda: tapered(rib=3), "rib = 3 must be a Rib"),
         (lambda: nh.bearing.Rib(5.0, 6.0), "height = 6.0 must be less than the radius of the end, 5 mm"),
         (lambda: nh.bearing.solve(ROLLER, radial=1e3), "must be a bearing"),
@@ -52,9 +52,12 @@ def tapered(**changes):
             lambda: nh.bearing.solve(cylindrical(), radial=1e3, radial_displacement=0.01),
             "radial_displacement = 0.01 must not be given together with radial",
         ),
-        (lambda: nh.bearing.solve(cylindrical(), radial=(1.0, 2.0, 3.0)), "radial = (1.0, 2.0, 3.0) must be a number"),
+        (
+            lambda: nh.bearing.solve(cylindrical(), radial=(1.0, 2.0, 3.0)),
+            "radial = (1.0, 2.0, 3.0) must be one value or two",
+        ),
         (lambda: nh.bearing.solve(cylindrical(), radial=1e3, tilt=2.0), "tilt = 2.0 must be a small angle"),
-        (lambda: nh.bearing.solve(cylindrical(), radial=math.inf), "radial = inf must be finite"),
+        (lambda: nh.bearing.solve(cylindrical(), radial=math.inf), "radial = inf must be a finite number"),
         (lambda: nh.bearing.solve(cylindrical(), radial=1e3, speed=-3.0), "speed = -3.0 must not be negative"),
         (lambda: nh.bearing.solve(cylindrical(), radial=1e3, method="fem"), "method = 'fem' must be"),
         (

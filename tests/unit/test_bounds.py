@@ -13,8 +13,8 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io import document, mistakes
-from nonhertz.io.bounds import KEYS, LARGEST_CASE, MISTAKES, NESTING, PROFILES, has_long_key
+from nonhertz.io import reading
+from nonhertz.io.bounds import KEYS, LARGEST_CASE, LOADS, MISTAKES, NESTING, PROFILES, has_long_key
 from nonhertz.io.casefile import parsed, read_case
 from nonhertz.model.profile import table
 from nonhertz.model.profile.table import LARGEST_FILE, from_file
@@ -175,7 +175,7 @@ def test_a_case_has_so_many_keys(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     def compared(*_: object) -> None:
         raise AssertionError("no key is looked at")
 
-    monkeypatch.setattr(mistakes, "nearest", compared)
+    monkeypatch.setattr(reading, "nearest", compared)
     assert mistakes_in(tmp_path, text) == (f"must be a case file: there are more than {KEYS} keys.",)
 
 
@@ -188,13 +188,12 @@ def test_a_body_has_so_many_profiles(tmp_path: Path) -> None:
     assert told.endswith("must have at most 100 profiles: add them up in one of kind 'tabulated'.")
 
 
-def test_a_spectrum_has_so_many_loads(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(document, "LOADS", 4)
-    row = "[[life.spectrum]]\nload = 1000\nshare = 0.25\n"
-    (tmp_path / "case.toml").write_text(CASE + row * 4)
-    assert len(read_case(tmp_path / "case.toml").life.spectrum) == 4
-    (told,) = mistakes_in(tmp_path, CASE + row * 5)
-    assert told.endswith("must have at most 4 loads: join loads that hardly differ.")
+def test_a_spectrum_has_so_many_loads(tmp_path: Path) -> None:
+    row = f"[[life.spectrum]]\nload = 1000\nshare = {1.0 / LOADS}\n"
+    (tmp_path / "case.toml").write_text(CASE + row * LOADS)
+    assert len(read_case(tmp_path / "case.toml").life.spectrum) == LOADS
+    (told,) = mistakes_in(tmp_path, CASE + row * (LOADS + 1))
+    assert f"must have at most {LOADS} tables" in told
 
 
 def test_many_models_are_not_looked_up(tmp_path: Path) -> None:

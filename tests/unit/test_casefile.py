@@ -279,11 +279,11 @@ def test_the_schema_describes_every_key() -> None:
     whole = schema()
     assert json.loads(json.dumps(whole)) == whole
     tables = whole["$defs"]
-    for name in ("BodyTable", "LoadTable", "SolverTable", "MaterialTable", "LifeTable"):
+    for name in ("Body", "Prescription", "Solver", "Material", "Life"):
         assert tables[name]["additionalProperties"] is False
         for key, entry in tables[name]["properties"].items():
             assert entry["description"], (name, key)
-    kinds = tables["BodyTable"]["properties"]["profile"]["anyOf"][0]["anyOf"]
+    kinds = tables["Body"]["properties"]["profile"]["anyOf"][0]["anyOf"]
     assert {kind["properties"]["kind"]["const"] for kind in kinds} == {*CATALOGUE, "measured"}
     for kind in kinds:
         for key, entry in kind["properties"].items():
@@ -294,7 +294,7 @@ def test_the_schema_describes_every_key() -> None:
 
 @pytest.mark.parametrize("kind", ["roller", None])
 def test_the_schema_allows_what_a_body_takes(kind: str | None) -> None:
-    properties = schema()["$defs"]["BodyTable"]["properties"]
+    properties = schema()["$defs"]["Body"]["properties"]
     body = {"diameter": 20.0, "length": 20.0} | ({"kind": kind} if kind else {})
 
     def refused(keys: dict[str, Any]) -> bool:
@@ -308,8 +308,8 @@ def test_the_schema_allows_what_a_body_takes(kind: str | None) -> None:
     assert pair["items"]["anyOf"] == [words, weight]
     assert (pair["minItems"], pair["maxItems"]) == (2, 2)
 
-    count, series = properties["images"]["anyOf"]
-    for images in (count["minimum"], count["maximum"], series["const"]):
+    series, count = properties["images"]["anyOf"]
+    for images in (count["minimum"], count["maximum"], *series["enum"]):
         assert not refused({"images": images, "depth": "diameter"})
     assert refused({"images": count["minimum"] - 1})
     assert refused({"images": count["maximum"] + 1})
@@ -323,13 +323,13 @@ def test_the_schema_allows_what_a_body_takes(kind: str | None) -> None:
 
 
 def test_the_schema_names_the_defaults_of_a_body() -> None:
-    properties = schema()["$defs"]["BodyTable"]["properties"]
+    properties = schema()["$defs"]["Body"]["properties"]
     for name in ("position", "side_faces", "images", "depth"):
         assert properties[name]["default"] == getattr(nh.Body(), name)
 
 
 def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
-    strips = schema()["$defs"]["SolverTable"]["properties"]["strips"]["anyOf"][1]
+    strips = schema()["$defs"]["Solver"]["properties"]["strips"]["anyOf"][1]
     assert (strips["minimum"], strips["maximum"]) == (FEWEST_STRIPS, MOST_STRIPS)
     for count in (FEWEST_STRIPS, MOST_STRIPS):
         assert not mistakes_of(WHOLE | {"solver": {"strips": count}})
@@ -340,17 +340,17 @@ def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
 def test_a_life_table_holds_models_and_a_spectrum() -> None:
     life = case_in(WHOLE, Path()).life
     assert life.contact_angle == pytest.approx(np.radians(12.0))
-    assert (life.rollers, life.names) == (14, ("zaretsky", "iso-16281"))
+    assert (life.rollers, life.models) == (14, ("zaretsky", "iso-16281"))
     assert life.spectrum == (LoadCase(load=20e3, share=0.25, tilt=0.5e-3), LoadCase(load=5e3, share=0.75))
-    volume, laminae = life.models()
+    volume, laminae = life.made_models()
     assert volume == zaretsky(slope=1.5)
     assert laminae == iso_16281(laminae=40, edge_stress="none", line_loads="standard")
-    assert life.models(["ioannides-harris"]) == (ioannides_harris(slope=1.5, fatigue_limit=300.0),)
+    assert life.made_models(["ioannides-harris"]) == (ioannides_harris(slope=1.5, fatigue_limit=300.0),)
 
 
 def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
     document = {name: table for name, table in WHOLE.items() if name != "life"}
-    assert case_in(document, Path()).life.models() == tuple(make() for make in MODELS.values())
+    assert case_in(document, Path()).life.made_models() == tuple(make() for make in MODELS.values())
 
 
 @pytest.mark.parametrize(
@@ -360,7 +360,7 @@ def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
         ({"contact_angle": 12.0}, ["contact_angle = 12.0 must not exceed 0.7854 rad"]),
         (
             {"rollers": -1, "laminae": 3},
-            ["rollers = -1 must be positive", "laminae = 3 must be a whole number from 30 to 2000"],
+            ["rollers = -1 must be a whole number of at least 1", "laminae = 3 must be a whole number from 30 to 2000"],
         ),
         ({"models": []}, ["models = [] must be a list of names"]),
         (
@@ -380,7 +380,7 @@ def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
         (
             {"spectrum": [3, {"load": -1, "tlit": 0}]},
             [
-                "spectrum[1] = 3 must be a table",
+                "spectrum[1] = 3 must be a section",
                 "spectrum[2].load = -1.0 must be positive",
                 "spectrum[2].tlit = 0 must be a known key: the nearest is 'tilt'",
                 "spectrum[2].share must be given: give its share of the revolutions",
@@ -409,7 +409,7 @@ def test_shares_are_taken_to_a_thousandth(short: float) -> None:
 
 
 def test_the_schema_and_the_models_agree_on_the_number_of_laminae() -> None:
-    laminae = schema()["$defs"]["LifeTable"]["properties"]["laminae"]["anyOf"][0]
+    laminae = schema()["$defs"]["Life"]["properties"]["laminae"]
     assert (laminae["minimum"], laminae["maximum"]) == (FEWEST, MOST)
 
 
@@ -493,7 +493,6 @@ def test_any_value_anywhere_is_read_or_refused_in_words(place: tuple[Any, ...], 
         assert " must " in mistake
         assert mistake.endswith(".")
         assert len(mistake.splitlines()) == 1
-        assert "pydantic" not in mistake
 
 
 DOCS = Path(__file__).parents[2] / "docs" / "reference"
@@ -502,8 +501,8 @@ DOCS = Path(__file__).parents[2] / "docs" / "reference"
 def test_the_reference_names_every_key_and_only_those() -> None:
     page = (DOCS / "case-file.md").read_text(encoding="utf-8")
     tables = schema()["$defs"]
-    spectrum = tables["LifeTable"]["properties"]["spectrum"]["items"]
-    for table in (*(tables[name] for name in ("BodyTable", "LoadTable", "SolverTable", "LifeTable")), spectrum):
+    spectrum = tables["LoadCase"]
+    for table in (*(tables[name] for name in ("Body", "Prescription", "Solver", "Life")), spectrum):
         for key in table["properties"]:
             assert f"| `{key}` |" in page, key
     for kind, function in CATALOGUE.items():

@@ -15,7 +15,7 @@ EDGES = np.linspace(-10.0, 10.0, 5)  # centres at 2.5 and 7.5 mm
 def problem(**given):
     return problem_of(
         CROWNED,
-        Prescription.checked(*(given.get(name) for name in ("approach", "load", "tilt", "moment"))),
+        Prescription(**given),
         nh.SEMI_ELLIPTIC,
     )
 

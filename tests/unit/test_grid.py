@@ -353,7 +353,7 @@ def test_near_a_place_counts_the_widest_of_three_strips_in_contact():
 
 def crowned_on_part(low, high, strips):
     contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate())
-    problem = problem_of(contact, Prescription.checked(0.01, None, None, None), nh.SEMI_ELLIPTIC)
+    problem = problem_of(contact, Prescription(approach=0.01), nh.SEMI_ELLIPTIC)
     return problem, settle(problem, np.linspace(low, high, strips + 1))
 
 
@@ -370,7 +370,7 @@ def test_an_overlap_is_found_where_it_is_and_as_wide_as_it_is():
     relief = np.where(np.arange(72) % 2 == 0, 2e-4, 3e-4)
     relief[[41, 46]] = [-1.40e-4, -1.67e-4]
     contact = nh.Contact(nh.Roller(diameter=5, length=30, profile=profile.tabulated(y, relief, "linear")), nh.Plate())
-    problem = problem_of(contact, Prescription.checked(-1.39e-4, None, None, None), nh.SEMI_ELLIPTIC)
+    problem = problem_of(contact, Prescription(approach=-1.39e-4), nh.SEMI_ELLIPTIC)
     state = settle(problem, np.linspace(4.3, 4.6, 31))
     ((place, width),) = overlaps.overlaps(problem, state, (-15.0, 15.0))
     np.testing.assert_allclose(place, y[41], rtol=0.0, atol=1e-3)

@@ -42,7 +42,7 @@ def test_levels_that_failed_do_not_count():
 
 def test_a_case_that_diverged_wants_no_finer_grid():
     contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
-    problem = problem_of(contact, Prescription.checked(None, 1e3, 0.0, None), nh.SEMI_ELLIPTIC)
+    problem = problem_of(contact, Prescription(load=1e3, tilt=0.0), nh.SEMI_ELLIPTIC)
     diverged = SimpleNamespace(
         rigid=np.full((1, 2), np.inf), load=np.array([1e3]), converged=np.array([False]), counts=np.array([24])
     )
@@ -99,7 +99,7 @@ def test_bodies_without_ends_are_looked_at_as_far_as_the_contact_calls_for(times
         exact = nh.hertz.point_contact(
             load=load * times**2, radius_x=50 * times, radius_y=50 * times, compliance=contact.compliance
         )
-        given = Prescription.checked(exact.approach, None, None, None)
+        given = Prescription(approach=exact.approach)
     low, high = strip_levels.bounded(problem_of(contact, given, nh.SEMI_ELLIPTIC), contact.interval)
     assert low < -exact.half_length
     assert high > exact.half_length

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
+from nonhertz.inputs.fields import Input
 from nonhertz.io.results import UNITS
 from nonhertz.model.profile import PARAMETER_UNITS
 from nonhertz.strip.element import Element
@@ -50,10 +51,13 @@ def tables() -> dict[str, dict[str, str]]:
 
 
 def public(cls: type) -> set[str]:
-    """Return the public attributes that a class has, its own and those of the classes that it is made of."""
+    """Return the public attributes that a class has, its own and those of the classes that it is made of.
+
+    What describes its fields is not among them.
+    """
     of_fields = {field.name for field in dataclasses.fields(cls)}
     of_classes = {name for each in cls.__mro__[:-1] for name in vars(each)}
-    return {name for name in of_fields | of_classes if not name.startswith("_")}
+    return {name for name in (of_fields | of_classes) - set(vars(Input)) if not name.startswith("_")}
 
 
 def test_every_section_is_of_something_in_the_code():

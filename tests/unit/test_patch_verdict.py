@@ -23,8 +23,8 @@ BODIES = {
     )
 }
 CONTACT = BODIES["faces and depth"]
-GIVEN = Prescription.checked(None, 3e3, None, 2e3)
-BY_MOTION = Prescription.checked(0.01, None, 2e-4, None)
+GIVEN = Prescription(load=3e3, moment=2e3)
+BY_MOTION = Prescription(approach=0.01, tilt=2e-4)
 GAP = Surface.checked(CONTACT, None, ())
 CELLS = (23, 41)  # of which blocks of rows are no multiple
 TOLERANCE = 1e-8

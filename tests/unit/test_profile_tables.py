@@ -13,8 +13,8 @@ import pytest
 import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, case_in
+from nonhertz.io.casefile import document_of_case as document
 from nonhertz.io.profiles import required_keys
-from nonhertz.io.written import document
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.inputs import inputs
 
@@ -232,7 +232,7 @@ def test_bodies_without_a_radius_are_the_mistake(kind: str) -> None:
 def test_the_schema_needs_a_size_or_a_drop() -> None:
     from nonhertz.io.casefile import schema
 
-    kinds = schema()["$defs"]["BodyTable"]["properties"]["profile"]["anyOf"][0]["anyOf"]
+    kinds = schema()["$defs"]["Body"]["properties"]["profile"]["anyOf"][0]["anyOf"]
     found = {each["properties"]["kind"]["const"]: each for each in kinds}
     assert required_keys(found["crown"]) == ["kind", "radius"]
     assert found["crown"]["required"] == ["kind"]

@@ -19,7 +19,7 @@ STRIPS = row_of(np.linspace(-10.0, 10.0, 22))
 @pytest.fixture
 def problem():
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000))
-    return problem_of(nh.Contact(roller, nh.Plate()), Prescription.checked(None, 3e3, 2e-4, None), nh.SEMI_ELLIPTIC)
+    return problem_of(nh.Contact(roller, nh.Plate()), Prescription(load=3e3, tilt=2e-4), nh.SEMI_ELLIPTIC)
 
 
 def raised(problem):
@@ -58,7 +58,7 @@ def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(p
 
 def test_a_case_that_cannot_follow_is_left_as_it_was():
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000))
-    problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription.checked(0.01, None, 0.0, None), nh.SEMI_ELLIPTIC)
+    problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription(approach=0.01, tilt=0.0), nh.SEMI_ELLIPTIC)
     grids, found, answer = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1), np.zeros(6)
     target = problem.target[None]
     settle.settle_all(grids, Given(problem.prescribed, target), problem.law, States.none(), found, TOLERANCE, False)

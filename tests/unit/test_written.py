@@ -9,9 +9,10 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import LifeCase, case_in, read_case
+from nonhertz.io.casefile import case_in, read_case
+from nonhertz.io.casefile import document_of_case as document
 from nonhertz.io.results import as_json, as_object
-from nonhertz.io.written import document
+from nonhertz.io.sections import Life, OverrolledDent
 from nonhertz.life import LoadCase
 from nonhertz.model.profile import CATALOGUE, Profile
 
@@ -126,12 +127,11 @@ def test_every_kind_of_body_comes_back(name):
 
 
 def test_options_and_life_come_back():
-    life = LifeCase(
-        14, ("iso-16281",), {"laminae": 40}, (LoadCase(load=5e3, share=0.25), LoadCase(load=2e3, share=0.75))
-    )
+    spectrum = (LoadCase(load=5e3, share=0.25), LoadCase(load=2e3, share=0.75))
+    life = Life(rollers=14, models=("iso-16281",), laminae=40, spectrum=spectrum)
     case = dataclasses.replace(made(), solver={"element": nh.PARABOLIC, "strips": 41}, life=life)
     assert back(case) == case
-    dented = LifeCase(dent={"depth": 0.002, "diameter": 0.3, "per_area": 0.1})
+    dented = Life(dent=OverrolledDent(depth=0.002, diameter=0.3, per_area=0.1))
     assert back(dataclasses.replace(case, life=dented)).life == dented
 
 

@@ -62,7 +62,7 @@ def test_single_coefficients(body, yi, displacement, by_c, flattening, flattenin
     # One body alone: the other is all but rigid.
     roller = nh.Roller(**{"diameter": 15, "length": 16, "material": STEEL, "side_faces": "mirror"} | body)
     contact = nh.Contact(roller, nh.Plate(material=nh.Material(1e18, 0.3)))
-    problem = problem_of(contact, Prescription.checked(0.01, None, None, None), nh.PARABOLIC)
+    problem = problem_of(contact, Prescription(approach=0.01), nh.PARABOLIC)
     edges, c = np.array([-0.2, 0.2, 0.8, 1.2, 1.8, 2.2]), 0.25
     strips, blocks = strips_of(problem.grids(*row_of(edges)), 0), np.empty((4, 5, 5))
     remote = remote_of(strips, problem.law, c**2)

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -30,7 +30,8 @@ from nonhertz.bearing.ratings import Rating, equivalent_loads, rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import numbers, one_of, positive, whole
+from nonhertz.inputs.checks import numbers, positive
+from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, together
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.spectrum import checked_shares
 from nonhertz.result.brief import plain_text
@@ -120,19 +121,95 @@ class BearingLife:
         )
 
 
-@dataclass(frozen=True)
-class _Asked:
-    """What lives are asked for, checked once."""
+def _reliability(name: str, value: float, remedy: str) -> None:
+    positive(name, value, remedy)
+    reliability_factor(value)
 
-    viscosity: float | None
-    contamination: float | None
-    cleanliness: str
-    reliability_factor: float
-    edge_stress: str | None
-    laminae: int
-    turning: str
-    dynamic: float | None
-    static: float | None
+
+def _contamination(name: str, value: float, remedy: str) -> None:
+    positive(name, value, remedy)
+    if value > 1.0:
+        raise InputError(name, value, "not exceed 1", remedy)
+
+
+_RATING = "give the load rating in N"
+
+
+@described(kw_only=True)
+class LifeConditions(Input):
+    """Under which conditions a bearing is assessed, beside its speed.
+
+    Raises
+    ------
+    InputError
+        If one of them is out of range.
+    """
+
+    viscosity: Annotated[
+        float | None,
+        Quantity(
+            "mm^2/s",
+            "viscosity of the oil at its temperature in the bearing, for a_ISO",
+            positive,
+            "give that of the oil in the bearing in mm^2/s",
+        ),
+    ] = None
+    contamination: Annotated[
+        float | None,
+        Quantity(
+            "",
+            "e_C, above 0 and at most 1; if left out, that of the cleanliness",
+            _contamination,
+            "give e_C, above 0 and at most 1",
+        ),
+    ] = None
+    cleanliness: Annotated[
+        str,
+        Word(
+            "class of cleanliness: 'high', or an ISO 4406 code with circulating oil",
+            "choose one, or give contamination as a number",
+            tuple(CLEANLINESS),
+        ),
+    ] = "high"
+    reliability: Annotated[
+        float, Quantity("", "share of bearings that last longer, from 0.9 to 0.9995", _reliability, "give 0.9, or more")
+    ] = 0.9
+    edge_stress: Annotated[
+        str | None,
+        Word(
+            "edges of the laminae: 'pressure' as solved by strips (if left out), 'standard' or 'none'",
+            "use 'pressure' for what was solved",
+            EDGE_STRESS,
+        ),
+    ] = None
+    laminae: Annotated[int, Count("number of laminae", FEWEST, MOST, "give the number of laminae, 41 say")] = LAMINAE
+    turning: Annotated[
+        str,
+        Word(
+            "which ring turns: 'inner' or 'outer'; the other is at rest, as the loads are",
+            "name the ring that turns against the load",
+            RINGS,
+        ),
+    ] = "inner"
+    dynamic: Annotated[
+        float | None,
+        Quantity("N", "basic dynamic load rating C of a catalogue; that of ISO 281 if left out", positive, _RATING),
+    ] = None
+    static: Annotated[
+        float | None,
+        Quantity("N", "basic static load rating C0 of a catalogue; that of ISO 76 if left out", positive, _RATING),
+    ] = None
+
+    @together("viscosity", "contamination")
+    def _check_oil(self) -> None:
+        if self.contamination is not None and self.viscosity is None:
+            condition, remedy = "be given with a viscosity", "give the viscosity too, or leave it out"
+            raise InputError("contamination", self.contamination, condition, remedy)
+
+    @property
+    def reliability_factor(self) -> float:
+        """a_1 [-]."""
+        return reliability_factor(self.reliability)
 
 
 def assess(
@@ -189,47 +266,21 @@ def assess(
     pressures.
     """
     pairs = _pairs(solution)
-    asked = _Asked(
+    asked = LifeConditions(
         viscosity=viscosity,
         contamination=contamination,
         cleanliness=cleanliness,
-        reliability_factor=reliability_factor(reliability),
+        reliability=reliability,
         edge_stress=edge_stress,
-        laminae=checked_setting("laminae", laminae),
+        laminae=laminae,
         turning=turning,
         dynamic=dynamic,
         static=static,
     )
-    checked_setting("turning", turning)
-    checked_setting("cleanliness", cleanliness)
     _check_oil(asked, speed, pairs[0][0])
     speeds = _speeds(speed, len(pairs))
     lives = tuple((_life(each, asked, pace), share) for (each, share), pace in zip(pairs, speeds, strict=True))
     return lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, asked)
-
-
-def checked_setting(name: str, value: Any) -> Any:
-    """Return one of the arguments of `assess`, checked by itself; of an unknown name, a load rating."""
-    match name:
-        case "reliability":
-            reliability_factor(value)
-        case "edge_stress":
-            one_of(name, value, EDGE_STRESS, "use 'pressure' for what was solved")
-        case "cleanliness":
-            one_of(name, value, tuple(CLEANLINESS), "choose one, or give contamination as a number")
-        case "turning":
-            one_of(name, value, RINGS, "name the ring that turns against the load")
-        case "laminae":
-            return whole(name, value, FEWEST, MOST, "give the number of laminae, 41 say")
-        case "viscosity":
-            positive(name, value, "give that of the oil in the bearing in mm^2/s")
-        case "contamination":
-            positive(name, value, "give e_C, above 0 and at most 1")
-            if value > 1.0:
-                raise InputError(name, value, "not exceed 1", "give e_C, above 0 and at most 1")
-        case _:
-            positive(name, value, "give the load rating in N")
-    return value
 
 
 def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
@@ -244,20 +295,16 @@ def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
     return checked_shares(solution, check, "bearing", condition, remedy)
 
 
-def _check_oil(asked: _Asked, speed: object, solution: BearingSolution) -> None:
+def _check_oil(asked: LifeConditions, speed: object, solution: BearingSolution) -> None:
     if asked.viscosity is None:
-        for name, value in (("speed", speed), ("contamination", asked.contamination)):
-            if value is not None:
-                raise InputError(name, value, "be given with a viscosity", "give the viscosity too, or leave it out")
+        if speed is not None:
+            raise InputError("speed", speed, "be given with a viscosity", "give the viscosity too, or leave it out")
         return
-    checked_setting("viscosity", asked.viscosity)
     if speed is None:
         raise InputError("speed", None, "be given with a viscosity", "give the speed in 1/min")
     if any(isinstance(row.bearing, CylindricalThrustBearing) for row in solution.bearing.rows):
         condition = "be left out for thrust bearings, of which no a_ISO was found twice"
         raise InputError("viscosity", asked.viscosity, condition, "assess the bearing without lubrication")
-    if asked.contamination is not None:
-        checked_setting("contamination", asked.contamination)
 
 
 def _speeds(speed: ArrayLike | None, count: int) -> list[float | None]:
@@ -272,12 +319,11 @@ def _speeds(speed: ArrayLike | None, count: int) -> list[float | None]:
     return np.broadcast_to(found, count).tolist()  # type: ignore[no-any-return]
 
 
-def _life(solution: BearingSolution, asked: _Asked, speed: float | None) -> BearingLife:
+def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None) -> BearingLife:
     by_strips = solution.method == "strips"
     stress = asked.edge_stress
     if stress is None:
         stress = "pressure" if by_strips else "standard"
-    checked_setting("edge_stress", stress)
     if stress == "pressure" and not by_strips:
         raise InputError("edge_stress", stress, "be 'standard' or 'none' for slices", "solve the bearing by strips")
     rated = rating(solution.bearing, dynamic=asked.dynamic, static=asked.static)
@@ -316,7 +362,7 @@ def miner(lives: Sequence[float], shares: Sequence[float]) -> float:
     return 1.0 / damage if damage != 0.0 else math.inf
 
 
-def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Asked) -> BearingLife:
+def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeConditions) -> BearingLife:
     lives, shares = [life for life, _ in parts], [share for _, share in parts]
     basic, reference, modified = (
         miner([getattr(each, name) for each in lives], shares) for name in ("basic", "reference", "modified")

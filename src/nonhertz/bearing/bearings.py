@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,8 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import raceway_motion, ring_motion
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, flag, listed, not_negative, numbers, one_of, positive, whole
-from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.inputs.checks import finite, flag, listed, not_negative, numbers, one_of, positive
+from nonhertz.inputs.fields import Count, Input, Part, Quantity, Word, described, together
+from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
 from nonhertz.model.materials import density_of
 from nonhertz.model.profile import crown
@@ -29,6 +30,8 @@ MOST_ROLLERS = 1000
 FITS = 0.02
 ARRANGEMENTS = ("X", "O", "tandem")
 _MOST_ANGLE = math.radians(45.0)
+_RACEWAY = "make it with Ring, or with Plate for washers"
+_GROOVE = "give that of the groove along the rollers in mm"
 _DENSITY = "give it in t/mm^3, 7.85e-9 for steel"
 # Where ribs touch cylindrical rollers, over their radius, and by how much their flanks are open [rad]: both guessed.
 _RIB_HEIGHT, _RIB_ANGLE = 0.7, math.radians(0.5)
@@ -53,25 +56,83 @@ class Inertia(NamedTuple):
     transverse: float
 
 
-@dataclass(frozen=True, kw_only=True)
-class RollerBearing:
+def _function_of_angle(name: str, value: Any, remedy: str) -> None:
+    if not callable(value):
+        raise InputError(name, value, "be a function of the angle", remedy)
+
+
+def _contact_angle(name: str, value: float, remedy: str) -> None:
+    positive(name, value, remedy)
+    if value > _MOST_ANGLE:
+        raise InputError(name, value, f"not exceed {_MOST_ANGLE:.4g} rad, 45 degrees", remedy)
+
+
+def likely_raceway(values: Mapping[str, Any]) -> type[Body]:
+    """Return the class of a raceway without a kind: a washer has no diameter."""
+    return Plate if values.get("diameter") is None else Ring
+
+
+#: The bodies of a bearing.
+Rollers = Annotated[
+    Body,
+    Part(
+        "the rollers, all alike, with diameter and length; y of their profile goes along the bearing's axis, x",
+        Body,
+        "make them with Roller or Body",
+        likely=lambda values: Roller,
+    ),
+]
+InnerRing = Annotated[
+    Body,
+    Part(
+        "the inner ring, its diameter that of the raceway, or the shaft's washer, which is flat and has none",
+        Body,
+        _RACEWAY,
+        likely=likely_raceway,
+    ),
+]
+OuterRing = Annotated[
+    Body,
+    Part(
+        "the outer ring, its diameter that of the raceway and negative, or the housing's washer, which is flat and has "
+        "none",
+        Body,
+        _RACEWAY,
+        likely=likely_raceway,
+    ),
+]
+_PITCH = Quantity(
+    "mm",
+    "the diameter of the circle of the rollers' middles; the mean of both raceways if left out",
+    positive,
+    "give that of the rollers' middles in mm",
+)
+_CLEARANCE = Quantity(
+    "mm",
+    "internal clearance of a row: from one side to the other the inner ring moves by so much, along the axis for "
+    "tapered bearings, up to where a second row like this would hold it, and across it for others; negative: preload",
+    finite,
+    "give the internal clearance in mm",
+)
+_ANGLE = Quantity(
+    "rad",
+    "the angle between the normal of the outer raceway and the radial plane, of tapered and spherical bearings",
+    _contact_angle,
+    "give it in rad: 12 degrees are 0.21",
+)
+_RIB = Part(
+    "where the inner ring's rib touches the rollers of a tapered bearing, or all ribs those of a cylindrical one; a "
+    "usual place if left out",
+    Rib,
+    "make one with nonhertz.bearing.Rib, or leave it out",
+)
+
+
+@described(kw_only=True)
+class RollerBearing(Input):
     """Rollers in a row between an inner and an outer ring; use one of the classes made from it.
 
-    Parameters
-    ----------
-    roller : Body
-        The rollers, with diameter and length; y of its profile goes along the bearing's axis, x.
-    inner, outer : Body
-        The raceways where they touch the rollers: diameters [mm], negative for the outer one.
-    rollers : int
-        How many there are.
-    pitch_diameter : float or None
-        Diameter of the circle of the rollers' middles [mm]; the mean of both raceways if left out.
-    inner_shape, outer_shape : callable or None
-        Angles [rad] -> how much less room the raceway leaves there than a circle does, along the radius [mm]; of the
-        washers of a thrust bearing, how far they rise there along the axis.
-    density : float or None
-        Of the rollers [t/mm^3], for what speed does; if left out, that of their material: steel, or one of the library.
+    Shapes are functions of angles [rad] that return lengths [mm].
 
     Raises
     ------
@@ -79,47 +140,83 @@ class RollerBearing:
         If the parts do not make a bearing.
     """
 
-    roller: Body
-    inner: Body
-    outer: Body
-    rollers: int
-    pitch_diameter: float | None = None
-    inner_shape: Shape | None = None
-    outer_shape: Shape | None = None
-    density: float | None = None
+    meaning_of_kind: ClassVar[str] = (
+        "'cylindrical' (NU and N), 'needle', 'tapered', 'spherical' (a row of barrels) or 'thrust' (cylindrical "
+        "rollers between flat washers)"
+    )
 
-    def __post_init__(self) -> None:
-        for name in ("roller", "inner", "outer"):
-            if not isinstance(getattr(self, name), Body):
-                raise InputError(name, getattr(self, name), "be a Body", "make one with Roller, Ring or Body")
+    roller: Rollers
+    inner: InnerRing
+    outer: OuterRing
+    rollers: Annotated[
+        int, Count("the number of rollers in a row", 1, MOST_ROLLERS, "give the number of rollers of the row")
+    ]
+    pitch_diameter: Annotated[float | None, _PITCH] = None
+    inner_shape: Annotated[
+        Shape | None,
+        Quantity(
+            "mm",
+            "how much less room the inner raceway leaves than a circle, over the angle, along the radius; of the "
+            "washers of a thrust bearing, how far they rise along the axis",
+            _function_of_angle,
+            "give one, or leave it out",
+        ),
+    ] = None
+    outer_shape: Annotated[
+        Shape | None,
+        Quantity("mm", "the same of the outer raceway", _function_of_angle, "give one, or leave it out"),
+    ] = None
+    density: Annotated[
+        float | None,
+        Quantity(
+            "t/mm^3",
+            "density of the rollers, for what speed does; that of their material if left out: steel, or one of the "
+            "library",
+            positive,
+            _DENSITY,
+        ),
+    ] = None
+
+    @together("roller")
+    def _check_roller(self) -> None:
         if self.roller.length is None:
             raise InputError("roller.length", None, "be given", "give the length of the rollers in mm")
         if not self.roller_diameter > 0.0:
             raise InputError("roller.diameter", self.roller.diameter, "be positive", "give the diameter in mm")
-        self._check_raceways()
-        most = whole("rollers", self.rollers, 1, MOST_ROLLERS, "give the number of rollers of the row")
-        object.__setattr__(self, "rollers", most)
-        if self.pitch_diameter is not None:
-            positive("pitch_diameter", self.pitch_diameter, "give that of the rollers' middles in mm")
-        if self.density is not None:
-            positive("density", self.density, _DENSITY)
-        for name in ("inner_shape", "outer_shape"):
-            shape = getattr(self, name)
-            if shape is not None:
-                if not callable(shape):
-                    raise InputError(name, shape, "be a function of the angle", "give one, or leave it out")
-                self._deviation(name, shape)
-        self._check_room()
 
-    def _check_raceways(self) -> None:
-        for name, sign, words in (("inner", 1.0, "positive: it is convex"), ("outer", -1.0, "negative: it is concave")):
-            diameter = getattr(self, name).diameter
-            if callable(diameter) or diameter is None or not sign * diameter > 0.0:
-                raise InputError(f"{name}.diameter", diameter, f"be {words}", "give that of the raceway in mm")
+    @together("inner")
+    def _check_inner(self) -> None:
+        _check_raceway("inner.diameter", self.inner.diameter, 1.0)
 
+    @together("outer")
+    def _check_outer(self) -> None:
+        _check_raceway("outer.diameter", self.outer.diameter, -1.0)
+
+    @together("inner_shape", "rollers")
+    def _check_inner_shape(self) -> None:
+        if self.inner_shape is not None:
+            self._deviation("inner_shape", self.inner_shape)
+
+    @together("outer_shape", "rollers")
+    def _check_outer_shape(self) -> None:
+        if self.outer_shape is not None:
+            self._deviation("outer_shape", self.outer_shape)
+
+    @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle")
     def _check_room(self) -> None:
+        self._refuse_no_room()
+
+    @together(
+        "roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "design", "rib", "axial_clearance"
+    )
+    def _check_ribs(self) -> None:
+        # Those of cones are refused when they are solved.
+        if not self.nominal_angle:
+            _ = self.rib_contacts
+
+    def _refuse_no_room(self) -> None:
         """Refuse rollers that do not fit side by side or between the raceways."""
-        self._check_circle()
+        self._refuse_crowd()
         diameter = self.roller_diameter
         room = 0.5 * self.play + diameter
         if abs(0.5 * self.play) > FITS * diameter:
@@ -148,7 +245,7 @@ class RollerBearing:
         square = math.cos(inner) * math.cos(outer) / (math.cos(mean) * math.cos(half) ** 2)
         return (abs(float(self.outer.diameter)) - float(self.inner.diameter)) * square - 2.0 * self.roller_diameter  # type: ignore[arg-type]
 
-    def _check_circle(self) -> None:
+    def _refuse_crowd(self) -> None:
         diameter, pitch = self.roller_diameter, self.pitch
         # Thin rollers on a huge circle must not overflow.
         most = int(math.pi / math.asin(min(1.0, max(1e-9, diameter / pitch))) + 1e-9)
@@ -331,24 +428,11 @@ class RollerBearing:
         return np.array([0.0, centrifugal, gyroscopic + centrifugal * roller.middle * math.cos(inclined)])
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class CylindricalRollerBearing(RollerBearing):
     """A row of cylindrical rollers, whose ribs hold the inner ring along the axis or not.
 
-    Parameters
-    ----------
-    clearance : float
-        Radial internal clearance: from one side to the other the inner ring moves by so much [mm]. Negative: preload.
-    design : {"NU", "N", "NJ", "NF", "NUP"}
-        Which ring has ribs. ``"NU"``: both of the outer ring, and ``"N"``: both of the inner one, so that the rings are
-        free to move along the axis. ``"NJ"``: both of the outer and one of the inner ring, and ``"NF"``: both of the
-        inner and one of the outer one, which bear axial loads on the inner ring along +x. ``"NUP"``: all four.
-    rib : Rib or None
-        Where the ribs touch the rollers' ends. If left out, at 0.7 of the rollers' radius on flanks that are open by
-        half a degree: a guess.
-    axial_clearance : float
-        How far the inner ring of a NUP moves along the axis from ribs to ribs; half of it from the middle to either
-        side, in other designs too [mm].
+    If the rib is left out, it touches at 0.7 of the rollers' radius, on flanks that are open by half a degree: a guess.
 
     Examples
     --------
@@ -359,25 +443,42 @@ class CylindricalRollerBearing(RollerBearing):
     46.5
     """
 
-    clearance: float = 0.0
-    design: str = "NU"
-    rib: Rib | None = None
-    axial_clearance: float = 0.0
+    clearance: Annotated[float, _CLEARANCE] = 0.0
+    design: Annotated[
+        str,
+        Word(
+            "which ring of a cylindrical bearing has ribs: 'NU', both of the outer one, or 'N', both of the inner one, "
+            "which leave the rings free along the axis; 'NJ', both of the outer and one of the inner one, and 'NF', "
+            "both of the inner and one of the outer one, which bear axial loads on the inner ring along +x; 'NUP', all "
+            "four, both ways",
+            "name which ring has ribs",
+            tuple(DESIGNS),
+        ),
+    ] = "NU"
+    rib: Annotated[Rib | None, _RIB] = None
+    axial_clearance: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "how far the inner ring of a 'NUP' moves along the axis from ribs to ribs; half of it to either side, in "
+            "other designs too",
+            not_negative,
+            "give the axial internal clearance in mm",
+        ),
+    ] = 0.0
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        finite("clearance", self.clearance, "give the radial internal clearance in mm")
-        if abs(self.clearance) > FITS * self.roller_diameter:
+    @together("roller", "clearance")
+    def _check_clearance(self) -> None:
+        # Without a diameter the rollers are wrong, not the clearance.
+        if abs(self.clearance) > FITS * self.roller_diameter > 0.0:
             condition = f"be less than {100.0 * FITS:g} % of the roller's diameter of {self.roller_diameter:g} mm"
             raise InputError("clearance", self.clearance, condition, "give it in mm: 20 um are 0.02")
-        one_of("design", self.design, tuple(DESIGNS), "name which ring has ribs")
-        not_negative("axial_clearance", self.axial_clearance, "give the axial internal clearance in mm")
-        if self.rib is not None:
-            _check_rib(self.rib)
-            if not any(self.bears_axially):
-                remedy = "use NJ, NF or NUP, or leave out the rib"
-                raise InputError("design", self.design, "have ribs that bear loads, since a rib is given", remedy)
-        _ = self.rib_contacts
+
+    @together("design", "rib")
+    def _check_design(self) -> None:
+        if self.rib is not None and not any(self.bears_axially):
+            remedy = "use NJ, NF or NUP, or leave out the rib"
+            raise InputError("design", self.design, "have ribs that bear loads, since a rib is given", remedy)
 
     @property
     def bears_axially(self) -> tuple[bool, bool]:
@@ -401,47 +502,35 @@ class CylindricalRollerBearing(RollerBearing):
         return tuple(end.contact(rib, place, gap, compliances[place[0]]) for place in DESIGNS[self.design])
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class NeedleRollerBearing(CylindricalRollerBearing):
     """A row of needle rollers: cylindrical ones that are long and thin."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class TaperedRollerBearing(RollerBearing):
     """A row of tapered rollers, which bears axial loads on the inner ring along +x.
 
     Diameters of the raceways are those of the cones on a radial line through the rollers' middles; along the rollers
     they change as the contact angles say. The rollers' large ends are at low x, and so at negative y of their profiles.
-
-    Parameters
-    ----------
-    contact_angle : float
-        Angle between the normal of the outer raceway and the radial plane [rad].
-    clearance : float
-        Axial internal clearance: by so much the inner ring moves along the axis from contact on this row to where
-        another, of the same kind, would hold it [mm]. Negative: preload.
-    rib : Rib or None
-        The rib of the inner ring. If left out, the rollers' ends have a radius of 0.95 times the distance to the
-        point at which all cones meet, and touch at 0.9 of the radius of their large ends: a guess.
+    If the rib is left out, the rollers' ends have a radius of 0.95 times the distance to the point at which all cones
+    meet, and touch the inner ring's rib at 0.9 of the radius of their large ends: a guess.
     """
 
-    contact_angle: float
-    clearance: float = 0.0
-    rib: Rib | None = None
+    contact_angle: Annotated[float, _ANGLE]
+    clearance: Annotated[float, _CLEARANCE] = 0.0
+    rib: Annotated[Rib | None, _RIB] = None
 
-    def __post_init__(self) -> None:
-        _check_angle(self.contact_angle)
-        finite("clearance", self.clearance, "give the axial internal clearance in mm")
-        if self.rib is not None:
-            _check_rib(self.rib)
-        if isinstance(self.roller, Body) and self.roller.length is not None:
-            self._check_cone()
-        super().__post_init__()
-
+    @together("roller", "contact_angle")
     def _check_cone(self) -> None:
+        if self.roller.length is None:
+            return  # which is the rollers' mistake
         if not self.half_cone_angle > 0.0:
-            condition = "be a TabulatedDiameter that is larger at negative y"
-            remedy = "give TabulatedDiameter((-5, 5), (11, 10)), say: the large ends are at low x"
+            condition = "be a table of y and diameter that is larger at negative y"
+            remedy = (
+                "give TabulatedDiameter((-5, 5), (11, 10)), or { y = [-5, 5], diameter = [11, 10] } in a file, say: "
+                "the large ends are at low x"
+            )
             raise InputError("roller.diameter", self.roller.diameter, condition, remedy)
         if self.contact_angles[0] <= 0.0:
             condition = f"exceed the rollers' cone angle of {2.0 * self.half_cone_angle:.4g} rad"
@@ -495,42 +584,48 @@ class TaperedRollerBearing(RollerBearing):
         return (end.contact(rib, ("inner", -1), 0.0, self._end_compliances["inner"]),)
 
 
-@dataclass(frozen=True, kw_only=True)
+def _of_groove(ring: str) -> Quantity:
+    return Quantity(
+        "mm",
+        f"the radius of the {ring} ring's groove along the barrels of a spherical bearing, larger than theirs",
+        positive,
+        _GROOVE,
+    )
+
+
+@described(kw_only=True)
 class SphericalRollerBearing(RollerBearing):
     """A row of barrels between grooves, of which the outer one is part of a sphere; usually one of two, in `Paired`.
 
     Profiles of the bodies are what departs from arcs. Diameters of the raceways are those of the grooves on a radial
-    line through the rollers' middles.
-
-    Parameters
-    ----------
-    contact_angle : float
-        Angle between the normals of the raceways and the radial plane [rad].
-    profile_radius : float
-        Radius of the barrels along their axis [mm].
-    inner_groove, outer_groove : float
-        Radii of the grooves along the rollers [mm], larger than that of the barrels.
-    clearance : float
-        Radial internal clearance [mm].
+    line through the rollers' middles. The contact angle is that of both raceways.
     """
 
-    contact_angle: float
-    profile_radius: float
-    inner_groove: float
-    outer_groove: float
-    clearance: float = 0.0
+    contact_angle: Annotated[float, _ANGLE]
+    profile_radius: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the radius of the barrels of a spherical bearing along their axis",
+            positive,
+            "give that of the barrels along their axis in mm",
+        ),
+    ]
+    inner_groove: Annotated[float, _of_groove("inner")]
+    outer_groove: Annotated[float, _of_groove("outer")]
+    clearance: Annotated[float, _CLEARANCE] = 0.0
 
-    def __post_init__(self) -> None:
-        _check_angle(self.contact_angle)
-        finite("clearance", self.clearance, "give the radial internal clearance in mm")
-        positive("profile_radius", self.profile_radius, "give that of the barrels along their axis in mm")
-        for name in ("inner_groove", "outer_groove"):
-            radius = getattr(self, name)
-            positive(name, radius, "give that of the groove along the rollers in mm")
-            if radius <= self.profile_radius:
-                condition = f"exceed the radius of the barrels, {self.profile_radius:g} mm"
-                raise InputError(name, radius, condition, "give that of the groove along the rollers in mm")
-        super().__post_init__()
+    @together("inner_groove", "profile_radius")
+    def _check_inner_groove(self) -> None:
+        self._refuse_groove("inner_groove", self.inner_groove)
+
+    @together("outer_groove", "profile_radius")
+    def _check_outer_groove(self) -> None:
+        self._refuse_groove("outer_groove", self.outer_groove)
+
+    def _refuse_groove(self, name: str, radius: float) -> None:
+        if radius <= self.profile_radius:
+            raise InputError(name, radius, f"exceed the radius of the barrels, {self.profile_radius:g} mm", _GROOVE)
 
     @property
     def raceway_motions(self) -> tuple[Array, Array]:
@@ -559,7 +654,7 @@ class SphericalRollerBearing(RollerBearing):
         return Contact(roller, rings[0]), Contact(roller, rings[1])
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class CylindricalThrustBearing(RollerBearing):
     """Cylindrical rollers between two washers, which bears axial loads along +x and moments alone.
 
@@ -567,17 +662,20 @@ class CylindricalThrustBearing(RollerBearing):
     The rollers' axes are radial, with y of their profiles towards the bearing's axis.
     """
 
-    pitch_diameter: float
+    pitch_diameter: Annotated[float, replace(_PITCH, meaning="the diameter of the circle of the rollers' middles")] = (
+        field()
+    )
 
-    def _check_raceways(self) -> None:
-        positive("pitch_diameter", self.pitch_diameter, "give that of the rollers' middles in mm")
-        for name in ("inner", "outer"):
-            diameter = getattr(self, name).diameter
-            if diameter is not None:
-                raise InputError(f"{name}.diameter", diameter, "be left out: washers are flat", "use a Plate")
+    @together("inner")
+    def _check_inner(self) -> None:
+        _check_washer("inner.diameter", self.inner.diameter)
 
-    def _check_room(self) -> None:
-        self._check_circle()
+    @together("outer")
+    def _check_outer(self) -> None:
+        _check_washer("outer.diameter", self.outer.diameter)
+
+    def _refuse_no_room(self) -> None:
+        self._refuse_crowd()
         if self.roller_length >= self.pitch:
             condition = f"be less than the pitch diameter of {self.pitch:g} mm"
             raise InputError("roller.length", self.roller_length, condition, "give that of the rollers' middles in mm")
@@ -590,6 +688,16 @@ class CylindricalThrustBearing(RollerBearing):
     def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
         """Return the moment alone: the cage holds the rollers along their axes, in which direction they are flung."""
         return np.array([0.0, 0.0, super().load_by_speed(speed, turning)[2]])
+
+
+#: By their words in files.
+RollerBearing.kinds = {
+    "cylindrical": CylindricalRollerBearing,
+    "needle": NeedleRollerBearing,
+    "tapered": TaperedRollerBearing,
+    "spherical": SphericalRollerBearing,
+    "thrust": CylindricalThrustBearing,
+}
 
 
 @dataclass(frozen=True)
@@ -704,6 +812,55 @@ class Paired:
         return tuple(Row(each, x, way, 0.5 * self.clearance) for each, x, way in both)
 
 
+@described()
+class Pair(Input):
+    """How a second row like the first lies, on the same inner ring or on rings that are clamped together."""
+
+    arrangement: Annotated[
+        str,
+        Word(
+            "'X', face to face: the lines of pressure meet between the rows; 'O', back to back: they meet outside; or "
+            "'tandem', both rows bearing axial loads along +x",
+            "write 'X', 'O' or 'tandem'",
+            ARRANGEMENTS,
+        ),
+    ]
+    distance: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the distance of the middles of both rows' rollers along the axis",
+            positive,
+            "give the distance of the rows in mm",
+        ),
+    ]
+    clearance: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "axial clearance of the pair, beside what the rows have themselves; negative: preload",
+            finite,
+            "give the axial clearance in mm",
+        ),
+    ] = 0.0
+
+    @classmethod
+    def of(cls, rows: Paired) -> Pair:
+        """Return how two equal rows lie.
+
+        Raises
+        ------
+        InputError
+            If they are others.
+        """
+        first, distance = rows.bearings[0], rows.x[-1] - rows.x[0]
+        for arrangement in ARRANGEMENTS if distance > 0.0 else ():
+            if rows == paired(first, arrangement, distance, clearance=rows.clearance):
+                return cls(arrangement, distance, rows.clearance)
+        condition = "be two equal rows in X, O or tandem to go into a file"
+        raise InputError("bearings", len(rows.bearings), condition, "solve such a bearing in Python")
+
+
 def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearance: float = 0.0) -> Paired:
     """Return two equal rows.
 
@@ -728,23 +885,26 @@ def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearan
     >>> paired(row, "O", 20.0).turned
     (False, True)
     """
-    one_of("arrangement", arrangement, ARRANGEMENTS, "write 'X', 'O' or 'tandem'")
-    positive("distance", distance, "give the distance of the rows in mm")
-    turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[arrangement]
-    half = 0.5 * float(distance)
-    return Paired(bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=clearance)
+    pair = Pair(arrangement, distance, clearance)
+    turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[pair.arrangement]
+    half = 0.5 * pair.distance
+    return Paired(bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=pair.clearance)
 
 
-def _check_rib(rib: Rib) -> None:
-    if not isinstance(rib, Rib):
-        raise InputError("rib", rib, "be a Rib", "make one with nonhertz.bearing.Rib, or leave it out")
+def _check_raceway(name: str, diameter: Any, sign: float) -> None:
+    if diameter is None:
+        signed = "" if sign > 0.0 else ", negative, since it is concave"
+        raise InputError(name, None, "be given", f"give that of the raceway in mm{signed}")
+    if callable(diameter) or not sign * diameter > 0.0:
+        words = "positive: it is convex" if sign > 0.0 else "negative: it is concave"
+        raise InputError(name, diameter, f"be {words}", "give that of the raceway in mm")
 
 
-def _check_angle(angle: float) -> None:
-    positive("contact_angle", angle, "give it in rad: 12 degrees are 0.21")
-    if angle > _MOST_ANGLE:
-        condition = f"not exceed {_MOST_ANGLE:.4g} rad, 45 degrees"
-        raise InputError("contact_angle", angle, condition, "give it in rad: 12 degrees are 0.21")
+def _check_washer(name: str, diameter: Any) -> None:
+    if diameter is not None:
+        raise InputError(
+            name, diameter, "be left out: washers are flat", "make the washer as a Plate, or leave out the key"
+        )
 
 
 def _along(y: Array, middle: float, slope: float) -> TabulatedDiameter:

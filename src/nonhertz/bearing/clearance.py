@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Annotated, Any
 
 from nonhertz.bearing.bearings import (
     CylindricalRollerBearing,
@@ -28,8 +29,9 @@ from nonhertz.bearing.bearings import (
 from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.fields import Input, Part, Quantity, described, together
 from nonhertz.model.material import STEEL, Material
-from nonhertz.model.materials import STEEL_DENSITY, density_of
+from nonhertz.model.materials import STEEL_DENSITY, NamedMaterial, density_of
 from nonhertz.result.brief import plain_text
 from nonhertz.result.numerals import digits, given
 
@@ -43,29 +45,83 @@ _IN_TONNES = "give it in t/mm^3, 7.85e-9 for steel"
 _IN_MM = "give it on the diameter in mm: 20 um are 0.02"
 
 
-@dataclass(frozen=True, kw_only=True)
-class _Seat:
+def _expansion(name: str, value: float, remedy: str) -> None:
+    finite(name, value, remedy)
+    if abs(value) > MOST_EXPANSION:
+        raise InputError(name, value, f"not exceed {MOST_EXPANSION:g} per kelvin", remedy)
+
+
+def _temperature(name: str, value: float, remedy: str) -> None:
+    finite(name, value, remedy)
+    if not COLDEST <= value <= HOTTEST:
+        raise InputError(name, value, f"lie between {COLDEST:g} and {HOTTEST:g} degC", remedy)
+
+
+def _outside(name: str, value: float, remedy: str) -> None:
+    if value != math.inf:
+        positive(name, value, remedy)
+
+
+_BORE = "give that of a hollow shaft in mm, 0 for a solid one"
+_OUTSIDE = "give that of the housing in mm, or leave it out for an endless one"
+
+
+def _of_temperature(part: str) -> Quantity:
+    return Quantity(
+        "", f"temperature of the {part} in degrees Celsius, a plain number", _temperature, "give it in degC"
+    )
+
+
+def _of_expansion(part: str) -> Quantity:
+    meaning = f"thermal expansion of the {part} per kelvin, a plain number; that of bearing steel if left out for steel"
+    return Quantity("", meaning, _expansion, "give it in 1/K, 12.5e-6 for bearing steel")
+
+
+def _of_density(part: str) -> Quantity:
+    return Quantity("t/mm^3", f"density of the {part}; that of its material if left out", positive, _IN_TONNES)
+
+
+@described(kw_only=True)
+class _Seat(Input):
     """What shaft and housing have in common."""
 
-    diameter: float
-    interference: float = 0.0
-    smoothing: float = 0.0
-    material: Material = STEEL
-    expansion: float | None = None
-    temperature: float = REFERENCE
+    diameter: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the diameter of the seat: the bearing's bore d, or its outside diameter D",
+            positive,
+            "give that of the seat in mm",
+        ),
+    ]
+    interference: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "by how much the part that is inside is larger than the one around it, on the diameter, both at 20 degrees "
+            "Celsius and unmounted; negative for a loose fit",
+            finite,
+            _IN_MM,
+        ),
+    ] = 0.0
+    smoothing: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "what pressing flattens of the roughness of both surfaces, and an interference so loses, on the diameter",
+            not_negative,
+            _IN_MM,
+        ),
+    ] = 0.0
+    material: NamedMaterial = STEEL
+    expansion: Annotated[float | None, _of_expansion("part")] = None
+    temperature: Annotated[float, _of_temperature("part")] = REFERENCE
 
-    def __post_init__(self) -> None:
-        positive("diameter", self.diameter, "give that of the seat in mm")
-        finite("interference", self.interference, _IN_MM)
+    @together("diameter", "interference")
+    def _check_interference(self) -> None:
         if abs(self.interference) > MOST_INTERFERENCE * self.diameter:
             condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {self.diameter:g} mm"
             raise InputError("interference", self.interference, condition, _IN_MM)
-        not_negative("smoothing", self.smoothing, _IN_MM)
-        if not isinstance(self.material, Material):
-            raise InputError("material", self.material, "be a Material", "make one with nonhertz.Material")
-        if self.expansion is not None:
-            _check_expansion("expansion", self.expansion)
-        _check_temperature("temperature", self.temperature)
 
     @property
     def effective_interference(self) -> float:
@@ -73,68 +129,36 @@ class _Seat:
         return max(self.interference - self.smoothing, min(self.interference, 0.0))
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class Shaft(_Seat):
     """The seat of an inner ring.
-
-    Parameters
-    ----------
-    diameter : float
-        Of the seat, which is the bearing's bore d [mm].
-    interference : float
-        By how much the shaft is larger than the bore, both at 20 degC and unmounted, on the diameter [mm]; negative
-        for a loose fit.
-    smoothing : float
-        What pressing flattens of the roughness of both surfaces and an interference so loses, on the diameter [mm].
-        DIN 7190 takes 0.8 (Rz_1 + Rz_2), and NSK leaves d / (d + 2) of the interference of a ground shaft, d in mm;
-        both are recalled.
-    bore : float
-        Of a hollow shaft [mm]; 0: solid.
-    material : Material
-        Of the shaft.
-    expansion : float, optional
-        Its thermal expansion [1/K]; left out: that of bearing steel, if it is of steel.
-    density : float, optional
-        Its density [t/mm^3]; left out: that of its material, if it is of steel or of the library.
-    temperature : float
-        [degC].
 
     Raises
     ------
     InputError
         If the shaft cannot be.
+
+    Notes
+    -----
+    For smoothing DIN 7190 takes 0.8 (Rz_1 + Rz_2), and NSK leaves d / (d + 2) of the interference of a ground shaft, d
+    in mm; both are recalled.
     """
 
-    bore: float = 0.0
-    density: float | None = None
+    bore: Annotated[
+        float, Quantity("mm", "the diameter of the bore of a hollow shaft; 0: solid", not_negative, _BORE)
+    ] = 0.0
+    density: Annotated[float | None, _of_density("shaft")] = None
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if self.density is not None:
-            positive("density", self.density, _IN_TONNES)
-        not_negative("bore", self.bore, "give that of a hollow shaft in mm, 0 for a solid one")
+    @together("diameter", "bore")
+    def _check_bore(self) -> None:
         if self.bore >= self.diameter:
             condition = f"be less than the diameter of the shaft of {self.diameter:g} mm"
-            raise InputError("bore", self.bore, condition, "give that of a hollow shaft in mm, 0 for a solid one")
+            raise InputError("bore", self.bore, condition, _BORE)
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class Housing(_Seat):
     """The seat of an outer ring.
-
-    Parameters
-    ----------
-    diameter : float
-        Of the seat, which is the bearing's outside diameter D [mm].
-    interference : float
-        By how much the outer ring is larger than the seat, both at 20 degC and unmounted, on the diameter [mm];
-        negative for a loose fit.
-    smoothing : float
-        As for a `Shaft`.
-    outside_diameter : float
-        Of the housing as a ring [mm]; left out: endless.
-    material, expansion, temperature
-        As for a `Shaft`.
 
     Raises
     ------
@@ -142,32 +166,112 @@ class Housing(_Seat):
         If the housing cannot be.
     """
 
-    outside_diameter: float = math.inf
+    outside_diameter: Annotated[
+        float, Quantity("mm", "the diameter of the housing as a ring; endless if left out", _outside, _OUTSIDE)
+    ] = math.inf
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        remedy = "give that of the housing in mm, or leave it out for an endless one"
-        if self.outside_diameter != math.inf:
-            positive("outside_diameter", self.outside_diameter, remedy)
-            if self.outside_diameter <= self.diameter:
-                condition = f"exceed that of the seat of {self.diameter:g} mm"
-                raise InputError("outside_diameter", self.outside_diameter, condition, remedy)
+    @together("diameter", "outside_diameter")
+    def _check_outside(self) -> None:
+        if self.outside_diameter <= self.diameter:
+            condition = f"exceed that of the seat of {self.diameter:g} mm"
+            raise InputError("outside_diameter", self.outside_diameter, condition, _OUTSIDE)
 
 
-def _check_expansion(name: str, value: float) -> None:
-    remedy = "give it in 1/K, 12.5e-6 for bearing steel"
-    finite(name, value, remedy)
-    if abs(value) > MOST_EXPANSION:
-        raise InputError(name, value, f"not exceed {MOST_EXPANSION:g} per kelvin", remedy)
+@described(kw_only=True)
+class Mounting(Input):
+    """Fits and temperatures, which leave the clearance that a bearing is solved with.
+
+    Raises
+    ------
+    InputError
+        If one of them is out of range.
+    """
+
+    shaft: Annotated[Shaft, Part("the seat of the inner ring", Shaft, "make one with nonhertz.bearing.Shaft")]
+    housing: Annotated[Housing, Part("the seat of the outer ring", Housing, "make one with nonhertz.bearing.Housing")]
+    inner_temperature: Annotated[float, _of_temperature("inner ring")] = REFERENCE
+    roller_temperature: Annotated[float, _of_temperature("rollers")] = REFERENCE
+    outer_temperature: Annotated[float, _of_temperature("outer ring")] = REFERENCE
+    ring_expansion: Annotated[float | None, _of_expansion("rings")] = None
+    roller_expansion: Annotated[float | None, _of_expansion("rollers")] = None
+    ring_density: Annotated[float | None, _of_density("inner ring")] = None
+
+    def operating(self, bearing: RollerBearing, speed: float) -> OperatingClearance:
+        """Return what is left of the clearance of a row at a speed of the inner ring [1/min].
+
+        Raises
+        ------
+        InputError
+            As `operating_clearance`.
+        """
+        angle, unmounted = _check_bearing(bearing)
+        _check_rings(bearing, self.shaft, self.housing)
+        not_negative("speed", speed, "give that of the inner ring in 1/min")
+        of_shaft = _density("shaft.density", self.shaft.density, self.shaft.material, speed)
+        of_ring = _density("ring_density", self.ring_density, bearing.inner.material, speed)
+        fits = _fits(bearing, self.shaft, self.housing, (of_shaft, of_ring))
+        on_shaft, inner, outer, in_housing, of_rollers = (
+            _strain(name, expansion, part.material, temperature)
+            for name, expansion, part, temperature in (
+                ("shaft.expansion", self.shaft.expansion, self.shaft, self.shaft.temperature),
+                ("ring_expansion", self.ring_expansion, bearing.inner, self.inner_temperature),
+                ("ring_expansion", self.ring_expansion, bearing.outer, self.outer_temperature),
+                ("housing.expansion", self.housing.expansion, self.housing, self.housing.temperature),
+                ("roller_expansion", self.roller_expansion, bearing.roller, self.roller_temperature),
+            )
+        )
+        warm = _Grown(on_shaft, inner), _Grown(outer, in_housing)
+        rollers = 2.0 * bearing.roller_diameter / math.cos(angle) * of_rollers
+        turning = speed * _PER_MINUTE
+        mounted = [fit.raceway() for fit in fits]
+        warmed = [fit.raceway(by) for fit, by in zip(fits, warm, strict=True)]
+        inner_turning = fits[0].raceway(replace(warm[0], speed=turning))
+        return OperatingClearance(
+            unmounted=unmounted,
+            inner_fit=mounted[0],
+            outer_fit=0.0 - mounted[1],  # not -0.0
+            temperatures=(warmed[0] - mounted[0]) - (warmed[1] - mounted[1]) + rollers,
+            speed=inner_turning - warmed[0],
+            inner=fits[0].described(replace(warm[0], speed=turning)),
+            outer=fits[1].described(warm[1]),
+        )
+
+    def expansion(self, bearing: RollerBearing | Paired) -> float:
+        """Return by how much temperatures widen the clearance between rows of rollers [mm]; 0 of a single row."""
+        if not isinstance(bearing, Paired):
+            return 0.0
+        # Where the inner ring moves towards the side to which a row holds it, away from its rollers.
+        apart = sum((row.bears_axially[1] - row.bears_axially[0]) * row.x for row in bearing.rows)
+        row = bearing.bearings[0]
+        inner = _strain("ring_expansion", self.ring_expansion, row.inner.material, self.inner_temperature)
+        return (
+            inner - _strain("ring_expansion", self.ring_expansion, row.outer.material, self.outer_temperature)
+        ) * apart
+
+    def mounted(self, bearing: RollerBearing | Paired, speed: float) -> RollerBearing | Paired:
+        """Return a bearing with what is left of its clearance; rows of a pair have the same seats, and move apart warm.
+
+        Raises
+        ------
+        InputError
+            As `operating`, or if what is left is not a clearance that a bearing can have.
+        """
+        if isinstance(bearing, Paired):
+            rows = tuple(self._row(row, speed) for row in bearing.bearings)
+            return replace(bearing, bearings=rows, clearance=bearing.clearance + self.expansion(bearing))
+        return self._row(bearing, speed)
+
+    def _row(self, row: RollerBearing, speed: float) -> RollerBearing:
+        found = self.operating(row, speed)
+        left = found.axial(row.nominal_angle) if isinstance(row, TaperedRollerBearing) else found.clearance
+        return replace(row, clearance=left)  # type: ignore[call-arg]
 
 
 def _strain(name: str, expansion: float | None, material: Material, temperature: float) -> float:
     """Return the thermal strain of a part."""
-    if expansion is not None:
-        _check_expansion(name, expansion)
-    elif temperature == REFERENCE or density_of(material) == STEEL_DENSITY:
+    if expansion is None and (temperature == REFERENCE or density_of(material) == STEEL_DENSITY):
         expansion = EXPANSION
-    else:
+    if expansion is None:
         condition = (
             f"be given for a part of {given(material.modulus)} MPa, which is not steel, at {given(temperature)} degC"
         )
@@ -178,19 +282,12 @@ def _strain(name: str, expansion: float | None, material: Material, temperature:
 def _density(name: str, density: float | None, material: Material, speed: float) -> float:
     """Return the density of a turning part [t/mm^3]; 0 where it does not matter."""
     if density is not None:
-        positive(name, density, _IN_TONNES)
         return density
     found = density_of(material)
     if found is None and speed > 0.0:
         condition = f"be given for a turning part of {given(material.modulus)} MPa, which is not steel"
         raise InputError(name, None, condition, _IN_TONNES)
     return found or 0.0
-
-
-def _check_temperature(name: str, value: float) -> None:
-    finite(name, value, "give it in degC")
-    if not COLDEST <= value <= HOTTEST:
-        raise InputError(name, value, f"lie between {COLDEST:g} and {HOTTEST:g} degC", "give it in degC")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -370,40 +467,17 @@ def operating_clearance(
     (0.0096, 0.0229, 14.9)
     >>> mounted = dataclasses.replace(row, clearance=found.clearance)
     """
-    angle, unmounted = _check_bearing(bearing)
-    _check_rings(bearing, shaft, housing)
-    temperatures = {"inner": inner_temperature, "roller": roller_temperature, "outer": outer_temperature}
-    for name, value in temperatures.items():
-        _check_temperature(f"{name}_temperature", value)
-    not_negative("speed", speed, "give that of the inner ring in 1/min")
-    of_shaft = _density("shaft.density", shaft.density, shaft.material, speed)
-    of_ring = _density("ring_density", ring_density, bearing.inner.material, speed)
-    fits = _fits(bearing, shaft, housing, (of_shaft, of_ring))
-    on_shaft, inner, outer, in_housing, of_rollers = (
-        _strain(name, expansion, part.material, temperature)
-        for name, expansion, part, temperature in (
-            ("shaft.expansion", shaft.expansion, shaft, shaft.temperature),
-            ("ring_expansion", ring_expansion, bearing.inner, inner_temperature),
-            ("ring_expansion", ring_expansion, bearing.outer, outer_temperature),
-            ("housing.expansion", housing.expansion, housing, housing.temperature),
-            ("roller_expansion", roller_expansion, bearing.roller, roller_temperature),
-        )
+    mounting = Mounting(
+        shaft=shaft,
+        housing=housing,
+        inner_temperature=inner_temperature,
+        roller_temperature=roller_temperature,
+        outer_temperature=outer_temperature,
+        ring_expansion=ring_expansion,
+        roller_expansion=roller_expansion,
+        ring_density=ring_density,
     )
-    warm = _Grown(on_shaft, inner), _Grown(outer, in_housing)
-    rollers = 2.0 * bearing.roller_diameter / math.cos(angle) * of_rollers
-    turning = speed * _PER_MINUTE
-    mounted = [fit.raceway() for fit in fits]
-    warmed = [fit.raceway(by) for fit, by in zip(fits, warm, strict=True)]
-    inner_turning = fits[0].raceway(replace(warm[0], speed=turning))
-    return OperatingClearance(
-        unmounted=unmounted,
-        inner_fit=mounted[0],
-        outer_fit=0.0 - mounted[1],  # not -0.0
-        temperatures=(warmed[0] - mounted[0]) - (warmed[1] - mounted[1]) + rollers,
-        speed=inner_turning - warmed[0],
-        inner=fits[0].described(replace(warm[0], speed=turning)),
-        outer=fits[1].described(warm[1]),
-    )
+    return mounting.operating(bearing, speed)
 
 
 def axial_expansion(
@@ -446,13 +520,11 @@ def axial_expansion(
     """
     if not isinstance(bearing, Paired):
         raise InputError("bearing", bearing, "be a Paired", "make one with nonhertz.bearing.paired")
-    _check_temperature("inner_temperature", inner_temperature)
-    _check_temperature("outer_temperature", outer_temperature)
-    # Where the inner ring moves towards the side to which a row holds it, away from its rollers.
-    apart = sum((row.bears_axially[1] - row.bears_axially[0]) * row.x for row in bearing.rows)
-    row = bearing.bearings[0]
-    inner = _strain("ring_expansion", ring_expansion, row.inner.material, inner_temperature)
-    return (inner - _strain("ring_expansion", ring_expansion, row.outer.material, outer_temperature)) * apart
+    given: dict[str, Any] = {"inner_temperature": inner_temperature, "outer_temperature": outer_temperature}
+    given |= {} if ring_expansion is None else {"ring_expansion": ring_expansion}
+    # What the seats are does not matter to it.
+    checked = {name: Mounting.descriptions[name].take(name, value) for name, value in given.items()}
+    return Mounting.unchecked(**checked).expansion(bearing)
 
 
 @dataclass(frozen=True)
@@ -564,10 +636,6 @@ def _check_bearing(bearing: RollerBearing) -> tuple[float, float]:
 
 
 def _check_rings(bearing: RollerBearing, shaft: Shaft, housing: Housing) -> None:
-    if not isinstance(shaft, Shaft):
-        raise InputError("shaft", shaft, "be a Shaft", "make one with nonhertz.bearing.Shaft")
-    if not isinstance(housing, Housing):
-        raise InputError("housing", housing, "be a Housing", "make one with nonhertz.bearing.Housing")
     raceway, around = (abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
     if shaft.diameter >= raceway:
         condition = f"be less than that of the inner raceway of {raceway:g} mm"

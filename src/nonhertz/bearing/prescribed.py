@@ -4,17 +4,88 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import broadcast, numbers
+from nonhertz.inputs.checks import broadcast, finite, not_negative, numbers
+from nonhertz.inputs.fields import Input, OneOrTwo, Quantity, described
 from nonhertz.model.prescription import MOST_TILT
 
 Array = NDArray[np.float64]
+
+#: A number, or one along each of two axes.
+OneOrBoth = float | tuple[float, float]
+_ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
+
+
+def _rotation(name: str, value: float, remedy: str) -> None:
+    finite(name, value, remedy)
+    if abs(value) > MOST_TILT:
+        raise InputError(name, value, f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
+
+
+@described(kw_only=True)
+class BearingLoad(Input):
+    """What loads the inner ring, or moves it; the outer ring is at rest.
+
+    Raises
+    ------
+    InputError
+        If one of them is out of range; whether a bearing takes the load turns out when it is solved.
+    """
+
+    instead: ClassVar[Mapping[str, str]] = {
+        "radial_displacement": "radial",
+        "axial_displacement": "axial",
+        "tilt": "moment",
+    }
+
+    radial: Annotated[
+        OneOrBoth | None,
+        OneOrTwo(
+            Quantity("N", "a force", finite, "give it in N"),
+            "radial force along y, towards the first roller, or a list of two: along y and z",
+        ),
+    ] = None
+    radial_displacement: Annotated[
+        OneOrBoth | None,
+        OneOrTwo(
+            Quantity("mm", "a displacement", finite, "give it in mm"),
+            "radial displacement along y, or along y and z, in place of the force",
+        ),
+    ] = None
+    axial: Annotated[float | None, Quantity("N", "axial force, along x", finite, "give it in N")] = None
+    axial_displacement: Annotated[
+        float | None, Quantity("mm", "axial displacement, in place of the force", finite, "give it in mm")
+    ] = None
+    tilt: Annotated[
+        OneOrBoth | None,
+        OneOrTwo(
+            Quantity("rad", "a rotation", _rotation, _ROTATION),
+            "rotation of the inner ring about z, in the plane of x and y, or a list of two: about y and z; positive "
+            "about z moves the ring at high x along +y; without tilt and moment the ring does not tilt",
+        ),
+    ] = None
+    moment: Annotated[
+        OneOrBoth | None,
+        OneOrTwo(
+            Quantity("N mm", "a moment", finite, "give it in N mm"),
+            "moment on the inner ring about z, or about y and z, in place of the tilt",
+        ),
+    ] = None
+    speed: Annotated[
+        float,
+        Quantity(
+            "1/min",
+            "speed of the ring that turns, for centrifugal loads and the life",
+            not_negative,
+            "give the speed of the ring that turns in 1/min",
+        ),
+    ] = 0.0
 
 
 class Prescribed(NamedTuple):
@@ -39,37 +110,31 @@ class _Pair(NamedTuple):
     motion: str
     where: slice
     first: int
-    units: tuple[str, str]
 
 
 _PAIRS = (
-    _Pair("radial", "radial_displacement", slice(1, 3), 0, ("N", "mm")),
-    _Pair("axial", "axial_displacement", slice(0, 1), 0, ("N", "mm")),
-    _Pair("moment", "tilt", slice(3, 5), 1, ("N mm", "rad")),
+    _Pair("radial", "radial_displacement", slice(1, 3), 0),
+    _Pair("axial", "axial_displacement", slice(0, 1), 0),
+    _Pair("moment", "tilt", slice(3, 5), 1),
 )
 _COINCIDE = 0.02  # of the pitch diameter: how far apart the middles of spheres may be that are meant to be one
-_ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
 
 
-def one_state(bearing: RollerBearing | Paired, given: Mapping[str, ArrayLike | None]) -> Prescribed:
-    """Return what is given of one state: numbers, or pairs of them."""
+def one_state(bearing: RollerBearing | Paired, load: BearingLoad) -> Prescribed:
+    """Return what is given of one state.
+
+    Raises
+    ------
+    InputError
+        If the bearing does not bear it.
+    """
     values = {
-        name: components(name, value)[None]
+        name: np.asarray(value, dtype=float)[None]
         for pair in _PAIRS
         for name in (pair.force, pair.motion)
-        if (value := given.get(name)) is not None
+        if (value := getattr(load, name)) is not None
     }
     return _prescribed(bearing, values, 1)
-
-
-def components(name: str, value: ArrayLike) -> Array:
-    """Return a force or a motion as a number, shape (), or as one along each of two axes."""
-    pair = next(each for each in _PAIRS if name in (each.force, each.motion))
-    remedy = f"give it in {pair.units[name == pair.motion]}"
-    found = numbers(name, value, remedy)
-    if found.ndim and (found.shape != (2,) or pair.force == "axial"):
-        raise InputError(name, value, "be a number" if pair.force == "axial" else "be a number or two", remedy)
-    return found
 
 
 def many_states(

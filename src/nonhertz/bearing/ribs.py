@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ from nonhertz.bearing.section import point_motion
 from nonhertz.errors import InputError
 from nonhertz.hertz import PointContact, point_contact
 from nonhertz.inputs.checks import not_negative, positive
+from nonhertz.inputs.fields import Input, Quantity, described, together
 
 Array = NDArray[np.float64]
 
@@ -34,24 +36,13 @@ DESIGNS: dict[str, tuple[Place, ...]] = {
     "NF": (("inner", -1), ("inner", 1), ("outer", 1)),
     "NUP": (("inner", -1), ("inner", 1), ("outer", -1), ("outer", 1)),
 }
+_END_RADIUS = "give the radius of the rollers' ends in mm"
 _HEIGHT = "give how far from the roller's axis the rib touches, in mm"
 
 
-@dataclass(frozen=True)
-class Rib:
-    """Ribs of a bearing's rings, and the rollers' ends on them.
-
-    Parameters
-    ----------
-    end_radius : float
-        Radius of the spherical end of the rollers [mm].
-    height : float
-        Distance of the contact from the roller's axis [mm]; of both rings' ribs.
-    crown_radius : float or None
-        Radius of a flank that is crowned [mm]; a straight one has none.
-    edge : float or None
-        Distance of the free edge of the flank from the roller's axis [mm], with which a contact that reaches it is
-        found; not looked for if left out.
+@described()
+class Rib(Input):
+    """Where ribs of a bearing's rings touch the rollers' ends.
 
     Raises
     ------
@@ -64,31 +55,50 @@ class Rib:
     1.999967
     """
 
-    end_radius: float
-    height: float
-    crown_radius: float | None = None
-    edge: float | None = None
+    end_radius: Annotated[
+        float, Quantity("mm", "the radius of the spherical ends of the rollers", positive, _END_RADIUS)
+    ]
+    height: Annotated[
+        float, Quantity("mm", "the distance of the contact from the roller's axis", not_negative, _HEIGHT)
+    ]
+    crown_radius: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "the radius of a crowned flank; a straight one has none",
+            positive,
+            "give that of the flank in mm, or leave it out",
+        ),
+    ] = None
+    edge: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "the distance of the flank's free edge from the roller's axis, where contacts lose room; not looked for if "
+            "left out",
+            not_negative,
+            "give how far from the roller's axis the flank ends, in mm",
+        ),
+    ] = None
 
-    def __post_init__(self) -> None:
-        positive("end_radius", self.end_radius, "give the radius of the rollers' ends in mm")
-        not_negative("height", self.height, _HEIGHT)
+    @together("end_radius", "height")
+    def _check_height(self) -> None:
         if self.height >= self.end_radius:
             condition = f"be less than the radius of the end, {self.end_radius:g} mm"
             raise InputError("height", self.height, condition, "give how far from the roller's axis the rib touches")
-        if self.crown_radius is not None:
-            positive("crown_radius", self.crown_radius, "give that of the flank in mm, or leave it out")
-        if self.edge is not None:
-            not_negative("edge", self.edge, "give how far from the roller's axis the flank ends, in mm")
-            if self.edge >= self.height:
-                condition = f"be less than the height of the contact, {self.height:g} mm"
-                raise InputError("edge", self.edge, condition, "give how far from the roller's axis the flank ends")
+
+    @together("height", "edge")
+    def _check_edge(self) -> None:
+        if self.edge is not None and self.edge >= self.height:
+            condition = f"be less than the height of the contact, {self.height:g} mm"
+            raise InputError("edge", self.edge, condition, "give how far from the roller's axis the flank ends")
 
     @classmethod
     def of_flank(
         cls, *, end_radius: float, angle: float, crown_radius: float | None = None, edge: float | None = None
     ) -> Rib:
         """Return the rib whose flank is inclined by an angle [rad] against the plane square to the roller's axis."""
-        positive("end_radius", end_radius, "give the radius of the rollers' ends in mm")
+        positive("end_radius", end_radius, _END_RADIUS)
         not_negative("angle", angle, "give it in rad: half a degree is 0.0087")
         if angle >= 0.5 * math.pi:
             raise InputError("angle", angle, "be less than a right angle", "give it in rad: half a degree is 0.0087")

@@ -12,15 +12,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, numbers, one_of, whole
+from nonhertz.inputs.checks import finite, numbers, whole
+from nonhertz.inputs.fields import Count, Input, Parts, Quantities, Quantity, Word, described, together
 
 Array = NDArray[np.float64]
 #: The curve through numbers at angles.
@@ -35,48 +36,132 @@ _DEVIATIONS = "give as many lengths in mm as angles"
 _TERMS = "give a mapping such as {2: 0.005}, or {2: (0.005, 0.3)} with the angle of a crest"
 
 
-@dataclass(frozen=True)
-class _Waves:
-    """Orders with their amplitudes [mm] and the angles of a crest [rad]."""
+@described()
+class Wave(Input):
+    """One wave around a ring."""
 
-    terms: tuple[tuple[int, float, float], ...]
+    waves: Annotated[
+        int,
+        Count(
+            "the number of waves around the ring: 0 is a ring too small or too large, 1 one off its centre, 2 an oval",
+            0,
+            MOST_ORDER,
+            "give the number of waves around the ring",
+        ),
+    ]
+    amplitude: Annotated[float, Quantity("mm", "its amplitude, half of what it is from crest to trough")]
+    phase: Annotated[float, Quantity("rad", "angle of a crest, from y towards z; a crest leaves least room")] = 0.0
 
-    @property
-    def table(self) -> dict[str, object]:
-        return {"terms": {order: (amplitude, crest) for order, amplitude, crest in self.terms}}
+
+@described()
+class Waves(Input):
+    """A ring's shape as a sum of waves."""
+
+    terms: Annotated[
+        tuple[Wave, ...],
+        Parts("the waves, which add", Wave, MOST_ORDER + 1, "write [{ waves = 2, amplitude = '5 um' }]"),
+    ]
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "terms", tuple(sorted(self.terms, key=lambda each: each.waves)))
+
+    @together("terms")
+    def _check_orders(self) -> None:
+        known: set[int] = set()
+        for position, each in enumerate(self.terms, start=1):
+            if each.waves in known:
+                remedy = "give each number of waves one amplitude and phase"
+                raise InputError(f"terms[{position}].waves", each.waves, "occur once", remedy)
+            known.add(each.waves)
 
     def at(self, angle: Array) -> Array:
+        """Return the deviation [mm] at angles [rad]."""
         found = np.zeros_like(angle)
-        for order, amplitude, crest in self.terms:
-            found += amplitude * np.cos(order * (angle - crest))
+        for each in self.terms:
+            found += each.amplitude * np.cos(each.waves * (angle - each.phase))
         return found
 
-    def changed(self, turn: float, factor: float) -> _Waves:
-        return _Waves(tuple((order, factor * amplitude, crest + turn) for order, amplitude, crest in self.terms))
+    def changed(self, turn: float, factor: float) -> Waves:
+        """Return the same turned [rad] and multiplied."""
+        return Waves(tuple(Wave(each.waves, factor * each.amplitude, each.phase + turn) for each in self.terms))
+
+    @property
+    def given(self) -> Waves:
+        """What makes it."""
+        return self
+
+
+@described()
+class Deviations(Input):
+    """A ring's shape from deviations at angles, in ascending order; what follows the last is the first."""
+
+    angle: Annotated[tuple[float, ...], Quantities("rad", "angles from y towards z, within one turn")]
+    deviation: Annotated[
+        tuple[float, ...], Quantities("mm", "how much less room there is at these angles than in a circle")
+    ]
+    curve: Annotated[
+        Curve, Word("what goes through them: 'cubic' or 'linear'", "write 'cubic' or 'linear'", get_args(Curve))
+    ] = "cubic"
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for name, values in zip(("angle", "deviation"), self._opened(), strict=True):
+            object.__setattr__(self, name, tuple(values.tolist()))
+
+    @together("angle")
+    def _check_angle(self) -> None:
+        if len(self.angle) < 2:
+            raise InputError("angle", self.angle, "be a row of at least two angles", _ANGLES)
+        if len(self.angle) > MOST_POINTS:
+            raise InputError("angle", len(self.angle), f"hold no more than {MOST_POINTS:,} angles", "give fewer")
+
+    @together("angle", "deviation")
+    def _check_turn(self) -> None:
+        if len(self.deviation) != len(self.angle):
+            raise InputError("deviation", self.deviation, f"be a row of {len(self.angle)} lengths", _DEVIATIONS)
+        places, _ = self._opened()
+        if np.any(np.diff(places) <= _CLOSED * _TURN):
+            twice = float(places[:-1][np.diff(places) <= _CLOSED * _TURN][0])
+            raise InputError("angle", twice, "occur once", _ANGLES)
+
+    def _opened(self) -> tuple[Array, Array]:
+        """Return angles and deviations in ascending order, without the one that closes the ring."""
+        order = np.argsort(self.angle, kind="stable")
+        places, values = np.array(self.angle)[order], np.array(self.deviation)[order]
+        span = float(places[-1] - places[0])
+        if span > _TURN * (1.0 + _CLOSED):
+            condition = f"span no more than one turn of {_TURN:.6g} rad"
+            raise InputError("angle", span, condition, "give angles in rad, 360 degrees are 6.2832")
+        if span < _TURN * (1.0 - _CLOSED):
+            return places, values
+        if abs(values[-1] - values[0]) > 1e-6 * max(float(np.ptp(values)), 1e-6):
+            condition = f"be the same where the ring closes, {values[0]:.6g} mm"
+            remedy = "leave out the angle that is a turn after the first"
+            raise InputError("deviation", float(values[-1]), condition, remedy)
+        return places[:-1], values[:-1]
 
 
 @dataclass(frozen=True)
 class _Table:
-    """Ascending angles within a turn [rad] and the deviation there [mm]; what follows the last is the first."""
+    """Deviations at angles, turned by so much [rad]."""
 
-    angle: tuple[float, ...]
-    deviation: tuple[float, ...]
-    curve: Curve
+    of: Deviations
     offset: float = 0.0
 
     @property
-    def table(self) -> dict[str, object]:
-        angle = [each + self.offset for each in self.angle]
-        return {"angle": angle, "deviation": list(self.deviation), "curve": self.curve}
+    def given(self) -> Deviations:
+        return replace(self.of, angle=tuple(each + self.offset for each in self.of.angle))
 
     def at(self, angle: Array) -> Array:
-        return np.asarray(self._curve(np.mod(angle - self.offset - self.angle[0], _TURN)))
+        return np.asarray(self._curve(np.mod(angle - self.offset - self.of.angle[0], _TURN)))
 
     @cached_property
     def _curve(self) -> Callable[[Array], Array]:
-        places = np.append(self.angle, self.angle[0] + _TURN) - self.angle[0]
-        values = np.append(self.deviation, self.deviation[0])
-        if self.curve == "linear" or len(self.angle) < 3:
+        angle, deviation = self.of.angle, self.of.deviation
+        places = np.append(angle, angle[0] + _TURN) - angle[0]
+        values = np.append(deviation, deviation[0])
+        if self.of.curve == "linear" or len(angle) < 3:
             return lambda angle: np.interp(angle, places, values)
         from scipy.interpolate import CubicSpline
 
@@ -84,7 +169,8 @@ class _Table:
         return curve
 
     def changed(self, turn: float, factor: float) -> _Table:
-        return _Table(self.angle, tuple(factor * each for each in self.deviation), self.curve, self.offset + turn)
+        scaled = tuple(factor * each for each in self.of.deviation)
+        return _Table(replace(self.of, deviation=scaled), self.offset + turn)
 
 
 @dataclass(frozen=True)
@@ -94,7 +180,12 @@ class RingShape:
     Made with `fourier_shape`, `tabulated_shape` and ``+``.
     """
 
-    _parts: tuple[_Waves | _Table, ...]
+    _parts: tuple[Waves | _Table, ...]
+
+    @classmethod
+    def of(cls, given: Waves | Deviations) -> RingShape:
+        """Return the shape of waves or of deviations."""
+        return cls((_Table(given) if isinstance(given, Deviations) else given,))
 
     def __call__(self, angle: ArrayLike) -> Array:
         """Return how much less room there is at angles than a circle leaves.
@@ -135,9 +226,9 @@ class RingShape:
         return RingShape(tuple(part.changed(0.0, float(by)) for part in self._parts))
 
     @property
-    def tables(self) -> tuple[dict[str, object], ...]:
-        """What it is the sum of, each as keywords: ``terms`` for `fourier_shape`, or those of `tabulated_shape`."""
-        return tuple(part.table for part in self._parts)
+    def parts(self) -> tuple[Waves | Deviations, ...]:
+        """What it is the sum of."""
+        return tuple(part.given for part in self._parts)
 
     def __add__(self, other: RingShape) -> RingShape:
         return RingShape(self._parts + other._parts) if isinstance(other, RingShape) else NotImplemented
@@ -179,8 +270,8 @@ def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape
         row = numbers(place, wave, _TERMS).ravel()
         if row.size not in (1, 2):
             raise InputError(place, wave, "be an amplitude, or an amplitude and an angle", _TERMS)
-        found.append((number, float(row[0]), float(row[1]) if row.size == 2 else 0.0))
-    return RingShape((_Waves(tuple(sorted(found))),))
+        found.append(Wave(number, *row.tolist()))
+    return RingShape.of(Waves(tuple(found)))
 
 
 def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubic") -> RingShape:
@@ -213,33 +304,5 @@ def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubi
     >>> shape([0.5, 3.0, 2 * math.pi]).round(4).tolist()
     [0.005, -0.005, 0.0]
     """
-    one_of("curve", curve, get_args(Curve), "write 'cubic' or 'linear'")
-    places, values = numbers("angle", angle, _ANGLES), numbers("deviation", deviation, _DEVIATIONS)
-    if places.ndim != 1 or places.size < 2:
-        raise InputError("angle", angle, "be a row of at least two angles", _ANGLES)
-    if places.size > MOST_POINTS:
-        raise InputError("angle", places.size, f"hold no more than {MOST_POINTS:,} angles", "give fewer")
-    if values.shape != places.shape:
-        raise InputError("deviation", values.shape, f"be a row of {places.size} lengths", _DEVIATIONS)
-    order = np.argsort(places, kind="stable")
-    places, values = _opened(places[order], values[order])
-    if np.any(np.diff(places) <= _CLOSED * _TURN):
-        twice = float(places[:-1][np.diff(places) <= _CLOSED * _TURN][0])
-        raise InputError("angle", twice, "occur once", _ANGLES)
-    return RingShape((_Table(tuple(places.tolist()), tuple(values.tolist()), curve),))
-
-
-def _opened(places: Array, values: Array) -> tuple[Array, Array]:
-    """Return angles without the one that closes the ring."""
-    span = float(places[-1] - places[0])
-    if span > _TURN * (1.0 + _CLOSED):
-        condition = f"span no more than one turn of {_TURN:.6g} rad"
-        raise InputError("angle", span, condition, "give angles in rad, 360 degrees are 6.2832")
-    if span < _TURN * (1.0 - _CLOSED):
-        return places, values
-    if abs(values[-1] - values[0]) > 1e-6 * max(float(np.ptp(values)), 1e-6):
-        condition = f"be the same where the ring closes, {values[0]:.6g} mm"
-        raise InputError(
-            "deviation", float(values[-1]), condition, "leave out the angle that is a turn after the first"
-        )
-    return places[:-1], values[:-1]
+    given: dict[str, Any] = {"angle": angle, "deviation": deviation, "curve": curve}
+    return RingShape.of(Deviations(**given))

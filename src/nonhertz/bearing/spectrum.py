@@ -3,37 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 from numpy.typing import ArrayLike
 
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.mapped import BearingMaps
-from nonhertz.bearing.prescribed import components
+from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import Method, solve
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import listed, not_negative, numbers, positive
+from nonhertz.inputs.checks import listed, numbers, positive
+from nonhertz.inputs.fields import Quantity, described
 from nonhertz.life.spectrum import at_most_whole
 
 _SHARE = "give the share of the revolutions, above 0 and at most 1"
 _CASES = "give a list of nonhertz.bearing.LoadCase(share=..., radial=...)"
 
 
-@dataclass(frozen=True, kw_only=True)
-class LoadCase:
-    """A load on a bearing, carried for a share of the revolutions.
+def _share(name: str, value: float, remedy: str) -> None:
+    positive(name, value, remedy)
+    if value > 1.0:
+        raise InputError(name, value, "not exceed 1", remedy)
 
-    Parameters
-    ----------
-    share : float
-        Share of the revolutions [-], above 0 and at most 1; from shares of the time by `shares_of_revolutions`.
-    radial, axial, moment, radial_displacement, axial_displacement, tilt
-        As in `solve`.
-    speed : float
-        Of the ring that turns [1/min], as in `solve`.
+
+@described(kw_only=True)
+class LoadCase(BearingLoad):
+    """A load on a bearing, carried for a share of the revolutions, as in `solve`.
+
+    From shares of the time those of the revolutions are found by `shares_of_revolutions`.
 
     Raises
     ------
@@ -41,28 +40,12 @@ class LoadCase:
         If one of them is out of range; whether the bearing takes the load turns out when it is solved.
     """
 
-    share: float
-    radial: ArrayLike | None = None
-    axial: float | None = None
-    moment: ArrayLike | None = None
-    radial_displacement: ArrayLike | None = None
-    axial_displacement: float | None = None
-    tilt: ArrayLike | None = None
-    speed: float = 0.0
-
-    def __post_init__(self) -> None:
-        positive("share", self.share, _SHARE)
-        if self.share > 1.0:
-            raise InputError("share", self.share, "not exceed 1", _SHARE)
-        not_negative("speed", self.speed, "give the speed in 1/min")
-        for name, value in self.load.items():
-            if value is not None and name != "speed":
-                components(name, value)
+    share: Annotated[float, Quantity("", "the share of the revolutions, above 0 and at most 1", _share, _SHARE)]
 
     @property
     def load(self) -> dict[str, Any]:
         """What `solve` takes."""
-        return {name: value for name, value in vars(self).items() if name != "share"}
+        return {name: getattr(self, name) for name in BearingLoad.descriptions}
 
 
 def solve_spectrum(

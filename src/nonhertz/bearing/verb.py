@@ -7,7 +7,7 @@ import math
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,25 +16,41 @@ from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, at_edge, balanced
 from nonhertz.bearing.laws import ContactLaw
 from nonhertz.bearing.mapped import BearingMaps, MapLaw
-from nonhertz.bearing.prescribed import Prescribed, many_states, motions, one_state
+from nonhertz.bearing.prescribed import BearingLoad, Prescribed, many_states, motions, one_state
 from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.strips import StripLaw
 from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
-from nonhertz.inputs.checks import not_negative, one_of, thread_count, whole
+from nonhertz.inputs.checks import thread_count
+from nonhertz.inputs.fields import Count, Input, Word, described
 from nonhertz.life.lamina import FEWEST, MOST, STIFFENING, roller_stiffness
 
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
 
-METHODS = ("strips", "slices")
 # What leads to the neighbourhood of the balance, and what may be left there, over the loads. Slices are to be as narrow
 # as the contacts of rollers that speed alone loads are long.
 GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
 _UNIT_OF_SPEED = math.pi / 30.0
-_SPEED_REMEDY = "give the speed of the ring that turns in 1/min"
+
+
+@described(kw_only=True)
+class BearingSolver(Input):
+    """How a bearing is solved."""
+
+    method: Annotated[
+        Method,
+        Word(
+            "'strips', on the automatic grid, or 'slices', the independent ones of ISO/TS 16281",
+            "use 'strips', or 'slices' for comparison",
+            get_args(Method),
+        ),
+    ] = "strips"
+    laminae: Annotated[
+        int, Count("number of slices, for the method 'slices'", FEWEST, MOST, "give the number of slices, 41 say")
+    ] = LAMINAE
 
 
 def solve(
@@ -111,11 +127,11 @@ def solve(
     6830.0
     """
     setting = _Setting.checked(bearing, speed, turning, method, laminae, maps)
-    given = {
+    given: dict[str, Any] = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
-    system, found = setting.solved(one_state(bearing, given))
+    system, found = setting.solved(one_state(bearing, BearingLoad(**given)))
     if not found.residual[0] <= TOLERANCE:
         raise ConvergenceError(
             f"Rollers and rings found no balance in {found.steps[0]} steps: the loads may leave the inner ring unheld.",
@@ -182,17 +198,6 @@ def solve_many(
     return BearingSolutions.of(bearing, method, states, setting.load, shape)
 
 
-def refuse_load(bearing: RollerBearing | Paired, *, speed: float = 0.0, **prescribed: Any) -> None:
-    """Refuse what `solve` refuses of loads, displacements and speed, without solving.
-
-    Raises
-    ------
-    InputError
-    """
-    not_negative("speed", speed, _SPEED_REMEDY)
-    one_state(bearing, prescribed)
-
-
 @dataclass(frozen=True, eq=False)
 class _Setting:
     """A bearing and how it is to be solved, checked."""
@@ -216,19 +221,19 @@ class _Setting:
         if not isinstance(bearing, RollerBearing | Paired):
             remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
             raise InputError("bearing", bearing, "be a bearing", remedy)
-        one_of("method", method, METHODS, "use 'strips', or 'slices' for comparison")
-        laminae = whole("laminae", laminae, FEWEST, MOST, "give the number of slices, 41 say")
-        not_negative("speed", speed, _SPEED_REMEDY)
+        chosen: dict[str, Any] = {"method": method, "laminae": laminae}
+        solver = BearingSolver(**chosen)
+        speed = BearingLoad(speed=speed).speed
         if maps is not None:
             if not isinstance(maps, BearingMaps) or maps.bearing != bearing:
                 remedy = "make them with nonhertz.bearing.maps"
                 raise InputError("maps", maps, "be maps of this bearing", remedy)
             if method != "strips":
                 raise InputError("maps", maps, "not be given with slices", "leave out method")
-        rate = _UNIT_OF_SPEED * float(speed)
+        rate = _UNIT_OF_SPEED * speed
         rows = [row.bearing for row in bearing.rows]
         load = np.concatenate([np.tile(each.load_by_speed(rate, turning), (each.rollers, 1)) for each in rows])
-        return cls(bearing, method, laminae, maps, load)
+        return cls(bearing, solver.method, solver.laminae, maps, load)
 
     def solved(self, acting: Prescribed, threads: int = 1) -> tuple[System, States]:
         """Return the rollers with their laws, and the states of the bearing."""

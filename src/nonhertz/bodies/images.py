@@ -8,17 +8,13 @@ mirroring leaves on the face; further images only cancel the shear of earlier on
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from numbers import Real
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-
-from nonhertz.errors import InputError
 
 if TYPE_CHECKING:
     from nonhertz.bodies.solid import Solid
@@ -31,25 +27,7 @@ SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: those with their own place,
 NO_WEIGHT = 1e-12
 DIRECT = (1.0, 0.0)
 
-_REMEDY = f"give {FEWEST_IMAGES} to {MOST_IMAGES}, or {SERIES!r} for all of them"
-
-
-def check_images(images: int | str, weights: tuple[float, float], endless: bool) -> None:
-    """Refuse a number of images out of range, or a series for a body of infinite depth, which diverges."""
-    if isinstance(images, str):
-        if images != SERIES:
-            raise InputError("images", images, f"be a whole number or {SERIES!r}", _REMEDY)
-        if endless and math.prod(weights) > 0.0:
-            remedy = "give the body a depth, or a number of images"
-            raise InputError(
-                "images", images, "only be used for a body with a depth, without which it has no sum", remedy
-            )
-        return
-    whole = (
-        isinstance(images, Real) and not isinstance(images, bool) and math.isfinite(images) and images == int(images)
-    )
-    if not whole or not FEWEST_IMAGES <= images <= MOST_IMAGES:
-        raise InputError("images", images, f"be a whole number from {FEWEST_IMAGES} to {MOST_IMAGES}", _REMEDY)
+REMEDY = f"give {FEWEST_IMAGES} to {MOST_IMAGES}, or {SERIES!r} for all of them"
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ def above_zero(field: str, value: float, remedy: str) -> None:
 
 
 def _number(field: str, value: float, remedy: str) -> None:
-    if isinstance(value, bool) or not _is_number(value) or not math.isfinite(value):
+    if not is_number(value) or not math.isfinite(value):
         raise InputError(field, value, "be a finite number", remedy)
 
 
@@ -138,11 +138,14 @@ def broadcast(remedy: str, *places: NDArray[np.float64]) -> tuple[NDArray[np.flo
         raise InputError("shapes of the coordinates", shapes, "broadcast against each other", remedy) from None
 
 
-def _is_number(value: object) -> bool:
+def is_number(value: object) -> bool:
+    """Return whether a value is a number, finite or not, and neither text nor a truth value."""
+    if isinstance(value, bool | str):
+        return False
     if isinstance(value, np.ndarray) and (value.ndim > 0 or value.dtype.kind not in "iuf"):
         return False  # older NumPy converts some of them to numbers, with a warning
     try:
         float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
         return False
-    return not isinstance(value, str)
+    return True

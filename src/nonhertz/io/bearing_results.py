@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonhertz.bearing.bearings import TaperedRollerBearing
+from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
-from nonhertz.io.bearing_written import document
+from nonhertz.io.bearing_document import document
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.fits import expanded
 from nonhertz.io.results import key_by_key, plain
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def _clearance(case: BearingCase) -> dict[str, Any] | None:
     numbers = {name: plain(getattr(found, name)) for name in _OF_CLEARANCE}
     axial = {"axial": plain(found.axial(row.nominal_angle))} if isinstance(row, TaperedRollerBearing) else {}
     fits = {ring: {name: plain(value) for name, value in vars(getattr(found, ring)).items()} for ring in RINGS}
-    return numbers | axial | {"expansion": expanded(case.bearing, case.fit)} | fits
+    return numbers | axial | {"expansion": Mounting(**case.fit).expansion(case.bearing)} | fits
 
 
 def as_json(entries: dict[str, Any]) -> str:

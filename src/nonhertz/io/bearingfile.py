@@ -6,38 +6,36 @@ All mistakes in a file are found at once and raised together, in the wording of 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.clearance import Mounting
+from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.spectrum import LoadCase
+from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of, whole
 from nonhertz.inputs.files import legible
 from nonhertz.io.casefile import OF_BEARINGS, Case, as_toml, case_text, parsed, starting_text, write_document
 from nonhertz.io.changes import changed
-from nonhertz.io.fits import FIT, mounted, operating
 from nonhertz.io.title_block import TitleBlock
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.solution import BearingSolution
-    from nonhertz.io.mistakes import Mistake
     from nonhertz.io.origin import Origin
 
 _SECTIONS: dict[str, tuple[str, ...]] = {
-    "fit": FIT,
-    "load": ("radial", "axial", "moment", "radial_displacement", "axial_displacement", "tilt", "speed"),
-    "solver": ("method", "laminae"),
-    "life": (
-        *("viscosity", "contamination", "cleanliness", "reliability", "edge_stress", "laminae", "turning"),
-        *("dynamic", "static"),
-        # Beside a viscosity; in a file it is that of the load.
-        "speed",
-    ),
+    "fit": tuple(Mounting.descriptions),
+    "load": tuple(BearingLoad.descriptions),
+    "solver": tuple(BearingSolver.descriptions),
+    # In a file the speed beside a viscosity is that of the load.
+    "life": (*LifeConditions.descriptions, "speed"),
 }
 
 
@@ -141,7 +139,7 @@ class BearingCase:
         InputError
             If no bearing file can hold it; see `write`.
         """
-        from nonhertz.io.bearing_written import document
+        from nonhertz.io.bearing_document import document
 
         return document(self) if self.origin is None else self.origin.document
 
@@ -179,7 +177,7 @@ class BearingCase:
         if not self.fit:
             return None
         try:
-            return operating(self.bearing.rows[0].bearing, self.fit, self._inner_speed)
+            return Mounting(**self.fit).operating(self.bearing.rows[0].bearing, self._inner_speed)
         except InputError as error:
             raise placed(error, "fit") from None
 
@@ -195,7 +193,7 @@ class BearingCase:
         if not self.fit:
             return self.bearing
         try:
-            return mounted(self.bearing, self.fit, self._inner_speed)
+            return Mounting(**self.fit).mounted(self.bearing, self._inner_speed)
         except InputError as error:
             raise placed(error, "fit") from None
 
@@ -326,7 +324,7 @@ class BearingCase:
             If the file cannot be written, or the bearing has something no file can hold: a profile, a diameter or
             the shape of a raceway of a user-defined class, or rows that are not two equal ones.
         """
-        from nonhertz.io.bearing_written import document
+        from nonhertz.io.bearing_document import document
 
         write_document(lambda: document(self), path)
 
@@ -392,63 +390,48 @@ def bearing_in(
     CaseError
         With every mistake in the document, one sentence each.
     """
-    # Imported here: pydantic and its schemas take a tenth of a second.
-    from pydantic import ValidationError
-
-    from nonhertz.io.bearing_document import BearingFileTable, radius_across
-    from nonhertz.io.mistakes import case_error, in_order, mistakes_in
+    # Imported here: they import this module.
+    from nonhertz.io.bearing_document import radius_across, read_document
+    from nonhertz.io.mistakes import TableError, case_error, in_order
     from nonhertz.io.origin import Origin, with_notes
+    from nonhertz.io.reading import Surroundings
 
     if changes is not None:
         document, text = changed(document, text, changes, bearing_schema, legible(path.stem))
     folder = path.parent if files else None
-    context = {"folder": folder, "radius": radius_across(document)}
+    file = Surroundings(folder, radius_across(document))
     try:
-        table, notes = with_notes(lambda: BearingFileTable.model_validate(document, context=context))
-    except ValidationError as error:
-        mistakes = mistakes_in(error, BearingFileTable)
-        mistakes += _of_parts(document, context, mistakes)
-        raise case_error(in_order(mistakes, document)) from None
+        found, notes = with_notes(lambda: read_document(document, file))
+    except TableError as error:
+        raise case_error(in_order(error.mistakes, document)) from None
+    load, life = found.load, found.life
+    loads = document["life"]["spectrum"] if life.spectrum else []
+    conditions = {name: value for name in LifeConditions.descriptions if (value := getattr(life, name)) is not None}
     case = BearingCase(
-        title=table.title or legible(path.stem),
-        bearing=table.made(),
-        prescribed=table.load.prescribed(),
-        solver=dict(table.solver),
-        life=table.life.keywords(table.load.speed),
-        fit={} if table.fit is None else table.fit.keywords(),
+        title=found.title or legible(path.stem),
+        bearing=found.bearing,
+        prescribed={name: getattr(load, name) for name in BearingLoad.descriptions if name in document["load"]},
+        solver=dict(vars(found.solver)),
+        life=conditions
+        | ({} if life.viscosity is None else {"speed": load.speed if "speed" in document["load"] else None}),
+        fit={} if found.fit is None else {name: getattr(found.fit, name) for name in document["fit"]},
         path=path,
-        spectrum=tuple(case.case(table.load.speed) for case in table.life.spectrum),
-        title_block=table.report.title_block(),
+        spectrum=tuple(
+            case if "speed" in table else replace(case, speed=load.speed)
+            for case, table in zip(life.spectrum, loads, strict=True)
+        ),
+        title_block=found.report,
     )
     object.__setattr__(case, "origin", Origin(document, text, notes, folder))
     return case
 
 
-def _of_parts(document: dict[str, Any], context: dict[str, Any], known: list[Mistake]) -> list[Mistake]:
-    """Return what is wrong with the bearing as a whole where the mistakes that are known are elsewhere."""
-    from pydantic import ValidationError
-
-    from nonhertz.io.bearing_document import PartsTable
-    from nonhertz.io.mistakes import mistakes_in
-
-    if any(mistake.place[:1] == (name,) for mistake in known for name in OF_BEARINGS):
-        return []
-    parts = {name: document[name] for name in OF_BEARINGS if name in document}
-    if len(parts) < len(OF_BEARINGS):
-        return []  # one of them is misspelled
-    try:
-        PartsTable.model_validate(parts, context=context)
-    except ValidationError as error:
-        return mistakes_in(error, PartsTable)
-    return []
-
-
 @cache
 def bearing_schema() -> Mapping[str, Any]:
     """Return the JSON schema of a bearing file, with the meaning and the unit of every key; made once, only read."""
-    from nonhertz.io.bearing_document import BearingFileTable
+    from nonhertz.io.bearing_document import schema
 
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | BearingFileTable.model_json_schema()
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema()
 
 
 #: Bearings whose files `starting_bearing` returns, by name, in words.
@@ -483,16 +466,20 @@ def placed(error: InputError, *sections: str) -> CaseError:
 
     An error about something that is in no file, such as the approach of a contact, comes from the loads.
     """
-    from nonhertz.io.bearing_document import BearingTable, fit_mistake, part_mistake
+    from nonhertz.io.bearing_document import of_fit
     from nonhertz.io.mistakes import Mistake, case_error
+    from nonhertz.io.reading import place_of
 
+    field = error.field.partition(".")[0]
     if sections == ("fit",):
-        return case_error([fit_mistake(error).within(("fit",))])
-    for section in sections or ("load", "solver"):
-        if error.field in _SECTIONS[section]:
-            return case_error([Mistake((section, error.field), error)])
-        if error.field == "viscosity_ratio":
-            return case_error([Mistake(("life", "viscosity"), error)])
-    if error.field.partition(".")[0] in {*OF_BEARINGS, *BearingTable.model_fields}:
-        return case_error([part_mistake(error)])
-    return CaseError([f"load must leave every contact of the rollers within the model: {error}"], ["load"])
+        error = of_fit(error)
+    elif section := next((each for each in sections or ("load", "solver") if field in _SECTIONS[each]), ""):
+        error = error.within(section)
+    elif field == "viscosity_ratio":
+        error = InputError("life.viscosity", error.value, error.condition, error.remedy)
+    elif field not in OF_BEARINGS:
+        if not any(field in kind.descriptions for kind in RollerBearing.kinds.values()) and field != "pair":
+            sentence = f"load must leave every contact of the rollers within the model: {error}"
+            return CaseError([sentence], ["load"])
+        error = error.within("bearing")
+    return case_error([Mistake(place_of(error.field), error, absent=error.value is None)])

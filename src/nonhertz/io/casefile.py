@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import inspect
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -19,15 +18,19 @@ from typing import TYPE_CHECKING, Any
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.files import content, legible
-from nonhertz.io.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
+from nonhertz.io.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.io.changes import changed
+from nonhertz.io.mistakes import Mistake, TableError, case_error, in_order
+from nonhertz.io.origin import Origin, with_notes
+from nonhertz.io.reading import read, schema_of_file
+from nonhertz.io.sections import CaseDocument, Life, Solver, of_both, surroundings
 from nonhertz.io.title_block import TitleBlock
+from nonhertz.io.writing import document_of
+from nonhertz.model.body import BODIES
 from nonhertz.model.contact import Contact
+from nonhertz.strip.element import SEMI_ELLIPTIC
 
 if TYPE_CHECKING:
-    from nonhertz.io.document import LifeTable
-    from nonhertz.io.origin import Origin
-    from nonhertz.life import LoadCase, Model
     from nonhertz.result.solution import Solution
 
 #: Tables of a bearing file in place of those of both bodies.
@@ -42,60 +45,6 @@ _SECTIONS = {
 
 
 @dataclass(frozen=True)
-class LifeCase:
-    """What a case file says about life.
-
-    Attributes
-    ----------
-    rollers : int or None
-        Number of rollers in the bearing.
-    names : tuple of str
-        Names of the models to apply; empty for all of them.
-    parameters : dict
-        Model parameters given in the file, whichever models take them.
-    spectrum : tuple of LoadCase
-        Loads that replace the single load; empty if there is no spectrum.
-    contact_angle : float or None
-        Contact angle of the bearing [rad], for tapered rollers.
-    dent : dict or None
-        What the file says of a dent that is rolled over.
-    """
-
-    rollers: int | None = None
-    names: tuple[str, ...] = ()
-    parameters: dict[str, Any] = field(default_factory=dict)
-    spectrum: tuple[LoadCase, ...] = ()
-    contact_angle: float | None = None
-    dent: dict[str, Any] | None = None
-
-    @property
-    def steps(self) -> int:
-        """How many steps an assessment announces: both bodies under each load, and the dent."""
-        return 2 * max(1, len(self.spectrum)) + (self.dent is not None)
-
-    def models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
-        """Return models by name, each with the parameters from the file that it takes.
-
-        Parameters
-        ----------
-        names : iterable of str
-            Names that override those in the file.
-
-        Raises
-        ------
-        InputError
-            If a name is not that of a model.
-        """
-        from nonhertz.life import MODELS, model
-
-        made = []
-        for name in tuple(names) or self.names or MODELS:
-            known = inspect.signature(MODELS[name]).parameters if name in MODELS else {}
-            made.append(model(name, **{key: value for key, value in self.parameters.items() if key in known}))
-        return tuple(made)
-
-
-@dataclass(frozen=True)
 class Case:
     """Two bodies, what presses them together, how that is solved, and how long the bodies last.
 
@@ -107,7 +56,7 @@ class Case:
         Load or approach, tilt or moment: keywords for `nonhertz.solve`.
     solver : dict
         Element, strips and accuracy: keywords for `nonhertz.solve`; semi-elliptic and automatic where left out.
-    life : LifeCase
+    life : Life
         How long the bodies last: models and a spectrum of loads.
     title : str
         The case's title; the file's name if the file has none.
@@ -134,7 +83,7 @@ class Case:
     contact: Contact
     prescribed: dict[str, Any]
     solver: dict[str, Any] = field(default_factory=dict)
-    life: LifeCase = field(default_factory=LifeCase)
+    life: Life = field(default_factory=Life)
     title: str = ""
     path: Path = field(default=Path("case.toml"), compare=False)
     title_block: TitleBlock = field(default_factory=TitleBlock)
@@ -142,11 +91,9 @@ class Case:
     origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        from nonhertz.strip.element import SEMI_ELLIPTIC
-
         for name, value, kind in (
             ("contact", self.contact, Contact),
-            ("life", self.life, LifeCase),
+            ("life", self.life, Life),
             ("title", self.title, str),
             ("path", self.path, Path),
             ("title_block", self.title_block, TitleBlock),
@@ -177,9 +124,7 @@ class Case:
         InputError
             If no case file can hold it; see `write`.
         """
-        from nonhertz.io.written import document
-
-        return document(self) if self.origin is None else self.origin.document
+        return document_of_case(self) if self.origin is None else self.origin.document
 
     @property
     def text(self) -> str:
@@ -237,9 +182,37 @@ class Case:
             If the file cannot be written, or the case has something no case file can hold: a profile or diameter of a
             user-defined class, or strips given by their edges.
         """
-        from nonhertz.io.written import document
+        write_document(lambda: document_of_case(self), path)
 
-        write_document(lambda: document(self), path)
+
+def document_of_case(case: Case) -> dict[str, Any]:
+    """Return a case as the document of a case file: every value in base units, nothing of the bodies left to a default.
+
+    It contains the points of measured and tabulated profiles, so it needs no other file.
+
+    Raises
+    ------
+    InputError
+        If no case file can hold it: a profile or diameter of a user-defined class, or strips given by their edges.
+    """
+    found: dict[str, Any] = {"format": FORMAT} | ({"title": case.title} if case.title else {})
+    found["body"] = {}
+    for which in BODIES:
+        try:
+            found["body"][which] = document_of(getattr(case.contact, which))
+        except InputError as error:
+            raise error.within(f"body.{which}") from None
+    found["load"] = {name: float(value) for name, value in case.prescribed.items()}
+    strips = "auto" if case.solver["strips"] is None else case.solver["strips"]
+    if not isinstance(strips, str | int):
+        raise InputError("strips", "edges", "be 'auto' or a number to go into a case file", "give the number of strips")
+    element = case.solver["element"] or SEMI_ELLIPTIC
+    found["solver"] = document_of(Solver(element=element.name, strips=strips, accuracy=case.solver["accuracy"]))
+    for name, part in (("life", case.life), ("report", case.title_block)):
+        given = document_of(part, defaults=False)
+        if given:
+            found[name] = given
+    return found
 
 
 def read_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:
@@ -340,29 +313,21 @@ def case_in(
     CaseError
         With every mistake in the document, one sentence each.
     """
-    # Imported here: pydantic and its schemas take a tenth of a second.
-    from pydantic import ValidationError
-
-    from nonhertz.io.document import CaseTable, reading
-    from nonhertz.io.mistakes import case_error, in_order, mistakes_in
-    from nonhertz.io.origin import Origin, with_notes
-    from nonhertz.strip.element import ELEMENTS
-
     if changes is not None:
         document, text = changed(document, text, changes, schema, legible(path.stem))
     folder = path.parent if files else None
     try:
-        table, notes = with_notes(lambda: CaseTable.model_validate(document, context=reading(document, folder)))
-    except ValidationError as error:
-        raise case_error(in_order(mistakes_in(error, CaseTable), document)) from None
+        found, notes = with_notes(lambda: read(CaseDocument, document, surroundings(document, folder)))
+    except TableError as error:
+        raise case_error(in_order(error.mistakes, document)) from None
     case = Case(
-        title=table.title or legible(path.stem),
-        contact=table.body.contact,
-        prescribed=table.load.prescribed(),
-        solver=vars(table.solver) | {"element": ELEMENTS[table.solver.element]},
+        title=found.title or legible(path.stem),
+        contact=Contact(found.body.a, found.body.b),
+        prescribed=found.load.keywords,
+        solver=found.solver.keywords,
         path=path,
-        life=_life(table.life),
-        title_block=table.report.title_block(),
+        life=found.life,
+        title_block=found.report,
     )
     object.__setattr__(case, "origin", Origin(document, text, notes, folder))
     return case
@@ -418,9 +383,7 @@ def schema() -> Mapping[str, Any]:
 
     It is made once, since that takes longer than twenty cases to solve, and only read.
     """
-    from nonhertz.io.document import CaseTable
-
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | CaseTable.model_json_schema()
+    return schema_of_file(CaseDocument)
 
 
 def starting_case(template: str | None = None) -> str:
@@ -507,11 +470,9 @@ def _taken_away_unless_whole(path: Path) -> Iterator[None]:
 
 def placed(error: InputError) -> CaseError:
     """Return an error from `nonhertz.solve` as one about the case file, with the field named as in the file."""
-    from nonhertz.io.document import of_both
-    from nonhertz.io.mistakes import Mistake, case_error
-
     if error.field in _OF_BOTH_BODIES:
-        return case_error([of_both(error).within(("body",))])
+        field = of_both(error)
+        return case_error([Mistake(("body", *field.field.split(".")), field, absent=field.value is None)])
     section = [section for section, fields in _SECTIONS.items() if error.field in fields]
     place = (*(part for each in section for part in each.split(".")), *error.field.split("."))
     return case_error([Mistake(place, error)])
@@ -525,16 +486,6 @@ def named(path: str | Path) -> Iterator[None]:
     except CaseError as error:
         sentences = (each if each.startswith(str(path)) else f"{path}: {each}" for each in error.mistakes)
         raise CaseError(sentences, error.places) from None
-
-
-def _life(table: LifeTable) -> LifeCase:
-    spectrum: tuple[LoadCase, ...] = ()
-    if table.spectrum:
-        from nonhertz.life import LoadCase
-
-        spectrum = tuple(LoadCase(**dict(case)) for case in table.spectrum)
-    dent = None if table.dent is None else table.dent.model_dump(exclude_unset=True)
-    return LifeCase(table.rollers, table.models, table.parameters(), spectrum, table.contact_angle, dent)
 
 
 def _tables(text: str, name: str) -> dict[str, Any]:

@@ -74,7 +74,7 @@ def changed(
         raise InputError("changes", changes, "be a dictionary", 'map paths to values, such as {"load.load": "5 kN"}')
     if not changes:
         return document, text
-    # Imported here: it needs pydantic, as all that reads files does.
+    # Imported here: they import this module.
     from nonhertz.io.casefile import as_toml
     from nonhertz.io.paths import drops_first, parameter, parameters
 

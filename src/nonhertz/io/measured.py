@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.inputs.fields import nearest, unknown
 from nonhertz.inputs.files import special
 from nonhertz.inputs.units import in_unit
-from nonhertz.io.mistakes import Mistake, TableError, missing, nearest, unknown
+from nonhertz.io.mistakes import Mistake, TableError, missing
 from nonhertz.io.traces import read_trace
 from nonhertz.measured import Measured, Trace, prepare
 from nonhertz.model.profile import Profile

@@ -1,20 +1,13 @@
-"""Mistakes in a case file, each with its place, in the package's own wording.
-
-pydantic walks a file's tables and collects what its validators reject; here its findings become sentences in
-the form of `InputError`, so that a file and a Python call get the same messages.
-"""
+"""Mistakes in a file, each with its place: sentences in the form of `InputError`, as a Python call gets them."""
 
 from __future__ import annotations
 
-import difflib
 import json
 import re
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, get_args
-
-from pydantic import BaseModel, ValidationError
+from typing import Any
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.io.bounds import MISTAKES
@@ -70,7 +63,6 @@ class TableError(ValueError):
         super().__init__(self.mistakes)
 
     def __str__(self) -> str:
-        # pydantic calls this at every level of the file but never shows it, so the values are not formatted.
         return f"{len(self.mistakes)} mistakes"
 
 
@@ -129,28 +121,6 @@ def in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mist
     return sorted(mistakes, key=position)
 
 
-def nearest(word: str, known: Iterable[str]) -> str | None:
-    """Return the known word closest to ``word``, None if none is close."""
-    spelled = {name.lower(): name for name in known}
-    begun = [name for name in spelled if len(word) > 2 and name.startswith(word.lower())]
-    matches = difflib.get_close_matches(word.lower(), spelled, n=1) or (begun if len(begun) == 1 else [])
-    return spelled[matches[0]] if matches else None
-
-
-def unknown(
-    field: str, value: object, what: str, word: object, known: Iterable[str], otherwise: str = ""
-) -> InputError:
-    """Return the error for a word, or another value in its place, that is not known; it suggests the closest match.
-
-    Where there is none it lists all that are known, or says ``otherwise`` where these are too many.
-    """
-    known = tuple(known)
-    match = nearest(word, known) if isinstance(word, str) else None
-    others = otherwise or "choose from " + ", ".join(f"'{name}'" for name in known)
-    remedy = f"the nearest is '{match}'" if match else others
-    return InputError(field, value, f"be a known {what}", remedy)
-
-
 def missing(place: Place, remedy: str) -> Mistake:
     """Return the mistake of leaving out a required key."""
     return Mistake(place, InputError("", None, "be given", remedy), absent=True)
@@ -162,64 +132,3 @@ def mistake_in(field: str, error: InputError, value: object) -> Mistake:
     place = (field,) if error.field == field else (field, error.field)
     # TOML has no null, so None means that the key is missing.
     return Mistake(place, InputError(error.field, shown, error.condition, error.remedy), absent=shown is None)
-
-
-def mistakes_in(error: ValidationError, table: type[BaseModel]) -> list[Mistake]:
-    """Return what pydantic found wrong with a table, in the package's wording.
-
-    A missing key is not reported where an unknown one looks like it: that is one mistake, not two.
-    """
-    found: list[Mistake] = []
-    misspelled: set[Place] = set()
-    for item in error.errors(include_url=False):
-        place: Place = tuple(part + 1 if isinstance(part, int) else part for part in item["loc"])
-        if item["type"] == "missing":
-            found.append(missing(place, _way_out(table, place)))
-        elif item["type"] == "extra_forbidden":
-            known = _table_at(table, place[:-1]).model_fields
-            word = str(place[-1])
-            found.append(Mistake(place, unknown(word, item["input"], "key", word, known)))
-            misspelled.add((*place[:-1], nearest(word, known) or word))
-        else:
-            found.extend(_from_pydantic(item, place))
-    return [mistake for mistake in found if not (mistake.absent and mistake.place in misspelled)]
-
-
-def _from_pydantic(item: Any, place: Place) -> list[Mistake]:
-    value = item["input"]
-    match item["type"]:
-        case "model_type" | "model_attributes_type" | "dict_type":
-            remedy = f"write it under a heading [{path_of(place)}]"
-            return [Mistake(place, InputError("", value, "be a section", remedy))]
-        case "string_type":
-            return [Mistake(place, InputError("", value, "be text", "put it in quotes"))]
-    raised = item.get("ctx", {}).get("error")
-    if isinstance(raised, TableError):
-        return [mistake.within(place) for mistake in raised.mistakes]
-    if isinstance(raised, InputError):
-        if place and raised.field == place[-1]:
-            return [mistake_in(raised.field, raised, value).within(place[:-1])]
-        return [Mistake((*place, raised.field), raised)]
-    raise AssertionError(f"no words for pydantic's {item['type']!r} at {path_of(place)}")
-
-
-def _table_at(table: type[BaseModel], place: Place) -> type[BaseModel]:
-    for part in place:
-        (table,) = _tables_in(table.model_fields[str(part)].annotation)
-    return table
-
-
-def _way_out(table: type[BaseModel], place: Place) -> str:
-    field = _table_at(table, place[:-1]).model_fields[str(place[-1])]
-    if not _tables_in(field.annotation):
-        return f"give {field.description}"
-    inner = _table_at(table, place).model_fields
-    needed = [name for name, each in inner.items() if each.is_required() and _tables_in(each.annotation)]
-    headings = [f"[{path_of((*place, name))}]" for name in needed]
-    return "write it under a heading " + (" and ".join(headings) or f"[{path_of(place)}]")
-
-
-def _tables_in(annotation: object) -> list[type[BaseModel]]:
-    """Return the class of a table that may be given, in a list that is empty if this is none."""
-    kinds = get_args(annotation) or (annotation,)  # of a table that may be left out, or None
-    return [kind for kind in kinds if isinstance(kind, type) and issubclass(kind, BaseModel)]

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.fields import nearest
 from nonhertz.inputs.files import content, legible
 from nonhertz.inputs.units import in_unit
-from nonhertz.io.mistakes import nearest
 from nonhertz.io.results import plain
 from nonhertz.io.tables import csv_text
 from nonhertz.io.traces.text import decoded, value_in

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from nonhertz.errors import InputError
-from nonhertz.io.mistakes import nearest, path_of
+from nonhertz.inputs.fields import nearest
+from nonhertz.io.mistakes import path_of
 from nonhertz.io.origin import body_tables
 from nonhertz.model.profile.catalogue import BY_DROP
 

@@ -1,26 +1,25 @@
-"""The tables of a plan file, as pydantic models."""
+"""A plan file and its sections."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Annotated, Any
-
-from pydantic import Field, PlainValidator, WithJsonSchema, field_validator
+from dataclasses import field
+from typing import Annotated, Any
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import one_line
-from nonhertz.io.bounds import FORMAT
-from nonhertz.io.document import Angle, Force, Format, Number, Table, read_loads
-from nonhertz.io.mistakes import unknown
-from nonhertz.io.sampling import METHODS, Sampling
+from nonhertz.inputs.fields import Count, Custom, Input, Part, Parts, Quantity, Word, described, unknown
+from nonhertz.io.bounds import FORMAT, LOADS
+from nonhertz.io.sampling import Sampling
+from nonhertz.io.sections import FORMAT_FIELD, line
+from nonhertz.life import MODELS, LoadCase
 
-if TYPE_CHECKING:
-    from nonhertz.life import LoadCase
-
-_VARIED_SCHEMA = {
+_REMEDY = "write a line for each path, such as \"load.load\" = '5 kN : 40 kN : 8'"
+_VARIED: dict[str, Any] = {
     "type": "object",
     "additionalProperties": {"anyOf": [{"type": "string"}, {"type": "array", "minItems": 1}, {"type": "object"}]},
 }
+_TEXTS = {"type": "array", "items": {"type": "string"}}
 
 
 def flat(tables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
@@ -38,88 +37,63 @@ def flat(tables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
             yield key, value
 
 
-def _read_varied(value: Any) -> dict[str, Any]:
+def _by_path(name: str, value: Any, remedy: str) -> dict[str, Any]:
     if not isinstance(value, dict):
-        remedy = "write a line for each path, such as \"load.load\" = '5 kN : 40 kN : 8'"
-        raise InputError("over", value, "be a table", remedy)
+        raise InputError(name, value, "be a table", remedy)
     return dict(flat(value))
 
 
-Varied = Annotated[dict[str, Any], PlainValidator(_read_varied), WithJsonSchema(_VARIED_SCHEMA)]
-Unread = Annotated[Any, PlainValidator(lambda value: value)]
+def _model(name: str, value: Any, remedy: str) -> str:
+    if not isinstance(value, str) or value not in MODELS:
+        raise unknown(name, value, "fatigue model", value, MODELS)
+    return value
 
 
-class SamplesTable(Table):
-    """How samples are drawn from distributions."""
-
-    count: Annotated[Unread, WithJsonSchema({"type": "integer", "minimum": 1})] = Field(
-        default=Sampling.count, description="how many"
-    )
-    method: Annotated[Unread, WithJsonSchema({"enum": list(METHODS)})] = Field(
-        default=Sampling.method, description="'latin-hypercube', 'sobol' or 'random'; 'saltelli' for indices"
-    )
-    seed: Annotated[Unread, WithJsonSchema({"type": "integer", "minimum": 0})] = Field(
-        default=Sampling.seed, description="a whole number; the same draws the same samples"
-    )
-
-    @field_validator("count", "method", "seed")
-    @classmethod
-    def _check(cls, value: Any, info: Any) -> Any:
-        return getattr(Sampling(**{str(info.field_name): value}), str(info.field_name))
-
-    def sampling(self) -> Sampling:
-        """Return the sampling."""
-        return Sampling(self.count, self.method, self.seed)
+def _as_given(name: str, value: Any, remedy: str) -> Any:
+    return value
 
 
-class DesignLoadTable(Table):
+@described(kw_only=True)
+class DesignLoad(Input):
     """One load of a design."""
 
-    load: Force = Field(description="the load that presses the bodies together [N]")
-    tilt: Angle = Field(default=0.0, description="tilt [rad], positive loads the side of positive y")
-    share: Number | None = Field(default=None, description="its share of the revolutions; all equal if no load has one")
+    load: Annotated[float, LoadCase.descriptions["load"]]
+    tilt: Annotated[float, LoadCase.descriptions["tilt"]] = 0.0
+    share: Annotated[float | None, Quantity("", "its share of the revolutions; all equal if no load has one")] = None
 
 
-def _read_loads(value: Any) -> tuple[DesignLoadTable, ...]:
-    return read_loads(value, DesignLoadTable)
-
-
-class DesignTable(Table):
+@described(kw_only=True)
+class DesignGoal(Input):
     """What a design is best for."""
 
-    goal: Annotated[Unread, WithJsonSchema({"enum": ["pressure", "life"]})] = Field(
-        default=None,
-        description="'pressure': the least largest pressure; 'life': the longest life; pressure if left out",
-    )
-    model: Unread = Field(
-        default=None, description="name of the fatigue model of lives; 'lundberg-palmgren' if left out"
-    )
-    starts: Annotated[Unread, WithJsonSchema({"type": "integer", "minimum": 1})] = Field(
-        default=None, description="number of searches, 5 if left out"
-    )
+    goal: Annotated[
+        str | None,
+        Custom(
+            "'pressure': the least largest pressure; 'life': the longest life; pressure if left out",
+            _as_given,
+            {"enum": ["pressure", "life"]},
+        ),
+    ] = None
+    model: Annotated[
+        str | None,
+        Custom("name of the fatigue model of lives; 'lundberg-palmgren' if left out", _model, {"enum": list(MODELS)}),
+    ] = None
+    starts: Annotated[
+        int | None, Count("number of searches, 5 if left out", 1, math.inf, "give the number of searches")
+    ] = None
     loads: Annotated[
-        tuple[DesignLoadTable, ...],
-        PlainValidator(_read_loads),
-        WithJsonSchema({"type": "array", "items": DesignLoadTable.model_json_schema(), "minItems": 1}),
-    ] = Field(default=(), description="the loads; those of the case if left out")
-    where: Varied = Field(
-        default_factory=dict, description="what must hold under every load, such as approach = 'at most 30 um'"
-    )
+        tuple[DesignLoad, ...],
+        Parts("the loads; those of the case if left out", DesignLoad, LOADS, "write each under [[design.loads]]"),
+    ] = ()
+    where: Annotated[
+        Mapping[str, Any],
+        Custom("what must hold under every load, such as approach = 'at most 30 um'", _by_path, _VARIED, _REMEDY),
+    ] = field(default_factory=dict)
 
-    @field_validator("model")
-    @classmethod
-    def _check_model(cls, value: Any) -> Any:
-        from nonhertz.life import MODELS
-
-        if not isinstance(value, str) or value not in MODELS:
-            raise unknown("model", value, "fatigue model", value, MODELS)
-        return value
-
+    @property
     def cases(self) -> tuple[LoadCase, ...]:
-        """Return the loads with their shares."""
-        from nonhertz.life import LoadCase
-
-        even = 1.0 / len(self.loads)
+        """The loads with their shares."""
+        even = 1.0 / max(1, len(self.loads))
         unsaid = all(each.share is None for each in self.loads)
         return tuple(
             LoadCase(load=each.load, tilt=each.tilt, share=even if unsaid else (each.share or 0.0))
@@ -127,29 +101,40 @@ class DesignTable(Table):
         )
 
 
-class PlanTable(Table):
+@described(kw_only=True)
+class PlanDocument(Input):
     """A plan file."""
 
-    format: Format = Field(default=FORMAT, description="format of the file")
-    title: str = Field(default="", description="what the study is called in tables and figures")
-    case: str = Field(description="the case file or bearing file that is varied, relative to the plan")
-    over: Varied = Field(
-        default_factory=dict, description="of a sweep: what each path of the case runs over; all combinations are rows"
+    format: Annotated[int, FORMAT_FIELD] = FORMAT
+    title: Annotated[
+        str, Word("what the study is called in tables and figures", "write a short name", condition=line)
+    ] = ""
+    case: Annotated[
+        str,
+        Word(
+            "the case file or bearing file that is varied, relative to the plan", "write a short name", condition=line
+        ),
+    ]
+    over: Annotated[
+        Mapping[str, Any],
+        Custom(
+            "of a sweep: what each path of the case runs over; all combinations are rows", _by_path, _VARIED, _REMEDY
+        ),
+    ] = field(default_factory=dict)
+    vary: Annotated[
+        Mapping[str, Any],
+        Custom("of a design: lowest and highest value of each path that it may choose", _by_path, _VARIED, _REMEDY),
+    ] = field(default_factory=dict)
+    design: Annotated[DesignGoal, Part("what the design is best for", DesignGoal, "give a table")] = field(
+        default_factory=DesignGoal
     )
-    vary: Varied = Field(
-        default_factory=dict, description="of a design: lowest and highest value of each path that it may choose"
+    tolerance: Annotated[
+        Mapping[str, Any],
+        Custom("of a tolerance study: the distribution of each path of the case", _by_path, _VARIED, _REMEDY),
+    ] = field(default_factory=dict)
+    samples: Annotated[Sampling, Part("how samples are drawn from distributions", Sampling, "give a table")] = (
+        Sampling()
     )
-    design: DesignTable = Field(default_factory=DesignTable, description="what the design is best for")
-    tolerance: Varied = Field(
-        default_factory=dict, description="of a tolerance study: the distribution of each path of the case"
-    )
-    samples: SamplesTable = Field(default_factory=SamplesTable, description="how samples are drawn from distributions")
-    quantities: Annotated[Unread, WithJsonSchema({"type": "array", "items": {"type": "string"}})] = Field(
-        default=(), description="the numbers that a row holds; the usual ones if left out"
-    )
-
-    @field_validator("title", "case")
-    @classmethod
-    def _check(cls, value: str, info: Any) -> str:
-        one_line(str(info.field_name), value, "write a short name")
-        return value
+    quantities: Annotated[
+        Any, Custom("the numbers that a row holds; the usual ones if left out", _as_given, _TEXTS)
+    ] = ()

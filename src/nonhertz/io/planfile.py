@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of
@@ -18,13 +18,14 @@ from nonhertz.inputs.files import legible
 from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema
 from nonhertz.io.casefile import Case, case_in, case_text, holds_bearing, named, parsed, schema, starting_text
 from nonhertz.io.forms import with_form
+from nonhertz.io.mistakes import Mistake, TableError, case_error, in_order
 from nonhertz.io.paths import FORM, Parameter, drops_first, parameter, parameters
+from nonhertz.io.plan_document import PlanDocument
+from nonhertz.io.reading import read, schema_of_file
 from nonhertz.io.sampling import Sampling
 from nonhertz.io.spreads import Distribution, Spread, spread_in
+from nonhertz.life import model
 from nonhertz.result.numerals import digits
-
-if TYPE_CHECKING:
-    from nonhertz.io.mistakes import Mistake
 
 #: The tables of a plan that say what is varied: in a sweep, and within tolerances.
 LOAD = "load.load"
@@ -303,33 +304,28 @@ def plan_in(
     CaseError
         With every mistake in the document.
     """
-    from pydantic import ValidationError
-
-    from nonhertz.io.mistakes import Mistake, case_error, in_order, mistakes_in
-    from nonhertz.io.plan_document import PlanTable
-
     held = next((kind for kind, table in (("case", "body"), ("bearing", "bearing")) if table in document), "")
     if held and not holds_plan(document):
         remedy = f"begin with one from 'nonhertz new --plan', and name the {held} file in it"
         raise CaseError([f"{path} must be a plan, and holds a {held}: {remedy}."], [""])
     try:
-        read = PlanTable.model_validate(document)
-    except ValidationError as error:
-        raise case_error(in_order(mistakes_in(error, PlanTable), document)) from None
-    file = path.parent / read.case
+        found = read(PlanDocument, document)
+    except TableError as error:
+        raise case_error(in_order(error.mistakes, document)) from None
+    file = path.parent / found.case
     with named(file):
         case = read_any(file, changes)
     bare, mistakes = Plan(case), []
     for section in TABLES:
-        for varied in getattr(read, section).items():
+        for varied in getattr(found, section).items():
             mistakes += _mistake(section, bare, *varied)
     try:
-        plan = Plan(case, {}, read.samples.sampling(), read.quantities, read.title or legible(path.stem), path)
+        plan = Plan(case, {}, found.samples, found.quantities, found.title or legible(path.stem), path)
     except InputError as error:
         mistakes.append(Mistake((error.field,), error))
     if mistakes:
         raise case_error(mistakes)
-    return plan.changed(over=getattr(read, table))
+    return plan.changed(over=getattr(found, table))
 
 
 def starting_plan() -> str:
@@ -339,15 +335,11 @@ def starting_plan() -> str:
 
 def plan_schema() -> dict[str, Any]:
     """Return the JSON schema of a plan file, with the meaning of every key."""
-    from nonhertz.io.plan_document import PlanTable
-
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | PlanTable.model_json_schema()
+    return schema_of_file(PlanDocument)
 
 
 def _mistake(section: str, plan: Plan, path: str, given: Any) -> list[Mistake]:
     """Return what is wrong with what a path runs over."""
-    from nonhertz.io.mistakes import Mistake
-
     try:
         plan.tried(path, given)
     except InputError as error:
@@ -387,17 +379,13 @@ def design_in(
     case = plan_in(document, path, changes=changes).case
     if not isinstance(case, Case):
         raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
-    from nonhertz.io.plan_document import PlanTable
-
-    read = PlanTable.model_validate(document)
-    given: dict[str, Any] = {"vary": read.vary, "where": read.design.where}
+    found = read(PlanDocument, document)
+    given: dict[str, Any] = {"vary": found.vary, "where": found.design.where}
     for name in ("goal", "starts"):
-        if getattr(read.design, name) is not None:
-            given[name] = getattr(read.design, name)
-    if read.design.model is not None:
-        from nonhertz.life import model
-
-        given["model"] = model(read.design.model)
-    if read.design.loads:
-        given["loads"] = read.design.cases()
+        if getattr(found.design, name) is not None:
+            given[name] = getattr(found.design, name)
+    if found.design.model is not None:
+        given["model"] = model(found.design.model)
+    if found.design.loads:
+        given["loads"] = found.design.cases
     return case, given

@@ -14,11 +14,12 @@ from pathlib import Path
 from typing import Any, Final
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.fields import nearest, unknown
 from nonhertz.inputs.units import in_unit
 from nonhertz.io.bounds import PROFILES
 from nonhertz.io.dimensions import BROKEN
 from nonhertz.io.measured import KEYS, KIND, measured_schema, read_measured
-from nonhertz.io.mistakes import InFile, Mistake, TableError, missing, mistake_in, nearest, unknown
+from nonhertz.io.mistakes import InFile, Mistake, TableError, missing, mistake_in
 from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS, Profile, from_file, with_drop
 from nonhertz.model.profile.catalogue import BY_DROP
 from nonhertz.model.profile.drop import SCALE, determined, scaled_to_drop

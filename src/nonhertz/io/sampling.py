@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.inputs.checks import one_of, whole
+from nonhertz.inputs.checks import whole
+from nonhertz.inputs.fields import Count, Input, Word, described
 from nonhertz.io.spreads import Distribution
 
 MOST_SAMPLES, MOST_DIMENSIONS = 10_000_000, 1000
@@ -18,20 +19,13 @@ _DIMENSIONS = "give the number of parameters"
 METHODS = ("latin-hypercube", "sobol", "random", SALTELLI)
 
 
-@dataclass(frozen=True)
-class Sampling:
-    """How samples are drawn.
+@described()
+class Sampling(Input):
+    """How samples are drawn from distributions.
 
-    Parameters
-    ----------
-    count : int
-        How many.
-    method : {"latin-hypercube", "sobol", "random", "saltelli"}
-        A Latin hypercube has one sample in each of ``count`` layers of every parameter. Sobol's sequence, scrambled,
-        fills space evenly; best with a power of two. Random samples are independent. Saltelli's arrangement, for
-        Sobol's indices, has in every block a sample a, for each parameter a with that one taken from b, and a sample b.
-    seed : int
-        The same seed draws the same samples.
+    A Latin hypercube has one sample in each of ``count`` layers of every parameter. Sobol's sequence, scrambled, fills
+    space evenly; best with a power of two. Random samples are independent. Saltelli's arrangement, for Sobol's indices,
+    has in every block a sample a, for each parameter a with that one taken from b, and a sample b.
 
     Raises
     ------
@@ -39,14 +33,14 @@ class Sampling:
         If a value is out of range.
     """
 
-    count: int = 10_000
-    method: str = "latin-hypercube"
-    seed: int = 0
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "count", whole("count", self.count, 1, MOST_SAMPLES, "give the number of samples"))
-        one_of("method", self.method, METHODS, "choose one of them")
-        object.__setattr__(self, "seed", whole("seed", self.seed, 0, 2**32 - 1, "give a whole number"))
+    count: Annotated[int, Count("how many", 1, MOST_SAMPLES, "give the number of samples")] = 10_000
+    method: Annotated[
+        str,
+        Word("'latin-hypercube', 'sobol' or 'random'; 'saltelli' for indices", "choose one of them", METHODS),
+    ] = "latin-hypercube"
+    seed: Annotated[
+        int, Count("a whole number; the same draws the same samples", 0, 2**32 - 1, "give a whole number")
+    ] = 0
 
     def shares(self, dimensions: int) -> NDArray[np.float64]:
         """Return where in its distribution each parameter is, from 0 to 1, shape (count, dimensions).

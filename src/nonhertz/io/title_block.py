@@ -2,29 +2,33 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from typing import Final
+from dataclasses import fields
+from typing import Annotated, Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_line
+from nonhertz.inputs.fields import Input, Word, described
 
 LINE: Final = 200
 """Letters of a field."""
 
 
-@dataclass(frozen=True)
-class TitleBlock:
-    """What the head of a report says beside the title; what is empty is not shown.
+def _line(name: str, value: Any, remedy: str) -> None:
+    if not isinstance(value, str):
+        raise InputError(name, value, "be text", f'write {name} = "..." in quotation marks')
+    if len(value) > LINE:
+        raise InputError(name, f"{value[:30]}...", f"have at most {LINE} letters", "shorten it")
+    one_line(name, value, remedy)
 
-    Attributes
-    ----------
-    project, author, date : str
-        A line each; a report has no date but this one.
+
+@described()
+class TitleBlock(Input):
+    """What the head of a report says beside the title; what is left out is not shown.
 
     Raises
     ------
     InputError
-        If one of them is not text, or is too long.
+        If one of them is not a line of text, or is too long.
 
     Examples
     --------
@@ -32,17 +36,12 @@ class TitleBlock:
     (('project', 'Gearbox'), ('author', 'M. Muster'))
     """
 
-    project: str = ""
-    author: str = ""
-    date: str = ""
-
-    def __post_init__(self) -> None:
-        for name, value in vars(self).items():
-            if not isinstance(value, str):
-                raise InputError(name, value, "be text", f'write {name} = "..." in quotation marks')
-            if len(value) > LINE:
-                raise InputError(name, f"{value[:30]}...", f"have at most {LINE} letters", "shorten it")
-            one_line(name, value, "write plain text")
+    project: Annotated[str, Word("project that the report belongs to", "write plain text", condition=_line)] = ""
+    author: Annotated[str, Word("who made it", "write plain text", condition=_line)] = ""
+    date: Annotated[
+        str,
+        Word("date of the report, in quotation marks; no other date is shown", "write plain text", condition=_line),
+    ] = ""
 
     @property
     def lines(self) -> tuple[tuple[str, str], ...]:

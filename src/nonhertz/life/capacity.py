@@ -27,13 +27,14 @@ thrust bearings' formulas there is one program; its factors give the standard's 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import flag, not_negative, one_of, positive, whole
-from nonhertz.model.body import Body, BodyName, Ring, Roller, TabulatedDiameter
+from nonhertz.inputs.checks import not_negative, positive, whole
+from nonhertz.inputs.fields import Flag, Input, Quantity, Word, described, together
+from nonhertz.model.body import BODIES, Body, BodyName, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import is_steel
 
@@ -41,46 +42,48 @@ MATERIAL_FACTOR = 1.1  # b_m of cylindrical and tapered roller bearings
 REDUCTION = 0.83  # lambda nu: reduces the load rating for uneven line loads; not part of the capacity of laminae
 _OF_THRUST, THRUST_REDUCTION, _INCLINED = 472.45388, 0.73, 0.85  # N, lambda, eta
 SAME = 1e-9
-_ANGLE_REMEDY, _MOST_ANGLE = "give it in rad, for a radial bearing: 45 degrees at most", math.radians(45.0)
+ANGLE_REMEDY, _MOST_ANGLE = "give it in rad, for a radial bearing: 45 degrees at most", math.radians(45.0)
 _DIAMETER_EXPONENT, _LENGTH_EXPONENT = 29.0 / 27.0, 7.0 / 9.0
 
 
-@dataclass(frozen=True)
-class Raceway:
-    """A ring under rollers.
+def contact_angle_at_most(name: str, angle: float, remedy: str) -> None:
+    """Refuse a contact angle that no radial bearing has."""
+    not_negative(name, angle, remedy)
+    if angle > _MOST_ANGLE:
+        raise InputError(name, angle, f"not exceed {_MOST_ANGLE:.4g} rad", remedy)
 
-    Attributes
-    ----------
-    roller_diameter : float
-        D [mm].
-    length : float
-        Length on which roller and ring can touch, without corners and chamfers [mm].
-    pitch_diameter : float
-        Diameter of the circle of roller centres [mm].
-    inner : bool
-        Whether it is an inner ring.
-    body : str
-        Which of the bodies of a contact is the ring, ``"a"`` or ``"b"``.
-    contact_angle : float
-        alpha [rad].
-    """
 
-    roller_diameter: float
-    length: float
-    pitch_diameter: float
-    inner: bool
-    body: BodyName = "b"
-    contact_angle: float = 0.0
+@described()
+class Raceway(Input):
+    """A ring under rollers."""
 
-    def __post_init__(self) -> None:
-        positive("roller_diameter", self.roller_diameter, "give the roller's diameter in mm")
-        positive("length", self.length, "give the length on which roller and ring can touch in mm")
-        positive("pitch_diameter", self.pitch_diameter, "give the diameter of the circle of roller centres in mm")
-        flag("inner", self.inner, "write True for an inner ring, False for an outer one")
-        one_of("body", self.body, ("a", "b"), "name the body that is the ring")
-        not_negative("contact_angle", self.contact_angle, _ANGLE_REMEDY)
-        if self.contact_angle > _MOST_ANGLE:
-            raise InputError("contact_angle", self.contact_angle, f"not exceed {_MOST_ANGLE:.4g} rad", _ANGLE_REMEDY)
+    roller_diameter: Annotated[float, Quantity("mm", "roller diameter D", positive, "give the roller's diameter in mm")]
+    length: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "length on which roller and ring can touch, without corners and chamfers",
+            positive,
+            "give the length on which roller and ring can touch in mm",
+        ),
+    ]
+    pitch_diameter: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "diameter of the circle of roller centres",
+            positive,
+            "give the diameter of the circle of roller centres in mm",
+        ),
+    ]
+    inner: Annotated[bool, Flag("whether it is an inner ring", "write True for an inner ring, False for an outer one")]
+    body: Annotated[
+        BodyName, Word("which of the bodies of a contact is the ring", "name the body that is the ring", BODIES)
+    ] = "b"
+    contact_angle: Annotated[float, Quantity("rad", "contact angle", contact_angle_at_most, ANGLE_REMEDY)] = 0.0
+
+    @together("roller_diameter", "pitch_diameter")
+    def _check_pitch(self) -> None:
         if self.pitch_diameter <= self.roller_diameter:
             condition = f"exceed the roller's diameter of {self.roller_diameter:g} mm"
             raise InputError("pitch_diameter", self.pitch_diameter, condition, "give that of the roller centres")
@@ -212,7 +215,7 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     if contact_angle is not None:
-        not_negative("contact_angle", contact_angle, _ANGLE_REMEDY)
+        not_negative("contact_angle", contact_angle, ANGLE_REMEDY)
     bodies: dict[BodyName, Body] = {"a": contact.a, "b": contact.b}
     why = _why_unrated(contact, tapered=contact_angle is not None)
     if why:

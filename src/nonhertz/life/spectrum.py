@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite, listed, positive
+from nonhertz.inputs.fields import Input, Quantity, described
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
 from nonhertz.solver.many import solve_many
@@ -43,35 +43,39 @@ def checked_shares(
     return pairs
 
 
-@dataclass(frozen=True, kw_only=True)
-class LoadCase:
-    """A load carried for a share of the revolutions.
+def share_of_revolutions(name: str, share: float, remedy: str) -> None:
+    """Refuse a share that is not above 0 and at most 1."""
+    positive(name, share, remedy)
+    if share > 1.0:
+        raise InputError(name, share, "not exceed 1", remedy)
 
-    Parameters
-    ----------
-    load : float
-        Q [N], positive.
-    share : float
-        Share of the revolutions [-], above 0 and at most 1.
-    tilt : float
-        gamma [rad].
+
+@described(kw_only=True)
+class LoadCase(Input):
+    """A load carried for a share of the revolutions.
 
     Raises
     ------
     InputError
-        If one of them is out of range.
+        If a value is out of range.
     """
 
-    load: float
-    share: float
-    tilt: float = 0.0
-
-    def __post_init__(self) -> None:
-        above_zero("load", self.load, "give the force in N that presses the bodies together")
-        positive("share", self.share, _SHARE_REMEDY)
-        if self.share > 1.0:
-            raise InputError("share", self.share, "not exceed 1", _SHARE_REMEDY)
-        finite("tilt", self.tilt, "give the tilt in rad")
+    load: Annotated[
+        float,
+        Quantity(
+            "N",
+            "the load that presses the bodies together",
+            above_zero,
+            "give the force in N that presses the bodies together",
+        ),
+    ]
+    share: Annotated[
+        float,
+        Quantity("", "its share of the revolutions, above 0 and at most 1", share_of_revolutions, _SHARE_REMEDY),
+    ]
+    tilt: Annotated[
+        float, Quantity("rad", "tilt, positive loads the side of positive y", finite, "give the tilt in rad")
+    ] = 0.0
 
 
 def solve_spectrum(

@@ -2,26 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import field
 from functools import cached_property
 from numbers import Real
-from typing import Final, Literal
+from typing import Annotated, Any, ClassVar, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bodies.depths import DEPTHS, DepthRule, depth_of
+from nonhertz.bodies.depths import REMEDY as DEPTH_REMEDY
 from nonhertz.bodies.depths.depth import Depth
 from nonhertz.bodies.depths.endless import Endless
 from nonhertz.bodies.depths.finite import whole
-from nonhertz.bodies.images import FEWEST_IMAGES, check_images
-from nonhertz.bodies.sides import FaceRule, side_faces
+from nonhertz.bodies.depths.thickness import Thickness
+from nonhertz.bodies.images import FEWEST_IMAGES, MOST_IMAGES, SERIES
+from nonhertz.bodies.images import REMEDY as IMAGES_REMEDY
+from nonhertz.bodies.sides import REMEDY as FACE_REMEDY
+from nonhertz.bodies.sides import SIDE_FACES, FaceRule, side_faces
 from nonhertz.bodies.sides.side_face import SideFace
+from nonhertz.bodies.sides.weighted import Weighted
 from nonhertz.errors import InputError, shown
-from nonhertz.inputs.checks import LEAST, finite, numbers, positive
+from nonhertz.inputs.checks import LEAST, finite, not_negative, numbers, positive
+from nonhertz.inputs.fields import Count, Input, OneOrTwo, Part, Quantities, Quantity, described, together
 from nonhertz.model.corner import Chamfer, Cornered, Rounded
-from nonhertz.model.material import STEEL, Material
+from nonhertz.model.material import STEEL
+from nonhertz.model.materials import NamedMaterial
 from nonhertz.model.profile import Profile, Straight
 from nonhertz.model.profile.base import moved_back, places
 
@@ -30,8 +38,7 @@ Array = NDArray[np.float64]
 BodyName = Literal["a", "b"]
 BODIES: Final[tuple[BodyName, BodyName]] = ("a", "b")
 
-Diameter = float | Callable[[Array], ArrayLike] | None
-
+_TOUCHING_REMEDY = "give the length that can touch in mm, or leave it out for all of the body"
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 _FACELESS_REMEDY = "give the distance between the side faces in mm, or leave out side_faces"
 # What a body may say that has no side faces: the default of today, and of the paper.
@@ -39,16 +46,9 @@ _OF_NO_FACE: Final = ("free", "mirror")
 _DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
 
 
-@dataclass(frozen=True)
-class TabulatedDiameter:
+@described()
+class TabulatedDiameter(Input):
     """A diameter that changes along the axis, linear between points.
-
-    Parameters
-    ----------
-    y : tuple of float
-        Axial positions [mm] from the middle of the body, ascending, at least two.
-    diameter : tuple of float
-        Diameter there [mm], all of one sign, negative = concave; 0 only in a bore, where there is none.
 
     Examples
     --------
@@ -57,20 +57,24 @@ class TabulatedDiameter:
     19.0
     """
 
-    y: tuple[float, ...]
-    diameter: tuple[float, ...]
+    y: Annotated[tuple[float, ...], Quantities("mm", "axial positions from the middle of the body, ascending")]
+    diameter: Annotated[
+        tuple[float, ...], Quantities("mm", "diameters there, all of one sign; 0 only in a bore, where there is none")
+    ]
 
-    def __post_init__(self) -> None:
-        for name in ("y", "diameter"):
-            row = numbers(name, getattr(self, name), "give a list of numbers in mm")
-            if row.ndim != 1:
-                raise InputError(name, getattr(self, name), "be a row of numbers", "give a list of numbers in mm")
-            object.__setattr__(self, name, tuple(row.tolist()))
+    @together("y", "diameter")
+    def _check_length(self) -> None:
         if len(self.y) != len(self.diameter) or len(self.y) < 2:
             raise InputError("y", self.y, "hold as many points as diameter, at least two", "give both lists")
+
+    @together("y")
+    def _check_order(self) -> None:
         if not np.all(np.diff(self.y) > 0.0):
             raise InputError("y", self.y, "be finite and ascending", "sort the points along the axis")
-        low, high = min(self.diameter), max(self.diameter)
+
+    @together("diameter")
+    def _check_signs(self) -> None:
+        low, high = min(self.diameter, default=1.0), max(self.diameter, default=1.0)
         if low * high < 0.0 or low == high == 0.0:
             raise InputError("diameter", self.diameter, "be finite and of one sign", _DIAMETER_REMEDY)
 
@@ -80,6 +84,9 @@ class TabulatedDiameter:
         return diameter
 
 
+Diameter = float | TabulatedDiameter | Callable[[Array], ArrayLike] | None
+
+
 def convex(diameter: Diameter) -> bool:
     """Return whether a diameter is positive, as far as is known before the place of contact is."""
     if isinstance(diameter, TabulatedDiameter):
@@ -87,58 +94,35 @@ def convex(diameter: Diameter) -> bool:
     return callable(diameter) or (isinstance(diameter, Real) and diameter > 0.0)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Body:
+def _diameter(name: str, value: Any, remedy: str) -> None:
+    if isinstance(value, TabulatedDiameter):
+        if 0.0 in value.diameter:
+            raise InputError(name, value.diameter, "not be zero", remedy)
+    elif not callable(value):
+        finite(name, value, remedy)
+        if abs(value) < LEAST:
+            condition = f"be at least {LEAST:g} in magnitude" if value else "not be zero"
+            raise InputError(name, value, condition, remedy)
+
+
+def _bore(name: str, value: Any, remedy: str) -> None:
+    if not isinstance(value, TabulatedDiameter):
+        positive(name, value, remedy)
+    elif min(value.diameter) < 0.0:
+        raise InputError(name, value.diameter, "be positive", remedy)
+
+
+@described(kw_only=True)
+class Body(Input):
     """A body with, in every plane of constant y, a constant radius of curvature across the contact.
 
-    Parameters
-    ----------
-    material : Material
-        Elastic constants; steel if left out.
-    diameter : float or callable or None
-        Diameter across the contact [mm]: positive convex, negative concave, None flat. A callable takes
-        positions y [mm] from the middle of the body and returns diameters [mm]; see `TabulatedDiameter`.
-    bore : float or TabulatedDiameter or None
-        Diameter of the bore of a hollow roller [mm], which may vary along the axis, even in steps: a recess in an end
-        is a bore that closes (diameter 0) within a short length; None for a solid one. It needs
-        ``depth`` = ``"finite"``.
-    length : float or None
-        Distance between the side faces [mm]; None for an unbounded body.
-    profile : Profile
-        Relief along the axis, positive where material is removed.
-    effective_length : float or None
-        Length in the middle of the body that can touch [mm], where chamfers or undercuts remove the rest;
-        at most ``length``; None for all of it. Not together with a corner.
-    corner_radius : float or None
-        Radius of the corners between surface and side faces [mm]. The length includes them; the profile ends where they
-        begin, and they go on with its slope. None for sharp ends, or a ``chamfer``.
-    chamfer : Chamfer or None
-        What takes the corners away instead of a radius.
-    position : float
-        Axial position y of the middle of the body [mm].
-    side_faces : str or float or pair of them
-        How the side faces are freed of stress: exactly (``"free"``, the default), by images of the pressure with weight
-        1 (``"mirror"``), with the weight that comes closest to the exact free face (``"calibrated"``) or with a weight
-        given as a number, or not at all (``"none"``). A pair is for the faces at low and high y. A body without a
-        length has none.
-    images : int or str
-        Mirror images per face: 1; or n, with the n - 1 shifted images that mirrors of mirrors make between them; or
-        ``"series"`` for all of them, which needs a depth, without which their sum diverges.
-    depth : str or float or None
-        The point that the displacement is measured against: far away (``"none"``), where it makes the compression
-        of a long cylinder that of plane strain (``"plane-strain"``), a diameter below the
-        surface (``"diameter"``), at a given depth [mm], such as the thickness of a ring; or the axis of a solid
-        cylinder of infinite length (``"cylinder"``), or of a roller that deforms as a whole (``"finite"``), whose side
-        faces are ``"free"``. None for what suits the body: ``"none"``, and of a roller the last of these.
-    case_depth : float or None
-        Depth below the surface [mm] to which the body is case-hardened or surface-hardened, such as the case-hardening
-        depth CHD of ISO 18203 (to 550 HV); None for one that is alike throughout. It changes no solution; see
-        `nonhertz.strength.assess`.
+    A ``diameter`` may also be a function that takes positions y [mm] from the middle of the body and returns diameters
+    [mm]. A recess in an end is a bore that closes (diameter 0) within a short length.
 
     Raises
     ------
     InputError
-        If a value is out of range.
+        If a value is out of range, or some do not go together.
 
     Examples
     --------
@@ -146,89 +130,155 @@ class Body:
     (-10.0, 10.0)
     """
 
-    material: Material = STEEL
-    diameter: Diameter = None
-    bore: float | TabulatedDiameter | None = None
-    length: float | None = None
-    profile: Profile = field(default_factory=Straight)
-    effective_length: float | None = None
-    corner_radius: float | None = None
-    chamfer: Chamfer | None = None
-    position: float = 0.0
-    side_faces: FaceRule | tuple[FaceRule, FaceRule] = "free"
-    images: int | Literal["series"] = FEWEST_IMAGES
-    depth: DepthRule | None = None
-    case_depth: float | None = None
+    meaning_of_kind: ClassVar[str] = (
+        "'roller', 'ring' or 'plate': what the diameter must be, and the default of the depth; 'body' for any; left "
+        "out, a body with a positive diameter and a length is a roller"
+    )
 
-    def __post_init__(self) -> None:
-        if not isinstance(self.material, Material):
-            raise InputError("material", self.material, "be a Material", "use nonhertz.Material(modulus, poisson)")
-        if not isinstance(self.profile, Profile):
-            raise InputError("profile", self.profile, "be a Profile", "make one with nonhertz.profile")
-        if self.diameter is not None and not callable(self.diameter):
-            finite("diameter", self.diameter, _DIAMETER_REMEDY)
-            if abs(self.diameter) < LEAST:
-                condition = f"be at least {LEAST:g} in magnitude" if self.diameter else "not be zero"
-                raise InputError("diameter", self.diameter, condition, _DIAMETER_REMEDY)
-        elif isinstance(self.diameter, TabulatedDiameter) and 0.0 in self.diameter.diameter:
-            raise InputError("diameter", self.diameter.diameter, "not be zero", _DIAMETER_REMEDY)
-        if self.bore is not None:
-            self._check_bore(self.bore)
-        if self.length is not None:
-            positive("length", self.length, _LENGTH_REMEDY)
-        if self.effective_length is not None:
-            self._check_effective_length(self.effective_length)
-        self._check_corner()
-        if self.case_depth is not None:
-            positive("case_depth", self.case_depth, "give the depth of the case in mm, or leave it out")
-        finite("position", self.position, "give the axial position of the body's middle in mm")
-        if isinstance(self.side_faces, list) or (isinstance(self.side_faces, np.ndarray) and self.side_faces.ndim):
-            object.__setattr__(self, "side_faces", tuple(self.side_faces))
-        asked = [side.image_weight(self.material.poisson) for side in self.sides]
-        if self.length is None and self.side_faces not in _OF_NO_FACE and max(asked) > 0.0:
-            raise InputError("length", None, f"be given where side_faces = {shown(self.side_faces)}", _FACELESS_REMEDY)
-        check_images(self.images, self.face_weights, isinstance(self.behind, Endless))
-        self.behind.refuse(self)
+    material: NamedMaterial = STEEL
+    diameter: Annotated[
+        Diameter,
+        Quantity(
+            "mm",
+            "diameter across the contact, negative where concave, or a table of y and diameter; a flat body has none",
+            _diameter,
+            _DIAMETER_REMEDY,
+        ),
+    ] = None
+    bore: Annotated[
+        float | TabulatedDiameter | None,
+        Quantity(
+            "mm",
+            "diameter of the bore of a hollow roller, or a table of y and diameter; a solid one has none",
+            _bore,
+            "give the diameter of the bore in mm, or leave it out for a solid body",
+        ),
+    ] = None
+    length: Annotated[
+        float | None,
+        Quantity("mm", "distance between the side faces; an unbounded body has none", positive, _LENGTH_REMEDY),
+    ] = None
+    profile: Annotated[
+        Profile,
+        Part("relief along the axis: a list of profiles, which add", Profile, "make one with nonhertz.profile"),
+    ] = field(default_factory=Straight)
+    effective_length: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "length in the middle that can touch; chamfers or undercuts take the rest away",
+            positive,
+            _TOUCHING_REMEDY,
+        ),
+    ] = None
+    corner_radius: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "radius of the corners between surface and side faces, which the length includes; the profile ends where "
+            "they begin",
+            positive,
+            "give the radius in mm, or leave it out for a sharp end",
+        ),
+    ] = None
+    chamfer: Annotated[
+        Chamfer | None, Part("chamfers in place of a corner radius", Chamfer, "make one with nonhertz.Chamfer")
+    ] = None
+    position: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "axial position of the middle of the body",
+            finite,
+            "give the axial position of the body's middle in mm",
+        ),
+    ] = 0.0
+    side_faces: Annotated[
+        FaceRule | tuple[FaceRule, FaceRule],
+        OneOrTwo(
+            Quantity("", Weighted.meaning, not_negative, FACE_REMEDY, SIDE_FACES),
+            "how the side faces are made free, or two of these, for low and high y",
+        ),
+    ] = "free"
+    images: Annotated[
+        int | Literal["series"],
+        Count(
+            "mirror images per side face",
+            FEWEST_IMAGES,
+            MOST_IMAGES,
+            IMAGES_REMEDY,
+            {SERIES: "all of them, which needs a depth"},
+        ),
+    ] = FEWEST_IMAGES
+    depth: Annotated[
+        DepthRule | None,
+        Quantity(
+            "mm",
+            "the point that the displacement is measured against; left out, a roller with free side faces is 'finite', "
+            f"any other 'plane-strain', and the rest is 'none'; as a number {Thickness.meaning}",
+            positive,
+            DEPTH_REMEDY,
+            DEPTHS,
+        ),
+    ] = None
+    case_depth: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "depth to which the body is case-hardened or surface-hardened, such as the case-hardening depth CHD of ISO "
+            "18203 (to 550 HV), below which the core's strength counts; it changes no solution",
+            positive,
+            "give the depth of the case in mm, or leave it out",
+        ),
+    ] = None
 
-    def _check_bore(self, bore: float | TabulatedDiameter) -> None:
-        remedy = "give the diameter of the bore in mm, or leave it out for a solid body"
-        if not isinstance(bore, TabulatedDiameter):
-            positive("bore", bore, remedy)
-        elif min(bore.diameter) < 0.0:
-            raise InputError("bore", bore.diameter, "be positive", remedy)
-        if not self.behind.bored:
-            words = " or ".join(repr(depth.word) for depth in DEPTHS.values() if depth.bored)
-            condition = f"only be given where depth = {words}"
-            raise InputError("bore", bore, condition, f"write depth = {words}, or leave out the bore")
+    @together("length", "effective_length")
+    def _check_effective_length(self) -> None:
+        if self.length is not None and self.effective_length is not None and self.effective_length > self.length:
+            condition = f"not exceed the length of {shown(self.length)} mm"
+            raise InputError("effective_length", self.effective_length, condition, _TOUCHING_REMEDY)
 
-    def _check_effective_length(self, effective_length: float) -> None:
-        remedy = "give the length that can touch in mm, or leave it out for all of the body"
-        positive("effective_length", effective_length, remedy)
-        if self.length is not None and effective_length > self.length:
-            raise InputError(
-                "effective_length", effective_length, f"not exceed the length of {shown(self.length)} mm", remedy
-            )
-
+    @together("length", "effective_length", "corner_radius", "chamfer", "profile")
     def _check_corner(self) -> None:
-        for name, remedy in (("chamfer", "make one with nonhertz.Chamfer"), ("corner_radius", "give it in mm")):
+        for name in ("chamfer", "corner_radius"):
             if getattr(self, name) is None:
                 continue
             for other in ("effective_length", "chamfer"):
                 if name != other and getattr(self, other) is not None:
                     raise InputError(name, getattr(self, name), f"not be given together with {other}", "leave one out")
             if self.length is None:
-                raise InputError(
-                    "length", None, f"be given where {name} is", "give the distance between the faces in mm"
-                )
+                remedy = "give the distance between the faces in mm"
+                raise InputError("length", None, f"be given where {name} is", remedy)
             if self.profile.joints is not None:
                 low, high = self.profile.joints
                 condition = (
                     f"not be given with a profile that holds the corners, beyond y = {low:.5g} and {high:.5g} mm"
                 )
                 raise InputError(name, getattr(self, name), condition, "leave it out, or give the trace corner = 'cut'")
-            if name == "chamfer" and not isinstance(self.chamfer, Chamfer):
-                raise InputError(name, self.chamfer, "be a Chamfer", remedy)
         _ = self.surface
+
+    @together("length", "side_faces", "material")
+    def _check_faces(self) -> None:
+        asked = [side.image_weight(self.material.poisson) for side in self.sides]
+        if self.length is None and self.side_faces not in _OF_NO_FACE and max(asked) > 0.0:
+            raise InputError("length", None, f"be given where side_faces = {shown(self.side_faces)}", _FACELESS_REMEDY)
+
+    @together("diameter", "length", "side_faces", "images", "material", "depth", "bore")
+    def _check_depth(self) -> None:
+        if self.bore is not None and not self.behind.bored:
+            words = " or ".join(repr(depth.word) for depth in DEPTHS.values() if depth.bored)
+            condition = f"only be given where depth = {words}"
+            raise InputError("bore", self.bore, condition, f"write depth = {words}, or leave out the bore")
+        if self.images == SERIES and isinstance(self.behind, Endless) and math.prod(self.face_weights) > 0.0:
+            condition = "only be used for a body with a depth, without which it has no sum"
+            raise InputError("images", self.images, condition, "give the body a depth, or a number of images")
+        self.behind.refuse(self)
+
+    @classmethod
+    def likely(cls, values: Mapping[str, Any]) -> type[Body]:
+        """Return the class of a body without a kind: a roller if it is convex and has a length, else this one."""
+        is_roller = cls is Body and values.get("length") is not None and convex(values.get("diameter"))
+        return Roller if is_roller else cls
 
     @cached_property
     def surface(self) -> Profile:
@@ -353,7 +403,7 @@ class Body:
         return 2.0 / diameter
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class Roller(Body):
     """A convex body of finite length: `Body` with a positive ``diameter`` and a ``length``.
 
@@ -366,13 +416,15 @@ class Roller(Body):
     (-10.0, 10.0)
     """
 
-    def __post_init__(self) -> None:
-        # Checked first, because the default depth needs a diameter too.
+    @together("diameter")
+    def _check_convex(self) -> None:
         if self.diameter is None or not convex(self.diameter):
             raise InputError("diameter", self.diameter, "be positive", "give the roller's diameter in mm")
+
+    @together("length")
+    def _check_bounded(self) -> None:
         if self.length is None:
             raise InputError("length", self.length, "be given", "give the roller's length in mm")
-        super().__post_init__()
 
     @cached_property
     def _usual_depth(self) -> DepthRule:
@@ -380,7 +432,7 @@ class Roller(Body):
         return "finite" if whole(self) else "plane-strain"
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class Ring(Body):
     """A raceway: `Body` with a ``diameter``, positive on an inner ring, negative (concave) on an outer ring.
 
@@ -392,15 +444,14 @@ class Ring(Body):
     True
     """
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
+    @together("diameter")
+    def _check_curved(self) -> None:
         if self.diameter is None:
-            raise InputError(
-                "diameter", self.diameter, "be given", "give the raceway's diameter in mm, negative for an outer ring"
-            )
+            remedy = "give the raceway's diameter in mm, negative for an outer ring"
+            raise InputError("diameter", self.diameter, "be given", remedy)
 
 
-@dataclass(frozen=True, kw_only=True)
+@described(kw_only=True)
 class Plate(Body):
     """A flat body: `Body` without a ``diameter``.
 
@@ -410,9 +461,11 @@ class Plate(Body):
     0.0
     """
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
+    @together("diameter")
+    def _check_flat(self) -> None:
         if self.diameter is not None:
-            raise InputError(
-                "diameter", self.diameter, "be left out", "make a curved one a roller or a ring, or leave its kind open"
-            )
+            remedy = "make a curved one a roller or a ring, or leave its kind open"
+            raise InputError("diameter", self.diameter, "be left out", remedy)
+
+
+Body.kinds = {"roller": Roller, "ring": Ring, "plate": Plate, "body": Body}

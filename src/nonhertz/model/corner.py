@@ -6,12 +6,14 @@ import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, numbers, positive
+from nonhertz.inputs.fields import Input, Quantity, described, together
 from nonhertz.model.profile.base import Formula, Profile
 from nonhertz.model.profile.circular import drop_of_circle
 
@@ -71,18 +73,15 @@ class Rounded(Corner):
         return drop_of_circle(self.radius, numbers("distance", distance, _DISTANCE_REMEDY))
 
 
-@dataclass(frozen=True)
-class Chamfer(Corner):
-    """A straight chamfer that a circular arc blends into the surface.
+def _acute(name: str, angle: float, remedy: str) -> None:
+    finite(name, angle, remedy)
+    if not 0.0 < angle < 0.5 * math.pi:
+        raise InputError(name, angle, "lie between 0 and pi / 2", remedy)
 
-    Parameters
-    ----------
-    length : float
-        Along the axis, the blend included [mm].
-    angle : float
-        From the axis [rad], between 0 and pi / 2.
-    blend_radius : float
-        Radius of the arc from the surface to the chamfer [mm]; 0 for an edge, at which the pressure has no limit.
+
+@described()
+class Chamfer(Input, Corner):
+    """Chamfers at both ends of a body, each with an arc that blends it into the surface.
 
     Raises
     ------
@@ -96,18 +95,36 @@ class Chamfer(Corner):
     0.2158
     """
 
-    length: float
-    angle: float
-    blend_radius: float = 0.0
+    length: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "length along the axis, the arc included",
+            positive,
+            "give the length of the chamfer along the axis in mm",
+        ),
+    ]
+    angle: Annotated[
+        float,
+        Quantity(
+            "rad",
+            "angle from the axis, below pi / 2",
+            _acute,
+            "give the angle between chamfer and axis in rad, or as text with a unit",
+        ),
+    ]
+    blend_radius: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "radius of the arc between surface and chamfer; 0 for an edge, where pressure has no limit",
+            not_negative,
+            "give the radius of the arc between surface and chamfer in mm, or 0 for an edge",
+        ),
+    ] = 0.0
 
-    def __post_init__(self) -> None:
-        positive("length", self.length, "give the length of the chamfer along the axis in mm")
-        remedy = "give the angle between chamfer and axis in rad, or as text with a unit"
-        finite("angle", self.angle, remedy)
-        if not 0.0 < self.angle < 0.5 * math.pi:
-            raise InputError("angle", self.angle, "lie between 0 and pi / 2", remedy)
-        remedy = "give the radius of the arc between surface and chamfer in mm, or 0 for an edge"
-        not_negative("blend_radius", self.blend_radius, remedy)
+    @together("length", "angle", "blend_radius")
+    def _check_arc(self) -> None:
         if self._arc > self.length:
             condition = f"leave the arc, {self._arc:.4g} mm along the axis, within the chamfer's {self.length:g} mm"
             raise InputError("blend_radius", self.blend_radius, condition, "reduce it, or lengthen the chamfer")

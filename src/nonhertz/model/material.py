@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 import re
-from dataclasses import dataclass
-from typing import Final
+from typing import Annotated, Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
+from nonhertz.inputs.fields import Input, Quantity, Word, described
 
 #: Scales of hardness, each with the range in which its test is made: ISO 6507, 6508 and 6506.
 SCALES: Final = {"HV": (1.0, 3000.0), "HRC": (20.0, 70.0), "HBW": (1.0, 650.0)}
@@ -22,25 +21,28 @@ _STEEL_HARDNESS: Final = {"HV": (650.0, 1000.0), "HRC": (58.0, 70.0), "HBW": (60
 _SQRT_3: Final = math.sqrt(3.0)
 
 
-@dataclass(frozen=True, repr=False)
-class Material:
-    """A linear elastic, isotropic material.
+def _read_hardness(name: str, hardness: object, remedy: str) -> str:
+    """Return a hardness as number, space and scale."""
+    found = _HARDNESS.fullmatch(hardness.strip()) if isinstance(hardness, str) else None
+    if found is None:
+        raise InputError(name, hardness, "be a number with its scale, HV, HRC or HBW", remedy)
+    number, scale = found.groups()
+    low, high = SCALES[scale]
+    if not low <= float(number) <= high:
+        raise InputError(name, hardness, f"lie between {low:g} and {high:g} {scale}", remedy)
+    return f"{number} {scale}"
 
-    Parameters
-    ----------
-    modulus : float
-        Young's modulus E [MPa], positive.
-    poisson : float
-        Poisson's ratio nu [-], in (-1, 0.5].
-    yield_strength : float, optional
-        Yield strength in tension, or 0.2 % proof strength, Y [MPa]; of a case-hardened material that of the case.
-    core_yield_strength : float, optional
-        The same of the core of a case-hardened material [MPa]. How deep the case is, its body knows: ``case_depth``.
-    hardness : str, optional
-        Hardness at the surface with its scale: ``"60 HRC"``, ``"700 HV"``, ``"280 HBW"``. It is shown, not computed
-        with: no strength is derived from it.
-    pressure_limit : float, optional
-        Largest pressure that a contact at rest may have [MPa]; 4000 MPa is that of roller bearings by ISO 76.
+
+def check_poisson(name: str, poisson: float, remedy: str = "give Poisson's ratio, 0.3 for steel") -> None:
+    """Refuse a Poisson's ratio that no elastic material has."""
+    finite(name, poisson, remedy)
+    if not -1.0 < poisson <= 0.5:
+        raise InputError(name, poisson, "lie in (-1, 0.5]", remedy)
+
+
+@described()
+class Material(Input):
+    """A linear elastic, isotropic material, and what it bears.
 
     Raises
     ------
@@ -58,28 +60,45 @@ class Material:
     >>> round(steel.shear_modulus)
     79615
     >>> Material(modulus=207000, poisson=0.3, yield_strength=1800, hardness="60 HRC")
-    Material(modulus=207000, poisson=0.3, yield_strength=1800, hardness='60 HRC')
+    Material(modulus=207000.0, poisson=0.3, yield_strength=1800.0, hardness='60 HRC')
     """
 
-    modulus: float
-    poisson: float
-    yield_strength: float | None = None
-    core_yield_strength: float | None = None
-    hardness: str | None = None
-    pressure_limit: float | None = None
-
-    def __post_init__(self) -> None:
-        positive("modulus", self.modulus, "give Young's modulus in MPa, 207000 for steel")
-        check_poisson(self.poisson)
-        for name in ("yield_strength", "core_yield_strength", "pressure_limit"):
-            if getattr(self, name) is not None:
-                positive(name, getattr(self, name), _STRENGTH_REMEDY)
-        if self.hardness is not None:
-            object.__setattr__(self, "hardness", _read_hardness(self.hardness))
-
-    def __repr__(self) -> str:
-        known = {each.name: getattr(self, each.name) for each in dataclasses.fields(self)}
-        return f"Material({', '.join(f'{name}={value!r}' for name, value in known.items() if value is not None)})"
+    modulus: Annotated[
+        float, Quantity("MPa", "Young's modulus", positive, "give Young's modulus in MPa, 207000 for steel")
+    ]
+    poisson: Annotated[
+        float, Quantity("", "Poisson's ratio, in (-1, 0.5]", check_poisson, "give Poisson's ratio, 0.3 for steel")
+    ]
+    yield_strength: Annotated[
+        float | None,
+        Quantity(
+            "MPa",
+            "yield strength or 0.2 % proof strength, of a hardened case that of the case",
+            positive,
+            _STRENGTH_REMEDY,
+        ),
+    ] = None
+    core_yield_strength: Annotated[
+        float | None,
+        Quantity("MPa", "yield strength of the core below a hardened case", positive, _STRENGTH_REMEDY),
+    ] = None
+    hardness: Annotated[
+        str | None,
+        Word(
+            "hardness at the surface with its scale, HV, HRC or HBW; shown, not computed with",
+            _HARDNESS_REMEDY,
+            condition=_read_hardness,
+        ),
+    ] = None
+    pressure_limit: Annotated[
+        float | None,
+        Quantity(
+            "MPa",
+            "largest pressure of a contact at rest; 4000 MPa in roller bearings by ISO 76",
+            positive,
+            _STRENGTH_REMEDY,
+        ),
+    ] = None
 
     @property
     def shear_modulus(self) -> float:
@@ -95,26 +114,6 @@ class Material:
     def shear_yield_strength(self) -> float | None:
         """Yield strength in pure shear k = Y / sqrt(3) [MPa], by the criterion of von Mises; None without Y."""
         return None if self.yield_strength is None else self.yield_strength / _SQRT_3
-
-
-def _read_hardness(hardness: object) -> str:
-    """Return a hardness as number, space and scale."""
-    found = _HARDNESS.fullmatch(hardness.strip()) if isinstance(hardness, str) else None
-    if found is None:
-        raise InputError("hardness", hardness, "be a number with its scale, HV, HRC or HBW", _HARDNESS_REMEDY)
-    number, scale = found.groups()
-    low, high = SCALES[scale]
-    if not low <= float(number) <= high:
-        raise InputError("hardness", hardness, f"lie between {low:g} and {high:g} {scale}", _HARDNESS_REMEDY)
-    return f"{number} {scale}"
-
-
-def check_poisson(poisson: float) -> None:
-    """Refuse a Poisson's ratio that no elastic material has."""
-    remedy = "give Poisson's ratio, 0.3 for steel"
-    finite("poisson", poisson, remedy)
-    if not -1.0 < poisson <= 0.5:
-        raise InputError("poisson", poisson, "lie in (-1, 0.5]", remedy)
 
 
 def is_steel(material: Material) -> bool:

@@ -7,9 +7,11 @@ data sheet of the actual grade takes precedence.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import text
+from nonhertz.inputs.fields import Part
 from nonhertz.model.material import STEEL, STEEL_MODULUS, Material
 
 STEEL_DENSITY = 7.85e-9  # t/mm^3
@@ -151,6 +153,17 @@ LIBRARY: tuple[Listed, ...] = (
 MATERIALS: dict[str, Material] = {each.name: each.material for each in LIBRARY} | {
     other: each.material for each in LIBRARY for other in each.others
 }
+
+#: The material of a part, which may be given by its name.
+NamedMaterial = Annotated[
+    Material,
+    Part(
+        "name of a material, or a table of modulus, poisson and what it bears",
+        Material,
+        "give a name such as 'steel', 'nonhertz materials' lists them all, or modulus and poisson",
+        MATERIALS,
+    ),
+]
 
 
 def listed_as(name: str) -> Listed:

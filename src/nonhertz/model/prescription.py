@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite
+from nonhertz.inputs.fields import Input, Quantity, described, together
 from nonhertz.model.contact import Contact
 
 # Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first, the contact
@@ -18,49 +19,51 @@ LEAST, MOST = 1e-22, 1e6
 MOST_TILT = 0.3  # rad
 
 
-@dataclass(frozen=True)
-class Prescription:
-    """The two quantities that are given, checked; the other two are results.
+def _small(name: str, tilt: float, remedy: str) -> None:
+    finite(name, tilt, remedy)
+    if abs(tilt) > MOST_TILT:
+        remedy = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
+        raise InputError(name, tilt, f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
 
-    Attributes
-    ----------
-    approach, load : float or None
-        delta [mm] or Q [N]: one of them, the other None.
-    tilt, moment : float or None
-        gamma [rad] or T [N mm]: one of them, the other None.
-    """
 
-    approach: float | None
-    load: float | None
-    tilt: float | None
-    moment: float | None
+@described(kw_only=True)
+class Prescription(Input):
+    """What presses the bodies together: load or approach, and tilt or moment; the other two are results."""
 
-    @classmethod
-    def checked(
-        cls, approach: float | None, load: float | None, tilt: float | None, moment: float | None
-    ) -> Prescription:
-        """Return the prescription of the quantities that are not None.
+    load: Annotated[
+        float | None,
+        Quantity(
+            "N",
+            "load that presses the bodies together",
+            above_zero,
+            "give the force in N that presses the bodies together",
+        ),
+    ] = None
+    approach: Annotated[
+        float | None,
+        Quantity("mm", "approach of the bodies, in place of load", finite, "give the approach in mm"),
+    ] = None
+    tilt: Annotated[
+        float | None,
+        Quantity("rad", "tilt, positive loads the side of positive y; 0 if left out", _small, "give the tilt in rad"),
+    ] = None
+    moment: Annotated[
+        float | None,
+        Quantity("N mm", "moment of the pressure about y = 0, in place of tilt", finite, "give the moment in N mm"),
+    ] = None
 
-        Raises
-        ------
-        InputError
-            If there are too few, too many, or one is out of range.
-        """
-        refuse_unpaired(approach, load, tilt, moment)
-        if load is not None:
-            above_zero("load", load, "give the force in N that presses the bodies together")
-        if approach is not None:
-            finite("approach", approach, "give the approach in mm")
-        if moment is not None:
-            finite("moment", moment, "give the moment in N mm")
-        if tilt is not None:
-            finite("tilt", tilt, "give the tilt in rad")
-            if abs(tilt) > MOST_TILT:
-                remedy = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
-                raise InputError("tilt", tilt, f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
-        if moment is None and tilt is None:
-            tilt = 0.0
-        return cls(*(None if each is None else float(each) for each in (approach, load, tilt, moment)))
+    @together("load", "approach")
+    def _check_load(self) -> None:
+        refuse_unpaired(self.approach, self.load, None, None)
+
+    @together("tilt", "moment")
+    def _check_tilt(self) -> None:
+        refuse_unpaired(None, 1.0, self.tilt, self.moment)
+
+    @property
+    def keywords(self) -> dict[str, float]:
+        """What is given: keywords of `nonhertz.solve`."""
+        return {name: value for name, value in vars(self).items() if value is not None}
 
     @property
     def by_force(self) -> tuple[bool, bool]:
@@ -80,9 +83,8 @@ class Prescription:
     def target(self, compliance: float) -> tuple[float, float]:
         """Return K Q [mm^2] or the approach [mm], and K T [mm^3] or the tilt [rad], for a compliance K [1/MPa]."""
         first = self.approach if self.load is None else compliance * self.load
-        second = self.tilt if self.moment is None else compliance * self.moment
+        second = self.tilt or 0.0 if self.moment is None else compliance * self.moment
         assert first is not None
-        assert second is not None
         return first, second
 
     def refuse_outside(self, contact: Contact) -> None:
@@ -135,7 +137,8 @@ def refuse_unpaired(approach: object, load: object, tilt: object, moment: object
     InputError
         If there are too few or too many.
     """
-    if (approach is None) == (load is None):
-        raise InputError("load", load, "be given where approach is not, and only there", "give load or approach")
-    if tilt is not None and moment is not None:
-        raise InputError("moment", moment, "not be given together with tilt", "give tilt or moment")
+    if load is None and approach is None:
+        raise InputError("load", None, "be given", "give the load in N, or an approach in mm")
+    for first, second, name, other in ((load, approach, "approach", "load"), (tilt, moment, "moment", "tilt")):
+        if first is not None and second is not None:
+            raise InputError(name, second, f"not be given together with {other}", "leave one out")

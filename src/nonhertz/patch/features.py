@@ -8,38 +8,31 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.fields import Input, Quantity, described, together
 
 Array = NDArray[np.float64]
 
 DIRECTIONS = {"across": 0.0, "along": 0.5 * math.pi}
 
 
-@dataclass(frozen=True, kw_only=True)
-class Dent:
+_CENTRE_REMEDY = "give the middle of the dent in mm"
+_SHOULDER_REMEDY = "give the outer diameter of the shoulder in mm, or leave it out"
+
+
+@described(kw_only=True)
+class Dent(Input):
     """A round dent, as a hard particle leaves in a raceway when it is rolled over, with an optional shoulder.
 
     The bowl is depth cos^2(pi s / diameter) within s = diameter / 2 of its centre, with a smooth rim. The
     shoulder is material pushed up around it: -shoulder sin^2(2 pi (s - diameter/2) / (shoulder_diameter - diameter))
     between the two circles.
-
-    Parameters
-    ----------
-    x, y : float
-        Centre [mm].
-    depth : float
-        Depth of the bowl [mm], positive.
-    diameter : float
-        Its diameter [mm], positive.
-    shoulder : float
-        Height of the shoulder [mm], zero for none.
-    shoulder_diameter : float or None
-        Outer diameter of the shoulder [mm], larger than ``diameter``; 1.6 times that if left out.
 
     Raises
     ------
@@ -53,26 +46,39 @@ class Dent:
     [0.003, 0.0, -0.0005]
     """
 
-    x: float = 0.0
-    y: float = 0.0
-    depth: float
-    diameter: float
-    shoulder: float = 0.0
-    shoulder_diameter: float | None = None
+    x: Annotated[float, Quantity("mm", "where its centre lies across the contact", finite, _CENTRE_REMEDY)] = 0.0
+    y: Annotated[float, Quantity("mm", "where it lies along the contact", finite, _CENTRE_REMEDY)] = 0.0
+    depth: Annotated[float, Quantity("mm", "depth of the bowl", positive, "give the depth of the dent in mm")]
+    diameter: Annotated[float, Quantity("mm", "diameter of the bowl", positive, "give the diameter of the dent in mm")]
+    shoulder: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "height of the material pushed up around it",
+            not_negative,
+            "give the height of the shoulder in mm, or leave it out",
+        ),
+    ] = 0.0
+    shoulder_diameter: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "outer diameter of the shoulder, 1.6 times that of the bowl if left out",
+            positive,
+            _SHOULDER_REMEDY,
+        ),
+    ] = None
 
     def __post_init__(self) -> None:
-        finite("x", self.x, "give the middle of the dent in mm")
-        finite("y", self.y, "give the middle of the dent in mm")
-        positive("depth", self.depth, "give the depth of the dent in mm")
-        positive("diameter", self.diameter, "give the diameter of the dent in mm")
-        not_negative("shoulder", self.shoulder, "give the height of the shoulder in mm, or leave it out")
+        super().__post_init__()
         if self.shoulder_diameter is None:
             object.__setattr__(self, "shoulder_diameter", 1.6 * self.diameter)
-        remedy = "give the outer diameter of the shoulder in mm, or leave it out"
-        positive("shoulder_diameter", self._outer, remedy)
-        if self._outer <= self.diameter:
+
+    @together("diameter", "shoulder_diameter")
+    def _check_shoulder(self) -> None:
+        if self.shoulder_diameter is not None and self.shoulder_diameter <= self.diameter:
             condition = f"exceed the diameter of {shown(self.diameter)} mm"
-            raise InputError("shoulder_diameter", self._outer, condition, remedy)
+            raise InputError("shoulder_diameter", self.shoulder_diameter, condition, _SHOULDER_REMEDY)
 
     @property
     def _outer(self) -> float:

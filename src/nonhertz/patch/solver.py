@@ -137,7 +137,7 @@ def solve(
     True
     """
     refuse_no_bodies(contact)
-    prescription = Prescription.checked(approach, load, tilt, moment)
+    prescription = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
     prescription.refuse_outside(contact)
     cells = checked_cells(CELLS if cells is None else cells)
     finite("tolerance", tolerance, "give the largest residual, such as 1e-8")

@@ -81,9 +81,9 @@ def _unbalanced(solution: PatchSolution, given: Prescription, tolerance: float) 
         pairs.append(("approach", "mm", solution.approach, given.approach, 0.0))
     if given.load is not None:
         pairs.append(("load", "N", load, given.load, allowed * given.load))
-    if given.tilt is not None:
-        pairs.append(("tilt", "rad", solution.tilt, given.tilt, 0.0))
-    if given.moment is not None:
+    if given.moment is None:
+        pairs.append(("tilt", "rad", solution.tilt, given.tilt or 0.0, 0.0))
+    else:
         pairs.append(("moment", "N mm", moment, given.moment, allowed * max(levers, abs(given.moment))))
     pairs += [
         ("load", "N", solution.load, load, BALANCED * load),

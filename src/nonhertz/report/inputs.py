@@ -10,10 +10,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from nonhertz.io import written
 from nonhertz.io.casefile import Case, schema
 from nonhertz.io.measured import KIND as MEASURED
 from nonhertz.io.profiles import profile_tables
+from nonhertz.io.writing import profile_tables as written_profiles
 from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.corner import Chamfer
@@ -111,7 +111,7 @@ def inputs(case: Case) -> list[InputGroup]:
         body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
         for name, body in (("a", contact.a), ("b", contact.b))
     ]
-    groups.append(InputGroup("Load", tuple(_load_entries(case, document.get("load", {})))))
+    groups.append(InputGroup("Prescription", tuple(_load_entries(case, document.get("load", {})))))
     groups.append(InputGroup("Solver", tuple(_solver_entries(case, document.get("solver", {})))))
     if document.get("life"):
         groups.append(InputGroup("Life", tuple(_life_entries(document["life"]))))
@@ -121,7 +121,7 @@ def inputs(case: Case) -> list[InputGroup]:
 def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> InputGroup:
     """Return the inputs of a body, from its table and from what was made of that."""
     entries = [Entry(f"{place}.kind", *_kind(table, body), "kind" not in table)]
-    for name, property_ in _properties("BodyTable").items():
+    for name, property_ in _properties("Body").items():
         if name not in {"kind", "profile"}:
             value = getattr(body, name)
             if name == "depth" and value is None:
@@ -134,7 +134,7 @@ def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> 
                 )
             )
     tables = profile_tables(table)
-    made = iter(written.profile_tables(body.profile))
+    made = iter(written_profiles(body.profile))
     profiles = tuple(
         # A straight profile is left out of what was made.
         _profile_input(f"{place}.profile[{number}]", profile, {} if profile["kind"] == "straight" else next(made))
@@ -152,27 +152,27 @@ def _kind(table: Mapping[str, Any], body: Body) -> tuple[str, str, str]:
 
 def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     prescribed = case.prescribed
-    for name, property_ in _properties("LoadTable").items():
+    for name, property_ in _properties("Prescription").items():
         if name in prescribed:
             value = given(prescribed[name])
             yield Entry(
                 f"load.{name}", value, unit_of(property_), property_["description"], False, as_written(table, name)
             )
     if not {"tilt", "moment"} & set(prescribed):
-        yield Entry("load.tilt", "0", "rad", _properties("LoadTable")["tilt"]["description"], True)
+        yield Entry("load.tilt", "0", "rad", _properties("Prescription")["tilt"]["description"], True)
 
 
 def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     solver = case.solver
     accuracy = "" if solver["accuracy"] is None else f"{solver['accuracy']:g}"
     values = {"element": solver["element"].name, "strips": str(solver["strips"]), "accuracy": accuracy}
-    for name, property_ in _properties("SolverTable").items():
+    for name, property_ in _properties("Solver").items():
         if values[name]:
             yield Entry(f"solver.{name}", values[name], "", property_["description"], name not in table)
 
 
 def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
-    for name, property_ in _properties("LifeTable").items():
+    for name, property_ in _properties("Life").items():
         if name == "spectrum" and table.get(name):
             for number, case in enumerate(table[name], start=1):
                 text = ", ".join(f"{key} {_entry_within(key, value)}" for key, value in case.items())
@@ -275,5 +275,5 @@ def _properties(table: str) -> dict[str, dict[str, Any]]:
 
 
 def _profile_kinds() -> dict[str, dict[str, Any]]:
-    single = _properties("BodyTable")["profile"]["anyOf"][0]
+    single = _properties("Body")["profile"]["anyOf"][0]
     return {each["title"]: each for each in single["anyOf"]}

@@ -10,8 +10,9 @@ from pathlib import Path
 from nonhertz.errors import CaseError, ConvergenceError
 from nonhertz.inputs.files import legible
 from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case, LifeCase, named
+from nonhertz.io.casefile import Case, named
 from nonhertz.io.lives import Assessment
+from nonhertz.io.sections import Life
 from nonhertz.io.stresses import all_warnings
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
@@ -134,7 +135,7 @@ def _stressed(found: CaseResults, announce: Announce) -> CaseResults:
 
 
 def _wants_life(found: CaseResults, life: bool | None) -> bool:
-    says_of_life = found.case.life != LifeCase()
+    says_of_life = found.case.life != Life()
     return not found.complaint and (says_of_life if life is None else life)
 
 

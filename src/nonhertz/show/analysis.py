@@ -9,17 +9,16 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.io.casefile import Case, placed
 from nonhertz.io.lives import Assessment
+from nonhertz.io.sections import OverrolledDent
 from nonhertz.life import Model, VolumeModel, overrolled, solve_spectrum
 from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName
-from nonhertz.patch import Dent
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
 from nonhertz.strength import Strength, assess
@@ -143,9 +142,9 @@ def models_for(
 
     The lamina model needs a finite length: where a contact has none, it is left out unless requested by name.
     """
-    models = case.life.models(dict.fromkeys(names))
+    models = case.life.made_models(dict.fromkeys(names))
     lengths = [np.ptp(each.contact.interval) for each in (case, *others)]
-    if names or case.life.names or np.isfinite(lengths).all():
+    if names or case.life.models or np.isfinite(lengths).all():
         return models, ()
     kept = tuple(model for model in models if isinstance(model, VolumeModel))
     return kept, ("iso-16281 is left out: it needs a length on which the bodies can touch.",)
@@ -180,19 +179,16 @@ def assessed(
         found = Assessment(case.title, case.life.rollers, spectrum, lives, notes)
         if case.life.dent is not None:
             announce("dent")
-            found = _dented(found, dict(case.life.dent))
+            found = _dented(found, case.life.dent)
     return found
 
 
-def _dented(found: Assessment, given: dict[str, Any]) -> Assessment:
+def _dented(found: Assessment, given: OverrolledDent) -> Assessment:
     """Return lives with those of dents, of which the case says what is given, or a note that no model has any."""
-    body = given.pop("body", "b")
-    dents: dict[str, Any] = {
-        name: given.pop(name) for name in ("dents", "per_area", "raceway_diameter") if name in given
-    }
     if not any(isinstance(life.model, VolumeModel) for life in found.lives["b"]):
         return replace(found, notes=(*found.notes, "The dent is left out: it needs a model of the stressed volume."))
-    found = replace(found, dent=overrolled(found.spectrum[0][0], Dent(**given), body=body), dents=dents)
+    rolled = overrolled(found.spectrum[0][0], given.dent, body=given.body)
+    found = replace(found, dent=rolled, dents=given.number)
     _ = found.dent_lives  # refused here, where errors name keys of the file
     return found
 

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.errors import InputError
 from nonhertz.io.bearingfile import BearingCase, placed
-from nonhertz.io.fits import expanded
 from nonhertz.result.numerals import digits, given, in_column, sized, sized_list, unit_for
 from nonhertz.show.summary import Row
 
@@ -243,7 +243,11 @@ def _fit_rows(case: BearingCase) -> list[Row]:
     rows += [("", f"{digits(1e3 * factor * value, 4)} um", words) for value, words in taken]
     if isinstance(case.bearing, Paired):
         rows.append(
-            ("", f"{digits(1e3 * expanded(case.bearing, case.fit), 4)} um", "given by temperatures between rows")
+            (
+                "",
+                f"{digits(1e3 * Mounting(**case.fit).expansion(case.bearing), 4)} um",
+                "given by temperatures between rows",
+            )
         )
     for ring, fit in (("inner", found.inner), ("outer", found.outer)):
         loose = ", loosened" if fit.loosened else ""

@@ -198,7 +198,7 @@ def _tasks(
         by_contact.setdefault(id(contacts[index]), []).append(number)
 
     def case(number: int) -> Prescription:
-        return Prescription.checked(*(float(given[name][number]) if name in given else None for name in _PRESCRIBED))
+        return Prescription(**{name: float(values[number]) for name, values in given.items()})
 
     def refused(error: InputError, number: int) -> InputError:
         return error.within(f"case {case_label(number, shape)}") if which.size > 1 else error

@@ -102,7 +102,7 @@ def solve(
     >>> round(solution.moment / solution.load, 2)
     0.81
     """
-    given = Prescription.checked(approach, load, tilt, moment)
+    given = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
     problem = problem_of(contact, given, element, strips, accuracy)
     solution = outcome(contact, problem, levels_of(contact, problem, strips))
     for sentence in solution.warnings:

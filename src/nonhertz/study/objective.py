@@ -379,7 +379,7 @@ def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:
     InputError
         If there is no such quantity, or the text is not a limit.
     """
-    from nonhertz.io.mistakes import nearest
+    from nonhertz.inputs.fields import nearest
     from nonhertz.io.ranges import number_in
     from nonhertz.result.quantities import QUANTITIES
 

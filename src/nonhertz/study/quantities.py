@@ -13,9 +13,9 @@ import numpy as np
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError, NonhertzError
+from nonhertz.inputs.fields import nearest
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case
-from nonhertz.io.mistakes import nearest
 from nonhertz.life import Life, assess
 from nonhertz.life.assessment import Spectrum
 from nonhertz.life.spectrum import solve_spectrum
@@ -29,7 +29,7 @@ _LIVES = ("10^6 revolutions", "million revolutions")
 
 def life_of(case: Case, solved: Solution | Spectrum, name: str) -> Life:
     """Return the life of one body by the model of a name: of the one that has a raceway, else of body a."""
-    (model,) = case.life.models((name,))
+    (model,) = case.life.made_models((name,))
     given = {"rollers": case.life.rollers, "contact_angle": case.life.contact_angle}
     lives = [assess(solved, model, body=body, **given)[0] for body in BODIES]  # type: ignore[arg-type]
     return next((life for life in lives if life.million_revolutions is not None), lives[0])
@@ -52,7 +52,7 @@ class SolvedContact:
         solved: Solution | Spectrum = self.solution
         if case.spectrum:
             solved = solve_spectrum(self.case.contact, case.spectrum, **self.case.solver, threads=1)
-        return life_of(self.case, solved, (*case.names, LIFE_MODEL)[0])
+        return life_of(self.case, solved, (*case.models, LIFE_MODEL)[0])
 
 
 @dataclass(frozen=True)

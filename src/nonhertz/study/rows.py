@@ -167,7 +167,7 @@ class Work:
                 condition = "be zero where there is no load"
                 raise InputError("moment", case.prescribed["moment"], condition, "leave it out, or give a load")
             tilt = case.prescribed.get("tilt", 0.0)
-            problem = problem_of(case.contact, Prescription.checked(None, 1.0, tilt, None), case.solver["element"])
+            problem = problem_of(case.contact, Prescription(load=1.0, tilt=tilt), case.solver["element"])
             edges = np.linspace(*bounded(problem, case.contact.interval), TOUCHING + 1)
             touched = -float(penetrations(case.contact, edges, np.array([0.0, tilt])))
         except NonhertzError as error:
@@ -204,5 +204,5 @@ def _prescribed(case: Case, values: Values) -> dict[str, float]:
     """
     given = {path.partition(".")[2]: value for path, value in values.items() if path in _PRESSED}
     prescribed = case.prescribed | given
-    Prescription.checked(*(prescribed.get(name) for name in ("approach", "load", "tilt", "moment")))
+    Prescription(**prescribed)
     return prescribed

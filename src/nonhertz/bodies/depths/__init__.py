@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from numbers import Real
 from typing import Final
 
 from nonhertz.bodies.depths.cylinder import Cylinder
@@ -13,7 +12,6 @@ from nonhertz.bodies.depths.finite import Finite
 from nonhertz.bodies.depths.plane_strain import PlaneStrain
 from nonhertz.bodies.depths.thickness import Thickness
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import positive
 
 DepthRule = str | float
 
@@ -23,24 +21,20 @@ DEPTHS: Final[dict[str, Depth]] = {
 }
 
 WORDS: Final = ", ".join(map(repr, DEPTHS))
-_REMEDY: Final = f"write {WORDS} or a depth in mm such as the thickness of a ring"
+REMEDY: Final = f"write {WORDS} or a depth in mm such as the thickness of a ring"
 
 
 def depth_of(rule: DepthRule, convex: bool) -> Depth:
-    """Return what displacement is measured against.
+    """Return what displacement is measured against by a rule.
 
     Raises
     ------
     InputError
-        If ``rule`` is neither one of the words nor a positive length, or requires a diameter and the body is not
-        ``convex``.
+        If it requires a diameter and the body is not ``convex``.
     """
-    if isinstance(rule, str) and rule in DEPTHS:
-        if DEPTHS[rule].of_diameter and not convex:
-            remedy = "give the thickness of a ring or plate in mm, or write 'none'"
-            raise InputError("depth", rule, "only be used for a convex body, which has a diameter", remedy)
-        return DEPTHS[rule]
-    if isinstance(rule, bool) or not isinstance(rule, Real):
-        raise InputError("depth", rule, f"be one of {WORDS} or a length", _REMEDY)
-    positive("depth", rule, _REMEDY)
-    return Thickness(float(rule))
+    if not isinstance(rule, str):
+        return Thickness(float(rule))
+    if DEPTHS[rule].of_diameter and not convex:
+        remedy = "give the thickness of a ring or plate in mm, or write 'none'"
+        raise InputError("depth", rule, "only be used for a convex body, which has a diameter", remedy)
+    return DEPTHS[rule]

@@ -32,7 +32,7 @@ def bearing_inputs(case: BearingCase) -> list[InputGroup]:
 
 def _bearing_entries(case: BearingCase, table: Mapping[str, Any]) -> Iterator[Entry]:
     row = case.bearing.rows[0].bearing
-    for name, property_ in _properties("BearingTable").items():
+    for name, property_ in _properties("RollerBearing").items():
         if name == "kind":
             yield Entry("bearing.kind", shown(table["kind"]), "", "what it is", False)
         elif name == "pair" and name in table:
@@ -46,7 +46,7 @@ def _bearing_entries(case: BearingCase, table: Mapping[str, Any]) -> Iterator[En
 
 
 def _fit_entries(case: BearingCase, table: Mapping[str, Any]) -> Iterator[Entry]:
-    for name, schema in (("shaft", "ShaftTable"), ("housing", "HousingTable")):
+    for name, schema in (("shaft", "Shaft"), ("housing", "Housing")):
         yield from _given_entries(f"fit.{name}", table[name], vars(case.fit[name]), schema)
     rest = {name: value for name, value in table.items() if name not in {"shaft", "housing"}}
     yield from _given_entries("fit", rest, case.fit)
@@ -56,7 +56,7 @@ def _pair_entries(rows: RollerBearing | Paired, table: Mapping[str, Any]) -> Ite
     values: dict[str, Any] = {}
     if isinstance(rows, Paired):
         values = {"distance": rows.x[-1] - rows.x[0], "clearance": rows.clearance}
-    return _given_entries("bearing.pair", table, values, "PairTable")
+    return _given_entries("bearing.pair", table, values, "Pair")
 
 
 def _given_entries(
@@ -88,7 +88,7 @@ def _entry(place: str, value: Any, property_: Mapping[str, Any], table: Mapping[
     return Entry(place, text, unit, property_.get("description", ""), name not in table, unlike)
 
 
-_TABLES = {"load": "BearingLoadTable", "solver": "BearingSolverTable", "life": "BearingLifeTable", "fit": "FitTable"}
+_TABLES = {"load": "BearingLoad", "solver": "BearingSolver", "life": "BearingLifeConditions", "fit": "Mounting"}
 
 
 def _properties(table: str) -> dict[str, dict[str, Any]]:

@@ -12,14 +12,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any, Final
 
-from pydantic import ValidationError
-
-from nonhertz.errors import InputError
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.casefile import schema
-from nonhertz.io.document import BodyTable
-from nonhertz.io.mistakes import Place, path_of
+from nonhertz.io.mistakes import Place, TableError, path_of
 from nonhertz.io.profiles import required_keys
+from nonhertz.io.reading import read
 from nonhertz.model.body import Body
 from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_of
 from nonhertz.web.form.inputs import ABSENT, as_it_is, input_for, label_of, stray
@@ -118,8 +115,8 @@ def _usual_depth(body: dict[str, Any]) -> str:
     """Return the depth of a body that gives none; nothing where it has mistakes."""
     given = {name: value for name, value in body.items() if name not in ("depth", "profile", "chamfer")}
     try:
-        return BodyTable.model_validate(given).body().behind.word
-    except (ValidationError, InputError):
+        return read(Body, given).behind.word
+    except TableError:
         return ""
 
 

@@ -85,7 +85,7 @@ def meaning_of(part: Schema) -> str:
 @functools.cache
 def profile_kinds() -> dict[str, Schema]:
     """Return the schema of each kind of profile."""
-    body = schema()["$defs"]["BodyTable"]["properties"]["profile"]
+    body = schema()["$defs"]["Body"]["properties"]["profile"]
     tables = [kind for kind in alternatives(body) if is_table(kind)]
     return {table["properties"]["kind"]["const"]: _told_apart(table) for table in tables}
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.verb import refuse_load
+from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
 from nonhertz.inputs.units import in_unit
 from nonhertz.io.bearing_document import PARTS
@@ -125,7 +125,7 @@ def _of_loads(case: BearingCase) -> Iterator[BearingSlider]:
 
 def _bears(bearing: RollerBearing | Paired, name: str) -> bool:
     try:
-        refuse_load(bearing, **{name: 1e-6})
+        one_state(bearing, BearingLoad(**{name: 1e-6}))
     except InputError:
         return False
     return True

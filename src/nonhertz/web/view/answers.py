@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError, NonhertzError
 from nonhertz.io.casefile import Case
-from nonhertz.io.document import BodyTable, reading
+from nonhertz.io.reading import read
 from nonhertz.io.results import plain
+from nonhertz.io.sections import surroundings
 from nonhertz.model.body import Body
 from nonhertz.plot.contact_area import outlines
 from nonhertz.plot.surfaces import distances, drawn_range
@@ -137,8 +138,7 @@ def drawable(bodies: Any) -> dict[str, Any]:
     made = {}
     for name in ("a", "b"):
         try:
-            table = BodyTable.model_validate(bodies.get(name), context=reading({"body": bodies}, None))
-            made[name] = _relief(table.body())
+            made[name] = _relief(read(Body, bodies.get(name), surroundings({"body": bodies}, None)))
         except (AttributeError, InputError, ValueError):
             continue
     return made

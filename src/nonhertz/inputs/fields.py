@@ -1,0 +1,621 @@
+"""What the fields of an input say of themselves, once: unit, meaning, condition and remedy.
+
+An input is a frozen dataclass made with `described` from `Input`, its fields annotated such as
+``length: Annotated[float, Quantity("mm", "length along the axis", positive, "give it in mm")]``. From these come its
+checks and its docstring in Python, and in `nonhertz.io` reading, writing and the schema of files. What concerns several
+fields is a method marked with `together`, which names them, so that a reader can run it where other fields are wrong.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import functools
+import inspect
+import math
+import re
+import textwrap
+import types
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import (
+    Any,
+    ClassVar,
+    Literal,
+    Protocol,
+    Self,
+    TypeVar,
+    Union,
+    dataclass_transform,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import above_zero, finite, flag, is_number, not_negative, numbers, one_of, positive, whole
+from nonhertz.inputs.units import begins_with_digits, in_unit
+
+#: A check of a value, given its name, the value and the remedy: raises `InputError`, or returns what to keep, if any.
+Condition = Callable[[str, Any, str], Any]
+AnyClass = TypeVar("AnyClass")
+Method = TypeVar("Method", bound=Callable[[Any], None])
+
+_NEXT_SECTION = re.compile(r"^[A-Z][a-z]+\n-+$", re.MULTILINE)
+
+
+class Described(Protocol):
+    """What a field holds: stands in ``Annotated`` beside its type."""
+
+    @property
+    def meaning(self) -> str:
+        """What it is, a clause without a full stop."""
+
+    def take(self, name: str, value: Any) -> Any:
+        """Return the value to keep of one that is given, or raise `InputError`."""
+
+    def schema(self) -> dict[str, Any]:
+        """Return the JSON schema of its value in a file, but for tables and without its meaning."""
+
+
+class EntriesError(InputError):
+    """Several errors about the entries of one field; where only one can be said it is the first."""
+
+    def __init__(self, errors: Iterable[InputError]) -> None:
+        self.errors = tuple(errors)
+        first = self.errors[0]
+        super().__init__(first.field, first.value, first.condition, first.remedy)
+
+
+def taken_one_by_one(name: str, values: Iterable[Any], take: Callable[[str, Any], Any]) -> tuple[Any, ...]:
+    """Return the entries of a field, or raise `EntriesError` with the number of each that is wrong, from 1."""
+    found, errors = [], []
+    for number, value in enumerate(values, start=1):
+        try:
+            found.append(take(f"{name}[{number}]", value))
+        except InputError as error:
+            errors.append(error)
+    if errors:
+        raise EntriesError(errors)
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number in a unit; text may give it in another unit, and some words may stand for it.
+
+    Attributes
+    ----------
+    unit : str
+        As of `nonhertz.inputs.units.in_unit`, ``""`` for a plain number.
+    meaning : str
+        What it is, a clause without a full stop.
+    condition : callable
+        Its check.
+    remedy : str
+        What to do about a value that fails it, a clause without a full stop.
+    words : mapping of str to object
+        Words in place of the number, and what each means: a text, or what has one as its ``meaning``.
+    """
+
+    unit: str
+    meaning: str
+    condition: Condition = finite
+    remedy: str = "write a number, or text with a unit"
+    words: Mapping[str, Any] = field(default_factory=dict)
+
+    def take(self, name: str, value: Any) -> Any:
+        """Return the number in the unit, or a word in its place."""
+        if self.words and not (begins_with_digits(value) if isinstance(value, str) else is_number(value)):
+            number = f"a number{f' in {self.unit}' if self.unit else ''}"
+            return _word_or(name, value, self.words, number, self.remedy)
+        value = in_unit(name, value, self.unit)
+        kept = self.condition(name, value, self.remedy)
+        return value if kept is None else kept
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of a number, text with a unit, or a word."""
+        number: dict[str, Any] = {"type": "number"}
+        if self.condition in (positive, above_zero):
+            number["exclusiveMinimum"] = 0
+        elif self.condition is not_negative:
+            number["minimum"] = 0
+        text = [{"type": "string"} | ({"pattern": "[0-9]"} if self.words else {})] if self.unit else []
+        words = [{"enum": list(self.words)}] if self.words else []
+        kinds: list[dict[str, Any]] = [*words, number, *text]
+        return (number if len(kinds) == 1 else {"anyOf": kinds}) | ({"unit": self.unit} if self.unit else {})
+
+
+@dataclass(frozen=True)
+class OneOrTwo:
+    """A quantity, or a pair of them.
+
+    Attributes
+    ----------
+    each : Quantity
+        What both are.
+    meaning : str
+        As of `Quantity`.
+    """
+
+    each: Quantity
+    meaning: str
+
+    def take(self, name: str, value: Any) -> Any:
+        """Return the number or word, or two of them."""
+        values = value.tolist() if hasattr(value, "tolist") else value
+        if not isinstance(values, list | tuple):
+            return self.each.take(name, values)
+        if len(values) != 2:
+            raise InputError(name, value, "be one value or two", self.each.remedy)
+        return taken_one_by_one(name, values, self.each.take)
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of one or two."""
+        one = self.each.schema()
+        both = {"type": "array", "items": one, "minItems": 2, "maxItems": 2}
+        return one | {"anyOf": [*one.get("anyOf", [one]), both]}
+
+
+@dataclass(frozen=True)
+class Quantities:
+    """Several numbers in a unit."""
+
+    unit: str
+    meaning: str
+
+    def take(self, name: str, value: Any) -> tuple[float, ...]:
+        """Return the numbers in the unit."""
+        remedy = f"give a list of numbers in {self.unit}"
+        if isinstance(value, list | tuple):
+            value = type(value)(in_unit(name, each, self.unit) if isinstance(each, str) else each for each in value)
+            if any(isinstance(each, bool) for each in value):  # to arrays they are numbers
+                raise InputError(name, value, "be real numbers", remedy)
+        row = numbers(name, value, remedy)
+        if row.ndim != 1:
+            raise InputError(name, value, "be a row of numbers", remedy)
+        return tuple(row.tolist())
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of a list."""
+        return {"type": "array", "items": Quantity(self.unit, "").schema(), "minItems": 2}
+
+
+@dataclass(frozen=True)
+class Word:
+    """A word of a list, or any text that its condition lets pass.
+
+    Attributes
+    ----------
+    meaning, condition, remedy
+        As of `Quantity`.
+    words : tuple of str
+        The words; none for any text.
+    """
+
+    meaning: str
+    remedy: str = ""
+    words: tuple[str, ...] = ()
+    condition: Condition | None = None
+
+    def take(self, name: str, value: Any) -> Any:
+        """Return the word."""
+        if self.words:
+            match = nearest(value, self.words) if isinstance(value, str) else None
+            one_of(name, value, self.words, f"the nearest is '{match}'" if match else self.remedy)
+        kept = self.condition(name, value, self.remedy) if self.condition else None
+        return value if kept is None else kept
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of the words, or of any text."""
+        return {"enum": list(self.words)} if self.words else {"type": "string"}
+
+
+@dataclass(frozen=True)
+class Part:
+    """An input within another, or of a class of its own kind; some have names.
+
+    Attributes
+    ----------
+    meaning : str
+        As of `Quantity`.
+    of : type
+        Its class.
+    remedy : str
+        How to make one.
+    named : mapping
+        Those that a name stands for.
+    likely : callable or None
+        The class of one whose table in a file gives no kind, by its fields; ``of`` if left out.
+    """
+
+    meaning: str
+    of: type
+    remedy: str
+    named: Mapping[str, Any] = field(default_factory=dict)
+    likely: Callable[[Mapping[str, Any]], type[Input]] | None = None
+
+    def take(self, name: str, value: Any) -> Any:
+        """Return the input, or that of a name."""
+        if self.named and isinstance(value, str):
+            if value not in self.named:
+                raise unknown(name, value, self.of.__name__.lower(), value, self.named, self.remedy)
+            return self.named[value]
+        if not isinstance(value, self.of):
+            article = "an" if self.of.__name__[0] in "AEIOU" else "a"
+            named = " or the name of one" if self.named else ""
+            raise InputError(name, value, f"be {article} {self.of.__name__}{named}", self.remedy)
+        return value
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of a name."""
+        return {"type": "string"}
+
+
+@dataclass(frozen=True)
+class Count:
+    """A whole number; some words may stand for it.
+
+    Attributes
+    ----------
+    meaning : str
+        As of `Quantity`.
+    least : int
+        The smallest.
+    most : float
+        The largest, infinite for any.
+    remedy, words
+        As of `Quantity`.
+    """
+
+    meaning: str
+    least: int
+    most: float
+    remedy: str
+    words: Mapping[str, Any] = field(default_factory=dict)
+
+    def take(self, name: str, value: Any) -> int | str:
+        """Return the number, or a word in its place."""
+        if self.words and not (is_number(value) and value in range(self.least, int(self.most) + 1)):
+            return _word_or(name, value, self.words, f"a whole number from {self.least} to {self.most:g}", self.remedy)
+        return whole(name, value, self.least, self.most, self.remedy)
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of a whole number, or a word."""
+        number: dict[str, Any] = {"type": "integer", "minimum": self.least}
+        if not math.isinf(self.most):
+            number["maximum"] = self.most
+        return {"anyOf": [{"enum": list(self.words)}, number]} if self.words else number
+
+
+@dataclass(frozen=True)
+class Flag:
+    """True or False.
+
+    Attributes
+    ----------
+    meaning, remedy
+        As of `Quantity`.
+    """
+
+    meaning: str
+    remedy: str = "write true or false, without quotes"
+
+    def take(self, name: str, value: Any) -> bool:
+        """Return the value."""
+        flag(name, value, self.remedy)
+        return bool(value)
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of either."""
+        return {"type": "boolean"}
+
+
+@dataclass(frozen=True)
+class Words:
+    """Several words of a list, without repeats.
+
+    Attributes
+    ----------
+    meaning : str
+        As of `Quantity`.
+    what : str
+        What one of them is called.
+    words : tuple of str
+        All that there are.
+    most : int
+        The largest number of them.
+    """
+
+    meaning: str
+    what: str
+    words: tuple[str, ...]
+    most: int
+
+    def take(self, name: str, value: Any) -> tuple[str, ...]:
+        """Return the words."""
+        remedy = f"choose from {', '.join(self.words)}"
+        if not isinstance(value, list | tuple) or value == []:
+            raise InputError(name, value, "be a list of names", remedy)
+        if len(value) > self.most:
+            raise InputError(name, value, f"have at most {self.most} names", remedy)
+        return tuple(dict.fromkeys(taken_one_by_one(name, value, self._known)))
+
+    def _known(self, name: str, word: Any) -> Any:
+        if word not in self.words:
+            raise unknown(name, word, self.what, word, self.words)
+        return word
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of a list."""
+        return {"type": "array", "items": {"enum": list(self.words)}, "minItems": 1}
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Several inputs of one class.
+
+    Attributes
+    ----------
+    meaning : str
+        As of `Quantity`.
+    of : type
+        Their class.
+    most : int
+        The largest number of them.
+    remedy : str
+        How to give them.
+    """
+
+    meaning: str
+    of: type
+    most: int
+    remedy: str
+
+    def take(self, name: str, value: Any) -> tuple[Any, ...]:
+        """Return the inputs."""
+        given = isinstance(value, list | tuple) and value != []
+        if not given or not all(isinstance(each, self.of) for each in value):
+            raise InputError(name, value, f"be a list of {self.of.__name__}", self.remedy)
+        if len(value) > self.most:
+            raise InputError(name, value, f"have at most {self.most} entries", self.remedy)
+        return tuple(value)
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of a list, but for its entries."""
+        return {"type": "array", "minItems": 1}
+
+
+@dataclass(frozen=True)
+class Custom:
+    """A value that has a check and a schema of its own.
+
+    Attributes
+    ----------
+    meaning, condition, remedy
+        As of `Quantity`.
+    json : mapping
+        Its JSON schema.
+    """
+
+    meaning: str
+    condition: Condition
+    json: Mapping[str, Any]
+    remedy: str = ""
+
+    def take(self, name: str, value: Any) -> Any:
+        """Return what its check returns."""
+        return self.condition(name, value, self.remedy)
+
+    def schema(self) -> dict[str, Any]:
+        """Return a copy of its schema."""
+        return dict(self.json)
+
+
+#: All ways to describe a field.
+KINDS = (Quantity, OneOrTwo, Quantities, Count, Flag, Word, Words, Part, Parts, Custom)
+
+
+def _word_or(name: str, value: Any, words: Mapping[str, Any], number: str, remedy: str) -> str:
+    """Return a word of those that may stand for a number."""
+    if not isinstance(value, str) or value not in words:
+        raise InputError(
+            name, value, f"be {'one of ' * (len(words) > 1)}{', '.join(map(repr, words))} or {number}", remedy
+        )
+    return value
+
+
+def together(*names: str) -> Callable[[Method], Method]:
+    """Mark a method that raises `InputError` where these fields do not go together."""
+
+    def marked(method: Method) -> Method:
+        method.together = frozenset(names)  # type: ignore[attr-defined]
+        return method
+
+    return marked
+
+
+class Input:
+    """Base of what is given: checks every field, then those that have to go together.
+
+    Attributes
+    ----------
+    kinds : mapping of str to type
+        Of an input of several kinds the class of each, by the word in a file.
+    meaning_of_kind : str
+        What that word decides.
+    instead : mapping of str to str
+        Fields that are given in place of others, not beside them.
+    """
+
+    #: Made by `described`: what describes the fields, by name; which must be given, and which may be None; the classes
+    #: of those that hold inputs; and the checks of several fields, those of a class before those of its bases, each
+    #: with the names of the fields.
+    descriptions: ClassVar[Mapping[str, Described]] = {}
+    required: ClassVar[frozenset[str]] = frozenset()
+    optional: ClassVar[frozenset[str]] = frozenset()
+    inputs: ClassVar[Mapping[str, type[Any]]] = {}
+    checks_together: ClassVar[tuple[tuple[Callable[[Any], None], frozenset[str]], ...]] = ()
+
+    kinds: ClassVar[Mapping[str, type[Any]]] = {}
+    meaning_of_kind: ClassVar[str] = ""
+    instead: ClassVar[Mapping[str, str]] = {}
+
+    def __post_init__(self) -> None:
+        for name, each in self.descriptions.items():
+            value = getattr(self, name)
+            if value is not None or name not in self.optional:
+                object.__setattr__(self, name, each.take(name, value))
+        given = {name: value for name in self.descriptions if (value := getattr(self, name)) is not None}
+        for error in given_beside(type(self), given):
+            raise error
+        for check, _ in self.checks_together:
+            check(self)
+
+    def __repr__(self) -> str:
+        values = {each.name: (getattr(self, each.name), default_of(each)) for each in dataclasses.fields(self)}  # type: ignore[arg-type]
+        given = (f"{name}={value!r}" for name, (value, usual) in values.items() if value != usual)
+        return f"{type(self).__name__}({', '.join(given)})"
+
+    @classmethod
+    def likely(cls, values: Mapping[str, Any]) -> type[Any]:
+        """Return the class of an input whose table gives no kind, by its values."""
+        return cls
+
+    @classmethod
+    def unchecked(cls, **values: Any) -> Self:
+        """Return an input of which some fields are known and the others at their defaults, without any check."""
+        found = object.__new__(cls)
+        for each in dataclasses.fields(cls):  # type: ignore[arg-type]
+            object.__setattr__(found, each.name, values.get(each.name, default_of(each)))
+        return found
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(dataclasses.field,))
+def described(**options: Any) -> Callable[[type[AnyClass]], type[AnyClass]]:
+    """Return a decorator that makes a frozen dataclass whose docstring has its fields; options as of `dataclass`."""
+
+    def made(cls: type[Any]) -> type[Any]:
+        cls = dataclass(frozen=True, repr=False, **options)(cls)
+        hints = get_type_hints(cls, include_extras=True)
+        marks = {
+            name: [each for each in getattr(hint, "__metadata__", ()) if isinstance(each, KINDS)]
+            for name, hint in hints.items()
+        }
+        cls.descriptions = {each.name: marks[each.name][0] for each in dataclasses.fields(cls)}
+        cls.required = frozenset(
+            each.name for each in dataclasses.fields(cls) if default_of(each) is dataclasses.MISSING
+        )
+        bare = get_type_hints(cls)
+        kinds = {name: get_args(hint) or (hint,) for name, hint in bare.items() if name in cls.descriptions}
+        cls.optional = frozenset(name for name, each in kinds.items() if type(None) in each)
+        inputs = {
+            name: [one for one in each if isinstance(one, type) and issubclass(one, Input)]
+            for name, each in kinds.items()
+        }
+        cls.inputs = {name: found[0] for name, found in inputs.items() if found}
+        together = [
+            (name, each) for base in cls.__mro__ for name, each in vars(base).items() if hasattr(each, "together")
+        ]
+        cls.checks_together = tuple((each, each.together) for name, each in together if getattr(cls, name) is each)
+        cls.__doc__ = _with_parameters(cls)
+        cls.__init__ = _naming_the_nearest(cls)
+        return cls
+
+    return made
+
+
+def given_beside(cls: type[Input], given: Mapping[str, Any]) -> list[InputError]:
+    """Return an error for each field that is given beside the one that it takes the place of."""
+    return [
+        InputError(name, given[name], f"not be given together with {other}", "leave one out")
+        for name, other in cls.instead.items()
+        if name in given and other in given
+    ]
+
+
+def default_of(each: dataclasses.Field[Any]) -> Any:
+    """Return the default of a field, `dataclasses.MISSING` if there is none."""
+    return each.default if each.default_factory is dataclasses.MISSING else each.default_factory()
+
+
+def nearest(word: str, known: Iterable[str]) -> str | None:
+    """Return the known word closest to ``word``, None if none is close."""
+    spelled = {name.lower(): name for name in known}
+    begun = [name for name in spelled if len(word) > 2 and name.startswith(word.lower())]
+    matches = difflib.get_close_matches(word.lower(), spelled, n=1) or (begun if len(begun) == 1 else [])
+    return spelled[matches[0]] if matches else None
+
+
+def unknown(
+    field: str, value: object, what: str, word: object, known: Iterable[str], otherwise: str = ""
+) -> InputError:
+    """Return the error for a word, or another value in its place, that is not known; it suggests the closest match.
+
+    Where there is none it lists all that are known, or says ``otherwise`` where these are too many.
+    """
+    known = tuple(known)
+    match = nearest(word, known) if isinstance(word, str) else None
+    others = otherwise or "choose from " + ", ".join(f"'{name}'" for name in known)
+    remedy = f"the nearest is '{match}'" if match else others
+    return InputError(field, value, f"be a known {what}", remedy)
+
+
+def text_of(each: Described) -> str:
+    """Return what describes a field as one clause: meaning, unit, and the words that may stand in its place."""
+    choice = each.each if isinstance(each, OneOrTwo) else each
+    unit = getattr(choice, "unit", "")
+    words = choice.words if isinstance(choice, Quantity | Count) else {}
+    listed_words = ", ".join(f"{word!r} ({getattr(meaning, 'meaning', meaning)})" for word, meaning in words.items())
+    number = f", or {choice.meaning}" if choice is not each else ""
+    return f"{each.meaning}{f' [{unit}]' * bool(unit)}{f': {listed_words}{number}' if words else ''}"
+
+
+def _with_parameters(cls: type[Any]) -> str:
+    """Return the docstring of an input with its fields before the other sections."""
+    hints = get_type_hints(cls)
+    lines = ["Parameters", "----------"]
+    for name, each in cls.descriptions.items():
+        meaning = text_of(each)
+        lines.append(f"{name} : {_words_of(hints[name])}")
+        lines += textwrap.wrap(
+            f"{meaning[:1].upper()}{meaning[1:]}.", 120, initial_indent=" " * 4, subsequent_indent=" " * 4
+        )
+    text = inspect.cleandoc(cls.__doc__ or "")
+    found = _NEXT_SECTION.search(text)
+    before, after = (text[: found.start()].rstrip(), "\n\n" + text[found.start() :]) if found else (text, "")
+    return "\n".join([before, "", *lines]) + after
+
+
+def _words_of(kind: Any) -> str:
+    """Return a type as docstrings name it."""
+    kinds = get_args(kind) if isinstance(kind, types.UnionType) or get_origin(kind) is Union else (kind,)
+    names = [
+        "callable"
+        if get_origin(each) is Callable
+        else "pair"
+        if get_origin(each) is tuple and Ellipsis not in get_args(each)
+        else f"tuple of {get_args(each)[0].__name__}"
+        if get_origin(each) is tuple
+        else "str"
+        if get_origin(each) is Literal
+        else each.__name__.replace("NoneType", "None")
+        for each in kinds
+    ]
+    return " or ".join(dict.fromkeys(names))
+
+
+def _naming_the_nearest(cls: type[Any]) -> Callable[..., None]:
+    """Return the constructor of an input that says which field an unknown one may be."""
+    plain = cls.__init__
+    names = [each.name for each in dataclasses.fields(cls) if each.init]
+
+    @functools.wraps(plain)
+    def constructor(self: Any, *values: Any, **given: Any) -> None:
+        for name, value in given.items():
+            if name not in names:
+                error = unknown(name, value, f"field of {cls.__name__}", name, names)
+                raise TypeError(str(error))
+        plain(self, *values, **given)
+
+    return constructor

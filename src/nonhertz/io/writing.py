@@ -1,0 +1,88 @@
+"""Writing inputs into the tables of files, by what their fields hold."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.fields import Input, default_of
+from nonhertz.model.material import Material
+from nonhertz.model.materials import MATERIALS
+from nonhertz.model.profile import Flipped, Profile, Scaled, Shifted, Straight, Sum
+
+
+def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
+    """Return what a file holds of a value: tables, lists, numbers in base units, words.
+
+    Parameters
+    ----------
+    value : object
+        An input, or what a field of one holds.
+    name : str
+        Its field, for the message.
+    defaults : bool
+        Whether fields of an input that are at their defaults are written too.
+
+    Raises
+    ------
+    InputError
+        If no file can hold it, as a profile or a diameter of a user-defined class.
+    """
+    if isinstance(value, Profile):
+        return list(profile_tables(value))
+    if isinstance(value, Material) and value in MATERIALS.values():
+        return next(word for word, known in MATERIALS.items() if known == value)
+    if isinstance(value, Input):
+        word = next((word for word, kind in value.kinds.items() if kind is type(value)), None)
+        fields = {
+            each.name: document_of(held, name=each.name, defaults=defaults)
+            for each in dataclasses.fields(value)  # type: ignore[arg-type]
+            if (held := getattr(value, each.name)) is not None and (defaults or held != default_of(each))
+        }
+        return ({} if word is None else {"kind": word}) | {key: each for key, each in fields.items() if each != []}
+    if isinstance(value, str | bool | int | float):
+        return int(value) if type(value) is int else float(value) if isinstance(value, float) else value
+    if hasattr(value, "__iter__"):
+        return [document_of(each, name=name, defaults=defaults) for each in value]
+    if hasattr(value, "__float__"):
+        return float(value)
+    table = " or a table" if "diameter" in name or name == "bore" else ""
+    raise InputError(name, value, f"be a number{table} to go into a file", "tabulate it, or use it in Python alone")
+
+
+def profile_tables(profile: Profile) -> list[dict[str, Any]]:
+    """Return the tables whose profiles add up to this one.
+
+    Raises
+    ------
+    InputError
+        If it is of a user-defined class.
+    """
+    entry = profile.catalogue_entry
+    if entry is not None:
+        kind, parameters = entry
+        table = {"kind": kind} | {name: document_of(each) for name, each in parameters.items()}
+        return [] if kind == "straight" else [table]
+    if isinstance(profile, Straight):
+        return []
+    if isinstance(profile, Sum):
+        return [table for part in profile.parts for table in profile_tables(part)]
+    if isinstance(profile, Shifted):
+        return [_shifted(table, profile.by) for table in profile_tables(profile.profile)]
+    if isinstance(profile, Flipped):
+        return [_flipped(table) for table in profile_tables(profile.profile)]
+    if isinstance(profile, Scaled):
+        return [table | {"scale": table.get("scale", 1.0) * profile.by} for table in profile_tables(profile.profile)]
+    remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
+    raise InputError("profile", type(profile).__name__, "be from the catalogue to go into a case file", remedy)
+
+
+def _shifted(table: dict[str, Any], by: float) -> dict[str, Any]:
+    # A table is flipped last, after its shift.
+    return table | {"shift": table.get("shift", 0.0) + (-by if table.get("flip") else by)}
+
+
+def _flipped(table: dict[str, Any]) -> dict[str, Any]:
+    rest = {name: value for name, value in table.items() if name != "flip"}
+    return rest if "flip" in table else rest | {"flip": True}
