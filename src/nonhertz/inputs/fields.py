@@ -66,6 +66,9 @@ class EntriesError(InputError):
         first = self.errors[0]
         super().__init__(first.field, first.value, first.condition, first.remedy)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.errors,)  # so that it can be sent between processes
+
 
 def taken_one_by_one(name: str, values: Iterable[Any], take: Callable[[str, Any], Any]) -> tuple[Any, ...]:
     """Return the entries of a field, or raise `EntriesError` with the number of each that is wrong, from 1."""

@@ -39,6 +39,10 @@ BodyName = Literal["a", "b"]
 BODIES: Final[tuple[BodyName, BodyName]] = ("a", "b")
 
 _TOUCHING_REMEDY = "give the length that can touch in mm, or leave it out for all of the body"
+_DEPTH_MEANING = (
+    "the point that the displacement is measured against; left out, a roller with free side faces is 'finite', any "
+    f"other 'plane-strain', and the rest is 'none'; as a number {Thickness.meaning}"
+)
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 _FACELESS_REMEDY = "give the distance between the side faces in mm, or leave out side_faces"
 # What a body may say that has no side faces: the default of today, and of the paper.
@@ -214,8 +218,7 @@ class Body(Input):
         DepthRule | None,
         Quantity(
             "mm",
-            "the point that the displacement is measured against; left out, a roller with free side faces is 'finite', "
-            f"any other 'plane-strain', and the rest is 'none'; as a number {Thickness.meaning}",
+            _DEPTH_MEANING,
             positive,
             DEPTH_REMEDY,
             DEPTHS,
