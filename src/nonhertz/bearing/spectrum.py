@@ -30,7 +30,7 @@ def _share(name: str, value: float, remedy: str) -> None:
 
 @described(kw_only=True)
 class LoadCase(BearingLoad):
-    """A load on a bearing, carried for a share of the revolutions, as in `solve`.
+    """A load on a bearing, carried for a share of the revolutions, as in `nonhertz.bearing.solve`.
 
     From shares of the time those of the revolutions are found by `shares_of_revolutions`.
 

@@ -451,9 +451,9 @@ class Input:
         Fields that are given in place of others, not beside them.
     """
 
-    #: Made by `described`: what describes the fields, by name; which must be given, and which may be None; the classes
-    #: of those that hold inputs; and the checks of several fields, those of a class before those of its bases, each
-    #: with the names of the fields.
+    # Made by `described`: what describes the fields, by name; which must be given, and which may be None; the classes
+    # of those that hold inputs; and the checks of several fields, those of a class before those of its bases, each
+    # with the names of the fields.
     descriptions: ClassVar[Mapping[str, Described]] = {}
     required: ClassVar[frozenset[str]] = frozenset()
     optional: ClassVar[frozenset[str]] = frozenset()
