@@ -246,7 +246,7 @@ def test_what_cannot_be_is_refused_before_anything_is_solved(
 def test_mistakes_of_the_other_file_are_named_with_its_path(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     other = changed("rollers = 14", "rollers = -1\nslope = 0")
     first, second = refused([case, "--compare", other], capsys).splitlines()
-    assert first.startswith("1. other.toml: life.rollers = -1 must be positive: ")
+    assert first.startswith("1. other.toml: life.rollers = -1 must be a whole number of at least 1: ")
     assert second.startswith("2. other.toml: life.slope = 0.0 must be positive: ")
 
 
