@@ -216,10 +216,11 @@ class Reading:
         for error in given_beside(made, self.table):
             if error.field not in self.wrong:
                 self.note(error)
+        trial = made.unchecked(**self.values)
         for check, names in made.checks_together:
             if not names & self.wrong:
                 try:
-                    check(made.unchecked(**self.values))
+                    check(trial)
                 except InputError as error:
                     self.note(error)
                 except TableError as error:
