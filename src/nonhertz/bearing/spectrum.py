@@ -16,16 +16,10 @@ from nonhertz.bearing.verb import Method, solve
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import listed, numbers, positive
 from nonhertz.inputs.fields import Quantity, described
-from nonhertz.life.spectrum import at_most_whole
+from nonhertz.life.spectrum import at_most_whole, share_of_revolutions
 
 _SHARE = "give the share of the revolutions, above 0 and at most 1"
 _CASES = "give a list of nonhertz.bearing.LoadCase(share=..., radial=...)"
-
-
-def _share(name: str, value: float, remedy: str) -> None:
-    positive(name, value, remedy)
-    if value > 1.0:
-        raise InputError(name, value, "not exceed 1", remedy)
 
 
 @described(kw_only=True)
@@ -40,7 +34,9 @@ class LoadCase(BearingLoad):
         If one of them is out of range; whether the bearing takes the load turns out when it is solved.
     """
 
-    share: Annotated[float, Quantity("", "the share of the revolutions, above 0 and at most 1", _share, _SHARE)]
+    share: Annotated[
+        float, Quantity("", "the share of the revolutions, above 0 and at most 1", share_of_revolutions, _SHARE)
+    ]
 
     @property
     def load(self) -> dict[str, Any]:

@@ -17,12 +17,11 @@ from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import one_line
-from nonhertz.inputs.fields import Count, Input, Part, Parts, Word, default_of, described, together
+from nonhertz.inputs.fields import Input, Part, Parts, Word, default_of, described, together
 from nonhertz.io.bounds import FORMAT, LOADS
 from nonhertz.io.mistakes import Mistake, TableError
 from nonhertz.io.reading import Reading, Schema, Surroundings, read, schema_of, section
-from nonhertz.io.sections import combined_radius, of_both, sampled
+from nonhertz.io.sections import FORMAT_FIELD, combined_radius, line, of_both, sampled
 from nonhertz.io.shape_tables import read_shape, shape_schema, shape_tables
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.io.writing import document_of
@@ -35,23 +34,6 @@ PARTS = ("roller", "inner", "outer")
 _SHAPES = ("inner_shape", "outer_shape")
 _PAIR = "a second row like the first, and how it lies"
 _SPECTRUM = "write each load under a heading [[life.spectrum]]"
-
-
-class _Format(Count):
-    """The number of a format of files."""
-
-    def take(self, name: str, value: Any) -> int:
-        """Return the number."""
-        if value != FORMAT or isinstance(value, bool):
-            remedy = "use the release of nonhertz that wrote it, or a later one"
-            raise InputError(name, value, f"be {FORMAT}, the newest format this release reads", remedy)
-        return FORMAT
-
-
-def _title(name: str, value: object, remedy: str) -> None:
-    if not isinstance(value, str):
-        raise InputError(name, value, "be text", "put it in quotes")
-    one_line(name, value, remedy)
 
 
 @described(kw_only=True)
@@ -79,11 +61,9 @@ class BearingLifeConditions(LifeConditions):
 class BearingFile(Input):
     """A bearing file."""
 
-    format: Annotated[
-        int, _Format("format of the file; older files that leave it out are read", FORMAT, FORMAT, "")
-    ] = FORMAT
+    format: Annotated[int, FORMAT_FIELD] = FORMAT
     title: Annotated[
-        str, Word("what the bearing is called in tables and figures", "write a short name", condition=_title)
+        str, Word("what the bearing is called in tables and figures", "write a short name", condition=line)
     ] = ""
     # What a section depends on comes before it.
     roller: Rollers
@@ -301,7 +281,7 @@ def document(case: BearingCase) -> dict[str, Any]:
     life = _given(case.life, without="speed")
     if case.spectrum:
         life["spectrum"] = [document_of(each) for each in case.spectrum]
-    block = case.title_block.table
+    block = document_of(case.title_block, defaults=False)
     return found | ({"life": life} if life else {}) | ({"report": block} if block else {})
 
 

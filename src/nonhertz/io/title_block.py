@@ -48,11 +48,6 @@ class TitleBlock(Input):
         """Names and values, as far as they are given."""
         return tuple((name, value.strip()) for name, value in vars(self).items() if value.strip())
 
-    @property
-    def table(self) -> dict[str, str]:
-        """What a case file holds of it, without what is empty."""
-        return {name: value for name, value in vars(self).items() if value}
-
     def over(self, other: TitleBlock) -> TitleBlock:
         """Return this one, with what is empty taken from another.
 
