@@ -6,17 +6,23 @@ import random
 import tomllib
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import jinja2
 import pytest
 from form_reading import Inputs, document_in, parts_of, set_at, value_of
 
+from nonhertz.bearing.bearings import RollerBearing
+from nonhertz.bearing.prescribed import BearingLoad
+from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import in_unit
+from nonhertz.io.bearingfile import BEARING_TEMPLATES, bearing_schema, starting_bearing
+from nonhertz.io.casefile import TEMPLATES as TEMPLATES_OF_CASES
 from nonhertz.io.casefile import case_in, schema, starting_case
 from nonhertz.io.mistakes import path_of
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.materials import MATERIALS
+from nonhertz.solver.one import solve
 from nonhertz.strip.element import ELEMENTS
 from nonhertz.web.form.form import form
 from nonhertz.web.form.ranges import RANGES, Range
@@ -36,8 +42,8 @@ def kinds() -> dict[str, dict[str, Any]]:
     return {table["properties"]["kind"]["const"]: table for table in tables}
 
 
-def form_of(document: dict[str, Any]) -> str:
-    return TEMPLATES.get_template("form.html").render(form=form(document))
+def form_of(document: dict[str, Any], file: Literal["case", "bearing"] = "case") -> str:
+    return TEMPLATES.get_template("form.html").render(form=form(document, file))
 
 
 def as_text(document: Any) -> str:
@@ -368,12 +374,77 @@ def test_a_steep_slope_has_no_unit_that_a_slider_could_move_in():
 def test_sliders_stand_where_the_value_is():
     fields = {field.path: field for field in form(with_life()).fields}
     slider = fields["life.spectrum[1].load"].slider
-    assert slider.position == RANGES["load"].position(20000.0)
-    assert RANGES["load"].position(1e-9) == 0
-    assert RANGES["load"].position(1e9) == 1000
+    assert slider.position == slider.range.position(20000.0)
+    assert slider.range.position(1e-9) == 0
+    assert slider.range.position(1e9) == 1000
     concave = {field.path: field for field in form({"body": {"a": {"diameter": -200.0}}}).fields}["body.a.diameter"]
     assert (concave.slider.range.low, concave.slider.range.high) == (-1.0, -2000.0)
     assert Range(-5.0, 5.0, "linear", 0.0).position(0.0) == 500
+
+
+@pytest.mark.parametrize("name", [None, *TEMPLATES_OF_CASES])
+def test_sliders_of_a_load_end_at_what_steel_bears(name):
+    document = tomllib.loads(starting_case(name))
+    contact = case_in(document, Path("case.toml")).contact
+    fields = {field.path: field.slider.range for field in form(document).fields if field.slider}
+    low, high = contact.interval
+    radius = 1.0 / float(contact.curvature(0.5 * (low + high)))
+    load = fields["load.load"].high
+    hertz = line_contact(line_load=load / (high - low), radius=radius, compliance=contact.compliance)
+    # Where bodies are curved along the axis they touch along less of it.
+    assert hertz.max_pressure < 1.1 * 3500.0
+    if name in {None, "cylindrical", "needle"}:
+        assert hertz.max_pressure == pytest.approx(3500.0, rel=0.1)
+    if name not in {"spherical", "wheel-on-rail", "cam"}:
+        flat, tilted = (
+            solve(contact, load=0.3 * load, tilt=share * fields["load.tilt"].high).contact_y for share in (0.0, 1.0)
+        )
+        lifted = sum(end - begin for begin, end in flat) - sum(end - begin for begin, end in tilted)
+        assert 0.1 < lifted / (high - low) < 0.25, "at the end of the slider the roller begins to lift off"
+    stops = [each.high for each in (fields["load.load"], fields["load.tilt"])]
+    assert all(float(f"{stop:.2g}") == stop for stop in stops)
+
+
+def test_ranges_keep_still_while_their_value_is_dragged():
+    ranges = [
+        {field.path: field.slider.range for field in form(STARTING | {"load": load}).fields if field.slider}
+        for load in ({"load": 100.0}, {"load": "60 kN", "tilt": "2 mrad"})
+    ]
+    assert ranges[0] == ranges[1]
+    broken = {field.path: field.slider for field in form({"body": {"a": {"diameter": "x"}}}).fields}
+    assert broken["load.load"].range == RANGES["load"]
+
+
+def test_a_form_of_a_bearing_is_the_document_again():
+    for name in (None, *BEARING_TEMPLATES):
+        document = tomllib.loads(starting_bearing(name))
+        for changes in ({}, {"load": {"radial": ["8 kN", "x"], "tilt": [0.0, "1 mrad"], "moment": 5}}):
+            changed = {key: value for key, value in (document | changes).items() if key != "format"}
+            assert as_text(document_in(form_of(changed, "bearing"))) == as_text(changed), name
+
+
+def test_every_key_of_a_bearing_is_in_its_form():
+    shapes = [{"terms": [{}]}, {"angle": [], "deviation": []}, {"file": "x"}]
+    tables = ("chamfer", "bore", "material", "diameter")
+    body = {"profile": every_kind()["body"]["a"]["profile"], "side_faces": ["free", 1], **{key: {} for key in tables}}
+    load = {name: [1, 2] for name in BearingLoad.descriptions}
+    document = {"roller": body, "inner": body, "outer": body, "load": load, "life": {"spectrum": [load]}}
+    document |= {"fit": {"shaft": {"material": {}}, "housing": {"material": {}}}}
+    rows = [{"kind": kind, "rib": {}, "inner_shape": shapes, "outer_shape": shapes} for kind in RollerBearing.kinds]
+    rows += [{"inner_shape": shape, "outer_shape": shape} for shape in shapes]
+    documents = [document | {"bearing": row} for row in rows] + [
+        {"bearing": {}, "load": {}, "life": {"spectrum": [{}]}}
+    ]
+    shown = {each["name"] for each in documents for each in Inputs(form_of(each, "bearing")).fields}
+    asked = set(keys_of(bearing_schema(), bearing_schema()["$defs"], ()))
+    optional = {
+        ("format",),
+        ("fit",),
+        ("solver",),
+        ("report",),
+        ("bearing", "pair"),
+    }  # tables that these documents leave out
+    assert asked - {plain_path(name) for name in shown} - optional == set()
 
 
 def test_text_cannot_leave_its_place():

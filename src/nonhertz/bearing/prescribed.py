@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 
 #: A number, or one along each of two axes.
 OneOrBoth = float | tuple[float, float]
+#: What two components are called, and which of them one number alone is.
+_ALONG_Y, _ABOUT_Z = (("along y", "along z"), 0), (("about y", "about z"), 1)
 _ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
 
 
@@ -49,6 +51,7 @@ class BearingLoad(Input):
         OneOrTwo(
             Quantity("N", "a force", finite, "give it in N"),
             "radial force along y, towards the first roller, or a list of two: along y and z",
+            *_ALONG_Y,
         ),
     ] = None
     radial_displacement: Annotated[
@@ -56,6 +59,7 @@ class BearingLoad(Input):
         OneOrTwo(
             Quantity("mm", "a displacement", finite, "give it in mm"),
             "radial displacement along y, or along y and z, in place of the force",
+            *_ALONG_Y,
         ),
     ] = None
     axial: Annotated[float | None, Quantity("N", "axial force, along x", finite, "give it in N")] = None
@@ -68,6 +72,7 @@ class BearingLoad(Input):
             Quantity("rad", "a rotation", _rotation, _ROTATION),
             "rotation of the inner ring about z, in the plane of x and y, or a list of two: about y and z; positive "
             "about z moves the ring at high x along +y; without tilt and moment the ring does not tilt",
+            *_ABOUT_Z,
         ),
     ] = None
     moment: Annotated[
@@ -75,6 +80,7 @@ class BearingLoad(Input):
         OneOrTwo(
             Quantity("N mm", "a moment", finite, "give it in N mm"),
             "moment on the inner ring about z, or about y and z, in place of the tilt",
+            *_ABOUT_Z,
         ),
     ] = None
     speed: Annotated[

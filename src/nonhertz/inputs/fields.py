@@ -139,10 +139,16 @@ class OneOrTwo:
         What both are.
     meaning : str
         As of `Quantity`.
+    names : pair of str
+        What tells them apart.
+    single : int or None
+        Which of the two one alone is; None for both.
     """
 
     each: Quantity
     meaning: str
+    names: tuple[str, str]
+    single: int | None = None
 
     def take(self, name: str, value: Any) -> Any:
         """Return the number or word, or two of them."""

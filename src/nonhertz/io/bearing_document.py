@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from nonhertz.io.bearingfile import BearingCase
 
 PARTS = ("roller", "inner", "outer")
-_SHAPES = ("inner_shape", "outer_shape")
-_PAIR = "a second row like the first, and how it lies"
+SHAPES = ("inner_shape", "outer_shape")
+PAIR = "a second row like the first, and how it lies"
 _SPECTRUM = "write each load under a heading [[life.spectrum]]"
 
 
@@ -200,7 +200,7 @@ class _RowReading(Reading):
 
     def value(self, name: str, given: Any) -> Any:
         """Return the value of a field."""
-        if name in _SHAPES:
+        if name in SHAPES:
             return read_shape(given, name, self.file, (*self.place, name))
         return super().value(name, given)
 
@@ -236,8 +236,8 @@ def schema() -> Schema:
     schema_of(RollerBearing, tables)
     row, shapes = tables["RollerBearing"], shape_schema(tables)
     keys = {name: each for name, each in row["properties"].items() if name not in PARTS}
-    keys |= {name: shapes | {"description": keys[name]["description"]} for name in _SHAPES}
-    row["properties"] = keys | {"pair": schema_of(Pair, tables) | {"description": _PAIR}}
+    keys |= {name: shapes | {"description": keys[name]["description"]} for name in SHAPES}
+    row["properties"] = keys | {"pair": schema_of(Pair, tables) | {"description": PAIR}}
     row["required"] = [name for name in row["required"] if name not in PARTS]
     whole = tables.pop("BearingFile")
     sections = whole["properties"]
@@ -259,11 +259,11 @@ def document(case: BearingCase) -> dict[str, Any]:
     if type(row) not in RollerBearing.kinds.values():
         condition = "be of a kind that a bearing file knows"
         raise InputError("bearing", type(row).__name__, condition, "solve such a bearing in Python")
-    shapes = {name: shape_tables(name, shape) for name in _SHAPES if (shape := getattr(row, name)) is not None}
+    shapes = {name: shape_tables(name, shape) for name in SHAPES if (shape := getattr(row, name)) is not None}
     table = {
         each.name: document_of(value, name=each.name)
         for each in fields(row)
-        if each.name not in (*PARTS, *_SHAPES) and (value := getattr(row, each.name)) != default_of(each)
+        if each.name not in (*PARTS, *SHAPES) and (value := getattr(row, each.name)) != default_of(each)
     }
     word = next(word for word, kind in row.kinds.items() if kind is type(row))
     pair = {"pair": document_of(Pair.of(case.bearing))} if isinstance(case.bearing, Paired) else {}

@@ -202,6 +202,7 @@ class Body(Input):
         OneOrTwo(
             Quantity("", Weighted.meaning, not_negative, FACE_REMEDY, SIDE_FACES),
             "how the side faces are made free, or two of these, for low and high y",
+            ("at low y", "at high y"),
         ),
     ] = "free"
     images: Annotated[

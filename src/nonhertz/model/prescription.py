@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Mapping
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -30,6 +31,8 @@ def _small(name: str, tilt: float, remedy: str) -> None:
 class Prescription(Input):
     """What presses the bodies together: load or approach, and tilt or moment; the other two are results."""
 
+    instead: ClassVar[Mapping[str, str]] = {"approach": "load", "moment": "tilt"}
+
     load: Annotated[
         float | None,
         Quantity(
@@ -55,10 +58,6 @@ class Prescription(Input):
     @together("load", "approach")
     def _check_load(self) -> None:
         refuse_unpaired(self.approach, self.load, None, None)
-
-    @together("tilt", "moment")
-    def _check_tilt(self) -> None:
-        refuse_unpaired(None, 1.0, self.tilt, self.moment)
 
     @property
     def keywords(self) -> dict[str, float]:

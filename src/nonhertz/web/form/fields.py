@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -143,7 +143,7 @@ class FormGroup:
                 yield from member.fields
 
 
-def text_of(kind: str, value: Any) -> str | None:
+def text_in(kind: str, value: Any) -> str | None:
     """Return the text of a value in a field; None if this kind of field cannot hold it."""
     match kind:
         case "quantity" | "integer-or-word":
@@ -182,3 +182,8 @@ def _listed(value: Any) -> str | None:
     if not value or any(text is None or " " in text or text.startswith("[") for text in texts):
         return json.dumps(value)
     return " ".join(str(text) for text in texts)
+
+
+def options_of(words: Iterable[str]) -> tuple[Option, ...]:
+    """Return words as choices or suggestions."""
+    return tuple(Option(word, word) for word in words)

@@ -1,270 +1,297 @@
-"""The form of a document: fields and groups, made from the case file's schema.
+"""The form of a document: fields and groups, made from what the fields of a file's inputs say.
 
-The keys of a case file are not repeated here. What the schema says about a key decides which field it gets, so a key
-added to case files, or a profile added to the catalogue, appears in the form at once. An invalid value that its field
-cannot hold is shown as JSON, and so is an unknown key: the form shows the whole document, which can be rebuilt from it.
+No key of a file is repeated here. What describes a key decides which field it gets, so a field added to an input, or a
+kind of profile, appears in the form at once. An invalid value that its field cannot hold is shown as JSON, and so is an
+unknown key: the form shows the whole document, which can be rebuilt from it.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
-from dataclasses import replace
-from typing import Any, Final
+from collections.abc import Iterator, Mapping
+from dataclasses import MISSING, replace
+from typing import Any, Final, Literal
 
+from nonhertz.inputs.fields import Count, Flag, OneOrTwo, Part, Quantities, Word, text_of
+from nonhertz.io.bearing_document import BearingFile
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import schema
+from nonhertz.io.keys import Key, Table, table_of
 from nonhertz.io.mistakes import Place, TableError, path_of
-from nonhertz.io.profiles import required_keys
 from nonhertz.io.reading import read
+from nonhertz.io.sections import CaseDocument
 from nonhertz.model.body import Body
-from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_of
-from nonhertz.web.form.inputs import ABSENT, as_it_is, input_for, label_of, stray
-from nonhertz.web.form.keys import (
-    Schema,
-    alternatives,
-    is_table,
-    kinds_made_of_numbers,
-    meaning_of,
-    profile_kinds,
-    words_for,
-)
-from nonhertz.web.form.ranges import start, start_list
+from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_in
+from nonhertz.web.form.inputs import ABSENT, input_for, label_of, stray
+from nonhertz.web.form.ranges import ENDS, ONE, Range, ranges_of
 
-#: One of each pair is given; the form shows the first unless the document has the other.
-ALTERNATIVES: Final = (("load", "approach"), ("tilt", "moment"))
 #: Keys that all kinds of profile have, kept when the kind is changed.
 COMMON: Final = ("shift", "scale", "flip")
-#: Keys that most cases leave at their defaults, folded away.
+#: Keys that most files leave at their defaults, folded away.
 FOLDED: Final = (
     *("effective_length", "corner_radius", "chamfer", "position", "side_faces", "images", "depth", "bore"),
     *("case_depth", "yield_strength", "core_yield_strength", "hardness", "pressure_limit"),
     *("drop", "at", *COMMON),
+    *("pitch_diameter", "inner_shape", "outer_shape", "density", "rib", "axial_clearance", "pair", "fit"),
     *("solver", "life", "report"),
 )
 #: Keys that are a number in the form, unless a file has a table in their place.
 MOSTLY_NUMBERS: Final = ("bore",)
-#: The most frequently changed keys come first; the rest in the order of the schema.
+#: Files are dropped or pasted: the page reads none by name.
 UNREAD: Final = "file"
-FIRST: Final = ("title", "kind", "load", "body", "diameter", "length", "profile", "material")
+#: The most frequently changed keys come first; the rest in the order of their class.
+FIRST: Final = ("title", "kind", "load", "body", "bearing", "diameter", "length", "profile", "material")
+#: What a kind of body needs; a diameter if it is not listed.
+_NEEDED: Final = {"roller": ("diameter", "length"), "plate": ()}
 
 
-def form(document: dict[str, Any]) -> FormGroup:
-    """Return the form of a document, valid or not, without a field for the format number."""
-    whole = schema()
-    asked = {name: part for name, part in whole["properties"].items() if name != "format"}
+def form(document: dict[str, Any], file: Literal["case", "bearing"] = "case") -> FormGroup:
+    """Return the form of a document, valid or not, of a case file or a bearing file; without one for its format."""
+    whole = table_of(CaseDocument if file == "case" else BearingFile)
+    asked = {name: key for name, key in whole.keys.items() if name != "format"}
     given = {name: value for name, value in document.items() if name != "format" or value != FORMAT}
-    return _group({**whole, "properties": asked}, given, (), "Case")
+    return _Maker(ranges_of(document, file)).group(replace(whole, keys=asked), given, (), "Case")
 
 
-def _table(part: Schema, value: Any, place: Place, legend: str) -> FormGroup | FormField:
-    """Return the form of a table, or of another value in its place."""
-    if value is not ABSENT and not isinstance(value, dict):
-        return as_it_is(part, value, place)
-    return _group(part, value if isinstance(value, dict) else {}, place, legend, there=value is not ABSENT)
+class _Maker:
+    """Makes the parts of a form, whose sliders have these ranges."""
+
+    def __init__(self, ranges: Mapping[str, Range]) -> None:
+        self.ranges = ranges
+
+    def group(
+        self,
+        table: Table,
+        given: dict[str, Any],
+        place: Place,
+        legend: str,
+        *,
+        there: bool = True,
+        others: tuple[Table, ...] = (),
+    ) -> FormGroup:
+        """Return the form of a table, with unknown keys as JSON.
+
+        Parameters
+        ----------
+        table, given, place, legend
+            What it may hold and what it holds, where it is and what it is called.
+        there : bool
+            Whether the document has the table.
+        others : tuple of Table
+            Those of other kinds that may stand in its place.
+        """
+        named = table.of_kind(given.get("kind"))
+        keys, ranges = named.keys, self.ranges
+        if {"load", "radius"} <= set(keys):
+            # The radius of a profile for a design load is the one across the contact.
+            self.ranges = {**ranges, "radius": ranges["radius across"]}
+        members: list[FormField | FormGroup] = [*self._kinds(table, given, place, others)]
+        known = {*keys, *("kind" for _ in members)}
+        members += self._switches(named, given, place)
+        folded: list[FormField | FormGroup] = []
+        shown = set(keys) - _unchosen(named, given)
+        for name in sorted(shown, key=[*FIRST, *keys].index):
+            entry = self._member(keys[name], given.get(name, ABSENT), (*place, name), given, named)
+            (folded if name in FOLDED else members).append(entry)
+        members += [stray(entry, (*place, name)) for name, entry in given.items() if name not in known]
+        self.ranges = ranges
+        base = "{}" if there and place else ""
+        return FormGroup(path_of(place), legend, tuple(members), named.meaning, tuple(folded), base)
+
+    def _member(
+        self, key: Key, value: Any, place: Place, given: dict[str, Any], within: Table
+    ) -> FormField | FormGroup:
+        """Return the form of one key of a table."""
+        each, name = key.each, str(place[-1])
+        if isinstance(each, OneOrTwo):
+            alone = name == "side_faces" and "length" not in given
+            return self._one_or_two(key, each, value, place, alone=alone)
+        if key.several:
+            return self._list(key, value, place)
+        plain = isinstance(each, Part) and not each.named
+        if key.tables and (plain or (name in MOSTLY_NUMBERS and isinstance(value, dict))):
+            table = replace(key.tables[0], meaning=text_of(each))
+            if value is not ABSENT and not isinstance(value, dict):
+                return replace(stray(value, place), help=text_of(each))
+            held = value if isinstance(value, dict) else {}
+            return self.group(table, held, place, label_of(place), there=value is not ABSENT)
+        if key.tables and name not in MOSTLY_NUMBERS:
+            return self._value_or_table(key, value, place)
+        made = input_for(key, value, place, self._range(place))
+        return replace(made, default=_usual_depth(given, within)) if name == "depth" else made
+
+    def _kinds(
+        self, table: Table, given: dict[str, Any], place: Place, others: tuple[Table, ...]
+    ) -> Iterator[FormField]:
+        """Yield the choice of the kind of a table, on which its other keys depend; nothing if it has none."""
+        if not table.meaning_of_kind:
+            return
+        if table.kinds:
+            options = tuple(Option(word, word, self._changed(kind, given, place)) for word, kind in table.kinds.items())
+        else:
+            options = tuple(
+                Option(each.word, each.word, [(path_of(place), self._new(each, given))]) for each in _of_numbers(others)
+            )
+        value = given.get("kind", ABSENT)
+        text = "" if value is ABSENT else text_in("choice", value)
+        path = path_of((*place, "kind"))
+        if text is None:
+            yield FormField(path, "kind", "json", json.dumps(value), table.meaning_of_kind)
+            return
+        if text and text not in [option.value for option in options]:
+            options = (*options, Option(text, text))
+        yield FormField(path, "kind", "choice", text, table.meaning_of_kind, options=options, structural=True)
+
+    def _changed(self, kind: Table, given: dict[str, Any], place: Place) -> Edits:
+        """Return the edits that make a table one of another kind: what that needs is added, what it lacks removed."""
+        needed = _NEEDED.get(kind.word, ("diameter",)) if "diameter" in kind.keys else kind.required
+        foreign = [name for name in given if name not in kind.keys and name != "kind"]
+        foreign += ["diameter"] if kind.word == "plate" else []
+        edits: Edits = [(path_of((*place, "kind")), kind.word)]
+        edits += [(path_of((*place, name)), None) for name in foreign]
+        return edits + [
+            (path_of((*place, name)), self._start(name, kind.keys[name])) for name in needed if name not in given
+        ]
+
+    def _new(self, table: Table, before: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """Return a table with all that must be given, and with what all profiles may have of the previous one."""
+        # Lists have to be given, unless a file replaces them.
+        found = {
+            name: self._start(name, key, across="load" in table.keys)
+            for name, key in table.keys.items()
+            if key.usual is MISSING or (table.meaning_of_kind and isinstance(key.each, Quantities))
+        }
+        kept = {name: value for name, value in (before or {}).items() if name in COMMON and table.meaning_of_kind}
+        return ({"kind": table.word} if table.meaning_of_kind else {}) | found | kept
+
+    def _start(self, name: str, key: Key, *, across: bool = False) -> Any:
+        """Return the value of a key when it is added."""
+        each = key.each
+        if key.tables and (key.several or isinstance(each, Part)):
+            return [self._new(key.tables[0])] if key.several else self._new(key.tables[0])
+        if isinstance(each, Quantities):
+            return list(ENDS.get(name, ENDS["y"]))
+        if isinstance(each, Word):
+            return each.words[0] if each.words else ""
+        if isinstance(each, Flag):
+            return False
+        if isinstance(each, Count):
+            return max(each.least, 1)
+        return self.ranges.get("radius across" if across and name == "radius" else name, ONE).start
+
+    def _list(self, key: Key, value: Any, place: Place) -> FormGroup | FormField:
+        """Return the form of a list of tables, or of a single table in place of a list of one."""
+        if isinstance(value, dict):
+            return self._entry(key.tables, value, place)
+        if value is not ABSENT and not isinstance(value, list):
+            return replace(stray(value, place), help=text_of(key.each))
+        entries = value if isinstance(value, list) else []
+        members = tuple(self._entry(key.tables, entry, (*place, number)) for number, entry in enumerate(entries, 1))
+        base = "" if value is ABSENT else "[]"
+        words = "row" if len(key.tables) == 1 else ""
+        added = tuple(
+            Option(words or each.word, words or each.word, [("", self._new(each))]) for each in _of_numbers(key.tables)
+        )
+        return FormGroup(path_of(place), label_of(place), members, text_of(key.each), (), base, additions=added)
+
+    def _entry(self, tables: tuple[Table, ...], entry: Any, place: Place) -> FormGroup | FormField:
+        if not isinstance(entry, dict):
+            return stray(entry, place)
+        table, legend = tables[0], label_of(place)
+        if table.meaning_of_kind:
+            kind = entry.get("kind")
+            # Of an unknown kind the keys are unknown, too.
+            unknown = replace(table, word="", meaning="", keys={}, pairs=())
+            table = next((each for each in tables if each.word == kind), unknown)
+            legend += f": {kind}" if isinstance(kind, str) else ""
+        else:
+            table = max(tables, key=lambda each: len(set(each.keys) & set(entry)))
+        made = self.group(table, entry, place, legend, others=tables)
+        return replace(made, removable=isinstance(place[-1], int))
+
+    def _value_or_table(self, key: Key, value: Any, place: Place) -> FormGroup:
+        """Return the form of a key that may hold one value or a table of several."""
+        name, path, table = str(place[-1]), path_of(place), key.tables[0]
+        tabular = isinstance(value, dict)
+        simple = next(iter(key.each.named)) if isinstance(key.each, Part) else self._start(name, key)
+        several = {each: self._start(each, table.keys[each]) for each in table.required}
+        options = (
+            Option("value", "name" if isinstance(simple, str) else "one number", [(path, simple)]),
+            Option("table", " and ".join(several), [(path, several)]),
+        )
+        shape = _switch(path, f"{label_of(place)} by", options, "table" if tabular else "value")
+        if tabular:
+            inner = self.group(replace(table, meaning=text_of(key.each)), value, place, label_of(place))
+            return replace(inner, members=(shape, *inner.members))
+        return FormGroup(path, label_of(place), (shape, input_for(key, value, place, self._range(place))))
+
+    def _one_or_two(self, key: Key, each: OneOrTwo, value: Any, place: Place, *, alone: bool) -> FormGroup | FormField:
+        """Return the form of a key with one value, or one for each of two; ``alone`` if two make no sense."""
+        path, found = path_of(place), self._range(place)
+        single = replace(key, each=each.each)
+        is_pair = isinstance(value, list) and len(value) == 2
+        made = replace(input_for(single, ABSENT if is_pair else value, place, found), help=text_of(each))
+        if not is_pair and alone:
+            return made
+        first = value[each.single or 0] if is_pair else (key.usual or 0.0) if value is ABSENT else value
+        both = [first if each.single in (None, number) else 0.0 for number in range(2)]
+        words = (
+            ("one for both ends", "one for each end")
+            if each.single is None
+            else (each.names[each.single], " and ".join(each.names))
+        )
+        options = (
+            Option("value", words[0], [(path, first)]),
+            Option("pair", words[1], [(path, value if is_pair else both)]),
+        )
+        shape = _switch(path, f"{label_of(place)}:", options, "pair" if is_pair else "value")
+        if not is_pair:
+            return FormGroup(path, label_of(place), (shape, made))
+        found = found and replace(found, low=-found.high)
+        members = tuple(
+            replace(input_for(single, entry, (*place, number), found), label=label, help=text_of(each))
+            for number, (label, entry) in enumerate(zip(each.names, value, strict=True), start=1)
+        )
+        return FormGroup(path, label_of(place), (shape, *members), base="[]")
+
+    def _range(self, place: Place) -> Range | None:
+        """Return the range of the slider at a place, if there is one."""
+        return self.ranges.get(str(place[-1]))
+
+    def _switches(self, table: Table, given: dict[str, Any], place: Place) -> Iterator[FormField]:
+        """Yield a choice for each pair of alternative keys."""
+        for pair in table.pairs:
+            paths = {name: path_of((*place, name)) for name in pair}
+            starts = {name: self._start(name, table.keys[name]) for name in pair}
+            options = tuple(
+                Option(
+                    name,
+                    name,
+                    [(paths[name], starts[name]), *((paths[other], None) for other in pair if other != name)],
+                )
+                for name in pair
+            )
+            chosen = next((name for name in pair if name in given), pair[0])
+            yield _switch(path_of(place), " or ".join(pair), options, chosen)
 
 
-def _group(part: Schema, given: dict[str, Any], place: Place, legend: str, *, there: bool = True) -> FormGroup:
-    """Return the form of a table, with unknown keys as JSON; ``there`` says whether the document has the table."""
-    known = part["properties"]
-    pairs = _pairs(part)
-    hidden = _unchosen(pairs, given)
-    members: list[FormField | FormGroup] = [*_switches(pairs, given, place)]
-    folded: list[FormField | FormGroup] = []
-    # Points are pasted or dropped: the page reads no files.
-    hidden |= {UNREAD} - set(given)
-    for name in sorted(set(known) - hidden, key=_rank(known)):
-        entry = _member(name, known[name], given.get(name, ABSENT), (*place, name), given)
-        (folded if name in FOLDED else members).append(entry)
-    members += [stray(entry, (*place, name)) for name, entry in given.items() if name not in known]
-    base = "{}" if there and place else ""
-    return FormGroup(path_of(place), legend, tuple(members), meaning_of(part), tuple(folded), base)
+def _of_numbers(tables: tuple[Table, ...]) -> list[Table]:
+    """Return the tables that need no file, since the page reads no files by name."""
+    return [table for table in tables if UNREAD not in table.required]
 
 
-def _rank(known: Schema) -> Callable[[str], int]:
-    """Return the sort key for the keys of a table."""
-    order = [*FIRST, *known]
-    return order.index
-
-
-def _member(name: str, part: Schema, value: Any, place: Place, table: dict[str, Any]) -> FormField | FormGroup:
-    """Return the form of one key of a table."""
-    kinds = alternatives(part)
-    meaning = meaning_of(part)
-    if name == "kind":
-        return _kind(part, value, place, table)
-    rows = [kind for kind in kinds if kind.get("type") == "array" and is_table(alternatives(kind["items"])[0])]
-    if rows:
-        tables = list(profile_kinds().values()) if name == "profile" else alternatives(rows[0]["items"])
-        return _list(tables, value, place, meaning)
-    tables = [kind for kind in kinds if is_table(kind)]
-    if name in MOSTLY_NUMBERS and not isinstance(value, dict):
-        tables, part = [], _plain(part)
-    if tables and (len(kinds) == 1 or name in MOSTLY_NUMBERS):
-        return _table(tables[0] | {"description": meaning}, value, place, label_of(place))
-    if tables:
-        return _value_or_table(tables[0], part, value, place)
-    pairs = [kind for kind in kinds if kind.get("type") == "array" and kind.get("maxItems") == 2]
-    if pairs and len(kinds) > 1:
-        return _one_or_two(part, value, place, "length" in table)
-    made = input_for(part, value, place)
-    return replace(made, default=_usual_depth(table)) if name == "depth" else made
-
-
-def _usual_depth(body: dict[str, Any]) -> str:
+def _usual_depth(given: dict[str, Any], body: Table) -> str:
     """Return the depth of a body that gives none; nothing where it has mistakes."""
-    given = {name: value for name, value in body.items() if name not in ("depth", "profile", "chamfer")}
+    plain = {name: value for name, value in given.items() if name not in ("depth", "profile", "chamfer")}
     try:
-        return read(Body, given).behind.word
+        return read(Body, plain, likely=body.likely).behind.word
     except TableError:
         return ""
 
 
-def _kind(part: Schema, value: Any, place: Place, table: dict[str, Any]) -> FormField:
-    """Return the choice of the kind of a body or profile, on which the other keys depend."""
-    if "enum" in part:
-        options = tuple(Option(word, word, _body_edits(word, place, table)) for word in part["enum"])
-    else:
-        options = tuple(
-            Option(kind, kind, [(path_of(place[:-1]), _new_profile(kind, table))]) for kind in kinds_made_of_numbers()
-        )
-    text = text_of("choice", value) if value is not ABSENT else ""
-    made = FormField(path_of(place), "kind", "choice", text or "", meaning_of(part), structural=True)
-    if text is None:
-        return replace(made, kind="json", value=json.dumps(value), structural=False)
-    known = [option.value for option in options]
-    return replace(made, options=options if not text or text in known else (*options, Option(text, text)))
-
-
-def _body_edits(word: str, place: Place, body: dict[str, Any]) -> Edits:
-    """Return the edits that give a body the keys its new kind needs and remove those it must not have."""
-    within = place[:-1]
-    edits: Edits = [(path_of(place), word)]
-    if word == "plate":
-        return [*edits, (path_of((*within, "diameter")), None)]
-    needed = ("diameter", "length") if word == "roller" else ("diameter",)
-    return edits + [(path_of((*within, name)), start(name)) for name in needed if name not in body]
-
-
-def _new_profile(kind: str, before: dict[str, Any] | None = None) -> dict[str, Any]:
-    """Return a profile of a kind, with the common keys of the previous one."""
-    part = profile_kinds()[kind]
-    keys = part["properties"]
-    kept = {name: value for name, value in (before or {}).items() if name in COMMON}
-    # Lists have to be given, unless a file replaces them.
-    needed = [name for name in keys if name in required_keys(part) or keys[name].get("type") == "array"]
-    new = {
-        name: start_list(name) if keys[name].get("type") == "array" else start(keys[name].get("range", name))
-        for name in needed
-        if name != "kind"
-    }
-    return {"kind": kind} | new | kept
-
-
-def _list(tables: list[Schema], value: Any, place: Place, meaning: str) -> FormGroup | FormField:
-    """Return the form of a list of tables, or of a single table in place of a list of one."""
-    if isinstance(value, dict):
-        return _entry(tables, value, place)
-    if value is not ABSENT and not isinstance(value, list):
-        return as_it_is({"description": meaning}, value, place)
-    entries = value if isinstance(value, list) else []
-    members = tuple(_entry(tables, entry, (*place, number)) for number, entry in enumerate(entries, start=1))
-    base = "" if value is ABSENT else "[]"
-    return FormGroup(path_of(place), label_of(place), members, meaning, (), base, additions=_additions(tables))
-
-
-def _entry(tables: list[Schema], entry: Any, place: Place) -> FormGroup | FormField:
-    if not isinstance(entry, dict):
-        return stray(entry, place)
-    kinds = {table["properties"].get("kind", {}).get("const"): table for table in tables}
-    kind = entry.get("kind")
-    part = kinds.get(kind) if isinstance(kind, str) or len(tables) == 1 else None
-    part = tables[0] if len(tables) == 1 else part
-    if part is None:  # an unknown kind: its keys are unknown too
-        part = {"properties": {"kind": {"description": "kind of profile"}}}
-    legend = f"{label_of(place)}: {kind}" if isinstance(kind, str) else label_of(place)
-    return replace(_group(part, entry, place, legend), removable=isinstance(place[-1], int))
-
-
-def _additions(tables: list[Schema]) -> tuple[Option, ...]:
-    if len(tables) == 1:
-        row = {name: start(name) for name in tables[0]["required"]}
-        return (Option("row", "row", [("", row)]),)
-    return tuple(Option(kind, kind, [("", _new_profile(kind))]) for kind in kinds_made_of_numbers())
-
-
-def _value_or_table(table: Schema, part: Schema, value: Any, place: Place) -> FormGroup:
-    """Return the form of a key that may hold one value or a table of several."""
-    name, path = str(place[-1]), path_of(place)
-    tabular = isinstance(value, dict)
-    simple: Any = words_for(name, part)[0] if words_for(name, part) else start(name)
-    several = {
-        key: start_list(key) if inner.get("type") == "array" else start(key)
-        for key, inner in table["properties"].items()
-        if key in table["required"]
-    }
-    keys = " and ".join(several)
-    options = (
-        Option("value", "name" if isinstance(simple, str) else "one number", [(path, simple)]),
-        Option("table", keys, [(path, several)]),
-    )
-    shape = _switch(path, f"{label_of(place)} by", options, "table" if tabular else "value")
-    if tabular:
-        inner = _group(table | {"description": meaning_of(part)}, value, place, label_of(place))
-        return replace(inner, members=(shape, *inner.members))
-    return FormGroup(path, label_of(place), (shape, input_for(_plain(part), value, place)))
-
-
-def _plain(part: Schema) -> Schema:
-    """Return a key without the tables that may stand in it."""
-    kept = {key: entry for key, entry in part.items() if key != "anyOf"}
-    return kept | {"anyOf": [kind for kind in alternatives(part) if not is_table(kind)]}
-
-
-def _one_or_two(part: Schema, value: Any, place: Place, ends: bool) -> FormGroup | FormField:
-    """Return the form of a key with one value for both ends of a body, or two; a body without ends gets no switch."""
-    path = path_of(place)
-    is_pair = isinstance(value, list) and len(value) == 2
-    first = value[0] if is_pair else (Body.side_faces if value is ABSENT else value)
-    options = (
-        Option("value", "one for both ends", [(path, first)]),
-        Option("pair", "one for each end", [(path, value if is_pair else [first, first])]),
-    )
-    shape = _switch(path, f"{label_of(place)}:", options, "pair" if is_pair else "value")
-    words = {"anyOf": [kind for kind in alternatives(part) if kind.get("type") != "array"]}
-    words |= {key: entry for key, entry in part.items() if key != "anyOf"}
-    if not is_pair:
-        single = input_for(words, value, place)
-        return FormGroup(path, label_of(place), (shape, single)) if ends else single
-    members = tuple(
-        replace(input_for(words, entry, (*place, number)), label=f"at {end} y")
-        for number, (end, entry) in enumerate(zip(("low", "high"), value, strict=True), start=1)
-    )
-    return FormGroup(path, label_of(place), (shape, *members), base="[]")
-
-
-def _pairs(part: Schema) -> list[tuple[str, str]]:
-    """Return the pairs of keys in a table of which one is given, the usual one first."""
-    found = [pair for pair in ALTERNATIVES if set(pair) <= set(part["properties"])]
-    return found + [(each["required"][0], "drop") for each in part.get("oneOf", ())[:1]]
-
-
-def _switches(pairs: list[tuple[str, str]], given: dict[str, Any], place: Place) -> Iterator[FormField]:
-    """Yield a choice for each pair of alternative keys."""
-    for pair in pairs:
-        paths = {name: path_of((*place, name)) for name in pair}
-        options = tuple(
-            Option(name, name, [(paths[name], start(name)), *((paths[other], None) for other in pair if other != name)])
-            for name in pair
-        )
-        chosen = next((name for name in pair if name in given), pair[0])
-        yield _switch(path_of(place), " or ".join(pair), options, chosen)
-
-
-def _unchosen(pairs: list[tuple[str, str]], given: dict[str, Any]) -> set[str]:
+def _unchosen(table: Table, given: dict[str, Any]) -> set[str]:
     """Return the keys to hide: the alternatives not chosen, those a plate must not have, and files."""
-    aside: set[str] = set()
-    for pair in pairs:
+    aside = {UNREAD} - set(given)
+    for pair in table.pairs:
         shown = [name for name in pair if name in given] or [pair[0]]
         aside |= {name for name in pair if name not in shown}
     if given.get("kind") == "plate" and "diameter" not in given:

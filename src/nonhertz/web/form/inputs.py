@@ -1,19 +1,20 @@
-"""The input for one key of a case file, with its value in it."""
+"""The input for one key of a file, with its value in it."""
 
 from __future__ import annotations
 
 import json
 import math
-from dataclasses import replace
+from dataclasses import MISSING, replace
 from typing import Any, Final
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.fields import Count, Custom, Described, Flag, Part, Quantities, Quantity, Word, Words, text_of
 from nonhertz.inputs.units import in_unit
+from nonhertz.io.keys import Key
 from nonhertz.io.mistakes import Place, path_of
 from nonhertz.result.reading import chosen
-from nonhertz.web.form.fields import FormField, Option, Slider, text_of
-from nonhertz.web.form.keys import Schema, alternatives, default_of, is_quantity, meaning_of, unit_of, words_for
-from nonhertz.web.form.ranges import range_of
+from nonhertz.web.form.fields import FormField, Option, Slider, number_or_words, options_of, text_in
+from nonhertz.web.form.ranges import Range
 from nonhertz.web.form.units import units_of
 
 ABSENT: Final = object()
@@ -23,34 +24,48 @@ _LONG_LIST: Final = 24
 _LONG_TEXT: Final = 1000
 
 
-def input_for(part: Schema, value: Any, place: Place) -> FormField:
-    """Return the input for a value other than a table."""
-    name = str(place[-1])
-    kinds = alternatives(part)
-    first = kinds[0]
-    words = words_for(name, part)
-    made = FormField(path_of(place), label_of(place), "text", "", meaning_of(part), default=default_of(part))
-    if first.get("type") == "array":
-        made = replace(made, kind="list", unit=unit_of(first.get("items", {})), options=options_of(words))
-    elif any(kind.get("type") == "boolean" for kind in kinds):
-        alone = len(kinds) == 1
-        made = replace(made, kind="boolean" if alone else "json", options=options_of(("true", "false", *words)))
-    elif len(kinds) == 1 and not is_quantity(first):
-        made = replace(made, kind="choice" if words else "text", options=options_of(words))
-    elif all(is_quantity(kind) for kind in kinds):
-        made = replace(made, kind="quantity", unit=unit_of(part))
-    else:
-        made = replace(made, kind="integer-or-word", unit=unit_of(part), options=options_of(words))
-    return _filled(made, value, part.get("range", name))
+def input_for(key: Key, value: Any, place: Place, range_: Range | None) -> FormField:
+    """Return the input for a value other than a table, with a slider of a range if it is a quantity."""
+    each = key.each
+    made = FormField(path_of(place), label_of(place), "text", "", text_of(each), default=_default(key))
+    words = options_of(_words(each))
+    match each:
+        case Word() if words:
+            made = replace(made, kind="choice", options=words)
+        case Flag():
+            made = replace(made, kind="boolean", options=options_of(("true", "false")))
+        case Words() | Quantities():
+            made = replace(made, kind="list", unit=getattr(each, "unit", ""), options=words)
+        case Custom():
+            made = replace(made, kind="json")
+        case Quantity() | Count() | Part():
+            made = replace(
+                made, kind="integer-or-word" if words else "quantity", unit=getattr(each, "unit", ""), options=words
+            )
+    return _filled(made, value, range_, next(str(part) for part in reversed(place) if isinstance(part, str)))
 
 
-def _filled(made: FormField, value: Any, name: str) -> FormField:
+def _words(each: Described) -> tuple[str, ...]:
+    """Return the words that may stand for a value."""
+    return tuple(each.named if isinstance(each, Part) else getattr(each, "words", ()))
+
+
+def _default(key: Key) -> str:
+    """Return the default of a key as text; empty if there is no single value."""
+    named = key.each.named if isinstance(key.each, Part) else {}
+    usual = next((word for word, known in named.items() if known == key.usual), key.usual)
+    if usual is MISSING:
+        return ""
+    return usual if isinstance(usual, str) else number_or_words(usual) or ""
+
+
+def _filled(made: FormField, value: Any, range_: Range | None, name: str) -> FormField:
     """Return an input with a value in it, changed to another kind if it cannot hold the value."""
     if made.kind in {"quantity", "integer-or-word"}:
-        made = _with_units(replace(made, slider=_slider(name, made.unit, value)), value, name)
+        made = _with_units(replace(made, slider=_slider(made, value, range_)), value, name)
     if value is ABSENT or made.value:
         return made
-    text = text_of(made.kind, value)
+    text = text_in(made.kind, value)
     if text is None:
         return replace(made, kind="json", value=json.dumps(value), options=(), slider=None, units=())
     if _is_long(made.kind, value):
@@ -62,7 +77,7 @@ def _filled(made: FormField, value: Any, name: str) -> FormField:
 
 def _with_units(made: FormField, value: Any, name: str) -> FormField:
     """Return an input with the units to choose from, and the number in the one in which it is shown."""
-    if text_of(made.kind, value) is None and value is not ABSENT:
+    if text_in(made.kind, value) is None and value is not ABSENT:
         return made
     text, units = units_of(made.unit, name, None if value is ABSENT else value)
     word = next((unit.word for unit in units if unit.chosen), "")
@@ -87,34 +102,23 @@ def _is_long(kind: str, value: Any) -> bool:
     return of_list or (isinstance(value, str) and len(value) > _LONG_TEXT)
 
 
-def _slider(name: str, unit: str, value: Any) -> Slider | None:
+def _slider(made: FormField, value: Any, found: Range | None) -> Slider | None:
     """Return the slider for a quantity, at its present value."""
-    absent = value is ABSENT
+    if found is None:
+        return None
     try:
-        number = 0.0 if absent else in_unit(name, value, unit)
+        number = found.start if value is ABSENT else in_unit(made.path, value, made.unit)
     except InputError:
         return None
     if not isinstance(number, float) or not math.isfinite(number):  # a file may hold NaN
         return None
-    found = range_of(name, None if absent else number)
-    if found is None:
-        return None
-    return Slider(found, found.position(found.start if absent else number))
-
-
-def options_of(words: tuple[str, ...]) -> tuple[Option, ...]:
-    """Return words as choices or suggestions."""
-    return tuple(Option(word, word) for word in words)
+    found = found.mirrored() if found.scale == "log" and number < 0.0 < found.low else found
+    return Slider(found, found.position(number))
 
 
 def stray(value: Any, place: Place) -> FormField:
     """Return a field for an unknown key with its value, which can be edited or removed."""
     return FormField(path_of(place), label_of(place), "json", json.dumps(value), removable=True)
-
-
-def as_it_is(part: Schema, value: Any, place: Place) -> FormField:
-    """Return a field for a value in the place of a table."""
-    return replace(stray(value, place), help=meaning_of(part))
 
 
 def label_of(place: Place) -> str:

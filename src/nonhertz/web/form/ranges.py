@@ -1,12 +1,38 @@
-"""The slider range of each quantity, and the initial value of a key when it is added."""
+"""The slider range of each quantity, and the initial value of a key when it is added.
+
+What loads a contact or a bearing, and the relief of a profile, have ranges that follow from its geometry, up to where
+a drag leads nobody by mistake: loads up to a pressure that hardened steel just bears, tilts up to where a roller lifts
+off. They do not follow from the value of the quantity itself, so that they keep still while it is dragged.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
+
+from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.prescribed import BearingLoad, one_state
+from nonhertz.errors import InputError
+from nonhertz.hertz import half_space_line_compression, line_contact
+from nonhertz.io.bearing_document import radius_across, read_document
+from nonhertz.io.casefile import OF_BEARINGS
+from nonhertz.io.mistakes import TableError
+from nonhertz.io.reading import Surroundings, read
+from nonhertz.io.sections import Bodies, surroundings
+from nonhertz.model.contact import Contact
 
 SLIDER_STEPS: Final = 1000
+MOST_PRESSURE: Final = 3500.0
+"""MPa; ISO 76 takes 4000 as the limit of a roller at rest."""
+_USUAL: Final = 0.3  # of the largest load: some 1900 MPa
+_AXIAL: Final = 0.25  # of the radial load, what ribs bear
+_DECADES: Final = 1e-3  # of the largest load, down to which a slider goes
+_MOST_DROP: Final = 0.01  # of the length: corners begin with a gentle slope
+_TIGHT, _LOOSE = 1e-3, 3e-3  # of the pitch diameter: beyond the clearance groups of catalogues
+_FASTEST: Final = 1e6  # mm/min, pitch diameter times speed: beyond what rolling bearings do with oil
+_STOPS: Final = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)
 
 
 @dataclass(frozen=True)
@@ -49,8 +75,12 @@ class Range:
 
 
 LENGTH: Final = Range(0.5, 500.0, "log", 20.0)
-#: By key, which denotes the same quantity throughout a case file; except that the radius of a profile for a design load
-#: is the one across the contact.
+DIAMETER: Final = Range(1.0, 2000.0, "log", 20.0)
+STRENGTH: Final = Range(10.0, 5000.0, "log", 1500.0)
+TEMPERATURE: Final = Range(-40.0, 200.0, "linear", 20.0)
+ONE: Final = Range(0.0, 2.0, "linear", 1.0)
+#: By key, which denotes the same quantity throughout a file; except that the radius of a profile for a design load is
+#: the one across the contact. Where a geometry is known, its own ranges take the place of these.
 RANGES: Final[dict[str, Range]] = {
     "amplitude": Range(1e-4, 0.1, "log", 0.005),
     "angle": Range(1e-4, 1.0, "log", 0.001),
@@ -61,15 +91,21 @@ RANGES: Final[dict[str, Range]] = {
     "centre": Range(-20.0, 20.0, "linear", 0.0),
     "compliance": Range(1e-7, 1e-4, "log", 2.8e-6),
     "bore": Range(0.5, 500.0, "log", 8.0),
-    "core_yield_strength": Range(10.0, 5000.0, "log", 800.0),
+    "contact_angle": Range(0.01, 1.0, "log", 0.25),
+    "contamination": Range(0.0, 1.0, "linear", 0.5),
+    "core_yield_strength": STRENGTH,
     "corner_radius": Range(0.05, 10.0, "log", 0.5),
     "depth": LENGTH,
-    "diameter": Range(1.0, 2000.0, "log", 20.0),
+    "diameter": DIAMETER,
+    "distance": LENGTH,
     "drop": Range(1e-4, 1.0, "log", 0.02),
     "effective_length": LENGTH,
     "end_radius": Range(1.0, 1e5, "log", 200.0),
     "fatigue_limit": Range(0.0, 1000.0, "linear", 360.0),
     "fraction": Range(0.5, 0.99999, "linear", 0.9999),
+    "height": Range(0.1, 100.0, "log", 4.0),
+    "inner_groove": DIAMETER,
+    "inner_temperature": TEMPERATURE,
     "k1": Range(0.1, 10.0, "log", 1.0),
     "k2": Range(0.1, 1.0, "linear", 1.0),
     "length": LENGTH,
@@ -77,19 +113,29 @@ RANGES: Final[dict[str, Range]] = {
     "middle": LENGTH,
     "modulus": Range(1e3, 1e6, "log", 207000.0),
     "moment": Range(-1e5, 1e5, "linear", 0.0),
+    "outer_groove": DIAMETER,
+    "outer_temperature": TEMPERATURE,
+    "outside_diameter": DIAMETER,
+    "phase": Range(-math.pi, math.pi, "linear", 0.0),
+    "pitch_diameter": DIAMETER,
     "poisson": Range(0.0, 0.5, "linear", 0.3),
     "position": Range(-20.0, 20.0, "linear", 0.0),
     "pressure_limit": Range(10.0, 10000.0, "log", 4000.0),
+    "profile_radius": DIAMETER,
     "radius": Range(10.0, 1e6, "log", 4000.0),
     "radius across": Range(0.5, 1000.0, "log", 10.0),
+    "reliability": Range(0.9, 0.9995, "linear", 0.9),
+    "roller_temperature": TEMPERATURE,
     "scale": Range(0.0, 3.0, "linear", 1.0),
     "share": Range(0.0, 1.0, "linear", 1.0),
     "shift": Range(-10.0, 10.0, "linear", 0.0),
     "slope": Range(0.2, 5.0, "linear", 1.125),
     "straight": Range(0.0, 100.0, "linear", 10.0),
+    "temperature": TEMPERATURE,
     "tilt": Range(-0.005, 0.005, "linear", 0.0),
+    "viscosity": Range(1.0, 1000.0, "log", 20.0),
     "width": Range(0.01, 10.0, "log", 0.5),
-    "yield_strength": Range(10.0, 5000.0, "log", 1500.0),
+    "yield_strength": STRENGTH,
     "zm": Range(1e-4, 1.0, "log", 0.01),
 }
 # Initial values of lists, which have no sliders.
@@ -97,22 +143,133 @@ ENDS: Final[dict[str, list[float]]] = {
     "y": [-10.0, 0.0, 10.0],
     "relief": [0.01, 0.0, 0.01],
     "diameter": [20.0, 20.0, 20.0],
+    "angle": [0.0, 1.5, 3.0, 4.5],
+    "deviation": [0.005, -0.005, 0.005, -0.005],
 }
 
 
-def range_of(name: str, value: float | None = None) -> Range | None:
-    """Return the range of a key whose current value is ``value``; None for a key without a slider."""
-    found = RANGES.get(name)
-    if found is None or value is None or found.scale == "linear" or value >= 0.0:
+def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range]:
+    """Return the ranges of the sliders of a document, by key: those of its geometry as far as that has no mistakes.
+
+    Parameters
+    ----------
+    document : dict
+        A case, or a bearing.
+    file : {"case", "bearing"}
+        Which of them it is.
+    """
+    try:
+        if file == "case":
+            bodies = read(Bodies, document.get("body"), surroundings(document, None))
+            return RANGES | _of_contact(Contact(bodies.a, bodies.b))
+        parts = {name: document[name] for name in OF_BEARINGS if name in document}
+        unloaded = {"radial_displacement": 0.0, "axial_displacement": 0.0}
+        found = read_document(parts | {"load": unloaded}, Surroundings(None, radius_across(document)))
+        return RANGES | _of_bearing(found.bearing)
+    except (TableError, InputError):
+        return RANGES
+
+
+def _of_contact(contact: Contact) -> dict[str, Range]:
+    """Return the ranges of a contact."""
+    most, length = _most_load(contact), contact.interval[1] - contact.interval[0]
+    found = {"load": _upwards(most, _USUAL)}
+    if not math.isfinite(length):
         return found
-    return found.mirrored()
+    usual, deepest = (_compression(contact, share * most) for share in (_USUAL, 1.0))
+    half = _stop(0.5 * length)
+    return found | {
+        "approach": _upwards(deepest, usual / deepest),
+        "tilt": _around(2.0 * usual / length),
+        "moment": _around(_USUAL * most * length / 6.0),  # at one end there is then no load
+        **dict.fromkeys(("position", "shift", "centre"), _around(half)),
+        **_of_relief(length),
+    }
 
 
-def start(name: str) -> float | list[float]:
-    """Return the initial value of a required number."""
-    return RANGES[name].start
+def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range]:
+    """Return the ranges of a bearing."""
+    row = rows.rows[0].bearing
+    most = min(map(_most_load, row.contacts))
+    number, pitch, length = row.rollers * len(rows.rows), row.pitch, row.roller_length
+    inclined = row.nominal_angle
+    # Of as many rollers under a radial load the most loaded one bears a fifth (ISO 76).
+    radial, axial = most * number * math.cos(inclined) / 5.0, most * number * math.sin(inclined)
+    usual = _compression(row.contacts[0], _USUAL * most)
+    moved, loose = _around(_LOOSE * pitch), Range(0.0, _stop(_LOOSE * pitch), "linear", 0.0)
+    found = {
+        "radial": Range(0.0, _stop(radial), "linear", _stop(_USUAL * radial)),
+        "axial": _around(axial if inclined else _AXIAL * radial),
+        "moment": _around(0.25 * pitch * max(radial, axial)),
+        "tilt": _around(2.0 * usual / length),
+        **dict.fromkeys(("radial_displacement", "axial_displacement"), moved),
+        "clearance": Range(-_stop(_TIGHT * pitch), loose.high, "linear", 0.0),
+        "axial_clearance": loose,
+        "interference": _around(_TIGHT * pitch),
+        "smoothing": Range(0.0, _stop(_TIGHT * pitch), "linear", 0.0),
+        "speed": Range(0.0, _stop(_FASTEST / pitch), "linear", 0.0),
+        **_of_relief(length),
+    }
+    # A bearing has no sliders for what it does not bear.
+    unborne = [name for name in ("radial", "axial", "moment") if not _bears(rows, name)]
+    return {name: each for name, each in found.items() if name not in unborne}
 
 
-def start_list(name: str) -> list[float]:
-    """Return the initial value of a required list."""
-    return list(ENDS[name])
+def _bears(rows: RollerBearing | Paired, name: str) -> bool:
+    try:
+        one_state(rows, BearingLoad(**{name: 1e-6}))
+    except InputError:
+        return False
+    return True
+
+
+def _of_relief(length: float) -> dict[str, Range]:
+    """Return the ranges of what makes the relief of a body of a length [mm]."""
+    return dict.fromkeys(("amplitude", "drop", "zm"), _upwards(_MOST_DROP * length, 0.1))
+
+
+def _most_load(contact: Contact) -> float:
+    """Return the load [N] under which the pressure in the middle is `MOST_PRESSURE`.
+
+    That of a line or, where the bodies are so curved along the axis that it is less, of a point.
+    """
+    low, high = contact.interval
+    middle = 0.5 * (low + high) if math.isfinite(high - low) else 0.0
+    radius, compliance = 1.0 / float(contact.curvature(middle)), contact.compliance
+    step = 0.1 * min(radius, high - low)
+    before, at, after = contact.separation([middle - step, middle, middle + step])
+    bend = max(float(before + after - 2.0 * at) / step**2, 1e-12)
+    line = math.pi**2 * compliance * radius * MOST_PRESSURE**2 * (high - low)
+    return min(line, math.pi**5 * (radius / bend) * compliance**2 * MOST_PRESSURE**3 / 6.0)
+
+
+def _compression(contact: Contact, load: float) -> float:
+    """Return about how far bodies of finite length approach each other under a load [mm]."""
+    length = contact.interval[1] - contact.interval[0]
+    radius = 1.0 / float(contact.curvature(sum(contact.interval) / 2.0))
+    line = line_contact(line_load=load / length, radius=radius, compliance=contact.compliance)
+    return half_space_line_compression(line, length=max(length, 3.0 * line.half_width))
+
+
+def _upwards(most: float, usual: float) -> Range:
+    """Return a range of ratios up to a stop, with a share of it to start from."""
+    high = _stop(most)
+    return Range(_DECADES * high, high, "log", _stop(usual * high))
+
+
+def _around(most: float) -> Range:
+    """Return a range on both sides of zero."""
+    return Range(-_stop(most), _stop(most), "linear", 0.0)
+
+
+def _stop(value: float) -> float:
+    """Return the round number next to a positive one.
+
+    Examples
+    --------
+    >>> _stop(67.7e3), _stop(0.031)
+    (70000.0, 0.03)
+    """
+    power = 10.0 ** math.floor(math.log10(value))
+    # Text, since 3 * 0.01 is not 0.03.
+    return float(f"{min(_STOPS, key=lambda stop: abs(stop * power - value)) * power:.3g}")

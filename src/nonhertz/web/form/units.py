@@ -17,11 +17,17 @@ CHOICES: Final[dict[str, dict[str, float]]] = {
     "MPa": {"MPa": 1.0, "GPa": 1e3, "psi": POUND_FORCE / INCH**2, "ksi": 1e3 * POUND_FORCE / INCH**2},
     "rad": {"mrad": 1e-3, "arcmin": math.pi / 10800.0, "deg": math.pi / 180.0, "um/mm": 1e-3, "rad": 1.0},
     "N mm": {"N mm": 1.0, "N m": 1e3, "lbf in": POUND_FORCE * INCH},
+    "1/min": {"1/min": 1.0},
+    "mm^2/s": {"mm^2/s": 1.0},
+    "t/mm^3": {"t/mm^3": 1.0, "kg/m^3": 1e-12},
 }
 SLOPE: Final = "um/mm"
 """Of this the angle is not proportional to the number."""
 #: Lengths that people read in micrometres.
-_SMALL: Final = {"amplitude", "approach", "drop", "zm"}
+_SMALL: Final = {
+    *("amplitude", "approach", "drop", "zm", "clearance", "axial_clearance", "interference", "smoothing"),
+    *("radial_displacement", "axial_displacement"),
+}
 _LARGE: Final = {"N": (1e3, "kN"), "MPa": (1e4, "GPa"), "N mm": (1e4, "N m")}
 _SMALL_ANGLE: Final = 0.05
 _FIGURES: Final = 12
@@ -114,7 +120,7 @@ def _of_files(base: str, name: str, value: float | None) -> str:
         return "um" if name in _SMALL and size < 1.0 else "mm"
     if base == "rad":
         return "mrad" if size < _SMALL_ANGLE else "deg"
-    from_, word = _LARGE[base]
+    from_, word = _LARGE.get(base, (math.inf, base))
     return word if size >= from_ else base
 
 

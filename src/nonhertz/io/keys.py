@@ -1,0 +1,154 @@
+"""What may stand in the tables of files, key by key: what forms, reports and the reference of files are made from.
+
+All of it is what the fields of inputs say of themselves. Only where a bearing's file is divided otherwise than its
+classes are, and of profiles, which are no inputs, is it said here.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, field, replace
+from functools import cache
+from typing import Any, Final
+
+from nonhertz.bearing.bearings import Pair, RollerBearing
+from nonhertz.bearing.shapes import Deviations, Waves
+from nonhertz.inputs.fields import Custom, Described, Flag, Input, Part, Parts, Quantities, Quantity, Word, default_of
+from nonhertz.io.bearing_document import PAIR, PARTS, SHAPES
+from nonhertz.io.profiles import profile_schema, required_keys
+from nonhertz.io.shape_tables import ShapeFile
+from nonhertz.model.profile import Profile
+
+_QUOTED: Final = re.compile(r"""['"`]([a-z][a-z0-9-]*)['"`]""")
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a table.
+
+    Attributes
+    ----------
+    each : Described
+        What it holds.
+    usual : object
+        Its default, `dataclasses.MISSING` if it must be given.
+    tables : tuple of Table
+        Those that may stand in it.
+    several : bool
+        Whether a list of them may.
+    """
+
+    each: Described
+    usual: Any = MISSING
+    tables: tuple[Table, ...] = ()
+    several: bool = False
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of a file.
+
+    Attributes
+    ----------
+    word : str
+        Its kind if that tells it from others in the same place, else what it is.
+    meaning : str
+        What it holds.
+    keys : mapping of str to Key
+        By name; where it has kinds, those of all.
+    kinds : mapping of str to Table
+        By the word that its key ``kind`` holds.
+    meaning_of_kind : str
+        What that word decides.
+    pairs : tuple of pairs of str
+        Keys of which one is given in place of the other, the usual one first.
+    likely : callable or None
+        The class of what it makes if it gives no kind.
+    """
+
+    word: str
+    meaning: str
+    keys: Mapping[str, Key]
+    kinds: Mapping[str, Table] = field(default_factory=dict)
+    meaning_of_kind: str = ""
+    pairs: tuple[tuple[str, str], ...] = ()
+    likely: Callable[[Mapping[str, Any]], type[Input]] | None = None
+
+    def of_kind(self, word: Any) -> Table:
+        """Return what it is if its kind is a word; itself if that is none of its kinds."""
+        return self.kinds.get(word, self) if isinstance(word, str) else self
+
+    @property
+    def required(self) -> list[str]:
+        """Names of the keys that must be given."""
+        return [name for name, key in self.keys.items() if key.usual is MISSING]
+
+
+@cache
+def table_of(cls: Any) -> Table:
+    """Return the table of an input, by its class."""
+    own = _plain(cls)
+    kinds = {word: replace(_plain(kind), word=word) for word, kind in cls.kinds.items()}
+    every = {name: key for each in (*kinds.values(), own) for name, key in each.keys.items()}
+    return replace(own, keys=every, kinds=kinds, meaning_of_kind=cls.meaning_of_kind)
+
+
+def _plain(cls: type[Input]) -> Table:
+    """Return the table of an input of one kind."""
+    usual = {each.name: default_of(each) for each in dataclasses.fields(cls)}  # type: ignore[arg-type]
+    keys = {name: _key(name, each, usual[name], cls.inputs.get(name)) for name, each in cls.descriptions.items()}
+    if issubclass(cls, RollerBearing):
+        # Its bodies stand beside it in a file, and a second row in it.
+        keys = {name: key for name, key in keys.items() if name not in PARTS}
+        keys["pair"] = Key(Part(PAIR, Pair, ""), None, (table_of(Pair),))
+    pairs = tuple(tuple(sorted(pair, key=[*keys].index)) for pair in cls.instead.items())
+    return Table(cls.__name__, (cls.__doc__ or "").partition("\n")[0], keys, pairs=pairs)  # type: ignore[arg-type]
+
+
+def _key(name: str, each: Described, usual: Any, inner: Any) -> Key:
+    if getattr(each, "of", None) is Profile:
+        return Key(each, None, profile_kinds(), several=True)
+    if name in SHAPES:
+        shapes = {"waves": Waves, "deviations": Deviations, "file": ShapeFile}
+        return Key(each, None, tuple(replace(table_of(cls), word=word) for word, cls in shapes.items()), several=True)
+    if isinstance(each, Parts):
+        return Key(each, usual, (table_of(each.of),), several=True)
+    likely = getattr(each, "likely", None)
+    return Key(each, usual, () if inner is None else (replace(table_of(inner), likely=likely),))
+
+
+@cache
+def profile_kinds() -> tuple[Table, ...]:
+    """Return the tables of all kinds of profile."""
+    return tuple(_profile_table(part) for part in profile_schema()["anyOf"][0]["anyOf"])
+
+
+def _profile_table(part: Mapping[str, Any]) -> Table:
+    word = part["properties"]["kind"]["const"]
+    required = required_keys(part)
+    keys = {
+        name: Key(_described(each), MISSING if name in required else None)
+        for name, each in part["properties"].items()
+        if name != "kind"
+    }
+    pairs = tuple((each["required"][0], "drop") for each in part.get("oneOf", ())[:1])
+    return Table(word, part.get("description", ""), keys, meaning_of_kind="kind of profile", pairs=pairs)
+
+
+def _described(part: Mapping[str, Any]) -> Described:
+    meaning = part.get("description", "").replace("`", "")
+    match part.get("type"):
+        case "array":
+            return Quantities(part["items"].get("unit", ""), meaning)
+        case "boolean":
+            return Flag(meaning)
+        case "string":
+            return Word(meaning, words=tuple(dict.fromkeys(_QUOTED.findall(meaning))))
+        case "number":
+            return Quantity("", meaning)
+    if "enum" in part:
+        return Word(meaning, words=tuple(part["enum"]))
+    only = {each.get("type") for each in part.get("anyOf", ())} == {"number", "string"}
+    return Quantity(part["unit"], meaning) if only else Custom(meaning, lambda name, value, remedy: value, part)
