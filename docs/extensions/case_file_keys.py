@@ -10,7 +10,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from nonhertz.io.bearingfile import bearing_schema
 from nonhertz.io.casefile import schema
-from nonhertz.io.profiles import COMMON, required_keys
+from nonhertz.io.profiles import Changes, required_keys
 
 if TYPE_CHECKING:
     from docutils import nodes
@@ -21,7 +21,7 @@ Schema = dict[str, Any]
 NAMES = {"number": "number", "integer": "whole number", "string": "text", "array": "list", "object": "table"}
 # Tables that are alike stand once.
 _OF_BOTH = {"body.a": "[body.a] and [body.b]", "roller": "[roller], [inner] and [outer]"}
-EVERY_PROFILE = ("kind", *COMMON)
+EVERY_PROFILE = ("kind", *Changes.descriptions)
 
 
 class CaseFileKeys(SphinxDirective):
@@ -43,7 +43,7 @@ class CaseFileKeys(SphinxDirective):
             "--------",
             "",
             "What ``profile`` may list; those of the catalogue may have "
-            + ", ".join(f"``{key}``" for key in COMMON)
+            + ", ".join(f"``{key}``" for key in Changes.descriptions)
             + " too.",
             "",
         ]

@@ -151,15 +151,15 @@ MISTAKES = {
     ),
     "unknown profile parameter": (
         profile("{ kind = 'crown', radus = 4000 }"),
-        ["body.a.profile[1].radus = 4000 must be a known parameter of 'crown': the nearest is 'radius'."],
+        ["body.a.profile[1].radus = 4000 must be a known key: the nearest is 'radius'."],
     ),
     "missing profile parameter": (
         profile("{ kind = 'crown' }"),
-        ["body.a.profile[1].radius must be given: 'crown' needs it, in mm."],
+        ["body.a.profile[1].radius must be given: give the crown radius in mm, negative for a hollow profile."],
     ),
     "profile on a body without a length": (
         f"[body.a]\ndiameter = 20\nprofile = {{ kind = 'iso-logarithmic' }}\n{B}{LOAD}",
-        ["body.a.profile.length must be given: 'iso-logarithmic' needs it, in mm, unless the body has one."],
+        ["body.a.profile.length must be given: give the roller's effective length in mm, unless the body has one."],
     ),
     "profile that is no table": (
         f"{A}profile = 'crown'\n{B}{LOAD}",
@@ -184,18 +184,15 @@ MISTAKES = {
     ),
     "points and a file": (
         profile("{ kind = 'tabulated', file = 'two.csv', y = [0, 1] }"),
-        ["body.a.profile[1].y = [0, 1] must not be given together with file: keep one."],
+        ["body.a.profile[1].y = [0, 1] must not be given together with file: leave one out."],
     ),
     "table without points": (
         profile("{ kind = 'tabulated' }"),
-        ["body.a.profile[1].y must be given: give the lists y and relief, or a file."],
+        [f"body.a.profile[1].{key} must be given: give the lists y and relief, or a file." for key in ("y", "relief")],
     ),
     "nan in a table": (
         profile("{ kind = 'tabulated', y = [0, 1], relief = [0, nan] }"),
-        [
-            "body.a.profile[1].relief = [0.0, nan] must hold only finite numbers: "
-            "leave out the points that were not measured."
-        ],
+        ["body.a.profile[1].relief = [0, nan] must be finite: give a list of numbers in mm."],
     ),
     "diameters of two signs": (
         f"[body.a]\ndiameter = {{ y = [0, 1], diameter = [1, -1] }}\n{B}{LOAD}",

@@ -20,7 +20,7 @@ from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case, case_in, read_case, schema, starting_case
 from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.life.lamina import FEWEST, MOST
-from nonhertz.model.profile import CATALOGUE, PARAMETER_UNITS
+from nonhertz.model.profile import CATALOGUE
 from nonhertz.solver.one import FEWEST_STRIPS, MOST_STRIPS
 
 PRINTED = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
@@ -288,8 +288,6 @@ def test_the_schema_describes_every_key() -> None:
     for kind in kinds:
         for key, entry in kind["properties"].items():
             assert key == "kind" or entry["description"], (kind["title"], key)
-            if PARAMETER_UNITS.get(key):
-                assert PARAMETER_UNITS[key] in json.dumps(entry)
 
 
 @pytest.mark.parametrize("kind", ["roller", None])
@@ -536,4 +534,4 @@ def test_a_profile_is_flipped_about_the_middle_of_the_body_after_its_shift(tmp_p
     assert float(body.relief(3.0)) == pytest.approx(36.0 / 8000.0, rel=1e-5)
     assert mistakes_of({"body": {"a": {"profile": [{"kind": "straight", "flip": 1}]}, "b": {}}, "load": {"load": 1}})[
         0
-    ].startswith("body.a.profile[1].flip = 1 must be true or false")
+    ].startswith("body.a.profile[1].flip = 1 must be True or False: write true or false")

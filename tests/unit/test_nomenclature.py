@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
-from nonhertz.inputs.fields import Input
+from nonhertz.inputs.fields import Input, Quantities, Quantity
 from nonhertz.io.results import UNITS
-from nonhertz.model.profile import PARAMETER_UNITS
+from nonhertz.model.profile import PARAMETERS
 from nonhertz.strip.element import Element
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "nomenclature.md"
@@ -80,7 +80,9 @@ def test_rollers_rings_and_plates_add_nothing_of_their_own():
 
 def test_profile_parameters_have_the_units_that_the_page_lists():
     # The page writes 1 where there is no unit.
-    assert tables()["Profile parameters"] == {name: unit or "1" for name, unit in PARAMETER_UNITS.items()}
+    every = [named for each in PARAMETERS.values() for named in each.descriptions.items()]
+    units = {name: each.unit or "1" for name, each in every if isinstance(each, Quantity | Quantities)}
+    assert tables()["Profile parameters"] == units
 
 
 def test_results_on_disk_have_the_units_that_the_page_lists():

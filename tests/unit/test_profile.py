@@ -13,11 +13,12 @@ import numpy as np
 import pytest
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.fields import Quantities, Quantity
 from nonhertz.model import profile as catalogue
 from nonhertz.model.body import Body
 from nonhertz.model.profile import (
     CATALOGUE,
-    PARAMETER_UNITS,
+    PARAMETERS,
     Profile,
     Straight,
     Sum,
@@ -524,16 +525,14 @@ class TestCatalogue:
         for name, make in CATALOGUE.items():
             assert make is getattr(catalogue, name.replace("-", "_"))
 
-    def test_every_number_has_a_unit_and_nothing_else_has(self):
-        numbers = {"y", "relief"}
-        for make in CATALOGUE.values():
-            hints = typing.get_type_hints(make)
-            assert hints.pop("return") is Profile
-            numbers |= {name for name, hint in hints.items() if hint in (float, float | None)}
-            others = {name for name, hint in hints.items() if hint not in (float, float | None)}
-            assert others <= {"y", "relief", "interpolation", "blended"}
-        assert numbers == set(PARAMETER_UNITS)
-        assert set(PARAMETER_UNITS.values()) == {"mm", "N", "1/MPa", "rad", ""}
+    def test_a_name_has_the_same_unit_in_every_kind(self):
+        units = {}
+        for make, parameters in zip(CATALOGUE.values(), PARAMETERS.values(), strict=True):
+            assert typing.get_type_hints(make).pop("return") is Profile
+            for name, each in parameters.descriptions.items():
+                if isinstance(each, Quantity | Quantities):
+                    assert units.setdefault(name, each.unit) == each.unit
+        assert set(units.values()) == {"mm", "N", "1/MPa", "rad", ""}
 
     def test_all_are_public_and_return_profiles(self):
         assert isinstance(straight(), Straight)

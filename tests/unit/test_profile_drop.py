@@ -11,8 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonhertz.errors import InputError
-from nonhertz.model.profile import CATALOGUE, Profile, crown, logarithmic, with_drop
-from nonhertz.model.profile.catalogue import BY_DROP
+from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, crown, logarithmic, with_drop
 from nonhertz.model.profile.drop import determined
 
 LENGTH = 20.0
@@ -49,7 +48,7 @@ def drop_of(profile: Profile, at: float) -> float:
 
 
 def test_every_kind_and_every_parameter_is_tried() -> None:
-    expected = {(kind, name) for kind in CATALOGUE for name in BY_DROP.get(kind, ("scale",))}
+    expected = {(kind, name) for kind in CATALOGUE for name in PARAMETERS[kind].by_drop or ("scale",)}
     assert set(GIVEN) == expected - {("straight", "scale")}
 
 
@@ -116,7 +115,11 @@ def test_a_logarithm_is_found_from_its_drop(amplitude: float, at: float, fractio
         (("crown", 0.02, AT), {"radius": 3e3}, "drop = 0.02 must not be given together with radius: leave one out."),
         (("crown", 0.02, 0.0), {}, "at = 0.0 must not be the middle of the body: give the position in mm"),
         (("crown", 0.02, 1e50), {}, "at = 1e+50 must be where some radius of 'crown' has a finite relief: "),
-        (("crown", 0.02, AT), {"radus": 3e3}, "radus = 3000.0 must be a parameter of 'crown': choose from radius"),
+        (
+            ("crown", 0.02, AT),
+            {"radus": 3e3},
+            "radus = 3000.0 must be a known parameter of 'crown': the nearest is 'radius'.",
+        ),
         (("crwn", 0.02, AT), {}, "kind = 'crwn' must be one of 'straight', "),
         (("partial-crown", 0.02, AT), {}, "straight = None must be given, because the drop determines radius: "),
         (("partial-crown", 0.02, AT), {"straight": -1.0}, "straight = -1.0 must not be negative: "),

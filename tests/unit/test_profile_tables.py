@@ -168,7 +168,7 @@ def test_the_diameter_of_a_cone_is_that_normal_to_its_axis(kind: str) -> None:
             ROLLER,
             ["scale = 2 must not be given together with drop: leave one"],
         ),
-        ("kind = 'crown', at = 9", ROLLER, ["at = 9 must not be given without drop: ", "radius must be given: "]),
+        ("kind = 'crown', at = 9", ROLLER, ["at = 9.0 must not be given without drop: ", "radius must be given: "]),
         (
             "kind = 'crown', drop = '20 kg', at = 'x'",
             ROLLER,
@@ -177,7 +177,7 @@ def test_the_diameter_of_a_cone_is_that_normal_to_its_axis(kind: str) -> None:
         (
             "kind = 'crown', dorp = 0.02",
             ROLLER,
-            ["dorp = 0.02 must be a known parameter of 'crown': the nearest is 'drop'"],
+            ["dorp = 0.02 must be a known key: the nearest is 'drop'"],
         ),
         (
             "kind = 'crown', drop = 20",

@@ -19,7 +19,6 @@ from nonhertz.io.measured import checked, measured_from, trace_from
 from nonhertz.io.prepared import files
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
-from nonhertz.model.profile import PARAMETER_UNITS
 from nonhertz.result.numerals import digits, unit_of_dimension, with_error
 
 BEST = "best"
@@ -176,7 +175,7 @@ def _is_free(fit: Fit, name: str) -> bool:
 
 def _parameter(fit: Fit, name: str) -> str:
     value = fit.parameters.get(name, fit.shift)
-    unit = PARAMETER_UNITS.get(name, "mm")
+    unit = fit.unit_of(name)
     error = fit.standard_errors.get(name)
     if error is not None and not math.isfinite(error):
         return f"{name} not determined by the points"  # any value fits as well

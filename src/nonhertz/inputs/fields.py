@@ -16,7 +16,7 @@ import math
 import re
 import textwrap
 import types
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import (
     Any,
@@ -604,8 +604,8 @@ def _words_of(kind: Any) -> str:
         if get_origin(each) is Callable
         else "pair"
         if get_origin(each) is tuple and Ellipsis not in get_args(each)
-        else f"tuple of {get_args(each)[0].__name__}"
-        if get_origin(each) is tuple
+        else f"{get_origin(each).__name__.lower()} of {get_args(each)[0].__name__}"
+        if get_origin(each) in (tuple, Sequence)
         else "str"
         if get_origin(each) is Literal
         else each.__name__.replace("NoneType", "None")

@@ -16,7 +16,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.fields import nearest
 from nonhertz.io.mistakes import path_of
 from nonhertz.io.origin import body_tables
-from nonhertz.model.profile.catalogue import BY_DROP
+from nonhertz.model.profile import PARAMETERS
 
 Keys = tuple[str | int, ...]
 Schema = Mapping[str, Any]
@@ -62,7 +62,8 @@ class Parameter:
         """
         if self.keys[-1] == "drop":
             kind = Parameter("", (*self.keys[:-1], "kind"), None).value_in(document)
-            siblings = [Parameter("", (*self.keys[:-1], name), None) for name in BY_DROP.get(kind, ())]
+            names = PARAMETERS[kind].by_drop if kind in PARAMETERS else ()
+            siblings = [Parameter("", (*self.keys[:-1], name), None) for name in names]
             if siblings and all(each.value_in(document) is not None for each in siblings):
                 document = siblings[0].removed(document)
         changed: dict[str, Any] = _with(document, self.keys, value)

@@ -30,7 +30,6 @@ from nonhertz.inputs.fields import (
 )
 from nonhertz.io.dimensions import dimensions
 from nonhertz.io.mistakes import Mistake, Place, TableError, missing, path_of
-from nonhertz.io.profiles import profile_schema, read_profile
 from nonhertz.io.writing import document_of
 from nonhertz.model.profile import Profile
 
@@ -174,15 +173,12 @@ class Reading:
 
     def take_fields(self) -> None:
         """Read every field that is given."""
-        required = (self.named or self.cls).required
         # What profiles leave out they take from their body, which is read before.
         for name in sorted(self.fields, key=lambda each: getattr(self._described(each), "of", None) is Profile):
             if name in self.values:
                 continue
             if name not in self.table:
-                if name in required and name not in self.wrong:
-                    self.mistakes.append(missing((name,), self.way_out(name)))
-                    self.wrong.add(name)
+                self.absent(name)
                 continue
             try:
                 self.values[name] = self.value(name, self.table[name])
@@ -193,12 +189,20 @@ class Reading:
                 for each in error.errors if isinstance(error, EntriesError) else (error,):
                     self.note(each if place_of(each.field)[0] == name else each.within(name))
 
+    def absent(self, name: str) -> None:
+        """Note a field that is not given, if it must be."""
+        if name in (self.named or self.cls).required and name not in self.wrong:
+            self.mistakes.append(missing((name,), self.way_out(name)))
+            self.wrong.add(name)
+
     def value(self, name: str, given: Any) -> Any:
         """Return the value of a field."""
         each, inner = self._described(name), self.fields[name].inputs.get(name)
         if isinstance(each, Parts):
             return self._several(name, each, given)
         if getattr(each, "of", None) is Profile:
+            from nonhertz.io.profiles import read_profile  # which reads its tables with this module
+
             body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
             return read_profile(given, dimensions(body, self.file.radius), self.file.folder)
         if isinstance(each, Part) and each.named and not isinstance(given, dict | str):
@@ -313,17 +317,20 @@ def schema_of(cls: type[Input], tables: dict[str, Schema]) -> Schema:
             "type": "object",
             "title": name,
             "description": (cls.__doc__ or "").partition("\n")[0],
-            "properties": word | {key: _schema_of(kind, key, tables) for key, kind in fields.items()},
+            "properties": word | {key: schema_of_field(kind, key, tables) for key, kind in fields.items()},
             "required": sorted({*cls.required, *([] if cls in cls.kinds.values() else word)}),
             "additionalProperties": False,
         }
     return {"$ref": f"#/$defs/{name}"}
 
 
-def _schema_of(cls: type[Input], name: str, tables: dict[str, Schema]) -> Schema:
+def schema_of_field(cls: type[Input], name: str, tables: dict[str, Schema]) -> Schema:
+    """Return the JSON schema of a field of an input."""
     each = cls.descriptions[name]
     inner = [schema_of(cls.inputs[name], tables)] if name in cls.inputs else []
     if getattr(each, "of", None) is Profile:
+        from nonhertz.io.profiles import profile_schema
+
         found = profile_schema()
     elif isinstance(each, Parts):
         found = each.schema() | {"items": schema_of(each.of, tables)}

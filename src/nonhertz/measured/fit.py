@@ -12,7 +12,6 @@ Standard errors and the comparison of kinds are based on it.
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -22,8 +21,9 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, flag, listed, one_of
+from nonhertz.inputs.fields import Quantity
 from nonhertz.measured.trace import Array, Points
-from nonhertz.model.profile import CATALOGUE, Profile
+from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile
 
 _MOST_POINTS = 2000
 _FAR = 1.0  # mm, in place of the infinite relief beyond a pole
@@ -71,6 +71,11 @@ class Fit:
     def profile(self) -> Profile:
         """The profile, about y = 0: without offset, shift and tilt."""
         return CATALOGUE[self.kind](**self.parameters)
+
+    def unit_of(self, name: str) -> str:
+        """Return the unit of a parameter, or of the shift."""
+        each = PARAMETERS[self.kind].descriptions.get(name)
+        return each.unit if isinstance(each, Quantity) else "mm"
 
     def relief(self, y: Array) -> Array:
         """Return the fitted relief [mm] at positions [mm], offset, shift and tilt included."""
@@ -341,8 +346,7 @@ def _correlation_length(residual: Array) -> float:
 
 
 def _known(kind: str) -> tuple[str, ...]:
-    parameters = inspect.signature(CATALOGUE[kind]).parameters.values()
-    return tuple(p.name for p in parameters if not isinstance(p.default, bool))
+    return tuple(name for name, each in PARAMETERS[kind].descriptions.items() if isinstance(each, Quantity))
 
 
 def _junctions(half: float) -> list[tuple[float, ...]]:

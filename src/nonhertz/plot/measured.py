@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.measured import Fit, Measured, Points, StepResult
-from nonhertz.model.profile import PARAMETER_UNITS
 from nonhertz.plot.axial import AXIAL_LABEL, number
 from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
@@ -208,9 +207,7 @@ def _draw_relief(figure: Figure, top: float, measured: Measured, fit: Fit | None
 
 def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: _Ruler) -> str:
     axes.plot(y, ruler.factor * fit.relief(y), color=FIRST, linewidth=LINE, linestyle=(0, (4, 2)), zorder=1.5)
-    named = ", ".join(
-        f"{name} {value:.5g} {PARAMETER_UNITS.get(name, 'mm')}".rstrip() for name, value in fit.parameters.items()
-    )
+    named = ", ".join(f"{name} {value:.5g} {fit.unit_of(name)}".rstrip() for name, value in fit.parameters.items())
     name = f"{fit.kind}, {named}" if named else fit.kind
     return f"Dashed: {name}. Residual to the rough points: {1e3 * fit.rms:.2g} µm root mean square."
 

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nonhertz.errors import InputError, shown
-from nonhertz.inputs.checks import finite, flag, not_negative, positive
+from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.fields import Flag, Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile
+from nonhertz.model.profile.kind import kind
 
 
 def drop_of_circle(radius: float, y: ArrayLike) -> Array:
@@ -48,22 +51,35 @@ class Arcs(Formula):
         return (-self.junction, self.junction) if self.junction > 0.0 else ()
 
 
-def crown(radius: float, centre: float = 0.0) -> Profile:
+def _not_zero(name: str, value: float, remedy: str) -> None:
+    finite(name, value, remedy)
+    if value == 0.0:
+        raise InputError(name, value, "not be zero", remedy)
+
+
+@kind(by_drop=("radius",))
+def crown(
+    radius: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the crown radius R along the axis, positive for a crown, negative for a hollow whose ends stand out",
+            _not_zero,
+            "give the crown radius in mm, negative for a hollow profile",
+        ),
+    ],
+    centre: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the position y0 of the summit from the middle of the body",
+            remedy="give the position of the summit in mm",
+        ),
+    ] = 0.0,
+) -> Profile:
     """Return a crowned profile: one circular arc over the whole length.
 
     Relief = R - sqrt(R^2 - (y - y0)^2), about (y - y0)^2 / (2 R); infinite for abs(y - y0) > abs(R).
-
-    Parameters
-    ----------
-    radius : float
-        Crown radius R along the axis [mm], positive for a crown, negative for a hollow whose ends stand out.
-    centre : float
-        Position y0 of the summit [mm] from the middle of the body.
-
-    Raises
-    ------
-    InputError
-        If ``radius`` is zero or a value is not finite.
 
     References
     ----------
@@ -75,37 +91,45 @@ def crown(radius: float, centre: float = 0.0) -> Profile:
     >>> round(float(crown(radius=1000).relief(10.0)), 9)
     0.05000125
     """
-    remedy = "give the crown radius in mm, negative for a hollow profile"
-    finite("radius", radius, remedy)
-    if radius == 0.0:
-        raise InputError("radius", radius, "not be zero", remedy)
-    finite("centre", centre, "give the position of the summit in mm")
-    arcs = Arcs(math.inf, float(radius), junction=0.0, end_summit=0.0)
-    profile = arcs.shifted(centre) if centre != 0.0 else arcs
-    return profile.called("crown", radius=radius, centre=centre)
+    arcs = Arcs(math.inf, radius, junction=0.0, end_summit=0.0)
+    return arcs.shifted(centre) if centre != 0.0 else arcs
 
 
-def partial_crown(radius: float, straight: float, blended: bool = True) -> Profile:
+def _outside_the_middle(radius: float, straight: float, blended: bool) -> None:
+    if not blended and 0.5 * straight > radius:
+        condition = f"not exceed twice the radius of {shown(radius)} mm"
+        raise InputError("straight", straight, condition, "shorten it or raise the radius")
+
+
+@kind(by_drop=("radius", "straight"), together=(_outside_the_middle,))
+def partial_crown(
+    radius: Annotated[
+        float,
+        Quantity("mm", "the radius R of the arcs along the axis", positive, "give the radius of the end arcs in mm"),
+    ],
+    straight: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the length of the straight middle, 0 for a crown",
+            not_negative,
+            "give the length of the straight middle in mm, 0 for none",
+        ),
+    ],
+    blended: Annotated[
+        bool,
+        Flag(
+            "whether the arcs leave the straight middle tangentially",
+            "write true for arcs that leave the middle without a slope",
+        ),
+    ] = True,
+) -> Profile:
     """Return a partially crowned profile: a straight middle and a circular arc at each end.
 
     Two shapes go by this name. Blended, the arcs begin at the ends of the straight middle with zero slope
     ("tangential"): relief = R - sqrt(R^2 - s^2) with s = abs(y) - straight / 2. Not blended, both ends belong
     to one arc with its summit in the middle of the body, whose top the straight part cuts off, so that
     they meet it at the angle asin(straight / (2 R)): relief = sqrt(R^2 - straight^2 / 4) - sqrt(R^2 - y^2).
-
-    Parameters
-    ----------
-    radius : float
-        Radius R of the arcs along the axis [mm], positive.
-    straight : float
-        Length of the straight middle [mm], not negative; 0 makes a `crown`.
-    blended : bool
-        Whether the arcs leave the straight middle tangentially.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range, or an unblended arc ends within the straight middle.
 
     References
     ----------
@@ -119,35 +143,47 @@ def partial_crown(radius: float, straight: float, blended: bool = True) -> Profi
     >>> round(float(partial_crown(radius=500, straight=10, blended=False).relief(10.0)), 9)
     0.075009377
     """
-    flag("blended", blended, "write True for arcs that leave the middle without a slope")
-    positive("radius", radius, "give the radius of the end arcs in mm")
-    not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
-    half = 0.5 * float(straight)
-    if not blended and half > radius:
-        raise InputError(
-            "straight",
-            straight,
-            f"not exceed twice the radius of {shown(radius)} mm",
-            "shorten it or raise the radius",
-        )
-    arcs = Arcs(math.inf, float(radius), junction=half, end_summit=half if blended else 0.0)
-    return arcs.called("partial-crown", radius=radius, straight=straight, blended=blended)
+    half = 0.5 * straight
+    return Arcs(math.inf, radius, junction=half, end_summit=half if blended else 0.0)
 
 
-def two_radius(radius: float, end_radius: float, middle: float) -> Profile:
+def _within_the_circle(radius: float, middle: float) -> None:
+    if middle >= 2.0 * radius:
+        condition = f"be less than twice the radius of {shown(radius)} mm"
+        raise InputError("middle", middle, condition, "shorten it or raise the radius")
+
+
+@kind(by_drop=("end_radius", "radius"), together=(_within_the_circle,))
+def two_radius(
+    radius: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the radius R1 of the middle arc along the axis, usually the larger one",
+            positive,
+            "give the radius of the middle arc in mm",
+        ),
+    ],
+    end_radius: Annotated[
+        float,
+        Quantity(
+            "mm", "the radius R2 of the end arcs along the axis", positive, "give the radius of the end arcs in mm"
+        ),
+    ],
+    middle: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the length of the middle arc, below twice R1",
+            positive,
+            "give the length of the middle arc in mm",
+        ),
+    ],
+) -> Profile:
     """Return a profile of two radii: one arc in the middle, another at the ends, tangential where they meet.
 
     For abs(y) <= y1 = middle / 2 the relief is R1 - sqrt(R1^2 - y^2); beyond y1 it follows the circle of radius
     R2 that has the same slope there and whose summit lies at y1 (1 - R2 / R1).
-
-    Parameters
-    ----------
-    radius : float
-        Radius R1 of the middle arc along the axis [mm], positive, usually the larger one.
-    end_radius : float
-        Radius R2 of the end arcs along the axis [mm], positive.
-    middle : float
-        Length of the middle arc [mm], positive and below twice ``radius``.
 
     References
     ----------
@@ -160,16 +196,5 @@ def two_radius(radius: float, end_radius: float, middle: float) -> Profile:
     >>> round(float(profile.relief(5.0)), 7), round(float(profile.relief(10.0)), 7)
     (0.0025, 0.0325009)
     """
-    positive("radius", radius, "give the radius of the middle arc in mm")
-    positive("end_radius", end_radius, "give the radius of the end arcs in mm")
-    positive("middle", middle, "give the length of the middle arc in mm")
-    if middle >= 2.0 * radius:
-        raise InputError(
-            "middle",
-            middle,
-            f"be less than twice the radius of {shown(radius)} mm",
-            "shorten it or raise the radius",
-        )
-    half = 0.5 * float(middle)
-    arcs = Arcs(float(radius), float(end_radius), half, end_summit=half * (1.0 - end_radius / radius))
-    return arcs.called("two-radius", radius=radius, end_radius=end_radius, middle=middle)
+    half = 0.5 * middle
+    return Arcs(radius, end_radius, half, end_summit=half * (1.0 - end_radius / radius))

@@ -8,7 +8,6 @@ with the parameter or falls and wherever the kind refuses values, then by Brent'
 
 from __future__ import annotations
 
-import inspect
 import math
 from collections.abc import Callable, Iterable, Mapping
 from itertools import pairwise
@@ -18,13 +17,14 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, one_of
+from nonhertz.inputs.fields import unknown
 from nonhertz.model.profile.base import Profile
-from nonhertz.model.profile.catalogue import BY_DROP, CATALOGUE
+from nonhertz.model.profile.catalogue import CATALOGUE, PARAMETERS
 
 #: In place of a parameter, for kinds that have none which a drop could determine.
 SCALE: Final = "scale"
 
-_AT_REMEDY = "give the position in mm from the middle of the body, on the side where the drop is measured"
+AT_REMEDY = "give the position in mm from the middle of the body, on the side where the drop is measured"
 _DROP_REMEDY = "give in mm how much more relief there is than in the middle, negative where the surface stands out"
 # Parameters to which relief is proportional: the value for a multiple of the relief at the value for 1.
 _PROPORTIONAL: Final[dict[str, Callable[[float], float]]] = {"amplitude": float, "angle": math.atan}
@@ -77,14 +77,12 @@ def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
     """
     one_of("kind", kind, tuple(CATALOGUE), "choose a profile of the catalogue")
     finite("drop", drop, _DROP_REMEDY)
-    finite("at", at, _AT_REMEDY)
-    if at == 0.0:
-        raise InputError("at", at, "not be the middle of the body", _AT_REMEDY)
+    off_the_middle("at", at, AT_REMEDY)
     if kind == "straight":
         raise InputError("drop", drop, "be left out of 'straight', which has no relief", "choose another kind")
     free = determined(kind, parameters)
     if free is None:
-        given = " and ".join(BY_DROP[kind])
+        given = " and ".join(PARAMETERS[kind].by_drop)
         raise InputError("drop", drop, f"not be given together with {given}", "leave one out")
     _check_names(kind, free, parameters)
     make = CATALOGUE[kind]
@@ -95,10 +93,17 @@ def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
     return _searched(lambda value: make(**parameters, **{free: value}), kind, free, drop, at)
 
 
+def off_the_middle(name: str, at: float, remedy: str) -> None:
+    """Refuse a place of a drop in the middle of the body, from which drops are measured."""
+    finite(name, at, remedy)
+    if at == 0.0:
+        raise InputError(name, at, "not be the middle of the body", remedy)
+
+
 def determined(kind: str, given: Iterable[str]) -> str | None:
     """Return what a drop determines beside the given parameters of a kind, `SCALE` if no parameter; None if nothing."""
-    names = BY_DROP.get(kind)
-    return SCALE if names is None else next((name for name in names if name not in given), None)
+    names = PARAMETERS[kind].by_drop
+    return next((name for name in names if name not in given), None) if names else SCALE
 
 
 def scaled_to_drop(profile: Profile, kind: str, drop: float, at: float) -> Profile:
@@ -117,12 +122,12 @@ def scaled_to_drop(profile: Profile, kind: str, drop: float, at: float) -> Profi
 
 
 def _check_names(kind: str, free: str, parameters: Mapping[str, Any]) -> None:
-    known = inspect.signature(CATALOGUE[kind]).parameters
+    known = PARAMETERS[kind]
     for name, value in parameters.items():
-        if name not in known:
-            raise InputError(name, value, f"be a parameter of '{kind}'", f"choose from {', '.join(known)}")
-    for name, parameter in known.items():
-        if name not in parameters and name != free and parameter.default is parameter.empty:
+        if name not in known.descriptions:
+            raise unknown(name, value, f"parameter of '{kind}'", name, known.descriptions)
+    for name in known.descriptions:
+        if name in known.required and name not in parameters and name != free:
             raise InputError(name, None, f"be given, because the drop determines {free}", "give both")
 
 

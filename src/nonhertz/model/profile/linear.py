@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.fields import Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile, Straight
+from nonhertz.model.profile.kind import kind
 
 _ANGLE_REMEDY = "give the angle in rad, 1 degree is 0.01745"
 
@@ -59,6 +62,7 @@ class Chamfers(TaperedEnds):
         return -0.5 * self.straight, 0.5 * self.straight
 
 
+@kind()
 def straight() -> Profile:
     """Return a straight profile: no relief anywhere.
 
@@ -67,25 +71,37 @@ def straight() -> Profile:
     >>> float(straight().relief(3.0))
     0.0
     """
-    return Straight().called("straight")
+    return Straight()
 
 
-def conical(angle: float) -> Profile:
+def _less_than_upright(name: str, angle: float, remedy: str) -> None:
+    finite(name, angle, remedy)
+    if abs(angle) >= 0.5 * math.pi:
+        raise InputError(name, angle, "lie in (-pi/2, pi/2)", remedy)
+
+
+def _acute(name: str, angle: float, remedy: str) -> None:
+    finite(name, angle, remedy)
+    if not 0.0 <= angle < 0.5 * math.pi:
+        raise InputError(name, angle, "lie in [0, pi/2)", remedy)
+
+
+@kind(by_drop=("angle",))
+def conical(
+    angle: Annotated[
+        float,
+        Quantity(
+            "rad",
+            "the angle of the surface to its nominal direction, positive: thinner towards positive y",
+            _less_than_upright,
+            _ANGLE_REMEDY,
+        ),
+    ],
+) -> Profile:
     """Return a conical profile: a taper over the whole length, such as a grinding error.
 
     Relief = tan(angle) y. It is zero in the middle of the body, which keeps its nominal diameter, and
     negative on the side where the body is thicker.
-
-    Parameters
-    ----------
-    angle : float
-        Angle of the surface to its nominal direction [rad], in (-pi/2, pi/2); positive: thinner towards
-        positive y.
-
-    Raises
-    ------
-    InputError
-        If ``angle`` is out of range.
 
     References
     ----------
@@ -96,23 +112,25 @@ def conical(angle: float) -> Profile:
     >>> round(float(conical(angle=0.5e-3).relief(10.0)), 9)
     0.005
     """
-    finite("angle", angle, _ANGLE_REMEDY)
-    if abs(angle) >= 0.5 * math.pi:
-        raise InputError("angle", angle, "lie in (-pi/2, pi/2)", _ANGLE_REMEDY)
-    return Conical(float(angle)).called("conical", angle=angle)
+    return Conical(angle)
 
 
-def tapered_ends(straight: float, angle: float) -> Profile:
+@kind(by_drop=("angle", "straight"))
+def tapered_ends(
+    straight: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the length of the straight middle",
+            not_negative,
+            "give the length of the straight middle in mm, 0 for none",
+        ),
+    ],
+    angle: Annotated[float, Quantity("rad", "the angle of the ends to the middle, below pi/2", _acute, _ANGLE_REMEDY)],
+) -> Profile:
     """Return a profile with a straight middle and tapered (conical) ends.
 
     Relief = tan(angle) (abs(y) - straight / 2) outside the straight middle.
-
-    Parameters
-    ----------
-    straight : float
-        Length of the straight middle [mm], not negative.
-    angle : float
-        Angle of the ends to the middle [rad], in [0, pi/2).
 
     References
     ----------
@@ -124,24 +142,37 @@ def tapered_ends(straight: float, angle: float) -> Profile:
     >>> round(float(tapered_ends(straight=10, angle=1e-3).relief(-8.0)), 9)
     0.003000001
     """
-    not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
-    _acute(angle)
-    return TaperedEnds(float(straight), float(angle)).called("tapered-ends", straight=straight, angle=angle)
+    return TaperedEnds(straight, angle)
 
 
-def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profile:
+def _on_the_body(length: float, width: float) -> None:
+    if 2.0 * width > length:
+        condition = f"not exceed half of the length of {shown(length)} mm"
+        raise InputError("width", width, condition, "give the length of one chamfer in mm")
+
+
+@kind(by_drop=("angle", "width"), of_body=("length",), together=(_on_the_body,))
+def chamfer(
+    length: Annotated[
+        float,
+        Quantity("mm", "the length of the body, chamfers included", positive, "give the length of the body in mm"),
+    ],
+    width: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the length of one chamfer along the axis, at most half of the body's",
+            positive,
+            "give the length of one chamfer along the axis in mm",
+        ),
+    ],
+    angle: Annotated[
+        float, Quantity("rad", "the angle of the chamfer to the axis, below pi/2", _acute, _ANGLE_REMEDY)
+    ] = 0.25 * math.pi,
+) -> Profile:
     """Return the chamfers at both ends of a body, to be added to the profile between them.
 
     Relief = tan(angle) (abs(y) - length / 2 + width) over the last ``width`` before each end.
-
-    Parameters
-    ----------
-    length : float
-        Length of the body, chamfers included [mm], positive.
-    width : float
-        Length of one chamfer along the axis [mm], positive, at most half of ``length``.
-    angle : float
-        Angle of the chamfer to the axis [rad], in [0, pi/2); 45 degrees if left out.
 
     References
     ----------
@@ -154,22 +185,5 @@ def chamfer(length: float, width: float, angle: float = 0.25 * math.pi) -> Profi
     >>> profile.bends
     (-9.5, 9.5)
     """
-    positive("length", length, "give the length of the body in mm")
-    positive("width", width, "give the length of one chamfer along the axis in mm")
-    if 2.0 * width > length:
-        raise InputError(
-            "width",
-            width,
-            f"not exceed half of the length of {shown(length)} mm",
-            "give the length of one chamfer in mm",
-        )
-    _acute(angle)
-    kind = Chamfers if float(width) * math.tan(angle) > BEARS_NOTHING else TaperedEnds
-    ends = kind(float(length) - 2.0 * float(width), float(angle))
-    return ends.called("chamfer", length=length, width=width, angle=angle)
-
-
-def _acute(angle: float) -> None:
-    finite("angle", angle, _ANGLE_REMEDY)
-    if not 0.0 <= angle < 0.5 * math.pi:
-        raise InputError("angle", angle, "lie in [0, pi/2)", _ANGLE_REMEDY)
+    ends = Chamfers if width * math.tan(angle) > BEARS_NOTHING else TaperedEnds
+    return ends(length - 2.0 * width, angle)

@@ -4,13 +4,24 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.fields import Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile
-from nonhertz.model.profile.design_load import design_amplitude, design_half_width
+from nonhertz.model.profile.design_load import (
+    COMPLIANCE,
+    LENGTH,
+    LOAD,
+    RADIUS,
+    design_amplitude,
+    design_half_width,
+    line_contact,
+)
+from nonhertz.model.profile.kind import kind
 
 # The factor with which Johns and Gohar fitted their logarithm to Lundberg's drop at the end; -ln 0.3033 = 1.1930.
 _END = 0.3033
@@ -65,23 +76,50 @@ class Logarithmic(Formula):
         return (-0.5 * self.straight, 0.5 * self.straight) if self.straight > 0.0 else ()
 
 
-def logarithmic(amplitude: float, length: float, fraction: float = 1.0, straight: float = 0.0) -> Profile:
+def _share(name: str, value: float, remedy: str) -> None:
+    finite(name, value, remedy)
+    if not 0.0 < value <= 1.0:
+        raise InputError(name, value, "lie in (0, 1]", remedy)
+
+
+@kind(by_drop=("amplitude",), of_body=("length",))
+def logarithmic(
+    amplitude: Annotated[
+        float, Quantity("mm", "the amplitude A", not_negative, "give the amplitude of the logarithm in mm")
+    ],
+    length: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the length over which the profile is drawn, excluding the straight middle",
+            positive,
+            "give the length over which the profile is drawn in mm",
+        ),
+    ],
+    fraction: Annotated[
+        float,
+        Quantity(
+            "",
+            "the fraction of the half-length at which the end of the roller lies on the curve, in (0, 1]; at 1 the "
+            "relief at the end is infinite, just below 1 it is large but finite",
+            _share,
+            "give a share of the half-length",
+        ),
+    ] = 1.0,
+    straight: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the length of a straight middle",
+            not_negative,
+            "give the length of the straight middle in mm, 0 for none",
+        ),
+    ] = 0.0,
+) -> Profile:
     """Return a general logarithmic profile.
 
     Relief = ``amplitude * ln(1 / (1 - (2 y fraction / length)^2))``, with y measured from the end of the
     straight middle if there is one.
-
-    Parameters
-    ----------
-    amplitude : float
-        A [mm], not negative.
-    length : float
-        Length over which the profile is drawn [mm], positive, excluding the straight middle.
-    fraction : float
-        Fraction of the half-length at which the end of the roller lies on the curve, in (0, 1]; at 1 the relief
-        at the end is infinite, just below 1 it is large but finite.
-    straight : float
-        Length of a straight middle [mm], not negative.
 
     References
     ----------
@@ -95,29 +133,27 @@ def logarithmic(amplitude: float, length: float, fraction: float = 1.0, straight
     >>> round(float(profile.relief(10.0)), 6)
     0.042586
     """
-    not_negative("amplitude", amplitude, "give the amplitude of the logarithm in mm")
-    positive("length", length, "give the length over which the profile is drawn in mm")
-    finite("fraction", fraction, "give a share between 0 and 1")
-    if not 0.0 < fraction <= 1.0:
-        raise InputError("fraction", fraction, "lie in (0, 1]", "give a share of the half-length")
-    not_negative("straight", straight, "give the length of the straight middle in mm, 0 for none")
-    rest = (1.0 - float(fraction)) * (1.0 + float(fraction))
-    profile = Logarithmic(float(amplitude), float(length) + float(straight), rest, curved=float(length))
-    return profile.called("logarithmic", amplitude=amplitude, length=length, fraction=fraction, straight=straight)
+    rest = (1.0 - fraction) * (1.0 + fraction)
+    return Logarithmic(amplitude, length + straight, rest, curved=length)
 
 
-def iso_logarithmic(diameter: float, length: float) -> Profile:
+_DIAMETER = Quantity(
+    "mm", "the roller diameter D (D_we), its mean if tapered", positive, "give the roller's diameter in mm"
+)
+_EFFECTIVE_LENGTH = Quantity(
+    "mm", "the effective roller length L (L_we)", positive, "give the roller's effective length in mm"
+)
+
+
+@kind(of_body=("diameter", "length"))
+def iso_logarithmic(
+    diameter: Annotated[float, _DIAMETER],
+    length: Annotated[float, _EFFECTIVE_LENGTH],
+) -> Profile:
     """Return the reference profile of ISO 16281 for cylindrical and needle rollers.
 
     Up to length = 2.5 diameter: relief = 0.00035 D ln(1 / (1 - (2 y / L)^2)). Longer rollers have a straight
     middle of L - 2.5 D, and beyond it 0.0005 D ln(1 / (1 - ((2 abs(y) - (L - 2.5 D)) / (2.5 D))^2)).
-
-    Parameters
-    ----------
-    diameter : float
-        Roller diameter D (D_we) [mm], positive.
-    length : float
-        Effective roller length L (L_we) [mm], positive.
 
     Returns
     -------
@@ -142,24 +178,19 @@ def iso_logarithmic(diameter: float, length: float) -> Profile:
     >>> float(iso_logarithmic(diameter=10, length=40).relief(7.5))
     0.0
     """
-    _check_roller(diameter, length)
-    curved = min(float(length), 2.5 * float(diameter))
+    curved = min(length, 2.5 * diameter)
     coefficient = 0.00035 if curved == length else 0.0005
-    profile = Logarithmic(coefficient * float(diameter), float(length), rest=0.0, curved=curved)
-    return profile.called("iso-logarithmic", diameter=diameter, length=length)
+    return Logarithmic(coefficient * diameter, length, rest=0.0, curved=curved)
 
 
-def iso_tapered(diameter: float, length: float) -> Profile:
+@kind(of_body=("diameter", "length"))
+def iso_tapered(
+    diameter: Annotated[float, _DIAMETER],
+    length: Annotated[float, _EFFECTIVE_LENGTH],
+) -> Profile:
     """Return the reference profile of ISO 16281 for tapered rollers, of radial and thrust bearings alike.
 
     Relief = 0.00045 D ln(1 / (1 - (2 y / L)^2)).
-
-    Parameters
-    ----------
-    diameter : float
-        Mean roller diameter D (D_we) [mm], positive.
-    length : float
-        Effective roller length L (L_we) [mm], positive.
 
     Returns
     -------
@@ -180,23 +211,18 @@ def iso_tapered(diameter: float, length: float) -> Profile:
     >>> round(float(iso_tapered(diameter=10, length=10).relief(2.5)), 8)
     0.00129457
     """
-    _check_roller(diameter, length)
-    profile = Logarithmic(0.00045 * float(diameter), float(length), rest=0.0, curved=float(length))
-    return profile.called("iso-tapered", diameter=diameter, length=length)
+    return Logarithmic(0.00045 * diameter, length, rest=0.0, curved=length)
 
 
-def iso_thrust(diameter: float, length: float) -> Profile:
+@kind(of_body=("diameter", "length"))
+def iso_thrust(
+    diameter: Annotated[float, _DIAMETER],
+    length: Annotated[float, _EFFECTIVE_LENGTH],
+) -> Profile:
     """Return the reference profile of ISO 16281 for rollers of cylindrical and needle roller thrust bearings.
 
     It is the same as for cylindrical rollers, `iso_logarithmic`; for tapered rollers of thrust bearings use
     `iso_tapered`.
-
-    Parameters
-    ----------
-    diameter : float
-        Roller diameter D (D_we) [mm], positive.
-    length : float
-        Effective roller length L (L_we) [mm], positive.
 
     Notes
     -----
@@ -212,37 +238,26 @@ def iso_thrust(diameter: float, length: float) -> Profile:
     >>> iso_thrust(diameter=8, length=8) == iso_logarithmic(diameter=8, length=8)
     True
     """
-    return iso_logarithmic(diameter, length).called("iso-thrust", diameter=diameter, length=length)
+    return iso_logarithmic(diameter, length)
 
 
-def johns_gohar(load: float, length: float, radius: float, compliance: float | None = None) -> Profile:
+@kind(by_drop=("load",), of_body=("length", "radius"), together=(line_contact,))
+def johns_gohar(
+    load: Annotated[float, LOAD],
+    length: Annotated[float, LENGTH],
+    radius: Annotated[float, RADIUS],
+    compliance: Annotated[float | None, COMPLIANCE] = None,
+) -> Profile:
     """Return the profile of Johns and Gohar for a design load: Lundberg's, with a finite slope at the end.
 
     Relief = A ln(1 / (1 - (1 - 0.3033 b / a) (y / a)^2)), where A = (load / length) (K_a + K_b), a = length /
     2 and b is the Hertz half-width of the line contact at the design load. At the end it is A ln(a / (0.3033
     b)).
 
-    Parameters
-    ----------
-    load : float
-        Design load of the contact [N], positive.
-    length : float
-        Effective length of the contact [mm], positive.
-    radius : float
-        Combined radius of curvature rho across the contact [mm], 1/rho = 1/rho_a + 1/rho_b, positive.
-    compliance : float or None
-        K_a + K_b = 1 / (pi E*), the sum of both bodies' (1 - nu^2) / (pi E) [1/MPa], as given by
-        `Contact.compliance`; steel on steel if left out.
-
     Returns
     -------
     Profile
         The profile, meant as the combined relief of both bodies.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range, or the contact would be wider than long.
 
     References
     ----------
@@ -257,53 +272,69 @@ def johns_gohar(load: float, length: float, radius: float, compliance: float | N
     """
     amplitude = design_amplitude(load, length, compliance)
     half_width = design_half_width(load, length, radius, compliance)
-    rest = _END * 2.0 * half_width / float(length)
-    profile = Logarithmic(amplitude, float(length), rest, curved=float(length))
-    return profile.called("johns-gohar", load=load, length=length, radius=radius, compliance=compliance)
+    rest = _END * 2.0 * half_width / length
+    return Logarithmic(amplitude, length, rest, curved=length)
 
 
+def _crowned_share(name: str, value: float, remedy: str) -> None:
+    finite(name, value, remedy)
+    if not _LEAST_SHARE <= value <= 1.0:
+        raise InputError(name, value, f"lie between {_LEAST_SHARE:g} and 1", remedy)
+
+
+def _line_contact_or_end(
+    load: float, length: float, radius: float | None, zm: float | None, compliance: float | None
+) -> None:
+    if zm is None and radius is None:
+        raise InputError("zm", zm, "be given where radius is not", "give the relief at the end in mm")
+    if zm is None and radius is not None:
+        line_contact(load, length, radius, compliance)
+
+
+@kind(by_drop=("load", "zm"), of_body=("length", "radius"), together=(_line_contact_or_end,))
 def fujiwara_kawase(
-    load: float,
-    length: float,
-    radius: float | None = None,
-    k1: float = 1.0,
-    k2: float = 1.0,
-    zm: float | None = None,
-    compliance: float | None = None,
+    load: Annotated[float, LOAD],
+    length: Annotated[float, LENGTH],
+    radius: Annotated[float | None, RADIUS] = None,
+    k1: Annotated[
+        float,
+        Quantity(
+            "",
+            "the factor K1 on the load, above 1 for rollers that tilt",
+            positive,
+            "give the factor on the load, 1 for the design load itself",
+        ),
+    ] = 1.0,
+    k2: Annotated[
+        float,
+        Quantity(
+            "",
+            "the fraction K2 of the length that is crowned, from 1e-9 to 1",
+            _crowned_share,
+            "give the share of the length that is crowned",
+        ),
+    ] = 1.0,
+    zm: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "the relief at the end; if left out, A ln(a / (0.3033 b)) with the Hertz half-width b at the design load, "
+            "which for k1 = k2 = 1 gives the profile of Johns and Gohar",
+            positive,
+            "give the relief at the end in mm, or leave it out for that of Johns and Gohar",
+        ),
+    ] = None,
+    compliance: Annotated[float | None, COMPLIANCE] = None,
 ) -> Profile:
     """Return the profile of Fujiwara and Kawase: `johns_gohar` with three parameters to design with.
 
     With A = k1 (load / length) (K_a + K_b), a = length / 2 and s = (abs(y) - (1 - k2) a) / (k2 a), the relief
     is A ln(1 / (1 - (1 - exp(-zm / A)) s^2)) for s > 0 and zero in the straight middle.
 
-    Parameters
-    ----------
-    load : float
-        Design load of the contact [N], positive.
-    length : float
-        Effective length of the contact [mm], positive.
-    radius : float or None
-        Combined radius of curvature rho across the contact [mm], positive; needed only if ``zm`` is left out.
-    k1 : float
-        Factor K1 on the load, positive; above 1 for rollers that tilt.
-    k2 : float
-        Fraction K2 of the length that is crowned, from 1e-9 to 1.
-    zm : float or None
-        Relief at the end [mm], positive; if left out, A ln(a / (0.3033 b)) with the Hertz half-width b at the
-        design load, which for k1 = k2 = 1 gives the profile of Johns and Gohar.
-    compliance : float or None
-        K_a + K_b = 1 / (pi E*), the sum of both bodies' (1 - nu^2) / (pi E) [1/MPa]; steel on steel if left
-        out.
-
     Returns
     -------
     Profile
         The profile, meant as the relief of both bodies together.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range, or both ``radius`` and ``zm`` are left out.
 
     References
     ----------
@@ -316,29 +347,12 @@ def fujiwara_kawase(
     >>> round(float(profile.relief(10.0)), 9), profile.bends
     (0.03, (-4.0, 4.0))
     """
-    positive("k1", k1, "give the factor on the load, 1 for the design load itself")
-    finite("k2", k2, "give the share of the length that is crowned")
-    if not _LEAST_SHARE <= k2 <= 1.0:
-        condition = f"lie between {_LEAST_SHARE:g} and 1"
-        raise InputError("k2", k2, condition, "give the share of the length that is crowned")
-    amplitude = float(k1) * design_amplitude(load, length, compliance)
-    if radius is not None:
-        positive("radius", radius, "give the combined radius of curvature across the contact in mm")
-    at_end = math.inf
-    if zm is not None:
-        positive("zm", zm, "give the relief at the end in mm, or leave it out for that of Johns and Gohar")
-        # Under a light design load the exponential underflows; the relief at the end must stay finite nevertheless.
-        rest, at_end = math.exp(-zm / amplitude) if zm < _MOST_DROP * amplitude else 0.0, float(zm)
-    elif radius is not None:
-        rest = _END * 2.0 * design_half_width(load, length, radius, compliance) / float(length)
+    amplitude = k1 * design_amplitude(load, length, compliance)
+    at_end = math.inf if zm is None else zm
+    if zm is None:
+        assert radius is not None
+        rest = _END * 2.0 * design_half_width(load, length, radius, compliance) / length
     else:
-        raise InputError("zm", zm, "be given where radius is not", "give the relief at the end in mm")
-    profile = Logarithmic(amplitude, float(length), rest, curved=float(k2) * float(length), at_end=at_end)
-    return profile.called(
-        "fujiwara-kawase", load=load, length=length, radius=radius, k1=k1, k2=k2, zm=zm, compliance=compliance
-    )
-
-
-def _check_roller(diameter: float, length: float) -> None:
-    positive("diameter", diameter, "give the roller's diameter in mm")
-    positive("length", length, "give the roller's effective length in mm")
+        # Under a light design load the exponential underflows; the relief at the end must stay finite nevertheless.
+        rest = math.exp(-zm / amplitude) if zm < _MOST_DROP * amplitude else 0.0
+    return Logarithmic(amplitude, length, rest, curved=k2 * length, at_end=at_end)

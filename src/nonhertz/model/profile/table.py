@@ -9,14 +9,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import MOST, one_of
+from nonhertz.inputs.fields import Quantities, Word
 from nonhertz.inputs.files import content, legible, special
 from nonhertz.model.profile.base import Array, Formula, Profile
+from nonhertz.model.profile.kind import kind
 
 #: The curve through tabulated points.
 Interpolation = Literal["pchip", "linear", "cubic"]
@@ -101,29 +102,47 @@ class _Polyline:
         return np.asarray(np.interp(y, self.y, self.values))
 
 
-def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: Interpolation = "pchip") -> Profile:
-    """Return a profile through given points, such as a measured one.
+def _one_relief_per_position(y: Sequence[float], relief: Sequence[float]) -> None:
+    if len(y) != len(relief):
+        raise InputError("relief", relief, f"hold as many numbers as y, {len(y)}", "give one relief per position")
 
-    Parameters
-    ----------
-    y : sequence of float
-        Axial positions [mm] from the middle of the body, at least two, all different, in any order.
-    relief : sequence of float
-        Relief there [mm], positive where material is removed.
-    interpolation : {"pchip", "cubic", "linear"}
-        The curve through the points: ``"pchip"``, a smooth one that never overshoots them; ``"linear"``; or
-        ``"cubic"``, the spline with continuous curvature, which may overshoot.
+
+def _apart(y: Sequence[float]) -> None:
+    if len(y) < 2:
+        raise InputError("y", y, "hold at least two positions", "give the measured points in mm")
+    positions = np.sort(y)
+    gaps, room = np.diff(positions), _CLOSEST * float(np.abs(positions).max())
+    close = np.flatnonzero((gaps <= 0.0) | (gaps < room))
+    if len(close):
+        near, far = positions[close[0] : close[0] + 2].tolist()
+        apart = f"keep its points {room:.2g} mm apart, farther than {near} and {far}"
+        condition = f"not hold {near} twice" if near == far else apart
+        raise InputError("y", y, condition, "keep one point per position")
+
+
+@kind(together=(_one_relief_per_position, _apart))
+def tabulated(
+    y: Annotated[
+        Sequence[float],
+        Quantities("mm", "the axial positions from the middle of the body, at least two, all different, in any order"),
+    ],
+    relief: Annotated[Sequence[float], Quantities("mm", "the relief there, positive where material is removed")],
+    interpolation: Annotated[
+        Interpolation,
+        Word(
+            "the curve through the points: 'pchip', a smooth one that never overshoots them; 'linear'; or 'cubic', the "
+            "spline with continuous curvature, which may overshoot",
+            "choose the curve through the points",
+            get_args(Interpolation),
+        ),
+    ] = "pchip",
+) -> Profile:
+    """Return a profile through given points, such as a measured one.
 
     Returns
     -------
     Profile
         The profile, defined between the outermost points; contact cannot extend beyond them.
-
-    Raises
-    ------
-    InputError
-        If the lists differ in length, are too short, or hold anything but finite numbers or the same position
-        twice.
 
     References
     ----------
@@ -136,30 +155,9 @@ def tabulated(y: Sequence[float], relief: Sequence[float], interpolation: Interp
     >>> float(profile.relief(5.0)), profile.extent
     (0.005, (-10.0, 10.0))
     """
-    positions, reliefs = _numbers("y", y), _numbers("relief", relief)
-    one_of("interpolation", interpolation, get_args(Interpolation), "choose the curve through the points")
-    if len(positions) != len(reliefs):
-        raise InputError(
-            "relief", relief, f"hold as many numbers as y, {len(positions)}", "give one relief per position"
-        )
-    if len(positions) < 2:
-        raise InputError("y", y, "hold at least two positions", "give the measured points in mm")
-    order = np.argsort(positions, kind="stable")
-    positions, reliefs = positions[order], reliefs[order]
-    twice = np.flatnonzero(np.diff(positions) <= 0.0)
-    if len(twice):
-        raise InputError("y", y, f"not hold {positions[twice[0]]} twice", "keep one point per position")
-    _refuse_crowded(positions)
+    order = np.argsort(y, kind="stable")
+    positions, reliefs = np.array(y)[order], np.array(relief)[order]
     return Tabulated(tuple(positions.tolist()), tuple(reliefs.tolist()), interpolation)
-
-
-def _refuse_crowded(positions: Array) -> None:
-    room = _CLOSEST * float(np.abs(positions).max())
-    crowded = np.flatnonzero(np.diff(positions) < room)
-    if len(crowded):
-        near, far = positions[crowded[0] : crowded[0] + 2].tolist()
-        condition = f"keep its points {room:.2g} mm apart, farther than {near} and {far}"
-        raise InputError("y", positions.tolist(), condition, "keep one point per position")
 
 
 def from_file(path: str | os.PathLike[str], interpolation: Interpolation = "pchip") -> Profile:
@@ -212,22 +210,6 @@ def from_file(path: str | os.PathLike[str], interpolation: Interpolation = "pchi
         return tabulated(y, relief, interpolation)
     except InputError as error:
         raise error.within(legible(path.name)) from None
-
-
-def _numbers(field: str, values: Sequence[float]) -> Array:
-    remedy = "give a list of numbers in mm"
-    try:
-        numbers = np.asarray(values)
-    except ValueError:  # nested lists of unequal length
-        raise InputError(field, values, "be a list of numbers", remedy) from None
-    if numbers.ndim != 1 or (numbers.size and numbers.dtype.kind not in "iuf"):
-        raise InputError(field, values, "be a list of numbers", remedy)
-    numbers = numbers.astype(float)
-    if not np.all(np.isfinite(numbers)):
-        raise InputError(field, values, "hold only finite numbers", "leave out the points that were not measured")
-    if np.any(np.abs(numbers) > MOST):
-        raise InputError(field, values, f"hold no number over {MOST:g} in magnitude", remedy)
-    return numbers
 
 
 def _read(path: Path) -> list[tuple[float, float]]:

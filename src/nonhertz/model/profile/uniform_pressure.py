@@ -15,11 +15,21 @@ from __future__ import annotations
 import functools
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from nonhertz.model.profile.base import Array, Formula, Profile
-from nonhertz.model.profile.design_load import design_amplitude, design_half_width
+from nonhertz.model.profile.design_load import (
+    COMPLIANCE,
+    LENGTH,
+    LOAD,
+    RADIUS,
+    design_amplitude,
+    design_half_width,
+    line_contact,
+)
+from nonhertz.model.profile.kind import kind
 
 # The table's range in t and its step in ln t. Outside, the first terms of the series are exact to 1e-11.
 _NEAR, _FAR, _STEP = 1e-5, 64.0, 0.01
@@ -46,7 +56,13 @@ class UniformPressure(Formula):
         return (-0.5 * self.length, 0.5 * self.length)
 
 
-def lundberg(load: float, length: float, radius: float, compliance: float | None = None) -> Profile:
+@kind(by_drop=("load",), of_body=("length", "radius"), together=(line_contact,))
+def lundberg(
+    load: Annotated[float, LOAD],
+    length: Annotated[float, LENGTH],
+    radius: Annotated[float, RADIUS],
+    compliance: Annotated[float | None, COMPLIANCE] = None,
+) -> Profile:
     """Return Lundberg's profile for a design load: under that load the pressure is uniform along the length.
 
     Relief = A [2 A1(a/b) - A1((a - y)/b) - A1((a + y)/b)], where A = (load / length) (K_a + K_b),
@@ -55,27 +71,10 @@ def lundberg(load: float, length: float, radius: float, compliance: float | None
     nearly A ln(1 / (1 - (y / a)^2)); at the end it is not infinite but A (ln(a / b) + 1.1932). Beyond the
     ends it follows the deformed surface, so that a longer body would just touch there with zero pressure.
 
-    Parameters
-    ----------
-    load : float
-        Design load of the contact [N], positive.
-    length : float
-        Length over which the pressure is to be uniform [mm], positive.
-    radius : float
-        Combined radius of curvature rho across the contact [mm], 1/rho = 1/rho_a + 1/rho_b, positive.
-    compliance : float or None
-        K_a + K_b = 1 / (pi E*), the sum of both bodies' (1 - nu^2) / (pi E) [1/MPa], as given by
-        `Contact.compliance`; steel on steel if left out.
-
     Returns
     -------
     Profile
         The profile, meant as the combined relief of both bodies.
-
-    Raises
-    ------
-    InputError
-        If a value is out of range, or the contact would be wider than long.
 
     Notes
     -----
@@ -97,8 +96,7 @@ def lundberg(load: float, length: float, radius: float, compliance: float | None
     (0.000805, 0.012848)
     """
     amplitude = design_amplitude(load, length, compliance)
-    profile = UniformPressure(amplitude, float(length), design_half_width(load, length, radius, compliance))
-    return profile.called("lundberg", load=load, length=length, radius=radius, compliance=compliance)
+    return UniformPressure(amplitude, length, design_half_width(load, length, radius, compliance))
 
 
 def _displacement(t: Array) -> Array:

@@ -7,7 +7,7 @@ from typing import Any
 
 from nonhertz.io.casefile import OF_BEARINGS
 from nonhertz.io.mistakes import path_of
-from nonhertz.io.profiles import COMMON, profile_tables, read_profile
+from nonhertz.io.profiles import Changes, profile_tables, read_profile
 from nonhertz.model.profile import Tabulated
 from nonhertz.web.limits import POINTS
 
@@ -54,7 +54,7 @@ def _of_body(body: dict[str, Any], folder: Path, place: tuple[str, ...], notes: 
 
 
 def _points(table: dict[str, Any], folder: Path, path: str, notes: list[str]) -> dict[str, Any]:
-    moved = {name: table[name] for name in COMMON if name in table}
+    moved = {name: table[name] for name in Changes.descriptions if name in table}
     profile = read_profile({name: value for name, value in table.items() if name not in moved}, {}, folder)
     assert isinstance(profile, Tabulated)
     every = -(-len(profile.y) // POINTS)

@@ -20,7 +20,7 @@ from nonhertz.io.bearing_document import PARTS
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.profiles import profile_tables
 from nonhertz.model.body import Body
-from nonhertz.model.profile.catalogue import BY_DROP, CATALOGUE
+from nonhertz.model.profile import PARAMETERS
 from nonhertz.model.profile.drop import determined
 from nonhertz.result.numerals import given
 from nonhertz.result.reading import chosen
@@ -186,7 +186,7 @@ def _of_drops(case: BearingCase, document: dict[str, Any]) -> Iterator[BearingSl
 
 def _drop(table: dict[str, Any], body: Body, *, alone: bool) -> float | None:
     """Return the drop of a profile [mm]; None if it is not known, or no drop can be given."""
-    if table.get("kind") not in CATALOGUE or table["kind"] == "straight":
+    if table.get("kind") not in PARAMETERS or table["kind"] == "straight":
         return None
     if "drop" in table:
         stated = in_unit("drop", table["drop"], "mm")
@@ -202,9 +202,9 @@ def _drop(table: dict[str, Any], body: Body, *, alone: bool) -> float | None:
 def _freed(table: dict[str, Any]) -> list[str]:
     """Return the keys of a profile that a drop takes the place of."""
     kind = table["kind"]
-    names = BY_DROP.get(kind, ())
+    names = PARAMETERS[kind].by_drop
     stated = [name for name in names if name in table]
-    if kind in BY_DROP and determined(kind, set(table)) is not None:
+    if names and determined(kind, set(table)) is not None:
         stated = []  # something is free without taking anything away
     return [*stated[:1], *(["scale"] if "scale" in table else [])]
 

@@ -1,0 +1,98 @@
+"""Kinds of profile: functions whose parameters say what they are, for Python, files and forms alike.
+
+A kind is a function marked with `kind`, its parameters annotated as the fields of an input are, see
+`nonhertz.inputs.fields`. From these come the checks before it is called, its docstring, and the class that readers and
+forms use. What concerns several parameters is a function of just these that raises `InputError`.
+"""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable
+from typing import Any, ClassVar, ParamSpec, get_type_hints
+
+from nonhertz.inputs.fields import Input, described
+from nonhertz.model.profile.base import Profile
+
+P = ParamSpec("P")
+
+
+class CatalogueProfile(Input):
+    """The parameters of a profile of the catalogue: a class for each kind.
+
+    Attributes
+    ----------
+    by_drop : tuple of str
+        What a stated drop determines: the first of these parameters that is not given. Without any the whole is scaled.
+    of_body : tuple of str
+        What is taken from the body, or from both bodies together, where a table in a file leaves it out.
+    """
+
+    meaning_of_kind = "the shape of the relief, such as 'crown'"
+    by_drop: ClassVar[tuple[str, ...]] = ()
+    of_body: ClassVar[tuple[str, ...]] = ()
+
+
+def word(function: Callable[..., Profile]) -> str:
+    """Return the name of a kind in files."""
+    return function.__name__.replace("_", "-")
+
+
+def parameters_of(function: Callable[..., Profile]) -> type[CatalogueProfile]:
+    """Return the class of a kind's parameters."""
+    found: type[CatalogueProfile] = function.parameters  # type: ignore[attr-defined]
+    return found
+
+
+def kind(
+    *, by_drop: tuple[str, ...] = (), of_body: tuple[str, ...] = (), together: tuple[Callable[..., None], ...] = ()
+) -> Callable[[Callable[P, Profile]], Callable[P, Profile]]:
+    """Return a decorator that makes a kind of the catalogue of a function.
+
+    Parameters
+    ----------
+    by_drop, of_body : tuple of str
+        As of `CatalogueProfile`.
+    together : tuple of callable
+        Checks of several parameters, each a function of these, by their names.
+    """
+
+    def made(function: Callable[P, Profile]) -> Callable[P, Profile]:
+        cls = _class_of(function)
+        cls.by_drop, cls.of_body = by_drop, of_body
+        cls.checks_together = tuple(_check_of(each) for each in together)
+
+        @functools.wraps(function)
+        def profile(*values: P.args, **given: P.kwargs) -> Profile:
+            parameters = vars(cls(*values, **given))
+            return function(**parameters).called(word(function), **parameters)  # type: ignore[call-arg]
+
+        profile.__doc__ = cls.__doc__
+        profile.__signature__ = _plain_signature(function)  # type: ignore[attr-defined]
+        profile.parameters = cls  # type: ignore[attr-defined]
+        return profile
+
+    return made
+
+
+def _class_of(function: Callable[..., Profile]) -> type[CatalogueProfile]:
+    hints = get_type_hints(function, include_extras=True)
+    given = inspect.signature(function).parameters.values()
+    defaults = {each.name: each.default for each in given if each.default is not each.empty}
+    annotations = {each.name: hints[each.name] for each in given}
+    body = {"__annotations__": annotations, "__module__": function.__module__, "__doc__": function.__doc__}
+    found: type[CatalogueProfile] = described()(type(function.__name__, (CatalogueProfile,), body | defaults))
+    return found
+
+
+def _check_of(check: Callable[..., None]) -> tuple[Callable[[Any], None], frozenset[str]]:
+    names = tuple(inspect.signature(check).parameters)
+    return (lambda given: check(*(getattr(given, name) for name in names))), frozenset(names)
+
+
+def _plain_signature(function: Callable[..., Profile]) -> inspect.Signature:
+    """Return a signature without what describes the parameters."""
+    hints, signature = get_type_hints(function), inspect.signature(function)
+    plain = [each.replace(annotation=hints[each.name]) for each in signature.parameters.values()]
+    return signature.replace(parameters=plain, return_annotation=Profile)
