@@ -99,10 +99,10 @@ def test_options_mean_what_they_say(file, capsys):
         (["--height-unit", "um", "--cutoff", "90"], "--cutoff = 90.0 must lie between five points"),
         (
             ["--height-unit", "um", "--smooth", "median"],
-            "--smooth = 'median' must be true or false, 'gaussian' or 'spline'",
+            "--smooth = 'median' must be true or false, or one of 'gaussian', 'spline'",
         ),
         (["--height-unit", "um", "--fit", "circle"], "--fit = 'circle' must be one of 'straight'"),
-        (["--height-unit", "um", "--outliers", "many"], "--outliers = 'many' must be true or false or a number"),
+        (["--height-unit", "um", "--outliers", "many"], "--outliers = 'many' must be true or false, or a plain number"),
         (["--height-column", "5"], "--height-column = 5 must be a column from 1 to 2"),
         (["--height-unit", "um", "--out", "roller.txt"], "--out = 'roller.txt' must be a directory, not a file"),
     ],

@@ -10,7 +10,7 @@ from urllib.parse import urlencode
 
 from case_texts import FILES, NUMBERS, WORDS, Mutator, sound_texts
 
-from nonhertz.io.measured import KEYS
+from nonhertz.io.measured import MeasuredProfile
 from nonhertz.web.form.form import form
 
 JSON, TOML, BINARY = "application/json", "application/toml", "application/octet-stream"
@@ -71,7 +71,7 @@ class Requests:
         options = {"name": picked.choice(["x.txt", "", "a" * 300, "ü\n"])}
         for _ in range(picked.choice([0, 1, 2])):
             words = [*NUMBERS[:25], *WORDS, "um", "mm", "spline", "true", "false", "[]"]
-            options[picked.choice([*KEYS, "colour"])] = picked.choice(words)
+            options[picked.choice([*MeasuredProfile.descriptions, "colour"])] = picked.choice(words)
         content = text.encode(picked.choice(["utf-8", "utf-8", "utf-16", "latin-1"]), "replace")
         return Sent(f"/upload?{urlencode(options)}", BINARY, content)
 

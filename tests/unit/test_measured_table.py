@@ -13,8 +13,9 @@ from numpy.testing import assert_allclose
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.io.casefile import read_case
-from nonhertz.io.measured import KEYS, PREPARING, READING, checked, measured_schema, read_measured
+from nonhertz.io.measured import PREPARING, READING, MeasuredProfile, checked
 from nonhertz.io.mistakes import TableError
+from nonhertz.io.profiles import read_profile
 from nonhertz.io.traces import read_trace
 from nonhertz.measured import prepare
 
@@ -69,22 +70,22 @@ def test_roughness_that_is_left_in_is_warned_of(folder):
     ("keys", "sentence"),
     [
         ("", "profile[1].file = 'roller.txt' must state the unit of its heights"),
-        ('heigth_unit = "um"', "'um' must be a known parameter of 'measured': the nearest is 'height_unit'"),
+        ('heigth_unit = "um"', "'um' must be a known key: the nearest is 'height_unit'"),
         ('height_unit = "um", cutoff = "0.8"', "cutoff = '0.8' must have a unit"),
-        ('height_unit = "um", cutoff = 40', "cutoff = 40 must lie between five points"),
+        ('height_unit = "um", cutoff = 40', "cutoff = 40.0 must lie between five points"),
         ('height_unit = "um", trim = "12 mm"', "trim = '12 mm' must lie within the points"),
-        ('height_unit = "um", smooth = "median"', "smooth = 'median' must be true or false, 'gaussian'"),
+        ('height_unit = "um", smooth = "median"', "smooth = 'median' must be true or false, or one of 'gaussian'"),
         ('height_unit = "um", align = "symmetry"', "align = 'symmetry' must find a place"),
-        ('height_unit = "um", level = 1', "level = 1 must be true or false"),
-        ('height_unit = "um", outliers = "5"', "outliers = '5' must be true or false or a number: robust"),
-        ('height_unit = "um", points = 3', "points = 3 must be a whole number, at least 5"),
-        ("height_unit = true", "height_unit = True must be text: unit of the heights"),
-        ('height_unit = "um", slope = -1', "slope = -1 must be positive"),
-        ('height_unit = "um", interpolation = "spline"', "interpolation = 'spline' must be 'pchip', 'linear' or"),
+        ('height_unit = "um", level = 1', "level = 1 must be True or False"),
+        ('height_unit = "um", outliers = "5"', "outliers = '5' must be true or false, or a plain number"),
+        ('height_unit = "um", points = 3', "points = 3 must be true or false, or 'auto' or a"),
+        ("height_unit = true", "height_unit = True must be text: put it in quotes"),
+        ('height_unit = "um", slope = -1', "slope = -1.0 must be positive"),
+        ('height_unit = "um", interpolation = "spline"', "interpolation = 'spline' must be one of 'pchip', 'linear'"),
         ('height_unit = "um", scale = nan', "scale = nan must be a finite number"),
         ('height_unit = "um", shift = inf', "shift = inf must be a finite number"),
-        ('height_unit = "um", trim = [8]', "trim = [8] must be true or false, 'auto' or a length"),
-        ('height_unit = "um", points = "all"', "points = 'all' must be true or false, 'auto' or a whole number"),
+        ('height_unit = "um", trim = [8]', "trim = [8] must be true or false, or 'auto' or a number in mm"),
+        ('height_unit = "um", points = "all"', "points = 'all' must be true or false, or 'auto' or a whole number"),
         ('height_unit = "um", height_column = 1.5', "height_column = 1.5 must be the name of a column"),
         ('position_column = 1, height_column = 1', "height_column = 1 must differ from position_column"),
     ],
@@ -106,13 +107,13 @@ def test_all_mistakes_of_a_table_are_told_at_once(folder):
 
 def test_a_table_without_a_file_says_so():
     with pytest.raises(TableError) as caught:
-        read_measured({"kind": "measured"}, Path())
-    assert [mistake.sentence for mistake in caught.value.mistakes] == ["file must be given: name the measured file."]
+        read_profile({"kind": "measured"}, {}, Path())
+    assert [mistake.sentence for mistake in caught.value.mistakes] == ["file must be given: name it in quotes."]
 
 
 def test_no_file_is_read_where_none_may_be():
     with pytest.raises(TableError) as caught:
-        read_measured({"kind": "measured", "file": "roller.txt"}, None)
+        read_profile({"kind": "measured", "file": "roller.txt"}, {}, None)
     (mistake,) = caught.value.mistakes
     assert "file = 'roller.txt' must not be read here: give y and relief, or upload" in mistake.sentence
 
@@ -121,20 +122,13 @@ def test_keys_are_those_of_the_functions():
     """What the table takes, `read_trace` and `prepare` take, and the other way round."""
     assert set(READING) == set(inspect.signature(read_trace).parameters) - {"source", "name"}
     assert set(PREPARING) == set(inspect.signature(prepare).parameters) - {"trace"}
-    assert set(KEYS) == {*READING, *PREPARING, "file", "interpolation", "shift", "scale", "flip"}
-
-
-def test_the_schema_describes_every_key():
-    schema = measured_schema()
-    assert schema["additionalProperties"] is False
-    for key, entry in schema["properties"].items():
-        assert key == "kind" or entry["description"], key
+    assert set(MeasuredProfile.descriptions) == {*READING, *PREPARING, "file", "interpolation"}
 
 
 def test_the_reference_lists_every_key():
     page = (DOCS / "reference" / "case-file.md").read_text(encoding="utf-8")
     section = page.split("### Measured profiles")[1].split("\n## ")[0]
-    assert set(re.findall(r"^\| `(\w+)`", section, re.MULTILINE)) == set(KEYS) - {"shift", "scale", "flip"}
+    assert set(re.findall(r"^\| `(\w+)`", section, re.MULTILINE)) == set(MeasuredProfile.descriptions)
 
 
 @pytest.mark.parametrize(

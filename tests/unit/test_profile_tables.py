@@ -199,7 +199,7 @@ def test_the_diameter_of_a_cone_is_that_normal_to_its_axis(kind: str) -> None:
         (
             "kind = 'measured', file = 'x', drop = 0.02",
             ROLLER,
-            ["drop = 0.02 must be a known parameter of 'measured': "],
+            ["drop = 0.02 must be a known key: "],
         ),
         ("kind = 'crown', drop = 0.02", "diameter = 16\nlength = -20", ["body.a.length = -20.0 must be positive: "]),
         ("kind = 'crown', drop = 0.02", ROLLER + "\ncorner_radius = 11", ["body.a.length = 20.0 must leave a land: "]),

@@ -285,8 +285,10 @@ class Count:
 
     def take(self, name: str, value: Any) -> int | str:
         """Return the number, or a word in its place."""
-        if self.words and not (is_number(value) and value in range(self.least, int(self.most) + 1)):
-            return _word_or(name, value, self.words, f"a whole number from {self.least} to {self.most:g}", self.remedy)
+        counted = is_number(value) and self.least <= value <= self.most and float(value).is_integer()
+        if self.words and not counted:
+            bounds = f"of at least {self.least}" if math.isinf(self.most) else f"from {self.least} to {self.most:g}"
+            return _word_or(name, value, self.words, f"a whole number {bounds}", self.remedy)
         return whole(name, value, self.least, self.most, self.remedy)
 
     def schema(self) -> dict[str, Any]:
@@ -318,6 +320,38 @@ class Flag:
     def schema(self) -> dict[str, Any]:
         """Return the schema of either."""
         return {"type": "boolean"}
+
+
+@dataclass(frozen=True)
+class OrFlag:
+    """True or False, or a value of another kind.
+
+    Attributes
+    ----------
+    each : Described
+        What it is otherwise.
+    meaning : str
+        As of `Quantity`.
+    """
+
+    each: Described
+    meaning: str
+
+    def take(self, name: str, value: Any) -> Any:
+        """Return either."""
+        if isinstance(value, bool):
+            return value
+        try:
+            return self.each.take(name, value)
+        except InputError as error:
+            condition = re.sub("^be ", "be true or false, or ", error.condition)
+            raise InputError(name, error.value, condition, error.remedy) from None
+
+    def schema(self) -> dict[str, Any]:
+        """Return the schema of either."""
+        other = self.each.schema()
+        either = {"anyOf": [{"type": "boolean"}, *other.get("anyOf", [other])]}
+        return either | ({"unit": other["unit"]} if "unit" in other else {})
 
 
 @dataclass(frozen=True)
@@ -422,7 +456,7 @@ class Custom:
 
 
 #: All ways to describe a field.
-KINDS = (Quantity, OneOrTwo, Quantities, Count, Flag, Word, Words, Part, Parts, Custom)
+KINDS = (Quantity, OneOrTwo, Quantities, Count, Flag, OrFlag, Word, Words, Part, Parts, Custom)
 
 
 def _word_or(name: str, value: Any, words: Mapping[str, Any], number: str, remedy: str) -> str:

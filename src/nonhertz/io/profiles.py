@@ -10,29 +10,47 @@ import inspect
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import text
 from nonhertz.inputs.fields import Flag, Input, Quantity, Word, described, together, unknown
 from nonhertz.io.bounds import PROFILES
 from nonhertz.io.dimensions import BROKEN
-from nonhertz.io.measured import KIND, measured_schema, read_measured
+from nonhertz.io.measured import KIND, MeasuredProfile
 from nonhertz.io.mistakes import InFile, Mistake, TableError, missing
 from nonhertz.io.reading import Reading, Schema, Surroundings, schema_of_field
-from nonhertz.model.profile import CATALOGUE, PARAMETERS, CatalogueProfile, Profile, from_file, with_drop
+from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, ProfileKind, from_file, with_drop
 from nonhertz.model.profile.drop import AT_REMEDY, determined, off_the_middle, scaled_to_drop
+from nonhertz.model.profile.table import Interpolation
 
 _LIST_REMEDY = "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]"
 _FEWER_REMEDY = "add them up in one of kind 'tabulated'"
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
 _BY_DROP_SCHEMA = {"required": ["drop"]}
 _TABULATED = PARAMETERS["tabulated"]
+#: What the tables of each kind hold.
+KINDS: Final[dict[str, type[ProfileKind]]] = {**PARAMETERS, KIND: MeasuredProfile}
 
 
 @described(kw_only=True)
-class Changes(Input):
-    """What the table of any kind may have beside its parameters."""
+class Moves(Input):
+    """How a profile is changed as a whole, whatever its kind."""
+
+    shift: Annotated[float | None, Quantity("mm", "how far to move the profile towards positive y")] = None
+    scale: Annotated[float | None, Quantity("", "factor on the relief")] = None
+    flip: Annotated[bool, Flag("whether to mirror the profile about the middle of the body, after its shift")] = False
+
+    def of(self, profile: Profile) -> Profile:
+        """Return a profile that is scaled, then shifted, then flipped."""
+        profile = profile if self.scale is None else profile.scaled(self.scale)
+        profile = profile if self.shift is None else profile.shifted(self.shift)
+        return profile.flipped() if self.flip else profile
+
+
+@described(kw_only=True)
+class Changes(Moves):
+    """What the table of a kind of the catalogue may have beside its parameters."""
 
     drop: Annotated[
         float | None,
@@ -51,10 +69,6 @@ class Changes(Input):
             AT_REMEDY,
         ),
     ] = None
-    shift: Annotated[float | None, Quantity("mm", "how far to move the profile towards positive y")] = None
-    scale: Annotated[float | None, Quantity("", "factor on the relief")] = None
-    flip: Annotated[bool, Flag("whether to mirror the profile about the middle of the body, after its shift")] = False
-
     instead: ClassVar[Mapping[str, str]] = {"scale": "drop"}
 
     @together("drop", "at")
@@ -62,28 +76,26 @@ class Changes(Input):
         if self.at is not None and self.drop is None:
             raise InputError("at", self.at, "not be given without drop", "give both or neither")
 
-    def of(self, profile: Profile) -> Profile:
-        """Return a profile that is scaled, then shifted, then flipped."""
-        profile = profile if self.scale is None else profile.scaled(self.scale)
-        profile = profile if self.shift is None else profile.shifted(self.shift)
-        return profile.flipped() if self.flip else profile
-
 
 @described(kw_only=True)
-class PointsFile(CatalogueProfile):
+class PointsFile(ProfileKind):
     """A profile through points in a file."""
 
     file: Annotated[
         str,
         Word(
             "text file of two columns, y and relief [mm], in place of the lists; its path is relative to the case file",
-            "put it in quotes",
+            "name it in quotes",
             condition=text,
         ),
     ]
-    interpolation: Annotated[str, _TABULATED.descriptions["interpolation"]] = "pchip"
+    interpolation: Annotated[Interpolation, _TABULATED.descriptions["interpolation"]] = "pchip"
 
     instead: ClassVar[Mapping[str, str]] = {"y": "file", "relief": "file"}
+
+    def profile(self, folder: Path) -> Profile:
+        """Return the profile in the file, whose name is relative to a folder."""
+        return from_file(folder / self.file, self.interpolation)
 
 
 def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
@@ -129,7 +141,7 @@ def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 def profile_schema() -> Schema:
     """Return the JSON schema of what `read_profile` accepts."""
-    tables = {"anyOf": [*(_kind_schema(kind) for kind in CATALOGUE), measured_schema()]}
+    tables = {"anyOf": [_kind_schema(kind) for kind in KINDS]}
     return {"anyOf": [tables, {"type": "array", "items": tables}]}
 
 
@@ -144,10 +156,8 @@ def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Pro
     if "kind" not in table:
         raise TableError([missing(("kind",), "name the profile, such as kind = 'crown'")])
     kind = table["kind"]
-    if kind == KIND:
-        return read_measured(table, folder)
-    if not isinstance(kind, str) or kind not in CATALOGUE:
-        raise TableError([Mistake(("kind",), unknown("kind", kind, "profile", kind, (*CATALOGUE, KIND)))])
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise TableError([Mistake(("kind",), unknown("kind", kind, "profile", kind, KINDS))])
     return _Table(kind, table, body, Surroundings(folder)).profile()
 
 
@@ -156,11 +166,14 @@ class _Table:
 
     def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], file: Surroundings) -> None:
         self.kind, self.body, self.folder = kind, body, file.folder
-        changes = {name: value for name, value in table.items() if name in Changes.descriptions}
-        self.changes = Reading(Changes, changes, file, ())
-        cls = PointsFile if kind == _TABULATED.__name__ and "file" in table else PARAMETERS[kind]
+        cls = PointsFile if kind == _TABULATED.__name__ and "file" in table else KINDS[kind]
+        self.around = Moves if cls is MeasuredProfile else Changes
+        changes = {name: value for name, value in table.items() if name in self.around.descriptions}
+        self.changes = Reading(self.around, changes, file, ())
         own = {name: value for name, value in table.items() if name not in changes and name != "kind"}
-        self.own = _Parameters(cls, own, file, kind, body, by_drop="drop" in table)
+        self.own = _Parameters(cls, own, file, tuple(self.around.descriptions), body)
+        if "drop" in changes or "drop" in self.own.wrong:
+            self.own.free = determined(kind, {*own, *self.own.wrong})
 
     def profile(self) -> Profile:
         """Return the profile, or raise `TableError`."""
@@ -175,16 +188,16 @@ class _Table:
         profile = self._noting(lambda: self._made(points, at))
         if profile is None:
             raise TableError(changes.mistakes + own.mistakes)
-        return Changes(**changes.values).of(profile)
+        return self.around(**changes.values).of(profile)
 
-    def _noting(self, make: Callable[[], Profile]) -> Profile | None:
+    def _noting(self, make: Callable[[], Profile | None]) -> Profile | None:
         """Return what is made, or note the mistake and return None."""
         try:
             return make()
         except TableError as error:
             self.own.mistakes += error.mistakes
         except InputError as error:
-            (self.changes if error.field in Changes.descriptions else self.own).note(error)
+            (self.changes if error.field in self.around.descriptions else self.own).note(error)
         return None
 
     def _made(self, points: Profile | None, at: Any) -> Profile:
@@ -195,14 +208,20 @@ class _Table:
             return scaled_to_drop(points, self.kind, drop, at)
         return with_drop(self.kind, drop, at, **self.own.values)
 
-    def _points(self) -> Profile:
-        name, interpolation = self.own.values["file"], self.own.values.get("interpolation", "pchip")
+    def _points(self) -> Profile | None:
+        name, measured = self.own.values["file"], self.own.cls is MeasuredProfile
         if self.folder is None:
             raise InputError("file", name, "not be read here", _UPLOAD_REMEDY)
+        if measured and self.own.mistakes:
+            return None
         try:
-            return from_file(self.folder / name, interpolation)
+            made = self.own.cls(**self.own.values)
+            assert isinstance(made, MeasuredProfile | PointsFile)
+            return made.profile(self.folder)
         except InputError as error:
-            if error.field == "path":
+            if error.field in self.own.fields:
+                raise
+            if error.field == "path" or measured:
                 raise InputError("file", name, error.condition, error.remedy) from None
             raise TableError([Mistake(("file", InFile(error.field)), error)]) from None
         except ValueError:  # not a valid file name, such as one with a null character
@@ -230,22 +249,20 @@ class _Table:
 class _Parameters(Reading):
     """The parameters of a kind, of which some are taken from the body and one may be determined by a drop."""
 
-    cls: type[CatalogueProfile]
+    cls: type[ProfileKind]
 
     def __init__(
         self,
-        cls: type[CatalogueProfile],
+        cls: type[ProfileKind],
         table: dict[str, Any],
         file: Surroundings,
-        kind: str,
+        around: tuple[str, ...],
         body: Mapping[str, Any],
-        *,
-        by_drop: bool,
     ) -> None:
-        super().__init__(cls, table, file, (), known=(*Changes.descriptions, *cls.instead))
+        super().__init__(cls, table, file, (), known=(*around, *cls.instead))
         self.body = body
-        #: What the drop determines.
-        self.free = determined(kind, {*table, *self.wrong}) if by_drop or "drop" in self.wrong else None
+        #: What a drop determines.
+        self.free: str | None = None
 
     def take_fields(self) -> None:
         """Read every parameter that is given, and take the others from the body."""
@@ -277,8 +294,9 @@ class _Parameters(Reading):
 
 
 def _kind_schema(kind: str) -> Schema:
-    cls = PARAMETERS[kind]
-    fields = {name: each for each in (cls, Changes) for name in each.descriptions}
+    cls = KINDS[kind]
+    around = Moves if cls is MeasuredProfile else Changes
+    fields = {name: each for each in (cls, around) for name in each.descriptions}
     needed = [name for name in cls.descriptions if name in cls.required - {*cls.of_body}]
     if cls is _TABULATED:
         fields["file"], needed = PointsFile, []

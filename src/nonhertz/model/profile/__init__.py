@@ -18,7 +18,7 @@ from nonhertz.model.profile.base import Flipped, Profile, Scaled, Shifted, Strai
 from nonhertz.model.profile.catalogue import CATALOGUE, PARAMETERS
 from nonhertz.model.profile.circular import Arcs, crown, partial_crown, two_radius
 from nonhertz.model.profile.drop import with_drop
-from nonhertz.model.profile.kind import CatalogueProfile
+from nonhertz.model.profile.kind import ProfileKind
 from nonhertz.model.profile.linear import Conical, TaperedEnds, chamfer, conical, straight, tapered_ends
 from nonhertz.model.profile.logarithm import (
     Logarithmic,
@@ -36,11 +36,11 @@ __all__ = [
     "CATALOGUE",
     "PARAMETERS",
     "Arcs",
-    "CatalogueProfile",
     "Conical",
     "Flipped",
     "Logarithmic",
     "Profile",
+    "ProfileKind",
     "Scaled",
     "Shifted",
     "Straight",

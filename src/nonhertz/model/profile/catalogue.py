@@ -7,7 +7,7 @@ from typing import Final
 
 from nonhertz.model.profile.base import Profile
 from nonhertz.model.profile.circular import crown, partial_crown, two_radius
-from nonhertz.model.profile.kind import CatalogueProfile, parameters_of, word
+from nonhertz.model.profile.kind import ProfileKind, parameters_of, word
 from nonhertz.model.profile.linear import chamfer, conical, straight, tapered_ends
 from nonhertz.model.profile.logarithm import (
     fujiwara_kawase,
@@ -40,4 +40,4 @@ _IN_ORDER: tuple[Callable[..., Profile], ...] = (
 #: Profiles that a case file may refer to by name.
 CATALOGUE: Final[dict[str, Callable[..., Profile]]] = {word(each): each for each in _IN_ORDER}
 #: What each of them takes.
-PARAMETERS: Final[dict[str, type[CatalogueProfile]]] = {name: parameters_of(each) for name, each in CATALOGUE.items()}
+PARAMETERS: Final[dict[str, type[ProfileKind]]] = {name: parameters_of(each) for name, each in CATALOGUE.items()}

@@ -18,8 +18,8 @@ from nonhertz.model.profile.base import Profile
 P = ParamSpec("P")
 
 
-class CatalogueProfile(Input):
-    """The parameters of a profile of the catalogue: a class for each kind.
+class ProfileKind(Input):
+    """What a kind of profile takes: a class for each kind.
 
     Attributes
     ----------
@@ -39,9 +39,9 @@ def word(function: Callable[..., Profile]) -> str:
     return function.__name__.replace("_", "-")
 
 
-def parameters_of(function: Callable[..., Profile]) -> type[CatalogueProfile]:
+def parameters_of(function: Callable[..., Profile]) -> type[ProfileKind]:
     """Return the class of a kind's parameters."""
-    found: type[CatalogueProfile] = function.parameters  # type: ignore[attr-defined]
+    found: type[ProfileKind] = function.parameters  # type: ignore[attr-defined]
     return found
 
 
@@ -53,7 +53,7 @@ def kind(
     Parameters
     ----------
     by_drop, of_body : tuple of str
-        As of `CatalogueProfile`.
+        As of `ProfileKind`.
     together : tuple of callable
         Checks of several parameters, each a function of these, by their names.
     """
@@ -76,13 +76,13 @@ def kind(
     return made
 
 
-def _class_of(function: Callable[..., Profile]) -> type[CatalogueProfile]:
+def _class_of(function: Callable[..., Profile]) -> type[ProfileKind]:
     hints = get_type_hints(function, include_extras=True)
     given = inspect.signature(function).parameters.values()
     defaults = {each.name: each.default for each in given if each.default is not each.empty}
     annotations = {each.name: hints[each.name] for each in given}
     body = {"__annotations__": annotations, "__module__": function.__module__, "__doc__": function.__doc__}
-    found: type[CatalogueProfile] = described()(type(function.__name__, (CatalogueProfile,), body | defaults))
+    found: type[ProfileKind] = described()(type(function.__name__, (ProfileKind,), body | defaults))
     return found
 
 
