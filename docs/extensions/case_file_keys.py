@@ -10,7 +10,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from nonhertz.io.bearingfile import bearing_schema
 from nonhertz.io.casefile import schema
-from nonhertz.io.profiles import Changes, required_keys
+from nonhertz.io.profiles import KINDS, Changes, keys_of, meaning_of, needed_keys
 
 if TYPE_CHECKING:
     from docutils import nodes
@@ -21,7 +21,7 @@ Schema = dict[str, Any]
 NAMES = {"number": "number", "integer": "whole number", "string": "text", "array": "list", "object": "table"}
 # Tables that are alike stand once.
 _OF_BOTH = {"body.a": "[body.a] and [body.b]", "roller": "[roller], [inner] and [outer]"}
-EVERY_PROFILE = ("kind", *Changes.descriptions)
+EVERY_PROFILE = tuple(Changes.descriptions)
 
 
 class CaseFileKeys(SphinxDirective):
@@ -30,14 +30,14 @@ class CaseFileKeys(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """Return the sections."""
         whole = schema()
-        return self.parsed([*_sections(whole), *self._of_profiles(whole)])
+        return self.parsed([*_sections(whole), *self._of_profiles()])
 
     def parsed(self, lines: list[str]) -> list[nodes.Node]:
         """Return the sections in lines of reST."""
         source = StringList(lines, source=self.get_source_info()[0])
         return self.parse_text_to_nodes(source, allow_section_headings=True)
 
-    def _of_profiles(self, whole: Schema) -> list[str]:
+    def _of_profiles(self) -> list[str]:
         head = [
             "Profiles",
             "--------",
@@ -47,7 +47,7 @@ class CaseFileKeys(SphinxDirective):
             + " too.",
             "",
         ]
-        return head + _profiles(whole["$defs"]["Body"]["properties"]["profile"])
+        return head + _profiles()
 
 
 class BearingFileKeys(CaseFileKeys):
@@ -110,16 +110,12 @@ def _keys(table: Schema) -> list[str]:
     return list_table(("key", "value", "unit", "default", "meaning"), rows)
 
 
-def _profiles(value: Schema) -> list[str]:
-    profiles = next(each["anyOf"] for each in value["anyOf"] if "anyOf" in each)
+def _profiles() -> list[str]:
     rows = []
-    for each in profiles:
-        keys = [key for key in each["properties"] if key not in EVERY_PROFILE]
-        needed, others = (
-            [f"``{key}``" for key in keys if (key in required_keys(each)) == wanted] for wanted in (True, False)
-        )
-        name = each["properties"]["kind"]["const"]
-        rows.append((f"``{name}``", " ".join(needed), " ".join(others), each.get("description", "")))
+    for name in KINDS:
+        needed, keys = needed_keys(name), [key for key in keys_of(name) if key not in EVERY_PROFILE]
+        must, may = ([f"``{key}``" for key in keys if (key in needed) == wanted] for wanted in (True, False))
+        rows.append((f"``{name}``", " ".join(must), " ".join(may), meaning_of(name)))
     return list_table(("kind", "must have", "may have", "meaning"), rows)
 
 

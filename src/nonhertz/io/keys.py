@@ -1,27 +1,24 @@
 """What may stand in the tables of files, key by key: what forms, reports and the reference of files are made from.
 
 All of it is what the fields of inputs say of themselves. Only where a bearing's file is divided otherwise than its
-classes are, and of profiles, which are no inputs, is it said here.
+classes are is it said here.
 """
 
 from __future__ import annotations
 
 import dataclasses
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, dataclass, field, replace
 from functools import cache
-from typing import Any, Final
+from typing import Any
 
 from nonhertz.bearing.bearings import Pair, RollerBearing
 from nonhertz.bearing.shapes import Deviations, Waves
-from nonhertz.inputs.fields import Custom, Described, Flag, Input, Part, Parts, Quantities, Quantity, Word, default_of
+from nonhertz.inputs.fields import Described, Input, Part, Parts, default_of
 from nonhertz.io.bearing_document import PAIR, PARTS, SHAPES
-from nonhertz.io.profiles import profile_schema, required_keys
+from nonhertz.io.profiles import KINDS, keys_of, meaning_of, needed_keys
 from nonhertz.io.shape_tables import ShapeFile
 from nonhertz.model.profile import Profile
-
-_QUOTED: Final = re.compile(r"""['"`]([a-z][a-z0-9-]*)['"`]""")
 
 
 @dataclass(frozen=True)
@@ -122,33 +119,13 @@ def _key(name: str, each: Described, usual: Any, inner: Any) -> Key:
 @cache
 def profile_kinds() -> tuple[Table, ...]:
     """Return the tables of all kinds of profile."""
-    return tuple(_profile_table(part) for part in profile_schema()["anyOf"][0]["anyOf"])
+    return tuple(_profile_table(kind) for kind in KINDS)
 
 
-def _profile_table(part: Mapping[str, Any]) -> Table:
-    word = part["properties"]["kind"]["const"]
-    required = required_keys(part)
+def _profile_table(kind: str) -> Table:
+    needed = needed_keys(kind)
     keys = {
-        name: Key(_described(each), MISSING if name in required else None)
-        for name, each in part["properties"].items()
-        if name != "kind"
+        name: Key(each.descriptions[name], MISSING if name in needed else None) for name, each in keys_of(kind).items()
     }
-    pairs = tuple((each["required"][0], "drop") for each in part.get("oneOf", ())[:1])
-    return Table(word, part.get("description", ""), keys, meaning_of_kind="kind of profile", pairs=pairs)
-
-
-def _described(part: Mapping[str, Any]) -> Described:
-    meaning = part.get("description", "").replace("`", "")
-    match part.get("type"):
-        case "array":
-            return Quantities(part["items"].get("unit", ""), meaning)
-        case "boolean":
-            return Flag(meaning)
-        case "string":
-            return Word(meaning, words=tuple(dict.fromkeys(_QUOTED.findall(meaning))))
-        case "number":
-            return Quantity("", meaning)
-    if "enum" in part:
-        return Word(meaning, words=tuple(part["enum"]))
-    only = {each.get("type") for each in part.get("anyOf", ())} == {"number", "string"}
-    return Quantity(part["unit"], meaning) if only else Custom(meaning, lambda name, value, remedy: value, part)
+    pairs = tuple((name, "drop") for name in needed if name in KINDS[kind].by_drop)
+    return Table(kind, meaning_of(kind), keys, meaning_of_kind="kind of profile", pairs=pairs[:1])

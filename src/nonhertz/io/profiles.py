@@ -139,15 +139,34 @@ def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
     return [value] if isinstance(value, dict) else list(value)
 
 
+def keys_of(kind: str) -> dict[str, type[Input]]:
+    """Return the keys that a table of a kind may have beside that, each with the class that describes it."""
+    cls = KINDS[kind]
+    keys: dict[str, type[Input]] = {name: each for each in (cls, _around(cls)) for name in each.descriptions}
+    return keys | ({"file": PointsFile} if cls is _TABULATED else {})
+
+
+def needed_keys(kind: str) -> list[str]:
+    """Return those of them that a table must have, if it gives no drop in place of one of them."""
+    cls = KINDS[kind]
+    return [name for name in cls.descriptions if name in cls.required - {*cls.of_body} and cls is not _TABULATED]
+
+
 def profile_schema() -> Schema:
     """Return the JSON schema of what `read_profile` accepts."""
     tables = {"anyOf": [_kind_schema(kind) for kind in KINDS]}
     return {"anyOf": [tables, {"type": "array", "items": tables}]}
 
 
-def required_keys(schema: Schema) -> list[str]:
-    """Return the keys that a profile of a schema needs where no drop is given."""
-    return [*schema["required"], *(schema["oneOf"][0]["required"] if "oneOf" in schema else ())]
+def meaning_of(kind: str) -> str:
+    """Return what a kind of profile is, as its function says it."""
+    return re.sub(
+        r"^(Return )?(the|an?) ", "", (inspect.getdoc(KINDS[kind]) or "").partition("\n")[0], flags=re.IGNORECASE
+    )
+
+
+def _around(cls: type[ProfileKind]) -> type[Moves]:
+    return Moves if cls is MeasuredProfile else Changes
 
 
 def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
@@ -167,7 +186,7 @@ class _Table:
     def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], file: Surroundings) -> None:
         self.kind, self.body, self.folder = kind, body, file.folder
         cls = PointsFile if kind == _TABULATED.__name__ and "file" in table else KINDS[kind]
-        self.around = Moves if cls is MeasuredProfile else Changes
+        self.around = _around(cls)
         changes = {name: value for name, value in table.items() if name in self.around.descriptions}
         self.changes = Reading(self.around, changes, file, ())
         own = {name: value for name, value in table.items() if name not in changes and name != "kind"}
@@ -294,19 +313,14 @@ class _Parameters(Reading):
 
 
 def _kind_schema(kind: str) -> Schema:
-    cls = KINDS[kind]
-    around = Moves if cls is MeasuredProfile else Changes
-    fields = {name: each for each in (cls, around) for name in each.descriptions}
-    needed = [name for name in cls.descriptions if name in cls.required - {*cls.of_body}]
-    if cls is _TABULATED:
-        fields["file"], needed = PointsFile, []
-    sized = [name for name in needed if name in cls.by_drop]
+    needed = needed_keys(kind)
+    keys = {name: schema_of_field(each, name, {}) for name, each in keys_of(kind).items()}
+    sized = [name for name in needed if name in KINDS[kind].by_drop]
     return {
         "type": "object",
         "title": kind,
-        "description": re.sub(r"^Return (the|an?) ", "", (inspect.getdoc(cls) or "").partition("\n")[0]),
-        "properties": {"kind": {"const": kind}}
-        | {name: schema_of_field(each, name, {}) for name, each in fields.items()},
+        "description": meaning_of(kind),
+        "properties": {"kind": {"const": kind}} | keys,
         "required": ["kind", *(name for name in needed if name not in sized)],
         **({"oneOf": [{"required": sized, "not": _BY_DROP_SCHEMA}, _BY_DROP_SCHEMA]} if sized else {}),
         "additionalProperties": False,

@@ -8,7 +8,19 @@ from dataclasses import MISSING, replace
 from typing import Any, Final
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.fields import Count, Custom, Described, Flag, Part, Quantities, Quantity, Word, Words, text_of
+from nonhertz.inputs.fields import (
+    Count,
+    Custom,
+    Described,
+    Flag,
+    OrFlag,
+    Part,
+    Quantities,
+    Quantity,
+    Word,
+    Words,
+    text_of,
+)
 from nonhertz.inputs.units import in_unit
 from nonhertz.io.keys import Key
 from nonhertz.io.mistakes import Place, path_of
@@ -36,7 +48,7 @@ def input_for(key: Key, value: Any, place: Place, range_: Range | None) -> FormF
             made = replace(made, kind="boolean", options=options_of(("true", "false")))
         case Words() | Quantities():
             made = replace(made, kind="list", unit=getattr(each, "unit", ""), options=words)
-        case Custom():
+        case Custom() | OrFlag():
             made = replace(made, kind="json")
         case Quantity() | Count() | Part():
             made = replace(
