@@ -202,10 +202,9 @@ class _Table:
             reading.check_together(reading.cls)
         at = self._place() if "drop" in changes.table else None
         points = self._noting(self._points) if "file" in own.values else None
-        if changes.mistakes or own.mistakes or changes.wrong or own.wrong - {own.free} or at is BROKEN:
-            raise TableError(changes.mistakes + own.mistakes)
-        profile = self._noting(lambda: self._made(points, at))
-        if profile is None:
+        blocked = own.mistakes or own.wrong - {own.free} or {"drop", "at"} & changes.wrong or at is BROKEN
+        profile = None if blocked else self._noting(lambda: self._made(points, at))
+        if profile is None or changes.mistakes:
             raise TableError(changes.mistakes + own.mistakes)
         return self.around(**changes.values).of(profile)
 
@@ -259,7 +258,8 @@ class _Table:
         if at is None:
             remedy = "give the place of the drop in mm, because the body has no length"
             changes.mistakes.append(missing(("at",), remedy))
-        elif isinstance(length, float) and isinstance(at, float) and abs(at) > 0.5 * length:
+            return BROKEN
+        if isinstance(length, float) and isinstance(at, float) and abs(at) > 0.5 * length:
             condition = f"lie on the body, which ends {0.5 * length:g} mm from its middle"
             changes.note(InputError("at", at, condition, AT_REMEDY))
         return at
@@ -301,7 +301,10 @@ class _Parameters(Reading):
         elif own is None:
             super().absent(name)
         else:
-            self.values[name] = own
+            try:
+                self.values[name] = self.cls.descriptions[name].take(name, own)
+            except InputError as error:
+                self.note(error)
 
     def way_out(self, name: str) -> str:
         """Return what to do where a parameter is missing."""
