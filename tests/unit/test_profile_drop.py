@@ -120,7 +120,7 @@ def test_a_logarithm_is_found_from_its_drop(amplitude: float, at: float, fractio
             {"radus": 3e3},
             "radus = 3000.0 must be a known parameter of 'crown': the nearest is 'radius'.",
         ),
-        (("crwn", 0.02, AT), {}, "kind = 'crwn' must be one of 'straight', "),
+        (("crwn", 0.02, AT), {}, "kind = 'crwn' must be one of 'crown', "),
         (("partial-crown", 0.02, AT), {}, "straight = None must be given, because the drop determines radius: "),
         (("partial-crown", 0.02, AT), {"straight": -1.0}, "straight = -1.0 must not be negative: "),
         (("partial-crown", 0.02, 5.0), {"straight": 12.0}, "at = 5.0 must be where the radius of 'partial-crown' ch"),

@@ -15,10 +15,9 @@ makes any of them from its drop at a place, as a drawing states it.
 from __future__ import annotations
 
 from nonhertz.model.profile.base import Flipped, Profile, Scaled, Shifted, Straight, Sum
-from nonhertz.model.profile.catalogue import CATALOGUE, PARAMETERS
 from nonhertz.model.profile.circular import Arcs, crown, partial_crown, two_radius
 from nonhertz.model.profile.drop import with_drop
-from nonhertz.model.profile.kind import ProfileKind
+from nonhertz.model.profile.kind import CATALOGUE, PARAMETERS, ProfileKind
 from nonhertz.model.profile.linear import Conical, TaperedEnds, chamfer, conical, straight, tapered_ends
 from nonhertz.model.profile.logarithm import (
     Logarithmic,

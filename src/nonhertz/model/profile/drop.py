@@ -19,7 +19,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, one_of
 from nonhertz.inputs.fields import unknown
 from nonhertz.model.profile.base import Profile
-from nonhertz.model.profile.catalogue import CATALOGUE, PARAMETERS
+from nonhertz.model.profile.kind import CATALOGUE, PARAMETERS
 
 #: In place of a parameter, for kinds that have none which a drop could determine.
 SCALE: Final = "scale"

@@ -10,7 +10,7 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable
-from typing import Any, ClassVar, ParamSpec, get_type_hints
+from typing import Any, ClassVar, Final, ParamSpec, get_type_hints
 
 from nonhertz.inputs.fields import Input, described
 from nonhertz.model.profile.base import Profile
@@ -34,21 +34,16 @@ class ProfileKind(Input):
     of_body: ClassVar[tuple[str, ...]] = ()
 
 
-def word(function: Callable[..., Profile]) -> str:
-    """Return the name of a kind in files."""
-    return function.__name__.replace("_", "-")
-
-
-def parameters_of(function: Callable[..., Profile]) -> type[ProfileKind]:
-    """Return the class of a kind's parameters."""
-    found: type[ProfileKind] = function.parameters  # type: ignore[attr-defined]
-    return found
+#: The functions of all kinds, by their names in files.
+CATALOGUE: Final[dict[str, Callable[..., Profile]]] = {}
+#: What each of them takes.
+PARAMETERS: Final[dict[str, type[ProfileKind]]] = {}
 
 
 def kind(
     *, by_drop: tuple[str, ...] = (), of_body: tuple[str, ...] = (), together: tuple[Callable[..., None], ...] = ()
 ) -> Callable[[Callable[P, Profile]], Callable[P, Profile]]:
-    """Return a decorator that makes a kind of the catalogue of a function.
+    """Return a decorator that makes a kind of the catalogue of a function; dashes in its name are those of files.
 
     Parameters
     ----------
@@ -59,18 +54,18 @@ def kind(
     """
 
     def made(function: Callable[P, Profile]) -> Callable[P, Profile]:
-        cls = _class_of(function)
+        word, cls = function.__name__.replace("_", "-"), _class_of(function)
         cls.by_drop, cls.of_body = by_drop, of_body
         cls.checks_together = tuple(_check_of(each) for each in together)
 
         @functools.wraps(function)
         def profile(*values: P.args, **given: P.kwargs) -> Profile:
             parameters = vars(cls(*values, **given))
-            return function(**parameters).called(word(function), **parameters)  # type: ignore[call-arg]
+            return function(**parameters).called(word, **parameters)  # type: ignore[call-arg]
 
         profile.__doc__ = cls.__doc__
         profile.__signature__ = _plain_signature(function)  # type: ignore[attr-defined]
-        profile.parameters = cls  # type: ignore[attr-defined]
+        CATALOGUE[word], PARAMETERS[word] = profile, cls
         return profile
 
     return made
