@@ -193,12 +193,13 @@ class Campaign:
             each.unlink(missing_ok=True)
         begun = time.monotonic()
         names = {selection.WRITTEN: str(written), selection.LINES: str(data), selection.LONGEST: str(FINDING_OUT[0])}
-        self._pytest(names, FINDING_OUT[1], ["-m", "not campaign", str(file)])
+        code = self._pytest(names, FINDING_OUT[1], ["-m", "not campaign", str(file)])
         ended = lines(written)
         failed = {each["test"] for each in ended if each["outcome"] != "passed"}
         seconds = {each["test"]: each["seconds"] for each in ended if each["test"] not in failed}
         known.write_text(json.dumps({"state": state, "seconds": seconds}), encoding="utf-8")
         told = f"{len(seconds)} tests in {sum(seconds.values()):.0f} s; {len(failed)} left out"
+        told += "; pytest could not read it" if code not in (0, 1, 5, None) else ""
         return f"{stem.name}: {told} ({time.monotonic() - begun:.0f} s)\n"
 
     def fate(self, room: str, mutant: Mutant, tests: list[str]) -> dict[str, Any]:
