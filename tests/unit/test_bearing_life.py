@@ -271,6 +271,7 @@ def test_an_evenly_loaded_bearing_has_a_closed_composition():
     contact = B.solve(THRUST, axial=10e3).contact(0)
     model = nh.life.lundberg_palmgren()
     seen = section_exposure(contact, "b")
+    assert_allclose(seen.orthogonal_shear, seen.orthogonal_shear[::-1], rtol=1e-6)
     relative = (seen.reference.damage(model) / seen.damage(model)) ** (8.0 / 9.0)
     assert lives.inner == pytest.approx(ring * relative, rel=1e-7)
     assert lives.rings == pytest.approx(lives.inner * 2.0 ** (-8.0 / 9.0), rel=1e-7)
@@ -418,5 +419,6 @@ def test_a_tapered_contact_has_the_capacity_of_its_bearing():
     for contact, expected in zip(TAPER.contacts, (rated.inner, rated.outer), strict=True):
         ring, why = nh.life.raceway(contact, contact_angle=0.207)
         assert not why
+        assert ring.roller_diameter == pytest.approx(TAPER.roller_diameter, rel=1e-12)
         assert ring.pitch_diameter == pytest.approx(TAPER.pitch, rel=4e-3)
         assert ring.capacity(14) == pytest.approx(expected, rel=4e-3)

@@ -73,9 +73,19 @@ def test_what_cannot_be_rolled_over_is_refused_in_one_sentence(smooth, changes, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("dent", [replace(DENT, y=2.5), nh.patch.Dent(depth=1e-9, diameter=0.3)])
-def test_a_dent_far_away_or_of_no_depth_leaves_the_life_as_it_is(smooth, dent):
-    seen = overrolled(smooth, dent, cell=0.035, reach=1.0)
+@pytest.mark.parametrize(
+    ("dent", "cell", "side"),
+    [
+        (replace(DENT, y=2.5), 0.035, 0.035),
+        (nh.patch.Dent(depth=1e-9, diameter=0.3), 0.035, 0.035),
+        # An eighth of the width of the shoulder.
+        (nh.patch.Dent(depth=1e-9, diameter=0.3, shoulder=1e-10, shoulder_diameter=0.4), None, 0.00625),
+    ],
+)
+def test_a_dent_far_away_or_of_no_depth_leaves_the_life_as_it_is(smooth, dent, cell, side):
+    seen = overrolled(smooth, dent, cell=cell, reach=1.0)
+    for points in (seen.x, seen.y):  # at every second cell
+        assert 0.8 * side < 0.5 * (points[1] - points[0]) <= side
     for each in (lundberg_palmgren(), zaretsky()):
         assert seen.excess(each) == 0.0
         assert seen.relative_life(each) == 1.0
@@ -89,6 +99,12 @@ def test_relative_lives_follow_from_the_excess(found):
     lived = (1.0 + 5.0 * found.excess(each) / (math.pi * 60.0 * damage)) ** (-1.0 / each.slope)
     assert found.relative_life(each, dents=5, raceway_diameter=60.0) == pytest.approx(lived, rel=1e-12)
     assert found.diameter == pytest.approx(80.0, rel=1e-12)
+    added = found.density(each) - found.density(each, dented=False)
+    integral = np.trapezoid(np.trapezoid(added, found.y), found.x)
+    assert found.excess(each) == pytest.approx(integral, rel=0.01)
+    # What the excess of these cells is; whether it is true is asked below.
+    for by, expected in ((lundberg_palmgren(), 0.99609), (each, 0.87005), (weibull(stress="von_mises"), 0.85327)):
+        assert found.relative_life(by, per_area=0.1) == pytest.approx(expected, abs=1e-4)
     with pytest.raises(InputError, match="such dents cover the raceway"):
         found.relative_life(each, per_area=100.0)
 
@@ -97,10 +113,17 @@ def test_relative_lives_follow_from_the_excess(found):
 
 
 @pytest.mark.slow
-def test_the_smooth_raceway_has_the_damage_that_its_strips_have(smooth):
+@pytest.mark.parametrize(
+    ("cell", "models"),
+    [
+        (0.01, (lundberg_palmgren(), model("ioannides-harris", fatigue_limit=200.0))),
+        (0.035, (zaretsky(), weibull(), weibull(stress="von_mises"))),
+    ],
+)
+def test_the_smooth_raceway_has_the_damage_that_its_strips_have(smooth, cell, models):
     # All of the small contact lies within the surroundings: each mm in the direction of rolling has the same damage.
-    seen = overrolled(smooth, nh.patch.Dent(depth=1e-9, diameter=0.3), cell=0.01, reach=6.0)
-    for each in (lundberg_palmgren(), model("ioannides-harris", fatigue_limit=200.0), zaretsky(), weibull()):
+    seen = overrolled(smooth, nh.patch.Dent(depth=1e-9, diameter=0.3), cell=cell, reach=6.0)
+    for each in models:
         rolled = seen.density(each, dented=False).mean(axis=0).sum() * (seen.y[1] - seen.y[0])
         assert rolled == pytest.approx(exposure(smooth, "b").damage(each), rel=0.01)
 

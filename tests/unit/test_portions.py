@@ -127,20 +127,23 @@ class Stuck(nh.profile.Profile):
         return np.zeros_like(y)
 
 
-def test_a_portion_that_takes_long_is_abandoned(monkeypatch):
-    monkeypatch.setattr("nonhertz.solver.portions.PATIENCE", 0.1)
+@pytest.mark.parametrize(("patience", "solved"), [(0.1, 64), (60.0, 128)], ids=["abandoned", "kept"])
+def test_a_portion_that_has_begun_is_waited_for_but_not_for_long(monkeypatch, patience, solved):
+    monkeypatch.setattr("nonhertz.solver.portions.PATIENCE", patience)
     go_on = threading.Event()
     go_on.set()  # while the contact is made
     stuck = nh.Contact(nh.Roller(diameter=20, length=20, profile=Stuck(go_on)), nh.Plate())
 
     def stop(portion):
+        if solved == 128:
+            go_on.set()
         raise KeyboardInterrupt
 
     go_on.clear()
-    with pytest.raises(nh.Interrupted, match=r"^Stopped after 64 of 128 cases\.$") as stopped:
+    with pytest.raises(nh.Interrupted, match=rf"^Stopped after {solved} of 128 cases\.$") as stopped:
         nh.solve_many([CROWNED] * 64 + [stuck] * 64, load=5e3, strips=11, threads=2, announce=stop)
     go_on.set()
-    assert list(stopped.value.solutions.failures) == list(range(64, 128))
+    assert list(stopped.value.solutions.failures) == list(range(solved, 128))
 
 
 def test_no_handler_of_errors_catches_an_interruption():

@@ -368,6 +368,7 @@ def test_a_pressure_that_no_material_bears_is_told_alone_and_among_many():
     with pytest.warns(nh.AccuracyWarning) as caught:
         nh.solve(contact, load=20e6, strips=21)
     assert any(re.search(r"mean pressure is \S+ MPa, 0\.\d+ of the softer", str(each.message)) for each in caught)
-    with pytest.warns(nh.AccuracyWarning, match="1 of 2 cases"):
+    with pytest.warns(nh.AccuracyWarning, match="1 of 2 cases") as among_many:
         many = nh.solve_many(contact, load=[20e3, 20e6], strips=41)
+    assert {each.filename for each in (*caught, *among_many)} == {__file__}
     assert any("of the softer body's modulus" in said for said in many.warnings[1])
