@@ -37,7 +37,7 @@ def case(tmp_path):
 
 
 def test_without_a_file_it_begins_with_that_of_new():
-    assert starting_document(None) == (tomllib.loads(starting_case()), (), "")
+    assert starting_document(None) == (tomllib.loads(starting_case()), (), starting_case())
 
 
 def test_files_that_a_case_names_become_points(case):

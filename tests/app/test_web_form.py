@@ -400,7 +400,7 @@ def test_sliders_of_a_load_end_at_what_steel_bears(name):
             solve(contact, load=0.3 * load, tilt=share * fields["load.tilt"].high).contact_y for share in (0.0, 1.0)
         )
         lifted = sum(end - begin for begin, end in flat) - sum(end - begin for begin, end in tilted)
-        assert 0.1 < lifted / (high - low) < 0.25, "at the end of the slider the roller begins to lift off"
+        assert 0.05 < lifted / (high - low) < 0.3, "at the end of the slider the roller begins to lift off"
     stops = [each.high for each in (fields["load.load"], fields["load.tilt"])]
     assert all(float(f"{stop:.2g}") == stop for stop in stops)
 

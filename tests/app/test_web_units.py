@@ -7,7 +7,6 @@ import json
 import re
 import tomllib
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import httpx
@@ -17,13 +16,11 @@ from form_reading import document_in
 from numpy.testing import assert_allclose
 from serving import running
 
-from nonhertz.inputs.units import in_unit
-from nonhertz.io.bearingfile import BEARING_TEMPLATES, bearing_in, starting_bearing
+from nonhertz.io.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.io.casefile import TEMPLATES, starting_case
 from nonhertz.result.reading import US, read_in
-from nonhertz.web.form.fields import FormField
+from nonhertz.web.form.fields import FormField, FormGroup
 from nonhertz.web.form.form import form
-from nonhertz.web.form.sliders import shown, sliders
 from nonhertz.web.server import workers
 from nonhertz.web.server.units import HEADER
 from nonhertz.web.view import bearing_jobs, curves, jobs, uploads
@@ -107,39 +104,24 @@ def test_of_a_bearing_sentences_change_and_numbers_do_not(name, method):
     assert in_si_units(usual)
     assert in_si_units(found) == []
     assert list(numbers(found)) == list(numbers(usual))
-    assert found["text"] == usual["text"]
 
 
-@pytest.mark.parametrize("name", BEARING_TEMPLATES)
-def test_sliders_of_a_bearing(name):
-    document = tomllib.loads(starting_bearing(name))
-    case = bearing_in(document, Path("b.toml"))
-    usual = sliders(case, document)
-    with read_in("us"):
-        found = sliders(case, document)
-        assert shown("N")[0] == "lbf"
-    assert [each.path for each in found] == [each.path for each in usual]
-    for here, there in zip(found, usual, strict=True):
-        base = {"um": "mm", "kN": "N", "mrad": "rad", "N m": "N mm"}[there.unit]
-        ends = [
-            [in_unit("end", f"{end!r} {each.unit}", base) for end in (float(each.value), each.low, each.high)]
-            for each in (here, there)
-        ]
-        assert here.unit in {"uin", "lbf", "lbf in", "mrad"}
-        assert_allclose(ends[0][0], ends[1][0], rtol=6e-4)  # a drop that follows from others has four digits
-        assert_allclose(ends[0][1:], ends[1][1:], rtol=1.0)  # each is round in its own unit
-        assert here.low == pytest.approx(float(f"{here.low:.2g}"))
+BEARINGS = {f"bearing {name}": tomllib.loads(starting_bearing(name)) for name in BEARING_TEMPLATES}
 
 
-def fields(document: dict[str, Any]) -> dict[str, FormField]:
-    return {each.path: each for each in form(document).fields if each.kind in {"quantity", "integer-or-word"}}
+def form_of(name: str) -> FormGroup:
+    return form(BEARINGS[name], "bearing") if name in BEARINGS else form(CASES[name])
 
 
-@pytest.mark.parametrize("name", CASES)
+def fields(name: str) -> dict[str, FormField]:
+    return {each.path: each for each in form_of(name).fields if each.kind in {"quantity", "integer-or-word"}}
+
+
+@pytest.mark.parametrize("name", [*CASES, *BEARINGS])
 def test_fields_are_in_us_units_and_stand_for_what_the_case_says(name):
-    usual = fields(CASES[name])
+    usual = fields(name)
     with read_in("us"):
-        found = fields(CASES[name])
+        found = fields(name)
     converted = 0
     for path, each in found.items():
         unit = next((unit for unit in each.units if unit.chosen), None)
@@ -159,12 +141,12 @@ def test_fields_are_in_us_units_and_stand_for_what_the_case_says(name):
     assert converted >= 3
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [*CASES, *BEARINGS])
 def test_a_form_in_us_units_is_still_its_case(name):
     templates = jinja2.Environment(loader=jinja2.PackageLoader("nonhertz.web"), autoescape=True)
     with read_in("us"):
-        text = templates.get_template("form.html").render(form=form(CASES[name]))
-    assert document_in(text) == CASES[name]
+        text = templates.get_template("form.html").render(form=form_of(name))
+    assert document_in(text) == (CASES | BEARINGS)[name]
 
 
 # Over the network

@@ -148,7 +148,13 @@ def test_links_are_deflated_json(anywhere: Desk) -> None:
     fragment = calling(anywhere, "link", "fragment", document, None)
     assert unpacked(fragment.removeprefix("#c=")) == document
     found = calling(anywhere, "link", "shared", f"#c={packed(document)}&p={packed({'title': 'b'})}")
-    assert found == {"document": document, "pinned": {"title": "b"}}
+    assert found == {"document": document, "pinned": {"title": "b"}, "text": ""}
+    text = "# of the catalogue\n[load]\nload = 1\n"
+    both = calling(anywhere, "link", "fragment", document, None, text)
+    assert calling(anywhere, "link", "shared", both) == {"document": document, "pinned": None, "text": text}
+    assert calling(anywhere, "link", "fragment", document, None, "a = 1") == fragment, (
+        "without comments it says nothing"
+    )
     assert calling(anywhere, "link", "shared", "#results") is None
 
 

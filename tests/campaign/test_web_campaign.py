@@ -264,7 +264,16 @@ def hostile(picked: random.Random, port: int) -> bytes:
         [path, "/download/report.html/..", "//", "/%00", "/\xff", "*", "http://evil/", "/" + "a" * 9000]
     )
     path = picked.choice(
-        [path, path, path, "/bearing", "/bearing/solve", "/bearing/download/bearing.toml", "/bearing/x"]
+        [
+            path,
+            path,
+            path,
+            "/bearing",
+            "/bearing/solve",
+            "/bearing/form",
+            "/bearing/download/bearing.toml",
+            "/bearing/x",
+        ]
     )
     host = picked.choice([own, own, own, "evil.example", f"{own}@evil", "", f"{own}\r\nHost: evil"])
     body = picked.choice(

@@ -18,7 +18,7 @@ class Start(NamedTuple):
     notes : tuple of str
         On the files that it named.
     text : str
-        The text of a bearing file; empty for a single contact.
+        The text of its file, with the comments.
     """
 
     document: dict[str, Any]
@@ -40,33 +40,19 @@ def starting_document(path: Path | None) -> Start:
         If there are mistakes in the file, or it exceeds the limits of the page.
     """
     if path is None:
-        return Start(parsed(starting_case(), "case.toml"))
-    from nonhertz.web.form.inlining import inlined
-    from nonhertz.web.limits import slow
+        text = starting_case()
+        return Start(parsed(text, "case.toml"), (), text)
+    from nonhertz.io.bearingfile import bearing_in
+    from nonhertz.web.form.inlining import inlined, inlined_bearing
+    from nonhertz.web.limits import slow, slow_bearing
 
     text = case_text(path)
     document = parsed(text, str(path))
-    if holds_bearing(document):
-        return _starting_bearing(document, path, text)
-    title = case_in(document, path).title
-    document, notes = inlined(document, path.parent)
-    _refuse(document, slow(document))
-    return Start({"title": title} | document, notes)
-
-
-def _starting_bearing(document: dict[str, Any], path: Path, text: str) -> Start:
-    from nonhertz.io.bearingfile import bearing_in
-    from nonhertz.io.casefile import as_toml
-    from nonhertz.web.form.inlining import inlined_bearing
-    from nonhertz.web.limits import slow_bearing
-
-    title = bearing_in(document, path).title
-    changed, notes = inlined_bearing(document, path.parent)
-    _refuse(changed, slow_bearing(changed))
-    if "title" in document and changed == document:
-        return Start(document, (), text)
-    changed = {"title": title} | changed
-    return Start(changed, notes, as_toml(changed))
+    bearing = holds_bearing(document)
+    title = (bearing_in if bearing else case_in)(document, path).title
+    changed, notes = (inlined_bearing if bearing else inlined)(document, path.parent)
+    _refuse(changed, (slow_bearing if bearing else slow)(changed))
+    return Start({"title": title} | changed, notes, text)
 
 
 def _refuse(document: dict[str, Any], slow: list[Any]) -> None:

@@ -8,6 +8,7 @@ unknown key: the form shows the whole document, which can be rebuilt from it.
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, replace
 from typing import Any, Final, Literal
@@ -17,6 +18,7 @@ from nonhertz.io.bearing_document import BearingFile
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.keys import Key, Table, table_of
 from nonhertz.io.mistakes import Place, TableError, path_of
+from nonhertz.io.profiles import profile_tables
 from nonhertz.io.reading import read
 from nonhertz.io.sections import CaseDocument
 from nonhertz.model.body import Body
@@ -57,6 +59,8 @@ class _Maker:
 
     def __init__(self, ranges: Mapping[str, Range]) -> None:
         self.ranges = ranges
+        #: What the profile of the body says of its size, in place of the usual start.
+        self.sizes: Mapping[str, float] = {}
 
     def group(
         self,
@@ -81,6 +85,8 @@ class _Maker:
         """
         named = table.of_kind(given.get("kind"))
         keys, ranges = named.keys, self.ranges
+        if "profile" in keys:
+            self.sizes = _sizes(given, named)
         if {"load", "radius"} <= set(keys):
             # The radius of a profile for a design load is the one across the contact.
             self.ranges = {**ranges, "radius": ranges["radius across"]}
@@ -91,7 +97,8 @@ class _Maker:
         shown = set(keys) - _unchosen(named, given)
         for name in sorted(shown, key=[*FIRST, *keys].index):
             entry = self._member(keys[name], given.get(name, ABSENT), (*place, name), given, named)
-            (folded if name in FOLDED else members).append(entry)
+            unfolded = keys[name].usual is MISSING or any(name in pair for pair in named.pairs)
+            (members if unfolded or name not in FOLDED else folded).append(entry)
         members += [stray(entry, (*place, name)) for name, entry in given.items() if name not in known]
         self.ranges = ranges
         base = "{}" if there and place else ""
@@ -261,17 +268,18 @@ class _Maker:
         """Yield a choice for each pair of alternative keys."""
         for pair in table.pairs:
             paths = {name: path_of((*place, name)) for name in pair}
-            starts = {name: self._start(name, table.keys[name]) for name in pair}
+            sizes = self.sizes if "drop" in pair else {}
+            starts = {name: sizes.get(name, self._start(name, table.keys[name])) for name in pair}
             options = tuple(
                 Option(
                     name,
-                    name,
+                    name.replace("_", " "),
                     [(paths[name], starts[name]), *((paths[other], None) for other in pair if other != name)],
                 )
                 for name in pair
             )
             chosen = next((name for name in pair if name in given), pair[0])
-            yield _switch(path_of(place), " or ".join(pair), options, chosen)
+            yield _switch(path_of(place), " or ".join(option.label for option in options), options, chosen)
 
 
 def _of_numbers(tables: tuple[Table, ...]) -> list[Table]:
@@ -286,6 +294,23 @@ def _usual_depth(given: dict[str, Any], body: Table) -> str:
         return read(Body, plain, likely=body.likely).behind.word
     except TableError:
         return ""
+
+
+def _sizes(given: dict[str, Any], body: Table) -> dict[str, float]:
+    """Return drop and parameters of a body's profile, where it has a single one that is neither moved nor stretched."""
+    tables = profile_tables(given) if isinstance(given.get("profile"), list | dict) else []
+    if len(tables) != 1 or not isinstance(tables[0], dict) or {"at", *COMMON} & set(tables[0]):
+        return {}
+    try:
+        made = read(Body, given, likely=body.likely)
+    except TableError:
+        return {}
+    entry, end = made.profile.catalogue_entry, made.land[1] - made.position
+    if entry is None or not math.isfinite(end):
+        return {}
+    drop = float(made.profile.relief(end) - made.profile.relief(0.0))
+    values = {name: value for name, value in entry[1].items() if isinstance(value, float)} | {"drop": drop}
+    return {name: float(f"{value:.4g}") for name, value in values.items() if math.isfinite(value) and value}
 
 
 def _unchosen(table: Table, given: dict[str, Any]) -> set[str]:

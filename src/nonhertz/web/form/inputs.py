@@ -42,15 +42,17 @@ def input_for(key: Key, value: Any, place: Place, range_: Range | None) -> FormF
     made = FormField(path_of(place), label_of(place), "text", "", text_of(each), default=_default(key))
     words = options_of(_words(each))
     match each:
-        case Word() if words:
+        case Word() | Part() if words:
             made = replace(made, kind="choice", options=words)
         case Flag():
             made = replace(made, kind="boolean", options=options_of(("true", "false")))
         case Words() | Quantities():
             made = replace(made, kind="list", unit=getattr(each, "unit", ""), options=words)
-        case Custom() | OrFlag():
+        case OrFlag():
+            made = replace(made, kind="json", options=options_of(("true", "false", *_words(each.each))))
+        case Custom():
             made = replace(made, kind="json")
-        case Quantity() | Count() | Part():
+        case Quantity() | Count():
             made = replace(
                 made, kind="integer-or-word" if words else "quantity", unit=getattr(each, "unit", ""), options=words
             )

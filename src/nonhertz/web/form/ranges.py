@@ -33,6 +33,7 @@ _MOST_DROP: Final = 0.01  # of the length: corners begin with a gentle slope
 _TIGHT, _LOOSE = 1e-3, 3e-3  # of the pitch diameter: beyond the clearance groups of catalogues
 _FASTEST: Final = 1e6  # mm/min, pitch diameter times speed: beyond what rolling bearings do with oil
 _STOPS: Final = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)
+_HALVES: Final = (1.0, 2.0, 2.5, 5.0, 10.0)  # on both sides of zero: a thousandth of the whole is round, too
 
 
 @dataclass(frozen=True)
@@ -207,7 +208,7 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range]:
         "axial_clearance": loose,
         "interference": _around(_TIGHT * pitch),
         "smoothing": Range(0.0, _stop(_TIGHT * pitch), "linear", 0.0),
-        "speed": Range(0.0, _stop(_FASTEST / pitch), "linear", 0.0),
+        "speed": Range(0.01 * _stop(_FASTEST / pitch), _stop(_FASTEST / pitch), "linear", 0.0),
         **_of_relief(length),
     }
     # A bearing has no sliders for what it does not bear.
@@ -259,10 +260,11 @@ def _upwards(most: float, usual: float) -> Range:
 
 def _around(most: float) -> Range:
     """Return a range on both sides of zero."""
-    return Range(-_stop(most), _stop(most), "linear", 0.0)
+    high = _stop(most, _HALVES)
+    return Range(-high, high, "linear", 0.0)
 
 
-def _stop(value: float) -> float:
+def _stop(value: float, stops: tuple[float, ...] = _STOPS) -> float:
     """Return the round number next to a positive one.
 
     Examples
@@ -272,4 +274,4 @@ def _stop(value: float) -> float:
     """
     power = 10.0 ** math.floor(math.log10(value))
     # Text, since 3 * 0.01 is not 0.03.
-    return float(f"{min(_STOPS, key=lambda stop: abs(stop * power - value)) * power:.3g}")
+    return float(f"{min(stops, key=lambda stop: abs(stop * power - value)) * power:.3g}")

@@ -17,33 +17,31 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
-from nonhertz import __version__
-from nonhertz.io.casefile import TEMPLATES, parsed, starting_case
+from nonhertz.io.bearingfile import starting_bearing
+from nonhertz.io.casefile import TEMPLATES, holds_bearing, parsed, starting_case
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.reading import US
 from nonhertz.web.form.fields import is_number
-from nonhertz.web.form.form import form
 from nonhertz.web.limits import (
     CURVE_POINTS,
     DOCUMENT_BYTES,
     LIVE_SECONDS,
     PATIENT_SECONDS,
     STRENGTH_SECONDS,
-    STRIPS,
     UPLOAD_BYTES,
     UPLOAD_SECONDS,
-    oversizes,
 )
 from nonhertz.web.server.awaiting import while_awaited
 from nonhertz.web.server.bearings import BearingPage
-from nonhertz.web.server.documents import as_attachment, document_in, in_script
+from nonhertz.web.server.documents import as_attachment, document_in, in_script, text_in
+from nonhertz.web.server.forms import form_answer, page_text
 from nonhertz.web.server.guard import Guard
 from nonhertz.web.server.intake import RefusedError, content, json_object
 from nonhertz.web.server.units import InUnits
 from nonhertz.web.server.workers import EndedError, FailedError, TooSlowError, Workers
 from nonhertz.web.view import jobs
 from nonhertz.web.view.curves import curve
-from nonhertz.web.view.replies import broken, excess, refusal, reply
+from nonhertz.web.view.replies import broken, refusal, reply
 
 _TYPES: Final = {".css": "text/css", ".js": "text/javascript", ".svg": "image/svg+xml", ".html": "text/html"}
 _DOWNLOADS: Final = {
@@ -66,17 +64,19 @@ class Page:
     Parameters
     ----------
     document : dict
-        The case to start with.
+        The case or the bearing to start with.
     workers : int
         Number of processes that solve.
     text : str
-        The bearing file that the page of bearings starts with; that of 'nonhertz new --bearing' if empty.
+        The file that it was read from, for its comments.
     """
 
     def __init__(self, document: dict[str, Any], workers: int, text: str = "") -> None:
-        # Beside a bearing, the page of a single contact starts with the contact of 'nonhertz new'.
-        self.begins_with_bearing = bool(text)
-        self.document = parsed(starting_case(), "case.toml") if self.begins_with_bearing else document
+        self.begins_with_bearing = holds_bearing(document)
+        # The other page starts with what 'nonhertz new' writes.
+        other = starting_case() if self.begins_with_bearing else starting_bearing()
+        given, usual = (document, text), (parsed(other, "the start"), other)
+        (self.document, self.text), bearing = (usual, given) if self.begins_with_bearing else (given, usual)
         self.workers = Workers(workers, jobs.warm_up)
         # A drag that ends a search is not slowed by starting another process.
         self.searching = Workers(1, jobs.step_back, waiting=STRENGTH_SECONDS, eager=False)
@@ -84,7 +84,7 @@ class Page:
         self.templates = jinja2.Environment(loader=loader, autoescape=True, undefined=jinja2.StrictUndefined)
         self.templates.globals["us"] = Markup(in_script(dict(US.table)))
         self.files = _static_files()
-        self.bearings = BearingPage(text, workers, self.templates)
+        self.bearings = BearingPage(*bearing, workers, self.templates)
 
     def start(self, tasks: TaskGroup) -> None:
         """Start the processes: now those of what the page begins with, others when their page is opened."""
@@ -101,31 +101,11 @@ class Page:
     async def page(self, request: Request) -> Response:
         """Answer with the page."""
         self.workers.wake()
-        start = {
-            "document": self.document,
-            "version": __version__,
-            "limits": {"upload_bytes": UPLOAD_BYTES, "document_bytes": DOCUMENT_BYTES, "strips": STRIPS},
-        }
-        text = self.templates.get_template("case.html").render(
-            start=Markup(in_script(start)),
-            version=__version__,
-            title=str(self.document.get("title", "")),
-            form=Markup(self._form_text(self.document)),
-            templates=TEMPLATES,
-        )
-        return HTMLResponse(text)
+        return HTMLResponse(page_text(self.templates, "case", self.document, self.text, TEMPLATES))
 
     async def form(self, request: Request) -> Response:
         """Answer with the form of a document."""
-        document = document_in(await self._asked(request))
-        too_large = oversizes(document)
-        if too_large:
-            return reply(excess(too_large), 422)
-        text = await anyio.to_thread.run_sync(self._form_text, document)
-        return HTMLResponse(text)
-
-    def _form_text(self, document: dict[str, Any]) -> str:
-        return self.templates.get_template("form.html").render(form=form(document))
+        return await form_answer(request, self.templates, "case")
 
     async def solve(self, request: Request) -> Response:
         """Answer with the solution of a document, or with what is wrong with it."""
@@ -160,11 +140,12 @@ class Page:
         return Response(text, media_type="application/json")
 
     async def template(self, request: Request) -> Response:
-        """Answer with the document of a template."""
+        """Answer with the document of a template, and its text."""
         name = request.path_params["name"]
         if name not in TEMPLATES:
             raise HTTPException(404)
-        return reply({"ok": True, "document": parsed(starting_case(name), name)})
+        text = starting_case(name)
+        return reply({"ok": True, "document": parsed(text, name), "text": text})
 
     async def open(self, request: Request) -> Response:
         """Answer with the document parsed from the text of a case file."""
@@ -177,11 +158,12 @@ class Page:
         name = request.path_params["name"]
         if name not in _DOWNLOADS:
             raise HTTPException(404)
-        document = document_in(await self._asked(request))
+        asked = await self._asked(request)
+        document, text = document_in(asked), text_in(asked)
         if name == "report.html":
             made = await self.workers.run_apart(jobs.report, document, seconds=PATIENT_SECONDS)
         elif name == "case.toml":
-            made = await self.workers.run(jobs.case_file, document, seconds=LIVE_SECONDS)
+            made = await self.workers.run(jobs.file, document, text, seconds=LIVE_SECONDS)
         else:
             made = await self.workers.run(
                 jobs.table if name == "table.csv" else jobs.result, document, seconds=LIVE_SECONDS
@@ -241,13 +223,13 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
     Parameters
     ----------
     document : dict
-        The case that it starts with.
+        The case or the bearing that it starts with.
     port : int
         The port it is served on; requests for another address are refused.
     workers : int
         Number of processes that solve.
     text : str
-        The bearing file that it starts with, if that is what the document was read from.
+        The file that this was read from, for its comments.
     """
     page = Page(document, workers, text)
 

@@ -10,23 +10,24 @@ from typing import Any, Final
 
 import jinja2
 from anyio.abc import TaskGroup
-from markupsafe import Markup
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
-from nonhertz import __version__
 from nonhertz.bearing.frames import RINGS
 from nonhertz.io.bearingfile import BEARING_TEMPLATES, starting_bearing
+from nonhertz.io.casefile import parsed
 from nonhertz.web.limits import DOCUMENT_BYTES, LIVE_SECONDS, PATIENT_SECONDS, STRIPS_SECONDS
 from nonhertz.web.server.awaiting import while_awaited
-from nonhertz.web.server.documents import as_attachment, document_in, in_script
+from nonhertz.web.server.documents import as_attachment, document_in, text_in
+from nonhertz.web.server.forms import form_answer, page_text
 from nonhertz.web.server.intake import RefusedError, content, json_object
 from nonhertz.web.server.workers import Workers
-from nonhertz.web.view import bearing_jobs
+from nonhertz.web.view import bearing_jobs, jobs
 from nonhertz.web.view.replies import reply
 
+OWN: Final = {"bearing.toml": "application/toml", "report.html": "text/html"}
 TABLES: Final = {"result.json": "application/json", "rollers.csv": "text/csv", "lines.csv": "text/csv"}
 FIGURES: Final = ("loads", "pressure", "roller", "displacement")
 KINDS: Final = {"svg": "image/svg+xml", "png": "image/png"}
@@ -38,16 +39,18 @@ class BearingPage:
 
     Parameters
     ----------
+    document : dict
+        The bearing to start with.
     text : str
-        The bearing file to start with; that of 'nonhertz new --bearing' if empty.
+        The file that it was read from.
     workers : int
         Number of processes that solve by slices.
     templates : jinja2.Environment
         Those of the page.
     """
 
-    def __init__(self, text: str, workers: int, templates: jinja2.Environment) -> None:
-        self.text = text or starting_bearing()
+    def __init__(self, document: dict[str, Any], text: str, workers: int, templates: jinja2.Environment) -> None:
+        self.document, self.text = document, text
         self.workers = Workers(workers, bearing_jobs.warm_up)
         self.patient = Workers(min(workers, 1), bearing_jobs.warm_up, waiting=STRIPS_SECONDS)
         self.templates = templates
@@ -66,11 +69,12 @@ class BearingPage:
         """Answer with the page."""
         self.workers.wake()
         self.patient.wake()
-        start = {"text": self.text, "version": __version__, "limits": {"document_bytes": DOCUMENT_BYTES}}
-        text = self.templates.get_template("bearing.html").render(
-            start=Markup(in_script(start)), title="", version=__version__, templates=BEARING_TEMPLATES
-        )
+        text = page_text(self.templates, "bearing", self.document, self.text, BEARING_TEMPLATES)
         return HTMLResponse(text)
+
+    async def form(self, request: Request) -> Response:
+        """Answer with the form of a document."""
+        return await form_answer(request, self.templates, "bearing")
 
     async def solve(self, request: Request) -> Response:
         """Answer with a loaded bearing, or with what is wrong with it."""
@@ -78,14 +82,14 @@ class BearingPage:
         method = asked.get("method")
         if not (method is None or method == "slices" or method == "strips"):  # noqa: PLR1714  (a list is in no set)
             raise RefusedError(400, "method must be 'slices' or 'strips', or be left out.")
-        given: dict[str, Any] | str = _text(asked) if "text" in asked else document_in(asked)
+        document = document_in(asked)
         if await request.is_disconnected():
             return Response(status_code=204)
         if method == "slices":
-            text = await self.workers.run(bearing_jobs.solve, given, method, seconds=LIVE_SECONDS)
+            text = await self.workers.run(bearing_jobs.solve, document, method, seconds=LIVE_SECONDS)
             return Response(text, media_type="application/json")
         return await while_awaited(
-            request, self.patient, bearing_jobs.solve, given, method, seconds=STRIPS_SECONDS, too_slow=_TOO_LONG
+            request, self.patient, bearing_jobs.solve, document, method, seconds=STRIPS_SECONDS, too_slow=_TOO_LONG
         )
 
     async def contact(self, request: Request) -> Response:
@@ -105,23 +109,29 @@ class BearingPage:
         )
 
     async def template(self, request: Request) -> Response:
-        """Answer with the text of a template."""
+        """Answer with the document of a template, and its text."""
         name = request.path_params["name"]
         if name not in BEARING_TEMPLATES:
             raise HTTPException(404)
-        return reply({"ok": True, "text": starting_bearing(name)})
+        text = starting_bearing(name)
+        return reply({"ok": True, "document": parsed(text, name), "text": text})
 
     async def download(self, request: Request) -> Response:
         """Answer with a file made from a document."""
         name = request.path_params["name"]
         stem, _, ending = name.partition(".")
         drawn = stem in FIGURES and ending in KINDS
-        if name != "bearing.toml" and name not in TABLES and not drawn:
+        if name not in OWN and name not in TABLES and not drawn:
             raise HTTPException(404)
-        document = document_in(json_object(await content(request, "application/json", DOCUMENT_BYTES)))
+        asked = json_object(await content(request, "application/json", DOCUMENT_BYTES))
+        document, text = document_in(asked), text_in(asked)
+        made: bytes | dict[str, Any]
         if name == "bearing.toml":
-            kind, suffix = "application/toml", ""
-            made = await self.workers.run(bearing_jobs.bearing_file, document, seconds=LIVE_SECONDS)
+            kind, suffix = OWN[name], ""
+            made = await self.workers.run(jobs.file, document, text, seconds=LIVE_SECONDS)
+        elif name == "report.html":
+            kind, suffix = OWN[name], ""
+            made = await self.workers.run_apart(bearing_jobs.report, document, seconds=PATIENT_SECONDS)
         elif drawn:
             kind, suffix = KINDS[ending], f"-{stem}"
             made = await self.workers.run_apart(bearing_jobs.drawn, document, stem, ending, seconds=PATIENT_SECONDS)
@@ -141,15 +151,9 @@ class BearingPage:
         return [
             Route("/bearing", self.page),
             Route("/bearing/status", self.status),
+            Route("/bearing/form", self.form, methods=["POST"]),
             Route("/bearing/solve", self.solve, methods=["POST"]),
             Route("/bearing/contact", self.contact, methods=["POST"]),
             Route("/bearing/template/{name}", self.template),
             Route("/bearing/download/{name}", self.download, methods=["POST"]),
         ]
-
-
-def _text(asked: dict[str, Any]) -> str:
-    text = asked["text"]
-    if not isinstance(text, str):
-        raise RefusedError(400, "The text must be that of a bearing file.")
-    return text

@@ -1,24 +1,20 @@
 // The page of a bearing: by slices at every edit, by strips when the hand rests.
 
-import { watchHelp, watchKeys } from "./anywhere.js";
 import { figure, head, whenResized } from "./chart.js";
-import { Edits } from "./edits.js";
 import { byId, element } from "./elements.js";
-import { isOwnFile, saved } from "./files.js";
 import { AWAY, post } from "./live.js";
-import { Address, fragment, shared } from "./link.js";
+import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
 import { Polar, degrees, newtons } from "./polar.js";
 import { sayLater, writeKeyNumbers, writeRows } from "./results.js";
 import { drawRoller } from "./roller.js";
-import { Sliders } from "./sliders.js";
 import { notice, timed, watchProgram } from "./status.js";
-import { amount, parts, watchUnits } from "./units.js";
+import { amount, parts } from "./units.js";
+import { Work } from "./work.js";
 
-const start = JSON.parse(byId("start").textContent);
 const REST = 250; // ms without a change before strips are asked for
-const TYPING = 300; // ms without a key before the text of the file is read
+const HELD = 600; // ms after the last key, while a slider is moved by keys
 const AGAIN = 1500; // ms between attempts to reach the program
 /** @type {[string, string][]} */
 const POLAR_KEY = [
@@ -27,22 +23,23 @@ const POLAR_KEY = [
 ];
 const NO_MOTION = 1e-9; // mm: rounding
 const root = document.documentElement;
-const address = new Address();
 
 /** What is on the page. */
 const page = {
-  /** @type {any} the bearing; null before the text has been read the first time */
-  document: null,
-  /** @type {any} the latest good answer */
+  /** @type {any} the latest good answer, and what was asked */
   answer: null,
+  document: null,
+  /** @type {any} that of the pinned bearing */
+  pinned: null,
   /** @type {any} the latest by strips, and whether it is that of the bearing as it is now */
   pressed: null,
   fresh: false,
   /** @type {number | null} the roller that was chosen; null for the most loaded one */
-  chosen: null,
+  chosen: history.state?.roller ?? null,
+  moved: 0, // when a slider was last moved by a key
 };
 
-/** @type {{given: object, since: number} | null} */
+/** @type {{document: any, since: number} | null} */
 let next = null;
 let busy = false;
 let rest = 0;
@@ -50,8 +47,8 @@ let rest = 0;
 let strips = null;
 
 /** Solve by slices, now or as soon as the request in flight has been answered. */
-function want(given, since = performance.now()) {
-  next = { given, since };
+function want(document, since = performance.now()) {
+  next = { document, since };
   stopStrips();
   root.dataset.state = "solving";
   if (!busy) void run();
@@ -70,7 +67,7 @@ async function run() {
     const wanted = next;
     next = null;
     const begun = { drawing: 0 };
-    const answer = await ask({ ...wanted.given, method: "slices" });
+    const answer = await ask({ document: wanted.document, method: "slices" });
     if (!answer) {
       next ??= wanted;
       await new Promise((done) => window.setTimeout(done, AGAIN));
@@ -90,7 +87,7 @@ async function run() {
 function restSoon() {
   root.dataset.state = "sliced";
   rest = window.setTimeout(() => {
-    if (sliders.held) restSoon();
+    if (work.edits.dragging || performance.now() - page.moved < HELD) restSoon();
     else void runStrips();
   }, REST);
 }
@@ -101,7 +98,7 @@ async function runStrips() {
   const begun = performance.now();
   byId("state").textContent = "solved by slices of ISO/TS 16281";
   byId("round-trip").textContent = "while strips are being solved …";
-  const answer = await ask({ document: page.document, method: "strips" }, stop.signal);
+  const answer = await ask({ document: work.document, method: "strips" }, stop.signal);
   if (stop.signal.aborted) return;
   if (!answer) {
     rest = window.setTimeout(() => void runStrips(), AGAIN);
@@ -111,7 +108,7 @@ async function runStrips() {
   if (answer.ok) {
     page.pressed = answer;
     page.fresh = true;
-    show(answer, performance.now());
+    show(answer, work.document);
     byId("state").textContent = "solved by strips";
     byId("round-trip").textContent = `in ${((performance.now() - begun) / 1e3).toFixed(1)} s`;
   } else {
@@ -136,34 +133,20 @@ async function ask(body, signal) {
   }
 }
 
-function answered(answer, { given, since }) {
-  if (answer.document) {
-    page.document = answer.document;
-    keep();
-  }
-  // Not over what is being written.
-  if (answer.text !== undefined && document.activeElement !== byId("text")) byId("text").value = answer.text;
-  showMistakes(answer.ok ? [] : answer.mistakes.map(withUnit));
-  byId("text").toggleAttribute("aria-invalid", !answer.ok && "text" in given);
-  if (answer.sliders) sliders.show(answer.sliders, since);
-  if (answer.ok) show(answer, since);
+function answered(answer, { document }) {
+  showMistakes(answer.ok ? [] : answer.mistakes);
+  if (answer.ok) show(answer, document);
   else refuse(answer);
 }
 
-/** A mistake, with the unit of its field: the sentence is about the file, where a number alone is in mm or N. */
-function withUnit({ path, sentence }) {
-  const unit = sliders.unitOf(path);
-  return { path, sentence: unit ? `${sentence} In this field a number alone is in ${unit}.` : sentence };
-}
-
-function show(answer, since) {
+function show(answer, asked) {
   page.answer = answer;
+  page.document = asked;
   byId("results").classList.remove("outdated");
   byId("case-title").textContent = answer.title;
   document.title = answer.title ? `${answer.title} – nonhertz` : "nonhertz";
-  sliders.show(answer.sliders, since);
-  writeKeys(answer);
   writeRows(answer.summary, answer.warnings);
+  work.drawProfiles(answer.profiles);
   drawPictures();
   sayLater(spoken(answer));
 }
@@ -193,11 +176,12 @@ function roller() {
 function drawPictures() {
   const { answer, pressed } = page;
   if (!answer) return;
+  writeKeyNumbers(keyNumbers(answer), page.pinned && keyNumbers(page.pinned));
   const number = roller();
   const fits = pressed && pressed.angle.length === answer.angle.length && answer.file_method === "strips";
   head(figure("polar"), "Loads of all rollers", POLAR_KEY, `by ${answer.method}`);
   polar.draw(answer, number);
-  drawRoller(answer, fits ? pressed : null, number);
+  drawRoller(answer, fits ? pressed : null, number, page.pinned);
   const stale = figure("pressure");
   stale.classList.toggle("stale", !page.fresh);
   stale.title = page.fresh ? "" : "Of the bearing before the last change: strips are solved when the slider rests.";
@@ -210,11 +194,11 @@ function drawPictures() {
 function choose(number) {
   page.chosen = number;
   drawPictures();
-  remember();
+  work.keep();
 }
 
-function writeKeys(answer) {
-  writeKeyNumbers([mostLoad(answer), displacement(answer), loaded(answer), pressure(answer), life(answer)], null);
+function keyNumbers(answer) {
+  return [mostLoad(answer), displacement(answer), loaded(answer), pressure(answer), life(answer)];
 }
 
 function mostLoad({ key, angle, most }) {
@@ -268,61 +252,30 @@ function spoken({ key, method }) {
   return `By ${method}: largest load of a roller ${newtons(key.load)}, ${few}${largest}`;
 }
 
-let first = true;
-function keep() {
-  if (first) edits.restart(page.document);
-  else edits.note(page.document);
-  first = false;
-  remember();
-}
-
-/** Keep the bearing, and which roller is looked at. */
-function remember() {
-  address.keep(page.document, null, { roller: page.chosen });
-}
-
-function change(changed) {
-  if (!page.document) return;
-  page.document = changed;
-  keep();
-  want({ document: changed });
-}
-
 const polar = new Polar(byId("polar"), choose);
-const sliders = new Sliders(byId("sliders"), (by) => page.document && change(by(page.document)));
-const edits = new Edits(null, () => {
-  byId("undo").disabled = !edits.can(-1);
-  byId("redo").disabled = !edits.can(1);
+const work = new Work(JSON.parse(byId("start").textContent), {
+  what: "bearing",
+  at: "bearing/",
+  bodies: { roller: "roller", inner: "inner", outer: "outer" },
+  want,
+  latest: () => page.answer && { document: page.document, answer: page.answer },
+  pin(result) {
+    page.pinned = result?.answer ?? null;
+    drawPictures();
+  },
+  solve: async (document) => (await post("bearing/solve", { document })).json(),
+  looked: () => ({ roller: page.chosen }),
+  begun: () => (page.chosen = null), // it was one of another bearing
 });
-
-function step(by) {
-  const document = edits.step(by);
-  if (!document) return;
-  page.document = document;
-  remember();
-  want({ document });
-}
-
-async function download(name) {
-  byId("downloads").open = false;
-  notice("download", `${name} is being made …`);
-  try {
-    const mistakes = await saved(`bearing/download/${name}`, page.document);
-    if (mistakes.length) showMistakes(mistakes);
-  } catch {
-    notice("program", AWAY);
-  }
-  notice("download", "");
-}
 
 /** Open the contact of the roller that is shown on the page of single contacts. @param {"inner" | "outer"} ring */
 async function openContact(ring) {
   notice("download", "The contact is being opened …");
   try {
-    const response = await post("bearing/contact", { document: page.document, roller: roller(), ring });
+    const response = await post("bearing/contact", { document: work.document, roller: roller(), ring });
     const answer = await response.json();
     if (answer.ok) {
-      await address.put(page.document, null, { roller: page.chosen }); // to come back to
+      await work.address.put(work.document, work.pinned?.document ?? null, work.text, { roller: page.chosen }); // to come back to
       window.location.assign(`contact${await fragment(answer.document, null)}`);
     } else showMistakes(answer.mistakes);
   } catch {
@@ -339,91 +292,12 @@ function offerContacts(number) {
   }
 }
 
-async function openFile(file) {
-  if (file.size > start.limits.document_bytes) {
-    const most = Math.floor(start.limits.document_bytes / 1024);
-    const sentence = `${file.name} must be a bearing file of at most ${most} kB: choose another file.`;
-    showMistakes([{ path: "", sentence }]);
-    return;
-  }
-  read(await file.text());
-}
-
-/** Take the text of a bearing file. @param {string} text */
-function read(text) {
-  byId("text").value = text;
-  page.chosen = null; // it was one of another bearing
-  want({ text });
-}
-
-/** Start from a kind of bearing. @param {string} name */
-async function startFrom(name) {
-  byId("templates").open = false;
-  try {
-    const response = await fetch(`bearing/template/${name}`);
-    read((await response.json()).text);
-  } catch {
-    notice("program", AWAY);
-  }
-}
-
-function wire() {
-  let typing = 0;
-  byId("text").addEventListener("input", ({ target }) => {
-    window.clearTimeout(typing);
-    const since = performance.now();
-    typing = window.setTimeout(() => want({ text: target.value }, since), TYPING);
-  });
-  byId("case").addEventListener("submit", (event) => event.preventDefault());
-  /** @type {HTMLElement} */ (document.querySelector(".skip")).addEventListener("click", (event) => {
-    event.preventDefault(); // the fragment of the address holds the bearing
-    byId("results").focus();
-  });
-  byId("undo").addEventListener("click", () => step(-1));
-  byId("redo").addEventListener("click", () => step(1));
-  byId("most").addEventListener("click", () => choose(null));
-  byId("open").addEventListener("click", () => byId("open-file").click());
-  byId("open-file").addEventListener("change", ({ target }) => {
-    if (target.files[0]) void openFile(target.files[0]);
-    target.value = ""; // the same file may be opened again
-  });
-  for (const ring of /** @type {("inner" | "outer")[]} */ (["inner", "outer"]))
-    document.querySelector(`[data-contact="${ring}"]`)?.addEventListener("click", () => void openContact(ring));
-  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-download]")))
-    button.addEventListener("click", () => void download(button.dataset.download ?? ""));
-  for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-template]")))
-    button.addEventListener("click", () => void startFrom(button.dataset.template ?? ""));
-  document.addEventListener("dragover", (event) => event.preventDefault());
-  document.addEventListener("drop", (event) => {
-    event.preventDefault(); // a browser would leave the page for the file
-    const file = event.dataTransfer?.files[0];
-    if (file && isOwnFile(file)) void openFile(file);
-    else if (file) showMistakes([{ path: "", sentence: `${file.name} must be a bearing file, .toml: drop one.` }]);
-  });
-  window.addEventListener("hashchange", () => void fromLink());
-  watchKeys(step);
-  watchUnits(() => page.document && want({ document: page.document }));
-  watchHelp();
-  whenResized(drawPictures);
-}
-
-/** Show the bearing in the address, if it holds one. */
-async function fromLink() {
-  try {
-    const found = await shared(window.location.hash);
-    if (!found) return false;
-    page.document = found.document;
-    page.chosen = history.state?.roller ?? null;
-    keep();
-    want({ document: page.document });
-    return true;
-  } catch (error) {
-    notice("link", /** @type {Error} */ (error).message);
-    return false;
-  }
-}
-
-wire();
-if (window.matchMedia("(max-width: 900px)").matches) byId("editor").open = false;
+byId("case").addEventListener("keydown", ({ target }) => {
+  if (target.matches(".slider")) page.moved = performance.now();
+});
+byId("most").addEventListener("click", () => choose(null));
+for (const ring of /** @type {("inner" | "outer")[]} */ (["inner", "outer"]))
+  document.querySelector(`[data-contact="${ring}"]`)?.addEventListener("click", () => void openContact(ring));
+whenResized(drawPictures);
 void watchProgram((sentence) => notice("compiling", sentence), "bearing/status");
-if (!(await fromLink())) read(start.text);
+await work.begin();

@@ -1,19 +1,21 @@
-// Files dropped on the page of a contact: a case anywhere, points on a tabulated profile, a measured profile on a body.
+// Files dropped on a page: one of its own anywhere, points on a tabulated profile, a measured profile on a body.
 
 import { isOwnFile } from "./files.js";
 import { columns } from "./numbers.js";
 
-const ANYWHERE = "a case file, .toml: drop a table of points or a measured profile on a body.";
-const ON_A_TABLE = "text with two columns of numbers, y and relief: save it as .csv or .txt, or drop a case file, .toml.";
+const ANYWHERE = "file, .toml: drop a table of points or a measured profile on a body.";
+const ON_A_TABLE = "text with two columns of numbers, y and relief: save it as .csv or .txt, or drop a";
 
 /** @typedef {import("./types.js").Mistake} Mistake */
-/** @typedef {{group: HTMLElement, path: string, body: "a" | "b"}} Place a body of the form, or one of its profiles */
+/** @typedef {{group: HTMLElement, path: string, body: string}} Place a body of the form, or one of its profiles */
 /**
  * @typedef {{
+ *   what: string,
+ *   bodies: Record<string, string>,
  *   isTable: (path: string) => boolean,
  *   open: (file: File) => void,
  *   table: (path: string, table: number[][]) => void,
- *   measured: (event: DragEvent, body: "a" | "b") => void,
+ *   measured: (event: DragEvent, body: string) => void,
  *   refuse: (mistake: Mistake) => void,
  * }} Taker
  */
@@ -40,25 +42,24 @@ async function dropped(event, taker) {
   const place = placeOf(event, taker);
   if (!file) return;
   if (isOwnFile(file)) taker.open(file);
-  else if (!place) taker.refuse({ path: "", sentence: `${file.name} must be ${ANYWHERE}` });
+  else if (!place) taker.refuse({ path: "", sentence: `${file.name} must be a ${taker.what} ${ANYWHERE}` });
   else if (!taker.isTable(place.path)) taker.measured(event, place.body);
   else {
     const table = columns(await file.text());
     if (table?.length === 2) taker.table(place.path, table);
-    else taker.refuse({ path: place.path, sentence: `${file.name} must be ${ON_A_TABLE}` });
+    else taker.refuse({ path: place.path, sentence: `${file.name} must be ${ON_A_TABLE} ${taker.what} file, .toml.` });
   }
 }
 
 /** Where a file would be taken as part of a body; null elsewhere. @param {DragEvent} event @param {Taker} taker */
 function placeOf(event, taker) {
   const at = /** @type {HTMLElement} */ (event.target);
-  const group = /** @type {HTMLElement | null} */ (at.closest?.("[data-group^='body.']") ?? null);
-  const path = group?.dataset.group ?? "";
-  const body = path[5];
-  if (!group || (body !== "a" && body !== "b")) return null;
-  if (taker.isTable(path)) return /** @type {Place} */ ({ group, path, body });
-  const whole = /** @type {HTMLElement} */ (group.closest(`[data-group="body.${body}"]`) ?? group);
-  return /** @type {Place} */ ({ group: whole, path: whole.dataset.group, body });
+  const path = /** @type {HTMLElement | null} */ (at.closest?.("[data-group]") ?? null)?.dataset.group ?? "";
+  const [body, within] = Object.entries(taker.bodies).find(([, each]) => `${path}.`.startsWith(`${each}.`)) ?? [];
+  if (!body) return null;
+  const whole = taker.isTable(path) ? path : within;
+  const group = /** @type {HTMLElement} */ (at.closest(`[data-group="${whole}"]`));
+  return { group, path: /** @type {string} */ (whole), body };
 }
 
 /** Show where a file would go. @param {HTMLElement | null} target */

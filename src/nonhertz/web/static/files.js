@@ -1,4 +1,4 @@
-// Opening case files, and saving the files that the program makes.
+// Opening files, and saving the files that the program makes.
 
 import { element } from "./elements.js";
 import { post, send } from "./live.js";
@@ -11,29 +11,30 @@ export function isOwnFile({ name }) {
 }
 
 /**
- * Return the case in a case file, or what is wrong with the file.
+ * Return the document in a file with its text, or what is wrong with the file.
  * @param {File} file
  * @param {number} most bytes
- * @returns {Promise<{document: object | null, mistakes: Mistake[]}>}
+ * @param {string} what it is of, a case or a bearing
+ * @returns {Promise<{document: object | null, text: string, mistakes: Mistake[]}>}
  */
-export async function opened(file, most) {
+export async function opened(file, most, what) {
   if (file.size > most) {
-    const sentence = `${file.name} must be a case file of at most ${Math.floor(most / 1024)} kB: choose another file.`;
-    return { document: null, mistakes: [{ path: "", sentence }] };
+    const sentence = `${file.name} must be a ${what} file of at most ${Math.floor(most / 1024)} kB: choose another file.`;
+    return { document: null, text: "", mistakes: [{ path: "", sentence }] };
   }
   const response = await send("open", "application/toml", await file.arrayBuffer());
   const answer = await response.json();
-  return { document: answer.ok ? answer.document : null, mistakes: answer.mistakes ?? [] };
+  return { document: answer.ok ? answer.document : null, text: answer.text ?? "", mistakes: answer.mistakes ?? [] };
 }
 
 /**
  * Save a file that the program makes from a case or a bearing; return the mistakes if it cannot.
  * @param {string} place such as "download/case.toml"
- * @param {object} document
+ * @param {{document: object, text: string}} of the text of the file, for its comments
  * @returns {Promise<Mistake[]>}
  */
-export async function saved(place, document) {
-  const response = await post(place, { document });
+export async function saved(place, of) {
+  const response = await post(place, of);
   if (!response.ok) return (await response.json()).mistakes;
   const address = URL.createObjectURL(await response.blob());
   const name = nameIn(response.headers.get("Content-Disposition")) ?? place.split("/").pop() ?? place;

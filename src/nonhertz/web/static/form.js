@@ -8,6 +8,9 @@ import { outer, valueAt, withValue } from "./paths.js";
 
 /** @typedef {import("./fields.js").Control} Control */
 
+const REST = 300; // ms without an edit after which sliders get the ranges of another geometry
+const NO_GEOMETRY = /^(title|load|solver|life|report)\b/;
+
 export class Form {
   /**
    * @param {object} document
@@ -21,6 +24,8 @@ export class Form {
     this.document = document;
     this.listener = listener;
     this.asked = 0;
+    this.rest = 0;
+    this.reshaped = false; // whether sliders have the ranges of another geometry
     this.form = /** @type {HTMLFormElement} */ (byId("case"));
     this.form.addEventListener("submit", (event) => event.preventDefault());
     this.form.addEventListener("input", (event) => this.input(event));
@@ -54,9 +59,24 @@ export class Form {
   /** A number that was written with its unit is split when its field is left. @param {Event} event */
   change(event) {
     const target = /** @type {Control} */ (event.target);
+    const control = /** @type {Control} */ (document.getElementById(target.dataset.for ?? "") ?? target);
+    this.reshaped ||= Boolean(control.name) && !NO_GEOMETRY.test(control.name);
+    if (this.reshaped) this.refreshSoon();
     if (target.dataset.kind === undefined || !unitsOf(target)) return;
     settle(target);
     this.followed(target);
+  }
+
+  refreshSoon() {
+    window.clearTimeout(this.rest);
+    this.rest = window.setTimeout(() => void this.refresh(), REST);
+  }
+
+  /** Ask for the same form again, whose ranges are those of the geometry as it is now. */
+  async refresh() {
+    const [document, number] = [this.document, this.asked];
+    const html = await this.listener.fresh(document);
+    if (html !== null && document === this.document && number === this.asked) this.put(document, html);
   }
 
   /** @param {Control} control */
@@ -67,6 +87,7 @@ export class Form {
 
   /** @param {Control} control @param {number} since */
   take(control, since) {
+    if (this.reshaped) this.refreshSoon();
     this.document = withValue(this.document, control.name, said(control));
     this.listener.edited(this.document, since);
   }
@@ -123,8 +144,9 @@ export class Form {
 
   /** Replace this form by another, with the same sections unfolded and the focus where it was. */
   put(document, html) {
-    const [unfolded, focus] = [this.unfolded(), focused(this.form)];
+    const [unfolded, focus, marked] = [this.unfolded(), focused(this.form), selection()];
     this.document = document;
+    this.reshaped = false;
     this.form.innerHTML = html; // written by the program, which escapes whatever comes from a case
     for (const [place, details] of this.form.querySelectorAll("details").entries()) {
       if (unfolded.has(foldName(details, place))) details.open = true;
@@ -132,6 +154,7 @@ export class Form {
     this.wire();
     const again = focus.map((selector) => this.form.querySelector(selector)).find((found) => found);
     if (again instanceof HTMLElement) again.focus({ preventScroll: true });
+    if (again instanceof HTMLInputElement && again.type === "text" && marked) again.setSelectionRange(...marked);
   }
 
   unfolded() {
@@ -177,6 +200,13 @@ function addition(button) {
 function foldName(details, place) {
   const group = details.closest("[data-group]")?.getAttribute("data-group") ?? String(place);
   return `${group}: ${details.querySelector("summary")?.textContent ?? place}`;
+}
+
+/** What is marked in the field with the focus, from where to where. @returns {[number, number] | null} */
+function selection() {
+  const active = document.activeElement;
+  const isText = active instanceof HTMLInputElement && active.type === "text";
+  return isText ? [active.selectionStart ?? 0, active.selectionEnd ?? 0] : null;
 }
 
 /** Selectors, best first, that find the focused control again in a new form; none if the focus is elsewhere. */

@@ -4,16 +4,20 @@
 const LARGEST = 1_000_000; // characters of an unpacked case, the program's own limit
 const LONGEST = 2_000_000; // characters of a fragment; a longer one is not read
 
-/** @typedef {{document: object, pinned: object | null}} Shared */
+/** @typedef {{document: object, pinned: object | null, text: string}} Shared */
 
 /**
- * Return the fragment for a case, "#c=..." with "&p=..." for a pinned one.
+ * Return the fragment for a case, "#c=..." with "&p=..." for a pinned one and "&t=..." for the text of a file that has
+ * comments.
  * @param {object} document
  * @param {object | null} pinned
+ * @param {string} [text]
  */
-export async function fragment(document, pinned) {
-  const of = async (name, value) => `${name}=${await packed(JSON.stringify(value))}`;
-  return `#${[await of("c", document), ...(pinned ? [await of("p", pinned)] : [])].join("&")}`;
+export async function fragment(document, pinned, text = "") {
+  const fields = [`c=${await packed(JSON.stringify(document))}`];
+  if (pinned) fields.push(`p=${await packed(JSON.stringify(pinned))}`);
+  if (text.includes("#")) fields.push(`t=${await packed(text)}`);
+  return `#${fields.join("&")}`;
 }
 
 /**
@@ -26,7 +30,12 @@ export async function shared(hash) {
   const fields = new URLSearchParams(hash.replace(/^#/, ""));
   const [document, pinned] = [fields.get("c"), fields.get("p")];
   if (!document) return null;
-  return { document: await unpackedCase(document), pinned: pinned ? await unpackedCase(pinned) : null };
+  const text = fields.get("t");
+  return {
+    document: await unpackedCase(document),
+    pinned: pinned ? await unpackedCase(pinned) : null,
+    text: text ? await unpacked(text).catch(() => "") : "",
+  };
 }
 
 async function unpackedCase(text) {
@@ -81,18 +90,19 @@ export class Address {
    * Put a case into the address after a pause in editing.
    * @param {object} document
    * @param {object | null} pinned
+   * @param {string} text of its file
    * @param {object | null} [looked] what is looked at, which `history.state` keeps: no part of the case or of its link
    */
-  keep(document, pinned, looked = null) {
+  keep(document, pinned, text, looked = null) {
     window.clearTimeout(this.rest);
-    this.rest = window.setTimeout(() => void this.put(document, pinned, looked), REST);
+    this.rest = window.setTimeout(() => void this.put(document, pinned, text, looked), REST);
   }
 
-  /** @param {object} document @param {object | null} pinned @param {object | null} [looked] */
-  async put(document, pinned, looked = null) {
+  /** @param {object} document @param {object | null} pinned @param {string} text @param {object | null} [looked] */
+  async put(document, pinned, text, looked = null) {
     window.clearTimeout(this.rest);
     // Replaced, not pushed: a drag would fill the history with a hundred entries.
-    history.replaceState(looked, "", await fragment(document, pinned));
+    history.replaceState(looked, "", await fragment(document, pinned, text));
     return window.location.href;
   }
 }

@@ -5,22 +5,21 @@
 import { byId } from "./elements.js";
 import { AWAY, send } from "./live.js";
 import { options, outcome, picker } from "./preparation.js";
+import { bodyNamed } from "./profiles.js";
 import { drawSteps } from "./steps.js";
 
-/** @typedef {"a" | "b"} Body */
 /** @typedef {{name: string, bytes: ArrayBuffer, options: Record<string, string>, answer: any}} Upload */
 
 export class Measured {
   /**
-   * @param {{most: number, use: (body: Body, table: object, name: string) => void}} given
+   * @param {{most: number, use: (body: string, table: object) => void}} given
    */
   constructor({ most, use }) {
     this.most = most;
     this.use = use;
-    /** @type {Partial<Record<Body, Upload>>} */
+    /** @type {Record<string, Upload>} */
     this.uploads = {};
-    /** @type {Body} */
-    this.body = "a";
+    this.body = "";
     this.asked = 0;
     this.dialog = /** @type {HTMLDialogElement} */ (byId("measured"));
     this.content = byId("measured-body");
@@ -29,15 +28,15 @@ export class Measured {
     this.dialog.addEventListener("drop", (event) => this.dropped(event, this.body));
   }
 
-  /** Show the dialog for a body, with what was uploaded for it before. @param {Body} body */
+  /** Show the dialog for a body, with what was uploaded for it before. @param {string} body */
   open(body) {
     this.body = body;
-    byId("measured-title").textContent = `Measured profile for body ${body}`;
+    byId("measured-title").textContent = `Measured profile for ${bodyNamed(body)}`;
     this.show();
     if (!this.dialog.open) this.dialog.showModal();
   }
 
-  /** @param {DragEvent} event @param {Body} body */
+  /** @param {DragEvent} event @param {string} body */
   dropped(event, body) {
     const file = event.dataTransfer?.files[0];
     if (!file) return;
@@ -95,7 +94,7 @@ export class Measured {
     const use = () => upload && this.useIt(upload);
     this.content.replaceChildren(
       picker(upload?.name, (file) => void this.take(file)),
-      ...(upload ? [options(upload, set), ...outcome(upload, this.body, use)] : []),
+      ...(upload ? [options(upload, set), ...outcome(upload, bodyNamed(this.body), use)] : []),
     );
     if (upload?.answer?.ok) drawSteps(this.content.querySelector(".steps"), upload.answer.steps);
     if (focus && this.dialog.open) document.getElementById(focus)?.focus();
@@ -103,7 +102,7 @@ export class Measured {
 
   /** @param {Upload} upload */
   useIt(upload) {
-    this.use(this.body, upload.answer.table, upload.name);
+    this.use(this.body, upload.answer.table);
     this.dialog.close();
   }
 }

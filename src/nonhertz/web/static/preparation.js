@@ -79,7 +79,7 @@ export function options(upload, set) {
 /**
  * The result of preparing the file, with a place for the drawings of the steps.
  * @param {Upload} upload
- * @param {string} body
+ * @param {string} body what it is called
  * @param {() => void} use
  */
 export function outcome({ answer }, body, use) {
@@ -89,14 +89,14 @@ export function outcome({ answer }, body, use) {
     return [list("mistakes-plain", sentences, { role: "alert" })];
   }
   const button = { type: "button", class: "primary", id: "measured-use", click: use };
-  const points = `${answer.table.y.length} points, replacing the profiles of body ${body}`;
+  const points = `${answer.table.y.length} points, replacing the profiles of ${body}`;
   return [
     ...answer.notes.map((words) => element("p", { class: "hint" }, [words])),
     ...(answer.warnings.length ? [list("warnings", answer.warnings)] : []),
     element("div", { class: "steps" }),
     ...(answer.roughness?.length ? [roughness(answer.roughness)] : []),
     element("p", { class: "measured-foot" }, [
-      element("button", button, [`Use as profile of body ${body}`]),
+      element("button", button, [`Use as profile of ${body}`]),
       element("span", { class: "hint" }, [points]),
     ]),
   ];

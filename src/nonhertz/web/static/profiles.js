@@ -8,20 +8,25 @@ import { amount, named, spelled, unitsCode } from "./units.js";
 
 /** @type {WeakMap<Element, string>} what a drawing shows */
 const drawn = new WeakMap();
-const BODIES = /** @type {("a" | "b")[]} */ (["a", "b"]);
+
+/** What a body is called: those of a single contact have letters. @param {string} body */
+export function bodyNamed(body) {
+  return body.length === 1 ? `body ${body}` : body === "roller" ? body : `${body} ring`;
+}
 
 /**
  * Put an empty drawing and a button for measured profiles above each list of profiles.
- * @param {(body: "a" | "b") => void} measured opens the dialog for a measured profile
+ * @param {Record<string, string>} bodies their paths by name
+ * @param {(body: string) => void} measured opens the dialog for a measured profile
  */
-export function placeProfiles(measured) {
-  for (const body of BODIES) {
-    const list = document.querySelector(`#case fieldset[data-group="body.${body}.profile"]`);
+export function placeProfiles(bodies, measured) {
+  for (const [body, path] of Object.entries(bodies)) {
+    const list = document.querySelector(`#case fieldset[data-group="${path}.profile"]`);
     if (!list || list.querySelector("figure")) continue;
     const legend = /** @type {HTMLElement} */ (list.querySelector("legend"));
     legend.after(
       element("figure", { "data-figure": `profile-${body}`, class: "profile-figure" }, [
-        element("figcaption", { class: "unseen" }, [`Profile of body ${body}`]),
+        element("figcaption", { class: "unseen" }, [`Profile of ${bodyNamed(body)}`]),
         element("div", { class: "drawing" }),
       ]),
     );
@@ -36,11 +41,12 @@ export function placeProfiles(measured) {
 
 /**
  * Draw the available profiles; relief points down, as removed material.
+ * @param {string[]} bodies
  * @param {Profiles | undefined} profiles
  * @param {Profiles | undefined} pinned
  */
-export function drawProfiles(profiles, pinned) {
-  for (const body of BODIES) {
+export function drawProfiles(bodies, profiles, pinned) {
+  for (const body of bodies) {
     const host = figure(`profile-${body}`);
     if (!host) continue;
     const profile = profiles?.[body];
@@ -81,7 +87,7 @@ function drawProfile(host, body, { y, relief_um: relief }, pinned) {
         ...reading(y, cut, (place) => `y ${amount(y[place], "mm")}\n${amount(relief[place], "µm")}`),
       ],
     },
-    `Profile of body ${body}: relief up to ${spelled(extent(relief)[1], "µm", 3)}.`,
+    `Profile of ${bodyNamed(body)}: relief up to ${spelled(extent(relief)[1], "µm", 3)}.`,
   );
 }
 

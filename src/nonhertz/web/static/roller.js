@@ -13,6 +13,8 @@ import {
   fromZero,
   head,
   line,
+  pinnedKey,
+  pinnedLine,
   reading,
   uprightAxis,
 } from "./chart.js";
@@ -45,15 +47,16 @@ const [AT_ENDS, SHALLOWEST] = [1.3, 1]; // -, um
  * @param {any} answer
  * @param {any} pressed the latest answer by strips, which pressures are drawn of; null if there is none
  * @param {number} roller
+ * @param {any} pinned the answer to a pinned bearing, whose line loads are drawn beside; null if there is none
  */
-export function drawRoller(answer, pressed, roller) {
+export function drawRoller(answer, pressed, roller, pinned) {
   const row = answer.rows.find(({ first, count }) => roller >= first && roller < first + count);
   const several = answer.rows.length > 1 ? `, row ${answer.rows.indexOf(row) + 1}` : "";
   const most = roller === answer.most ? ", the most loaded" : "";
   byId("roller-name").textContent = `Roller ${roller} at ${degrees(answer.angle[roller])}°${several}${most}`;
   const span = /** @type {[number, number]} */ ([-0.5 * row.length, 0.5 * row.length]);
   drawPressure(pressed, roller, span);
-  drawLineLoad(answer, roller, span);
+  drawLineLoad(answer, roller, span, pinned);
   drawRelief(answer, row, roller, span);
 }
 
@@ -97,11 +100,12 @@ function pressureWords(contacts) {
   return `Pressure along the roller: ${words.join(", ")}.`;
 }
 
-function drawLineLoad(answer, roller, span) {
+function drawLineLoad(answer, roller, span, pinned) {
   const contacts = contactsOf(answer, roller);
-  const top = fromZero(contacts.map(([, { line_load }]) => line_load), 1.15);
+  const before = pinned ? contactsOf(pinned, roller) : [];
+  const top = fromZero([...contacts, ...before].map(([, { line_load }]) => line_load), 1.15);
   const host = figure("line");
-  head(host, "Line load", KEY, `by ${answer.method}`);
+  head(host, "Line load", [...KEY, ...pinnedKey(pinned)], `by ${answer.method}`);
   draw(
     host,
     {
@@ -111,6 +115,7 @@ function drawLineLoad(answer, roller, span) {
       y: uprightAxis(top, "q", "N/mm", { ticks: 3 }),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
+        ...before.flatMap(([, { y, line_load }]) => pinnedLine(y, line_load)),
         ...contacts.map(([ring, { y, line_load }]) => along(ring, y, line_load)),
         ...nothing(contacts, span, top[1]),
       ],

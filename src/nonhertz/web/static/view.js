@@ -4,16 +4,17 @@ import { figure, whenResized } from "./chart.js";
 import { byId } from "./elements.js";
 import { drawFigures } from "./figures.js";
 import { showMistakes } from "./mistakes.js";
-import { drawProfiles } from "./profiles.js";
 import { keyNumbers, sayLater, writeKeyNumbers, writeWords } from "./results.js";
 import { drawStress } from "./stress.js";
 import { Tilt } from "./tilt.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
-/** @typedef {{document: object, answer: Answer, stressed: Answer | null}} Result a case with its answers */
+/** @typedef {{document: object, answer: Answer, stressed?: Answer | null}} Result a case with its answers */
 
 export class View {
-  constructor() {
+  /** @param {(profiles: any) => void} drawProfiles */
+  constructor(drawProfiles) {
+    this.drawProfiles = drawProfiles;
     /** @type {Result | null} */
     this.latest = null;
     /** @type {Result | null} */
@@ -49,7 +50,7 @@ export class View {
     byId("state").textContent = this.latest ? "last good result" : "no result yet";
     byId("round-trip").textContent = "";
     this.profiles = refusal.profiles;
-    drawProfiles(this.profiles, this.pinned?.answer.profiles);
+    this.drawProfiles(this.profiles);
     sayLater(
       `${refusal.mistakes.length === 1 ? "1 mistake" : `${refusal.mistakes.length} mistakes`}: ${refusal.mistakes[0]?.sentence ?? ""}`,
     );
@@ -73,12 +74,8 @@ export class View {
 
   /** Pin a result, or unpin with null. @param {Result | null} result */
   pin(result) {
-    this.pinned = result;
-    const button = byId("pin");
-    button.setAttribute("aria-pressed", String(Boolean(result)));
-    button.textContent = result ? "Unpin" : "Pin this case";
-    byId("pinned-note").hidden = !result;
-    byId("pinned-title").textContent = result?.answer.title ?? "";
+    // What was solved for a link has its stresses in the answer itself.
+    this.pinned = result && { stressed: result.answer.section ? result.answer : null, ...result };
     this.redraw();
   }
 
@@ -91,7 +88,7 @@ export class View {
   drawResult() {
     if (!this.latest) return;
     drawFigures(this.latest.answer, this.pinned?.answer ?? null, this.tilt);
-    drawProfiles(this.profiles, this.pinned?.answer.profiles);
+    this.drawProfiles(this.profiles);
     this.writeKeys();
   }
 

@@ -1,11 +1,11 @@
-"""The workers' jobs for bearings: a document or the text of a bearing file in, an answer out, ready to send."""
+"""The workers' jobs for bearings: a document in, an answer out, ready to send."""
 
 from __future__ import annotations
 
 import json
 import time
 from collections.abc import Callable
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, Literal
 
@@ -13,11 +13,11 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.io.bearing_results import files
 from nonhertz.io.bearingfile import BearingCase, bearing_in, placed, starting_bearing
-from nonhertz.io.casefile import as_toml, parsed
+from nonhertz.io.casefile import parsed
 from nonhertz.io.mistakes import case_error
+from nonhertz.result.reading import chosen
 from nonhertz.show.bearing import rated
-from nonhertz.web.form.sliders import sliders
-from nonhertz.web.limits import oversizes, slow_bearing, unfit
+from nonhertz.web.limits import slow_bearing, unfit
 from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
 from nonhertz.web.view.jobs import as_json_has_it, calmly
 from nonhertz.web.view.replies import as_bytes, as_read, broken, misfit
@@ -25,36 +25,29 @@ from nonhertz.web.view.replies import as_bytes, as_read, broken, misfit
 Method = Literal["strips", "slices"]
 
 PATH: Final = Path("bearing.toml")
-_TEXT: Final = "The bearing file"
 #: The bearing that this process solved last: whoever opens one of its contacts need not wait for strips again.
 _LATEST: Final[dict[str, tuple[BearingCase, BearingSolution]]] = {}
 
 
-def solve(given: dict[str, Any] | str, method: Method | None) -> bytes:
+def solve(document: dict[str, Any], method: Method | None) -> bytes:
     """Return the answer to a bearing as JSON: what the page shows of it, or its mistakes with their places.
 
     Parameters
     ----------
-    given : dict or str
-        The document, or the text of a bearing file.
+    document : dict
+        The bearing.
     method : {"strips", "slices"} or None
         In place of that of the file.
     """
     begun = time.perf_counter()
     with calmly():
-        found: dict[str, Any] = {}
         try:
-            document = _document(given)
-            # What the page has of both is sent back as the other.
-            found |= {"document": document} if isinstance(given, str) else {"text": as_toml(document)}
             case = sound(document)
-            found["sliders"] = [asdict(each) for each in sliders(case, document)]
-            found["file_method"] = case.solver.get("method", "strips")
-            found |= bearing_answer(*_solved(case, method))
+            found = {"file_method": case.solver.get("method", "strips")} | bearing_answer(*_solved(case, method))
         except CaseError as error:
-            return as_bytes(found | misfit(error))
+            return as_bytes(misfit(error))
         except ConvergenceError as error:
-            return as_bytes(found | broken([("load", as_read(str(error)))]))
+            return as_bytes(broken([("load", as_read(str(error)))]))
     found["ms"] = round(1e3 * (time.perf_counter() - begun), 1)
     return as_bytes(found)
 
@@ -80,15 +73,6 @@ def contact(document: dict[str, Any], roller: int, ring: str) -> bytes:
         except (ConvergenceError, InputError) as error:
             return as_bytes(broken([("", str(error))]))
     return as_bytes({"ok": True, "document": as_json_has_it(found)})
-
-
-def _document(given: dict[str, Any] | str) -> dict[str, Any]:
-    if isinstance(given, str):
-        document: dict[str, Any] = as_json_has_it(parsed(given, _TEXT))
-        _refuse(oversizes(document))
-        return document
-    _refuse(unfit(given))
-    return given
 
 
 def sound(document: dict[str, Any]) -> BearingCase:
@@ -138,13 +122,11 @@ def _refuse(mistakes: list[Any]) -> None:
         raise case_error(mistakes)
 
 
-def bearing_file(document: dict[str, Any]) -> bytes | dict[str, Any]:
-    """Return a document as the text of a bearing file, or what is wrong with it; it need not be solvable."""
-    try:
-        _refuse(unfit(document))
-    except CaseError as error:
-        return misfit(error)
-    return as_toml(document).encode()
+def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
+    """Return the report on a bearing, or what is wrong with it."""
+    from nonhertz.report import compose
+
+    return _made(document, lambda case, _: compose([case], units=chosen().code).encode())
 
 
 def table(document: dict[str, Any], name: str) -> bytes | dict[str, Any]:
@@ -187,4 +169,4 @@ def _made(
 
 def warm_up() -> None:
     """Solve the starting bearing by slices, so that everything is loaded."""
-    solve(starting_bearing(), "slices")
+    solve(parsed(starting_bearing(), PATH.name), "slices")

@@ -13,6 +13,7 @@ from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
+from nonhertz.io.bearing_document import PARTS
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.results import plain
 from nonhertz.result.reading import chosen, in_letters
@@ -25,6 +26,7 @@ from nonhertz.show.bearing import (
     roller_rows,
     summary_rows,
 )
+from nonhertz.web.view.answers import profiles
 from nonhertz.web.view.replies import as_read, numbers
 
 Array = NDArray[np.float64]
@@ -57,6 +59,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "method": solution.method,
         "key": _key_numbers(solution, life),
         "rows": _rows(solution),
+        "profiles": profiles({part: getattr(solution.bearing.rows[0].bearing, part) for part in PARTS}),
         "angle": numbers(solution.angle),
         "load": numbers(solution.load),
         "rib_load": numbers(solution.rib_load),

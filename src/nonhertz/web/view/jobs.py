@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, as_toml, case_in, parsed, starting_case
+from nonhertz.io.casefile import Case, case_in, parsed, starting_case
+from nonhertz.io.commented import as_toml_like
 from nonhertz.io.mistakes import Mistake, case_error
 from nonhertz.io.results import as_json, as_table
 from nonhertz.model.body import BodyName
@@ -98,7 +99,7 @@ def document_in(content: bytes) -> bytes:
         return as_bytes(misfit(error))
     document = as_json_has_it(document)
     too_large = oversizes(document)
-    return as_bytes(excess(too_large) if too_large else {"ok": True, "document": document})
+    return as_bytes(excess(too_large) if too_large else {"ok": True, "document": document, "text": text})
 
 
 def as_json_has_it(value: Any) -> Any:
@@ -112,13 +113,21 @@ def as_json_has_it(value: Any) -> Any:
     return value if isinstance(value, str) else str(value)
 
 
-def case_file(document: dict[str, Any]) -> bytes | dict[str, Any]:
-    """Return a document as the text of a case file, or what is wrong with it; it need not be solvable."""
+def file(document: dict[str, Any], text: str) -> bytes | dict[str, Any]:
+    """Return a document as the text of a file, or what is wrong with it; it need not be solvable.
+
+    Parameters
+    ----------
+    document : dict
+        A case, or a bearing.
+    text : str
+        Of the file that it was read from, with its comments; it may be empty.
+    """
     try:
         _refuse(unfit(document))
     except CaseError as error:
         return misfit(error)
-    return as_toml(document).encode()
+    return as_toml_like(document, text).encode()
 
 
 def table(document: dict[str, Any]) -> bytes | dict[str, Any]:

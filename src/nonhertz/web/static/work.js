@@ -1,0 +1,256 @@
+// What both pages have: a document with its form and its file, undo, links, a pinned one, and what is dropped on the page.
+
+import { watchHelp, watchKeys } from "./anywhere.js";
+import { watchDrops } from "./drops.js";
+import { Edits } from "./edits.js";
+import { byId } from "./elements.js";
+import { opened, saved } from "./files.js";
+import { Form } from "./form.js";
+import { Address, shared } from "./link.js";
+import { AWAY, post } from "./live.js";
+import { Measured } from "./measured.js";
+import { showMistakes } from "./mistakes.js";
+import { withValue } from "./paths.js";
+import { drawProfiles, placeProfiles } from "./profiles.js";
+import { notice } from "./status.js";
+import { watchUnits } from "./units.js";
+
+/** @typedef {{document: object, answer: any}} Result a document with what was answered to it */
+/** @typedef {{document: any, text: string, limits: {document_bytes: number, upload_bytes: number}}} Start */
+/**
+ * @typedef {{
+ *   what: string,
+ *   at: string,
+ *   bodies: Record<string, string>,
+ *   want: (document: any, since?: number) => void,
+ *   latest: () => Result | null,
+ *   pin: (result: Result | null) => void,
+ *   solve: (document: object) => Promise<any>,
+ *   drawn?: () => void,
+ *   looked?: () => object | null,
+ *   begun?: () => void,
+ *   renamed?: () => void,
+ * }} Page
+ * What it is of, where its routes are, and the paths of its bodies by name; how a document is solved, what the latest
+ * result is, and how one is pinned (`solve` answers for one that came with a link); what else follows when a form is
+ * drawn, what is looked at, which is no part of the document, and what follows when another document is begun or units are
+ * changed.
+ */
+
+export class Work {
+  /** @param {Start} start @param {Page} page */
+  constructor(start, page) {
+    this.start = start;
+    this.page = page;
+    this.text = start.text; // of the file, for its comments
+    /** @type {Result | null} */
+    this.pinned = null;
+    /** @type {any} */
+    this.profiles = undefined;
+    this.address = new Address();
+    this.measured = new Measured({
+      most: start.limits.upload_bytes,
+      use: (body, table) => void this.form.open(withValue(this.document, `${page.bodies[body]}.profile`, [table])),
+    });
+    this.form = new Form(start.document, {
+      edited: (document, since) => {
+        notice("link", "");
+        this.edits.note({ document, text: this.text });
+        this.keep();
+        page.want(document, since);
+      },
+      fresh: (document) => this.fresh(document),
+      drawn: () => {
+        page.drawn?.();
+        placeProfiles(page.bodies, (body) => this.measured.open(body));
+        this.drawProfiles(this.profiles);
+      },
+    });
+    this.edits = new Edits({ document: start.document, text: start.text }, () => {
+      byId("undo").disabled = !this.edits.can(-1);
+      byId("redo").disabled = !this.edits.can(1);
+    });
+    this.wire();
+  }
+
+  get document() {
+    return this.form.document;
+  }
+
+  /** Begin with the document in the address, if there is one. */
+  async begin() {
+    if (await this.fromLink()) this.edits.restart({ document: this.document, text: this.text });
+    else this.page.want(this.document);
+  }
+
+  /** Keep the document in the address. */
+  keep() {
+    this.address.keep(this.document, this.pinned?.document ?? null, this.text, this.page.looked?.());
+  }
+
+  /** Draw the profiles of the bodies, beside the pinned ones. @param {any} profiles */
+  drawProfiles(profiles) {
+    this.profiles = profiles;
+    drawProfiles(Object.keys(this.page.bodies), profiles, this.pinned?.answer.profiles);
+  }
+
+  /** Request the form of a document. @param {object} document */
+  async fresh(document) {
+    try {
+      const response = await post(`${this.page.at}form`, { document });
+      if (response.ok) return await response.text();
+      showMistakes((await response.json()).mistakes);
+    } catch {
+      notice("program", AWAY);
+    }
+    return null;
+  }
+
+  /** Begin with another document. @param {object} document @param {string} text of its file */
+  async another(document, text) {
+    this.page.begun?.();
+    await this.show(document, text);
+  }
+
+  /** Show a document, which was read from a text. @param {object} document @param {string} text */
+  async show(document, text) {
+    this.text = text;
+    return await this.form.open(document);
+  }
+
+  /** @param {-1 | 1} by */
+  async step(by) {
+    const found = this.edits.step(by);
+    if (found) await this.show(found.document, found.text);
+  }
+
+  /** Pin a result, or unpin with null. @param {Result | null} result */
+  pin(result) {
+    this.pinned = result;
+    const button = byId("pin");
+    button.setAttribute("aria-pressed", String(Boolean(result)));
+    button.textContent = result ? "Unpin" : `Pin this ${this.page.what}`;
+    byId("pinned-note").hidden = !result;
+    byId("pinned-title").textContent = result?.answer.title ?? "";
+    this.page.pin(result);
+    this.drawProfiles(this.profiles);
+  }
+
+  /** Solve and pin a document that came with a link. @param {object} document */
+  async pinShared(document) {
+    try {
+      const answer = await this.page.solve(document);
+      if (answer.ok) this.pin({ document, answer });
+      else notice("link", `The pinned ${this.page.what} in the link cannot be shown: ${answer.mistakes[0]?.sentence}`);
+    } catch {
+      notice("link", AWAY);
+    }
+  }
+
+  async copyLink() {
+    const link = await this.address.put(this.document, this.pinned?.document ?? null, this.text, this.page.looked?.());
+    const button = byId("share");
+    try {
+      await navigator.clipboard.writeText(link);
+      button.textContent = "Copied";
+    } catch {
+      button.textContent = "Copy from the address bar"; // no access to the clipboard
+    }
+    window.setTimeout(() => (button.textContent = "Copy link"), 2000);
+  }
+
+  /** @param {string} name */
+  async download(name) {
+    byId("downloads").open = false;
+    notice("download", `${name} is being written …`);
+    try {
+      const mistakes = await saved(`${this.page.at}download/${name}`, { document: this.document, text: this.text });
+      if (mistakes.length) showMistakes(mistakes);
+    } catch {
+      notice("program", AWAY); // until the next answer
+    }
+    notice("download", "");
+  }
+
+  /** @param {File} file */
+  async openFile(file) {
+    try {
+      const { document, text, mistakes } = await opened(file, this.start.limits.document_bytes, this.page.what);
+      if (!document) showMistakes(mistakes);
+      else await this.another(document, text);
+    } catch {
+      notice("program", AWAY);
+    }
+  }
+
+  /** Start from a template. @param {string} name */
+  async startFrom(name) {
+    byId("templates").open = false;
+    try {
+      const { document, text } = await (await fetch(`${this.page.at}template/${name}`)).json();
+      await this.another(document, text);
+    } catch {
+      notice("program", AWAY);
+    }
+  }
+
+  /** Show everything in the units that are chosen now. */
+  async reread() {
+    await this.form.open(this.document);
+    this.page.renamed?.();
+    if (this.pinned) await this.pinShared(this.pinned.document);
+  }
+
+  /** Show the document in the address, if it holds one. */
+  async fromLink() {
+    try {
+      const found = await shared(window.location.hash);
+      if (!found) return false;
+      if (found.pinned) void this.pinShared(found.pinned);
+      return await this.show(found.document, found.text);
+    } catch (error) {
+      notice("link", /** @type {Error} */ (error).message);
+      return false;
+    }
+  }
+
+  wire() {
+    const pressed = (selector, act) => {
+      for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(selector)))
+        button.addEventListener("click", () => void act(button));
+    };
+    /** @type {HTMLElement} */ (document.querySelector(".skip")).addEventListener("click", (event) => {
+      event.preventDefault(); // the fragment of the address holds the document
+      byId("results").focus();
+    });
+    pressed("#undo", () => this.step(-1));
+    pressed("#redo", () => this.step(1));
+    pressed("#pin", () => {
+      this.pin(this.pinned ? null : this.page.latest());
+      this.keep();
+    });
+    pressed("#show-pinned", () => this.pinned && this.form.open(this.pinned.document));
+    pressed("#share", () => this.copyLink());
+    pressed("#open", () => byId("open-file").click());
+    byId("open-file").addEventListener("change", ({ target }) => {
+      if (target.files[0]) void this.openFile(target.files[0]);
+      target.value = ""; // the same file may be opened again
+    });
+    pressed("[data-download]", (button) => this.download(button.dataset.download));
+    pressed("[data-template]", (button) => this.startFrom(button.dataset.template));
+    watchKeys((by) => void this.step(by));
+    watchUnits(() => void this.reread());
+    watchDrops({
+      what: this.page.what,
+      bodies: this.page.bodies,
+      isTable: (path) => this.form.isTable(path),
+      open: (file) => void this.openFile(file),
+      table: (path, table) => this.form.tabulate(path, table),
+      measured: (event, body) => this.measured.dropped(event, body),
+      refuse: (mistake) => showMistakes([mistake]),
+    });
+    window.addEventListener("hashchange", () => void this.fromLink());
+    watchHelp();
+    if (window.matchMedia("(max-width: 900px)").matches) byId("editor").open = false;
+  }
+}
