@@ -538,3 +538,9 @@ class TestCatalogue:
         assert isinstance(straight(), Straight)
         for name in catalogue.__all__:
             assert getattr(catalogue, name) is not None
+
+
+def test_parameters_take_text_with_units_and_an_unknown_one_names_the_nearest():
+    assert crown("4 m", centre="100 um") == crown(4000.0, 0.1)
+    with pytest.raises(TypeError, match="radus = 4000 must be a known field of crown: the nearest is 'radius'"):
+        crown(radus=4000)
