@@ -49,7 +49,7 @@ def case() -> nh.Case:
     found = nh.Case(nh.Contact(roller, nh.Ring(diameter=80, length=24)), {"load": 15e3})
     document = found.document
     document["body"]["a"]["profile"] = [{"kind": "logarithmic", "length": 20.0, "drop": 0.02, "fraction": 0.95}]
-    return nh.io.casefile.case_in(document, Path("roller.toml"))
+    return nh.Case.of(document, Path("roller.toml"))
 
 
 def loads() -> list[LoadCase]:

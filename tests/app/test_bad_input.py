@@ -9,7 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.casefile import case_in, placed
+from nonhertz.io.casefile import Case, placed
 
 A = "[body.a]\ndiameter = 20.0\nlength = 20.0\n"
 B = "[body.b]\n"
@@ -560,7 +560,7 @@ def test_a_complaint_of_the_solver_about_both_bodies_names_keys_of_the_file() ->
 def test_a_complaint_names_the_key_that_it_is_about(folder: Path) -> None:
     document = {"body": {"a": {"lenght": 20.0, "profile": [{"kind": "crown", "radius": 0.0}]}, "b": {}}, "load": {}}
     with pytest.raises(nh.CaseError) as caught:
-        case_in(document, folder / "case.toml")
+        Case.of(document, folder / "case.toml")
     found = dict(zip(caught.value.places, caught.value.mistakes, strict=True))
     assert set(found) >= {"body.a.lenght", "body.a.profile[1].radius", "load.load"}
     assert all(sentence.startswith(place) for place, sentence in found.items())
@@ -570,9 +570,9 @@ def test_a_document_from_elsewhere_cannot_have_files_read(folder: Path) -> None:
     (folder / "points.csv").write_text("-10, 0.01\n10, 0.01\n", encoding="utf-8")
     table = {"kind": "tabulated", "file": "points.csv"}
     document = {"body": {"a": {"diameter": 20.0, "length": 20.0, "profile": [table]}, "b": {}}, "load": {"load": 1e3}}
-    assert case_in(document, folder / "case.toml").contact.a.profile.extent == (-10.0, 10.0)
+    assert Case.of(document, folder / "case.toml").contact.a.profile.extent == (-10.0, 10.0)
     with pytest.raises(nh.CaseError, match="not be read here") as caught:
-        case_in(document, folder / "case.toml", files=False)
+        Case.of(document, folder / "case.toml", files=False)
     assert caught.value.places == ("body.a.profile[1].file",)
 
 

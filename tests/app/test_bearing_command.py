@@ -24,6 +24,7 @@ from nonhertz.bearing import BearingSolution
 from nonhertz.cli import main
 from nonhertz.io.bearing_results import UNITS
 from nonhertz.io.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
+from nonhertz.io.held import as_toml
 from nonhertz.show.bearing import load_zones, roller_rows, summary_rows
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))
@@ -201,7 +202,7 @@ def test_json_is_one_strict_object_with_all_numbers(folder, capsys, few):
         assert np.shape(result[name])[-len(shape) :] == shape, name
     assert UNITS.keys() <= result.keys()
     assert UNITS["life"].keys() <= result["life"].keys()
-    Path("again.toml").write_text(nonhertz.io.casefile.as_toml(result["case"]), encoding="utf-8")
+    Path("again.toml").write_text(as_toml(result["case"]), encoding="utf-8")
     assert read_bearing("again.toml").bearing == case.bearing
 
 

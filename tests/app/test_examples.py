@@ -18,13 +18,13 @@ from numpy.testing import assert_allclose
 import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.io.bearingfile import read_bearing
-from nonhertz.io.casefile import Case, holds_bearing, read_case
-from nonhertz.io.planfile import holds_plan
+from nonhertz.io.casefile import Case, read_case
+from nonhertz.io.held import holds_plan, meant_as
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 FILES = sorted(EXAMPLES.glob("*.toml"))
-BEARINGS = [path for path in FILES if holds_bearing(tomllib.loads(path.read_text(encoding="utf-8")))]
+BEARINGS = [path for path in FILES if meant_as(tomllib.loads(path.read_text(encoding="utf-8"))) == "bearing"]
 PLANS = [path for path in FILES if holds_plan(tomllib.loads(path.read_text(encoding="utf-8")))]
 CASES = [path for path in FILES if path not in BEARINGS + PLANS]
 TABULATED = "tabulated-profile.csv"

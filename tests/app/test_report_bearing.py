@@ -15,8 +15,8 @@ from few_rollers import PAIR, SIX, changed
 import nonhertz as nh
 import nonhertz.report.figures
 from nonhertz.cli import main
-from nonhertz.io.bearingfile import BearingCase, bearing_in, read_bearing
-from nonhertz.io.casefile import parsed
+from nonhertz.io.bearingfile import BearingCase, read_bearing
+from nonhertz.io.held import parsed
 from nonhertz.report import MARK, BearingResults, compose, rendered_bearings, settled_bearings
 from nonhertz.report.assumptions import Verdict
 from nonhertz.report.bearing.assumptions import bearing_assumptions
@@ -71,7 +71,7 @@ class Page(HTMLParser):
 
 
 def case_of(text: str, name: str = "bearing.toml") -> BearingCase:
-    return bearing_in(parsed(text, name), Path(name), text, files=False)
+    return BearingCase.of(parsed(text, name), Path(name), text, files=False)
 
 
 def found_in(text: str, *, compare: bool = False) -> BearingResults:

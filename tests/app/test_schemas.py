@@ -16,20 +16,14 @@ import pytest
 import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.io.bearingfile import starting_bearing
-from nonhertz.io.casefile import holds_bearing, starting_case
-from nonhertz.io.planfile import holds_plan
+from nonhertz.io.casefile import starting_case
+from nonhertz.io.held import meant_as
 from nonhertz.io.schemas import KINDS, schema_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FILES = sorted(EXAMPLES.glob("*.toml"))
 # What Even Better TOML and its Taplo go by, and what the schemas are written in.
 VALIDATORS = (jsonschema.Draft4Validator, jsonschema.Draft202012Validator)
-
-
-def kind_of(document: dict[str, Any]) -> str:
-    if holds_plan(document):
-        return "plan"
-    return "bearing" if holds_bearing(document) else "case"
 
 
 def document(name: str) -> dict[str, Any]:
@@ -60,7 +54,7 @@ def test_there_is_no_schema_of_anything_else(capsys: pytest.CaptureFixture[str])
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_examples_are_valid(file: Path) -> None:
     found = tomllib.loads(file.read_text(encoding="utf-8"))
-    assert mistakes(kind_of(found), found) == [[], []]
+    assert mistakes(meant_as(found), found) == [[], []]
 
 
 def test_so_are_changes_of_a_profile() -> None:
@@ -73,7 +67,7 @@ def test_so_are_changes_of_a_profile() -> None:
 def test_so_are_the_files_to_start_from() -> None:
     assert mistakes("case", tomllib.loads(starting_case())) == [[], []]
     assert mistakes("bearing", tomllib.loads(starting_bearing())) == [[], []]
-    assert {kind_of(tomllib.loads(file.read_text(encoding="utf-8"))) for file in FILES} == {"case", "bearing", "plan"}
+    assert {meant_as(tomllib.loads(file.read_text(encoding="utf-8"))) for file in FILES} == {"case", "bearing", "plan"}
 
 
 @pytest.mark.parametrize(
@@ -98,7 +92,7 @@ def test_so_are_the_files_to_start_from() -> None:
 )
 def test_mistakes_are_found(name: str, place: tuple[str, ...], value: Any) -> None:
     whole = document(name)
-    kind = kind_of(whole)
+    kind = meant_as(whole)
     *tables, last = place
     table = whole
     for key in tables:
@@ -115,7 +109,7 @@ def test_mistakes_are_found(name: str, place: tuple[str, ...], value: Any) -> No
 def results() -> list[dict[str, Any]]:
     """Return the results of all kinds of ends, of an approach, of both elements, and one that did not converge."""
     changes: list[tuple[str, dict[str, Any]]] = [
-        (file.stem, {}) for file in FILES if kind_of(tomllib.loads(file.read_text(encoding="utf-8"))) == "case"
+        (file.stem, {}) for file in FILES if meant_as(tomllib.loads(file.read_text(encoding="utf-8"))) == "case"
     ]
     changes += [
         ("crowned-roller", {"solver.element": "parabolic", "solver.strips": 31}),

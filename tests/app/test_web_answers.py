@@ -13,7 +13,7 @@ from test_bad_input import MISTAKES
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.casefile import case_in, starting_case
+from nonhertz.io.casefile import Case, starting_case
 from nonhertz.strength import assess
 from nonhertz.subsurface import extremes
 from nonhertz.web import limits
@@ -42,7 +42,7 @@ def changed(**tables):
 
 
 def solution_of(document):
-    case = case_in(document, jobs.PATH)
+    case = Case.of(document, jobs.PATH)
     return nh.solve(case.contact, **case.prescribed, **case.solver)
 
 

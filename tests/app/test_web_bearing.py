@@ -23,7 +23,7 @@ from serving import raw, running
 import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.cli.serve import starting_document
-from nonhertz.io.bearingfile import BEARING_TEMPLATES, bearing_in, starting_bearing
+from nonhertz.io.bearingfile import BEARING_TEMPLATES, BearingCase, starting_bearing
 from nonhertz.io.casefile import starting_case
 from nonhertz.web import limits
 from nonhertz.web.form.fields import FormField
@@ -77,7 +77,7 @@ def changed(document: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
 
 
 def solved(document: dict[str, Any], method: str) -> nh.bearing.BearingSolution:
-    case = bearing_in(document, Path("b.toml"))
+    case = BearingCase.of(document, Path("b.toml"))
     return nh.bearing.solve(case.bearing, **case.prescribed, method=method)
 
 

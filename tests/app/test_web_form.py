@@ -18,7 +18,7 @@ from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import in_unit
 from nonhertz.io.bearingfile import BEARING_TEMPLATES, bearing_schema, starting_bearing
 from nonhertz.io.casefile import TEMPLATES as TEMPLATES_OF_CASES
-from nonhertz.io.casefile import case_in, schema, starting_case
+from nonhertz.io.casefile import Case, schema, starting_case
 from nonhertz.io.mistakes import path_of
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.materials import MATERIALS
@@ -385,7 +385,7 @@ def test_sliders_stand_where_the_value_is():
 @pytest.mark.parametrize("name", [None, *TEMPLATES_OF_CASES])
 def test_sliders_of_a_load_end_at_what_steel_bears(name):
     document = tomllib.loads(starting_case(name))
-    contact = case_in(document, Path("case.toml")).contact
+    contact = Case.of(document, Path("case.toml")).contact
     fields = {field.path: field.slider.range for field in form(document).fields if field.slider}
     low, high = contact.interval
     radius = 1.0 / float(contact.curvature(0.5 * (low + high)))
@@ -472,6 +472,6 @@ def test_what_leaving_a_key_out_means(body, depth):
     fields = {field.path: field for field in form(document).fields}
     assert fields["body.a.depth"].default == depth
     assert fields["body.a.material"].default == "steel"
-    made = case_in(document, Path("case.toml")).contact.a
+    made = Case.of(document, Path("case.toml")).contact.a
     assert made.behind.word == depth
     assert made.material == MATERIALS["steel"]

@@ -16,7 +16,7 @@ from desk import Desk
 from few_rollers import SIX, changed
 from numpy.testing import assert_allclose
 
-from nonhertz.io.bearingfile import bearing_in, starting_bearing
+from nonhertz.io.bearingfile import BearingCase, starting_bearing
 
 pytestmark = pytest.mark.browser
 
@@ -268,7 +268,7 @@ def test_a_contact_is_opened_on_the_page_of_contacts(bearing: Desk) -> None:
     bearing.page.wait_for_url("**/contact#c=*")
     bearing.settle()
     assert bearing.page.locator("h1").inner_text() == "six, roller 1 on the outer ring"
-    case = bearing_in(tomllib.loads(FEW), Path("six.toml"))
+    case = BearingCase.of(tomllib.loads(FEW), Path("six.toml"))
     loaded = case.solve()
     assert_allclose(bearing.numbers["Load"], loaded.load[1, 1], rtol=SAME)
     assert_allclose(bearing.numbers["Largest pressure"], loaded.max_pressure[1, 1], rtol=SAME)

@@ -14,7 +14,7 @@ from desk import Desk, packed
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-from nonhertz.io.casefile import case_in, starting_case
+from nonhertz.io.casefile import Case, starting_case
 
 pytestmark = pytest.mark.browser
 
@@ -24,7 +24,7 @@ SAME = 1e-9  # the same solve of the same numbers, through JSON, which keeps all
 def solution_of(**changes: Any) -> nh.Solution:
     document = tomllib.loads(starting_case())
     document["load"] |= changes
-    case = case_in(document, Path("case.toml"))
+    case = Case.of(document, Path("case.toml"))
     return nh.solve(case.contact, **case.prescribed, **case.solver)
 
 

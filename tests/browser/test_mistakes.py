@@ -13,7 +13,7 @@ from desk import Desk, packed
 from numpy.testing import assert_allclose
 
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import case_in, starting_case
+from nonhertz.io.casefile import Case, starting_case
 
 pytestmark = pytest.mark.browser
 
@@ -29,7 +29,7 @@ def sentences_of(path: str, value: Any) -> tuple[str, ...]:
         table = table[key]
     table[last] = value
     with pytest.raises(CaseError) as caught:
-        case_in(document, Path("case.toml"))
+        Case.of(document, Path("case.toml"))
     return caught.value.mistakes
 
 

@@ -14,7 +14,8 @@ from peak import peak_memory
 
 from nonhertz.errors import CaseError
 from nonhertz.io.bounds import MISTAKES
-from nonhertz.io.casefile import case_in, parsed, read_case, starting_case
+from nonhertz.io.casefile import Case, read_case, starting_case
+from nonhertz.io.held import parsed
 
 SEED = 20261
 MANY = 0.01
@@ -273,7 +274,7 @@ def complaints(file: Path | bytes) -> tuple[str, ...]:
         if isinstance(file, Path):
             read_case(file)
         else:
-            case_in(parsed(file.decode("utf-8-sig", "replace"), "case.toml"), Path("case.toml"))
+            Case.of(parsed(file.decode("utf-8-sig", "replace"), "case.toml"), Path("case.toml"))
     except CaseError as error:
         return error.mistakes or ("no mistake is named",)
     except Exception as error:  # noqa: BLE001  (whatever it is, it is what is looked for)

@@ -14,8 +14,9 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import nonhertz as nh
-from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema, read_bearing, starting_bearing
-from nonhertz.io.casefile import parsed, read_case
+from nonhertz.io.bearingfile import BearingCase, bearing_schema, read_bearing, starting_bearing
+from nonhertz.io.casefile import read_case
+from nonhertz.io.held import parsed
 
 KINDS = nh.bearing.RollerBearing.kinds
 ROLLER = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(radius=1200))
@@ -92,7 +93,7 @@ radial = ["20 kN", "5 kN"]
 
 
 def read(text: str) -> BearingCase:
-    return bearing_in(parsed(text, "bearing.toml"), Path("bearing.toml"))
+    return BearingCase.of(parsed(text, "bearing.toml"), Path("bearing.toml"))
 
 
 def changed(text: str, *changes: tuple[str, str]) -> str:
@@ -251,7 +252,7 @@ def test_a_document_from_elsewhere_cannot_have_files_read(tmp_path):
     (tmp_path / "points.csv").write_text("-5, 0.01\n0, 0\n5, 0.01\n", encoding="utf-8")
     text = changed(PLAIN, ('kind = "crown", radius = 1200', 'kind = "tabulated", file = "points.csv"'))
     with pytest.raises(nh.CaseError, match=r"roller\.profile\.file"):
-        bearing_in(tomllib.loads(text), tmp_path / "bearing.toml", files=False)
+        BearingCase.of(tomllib.loads(text), tmp_path / "bearing.toml", files=False)
 
 
 def test_every_key_has_a_meaning():
@@ -739,7 +740,7 @@ def test_a_file_of_a_shape_is_read_beside_the_bearing_file(tmp_path):
     assert case.bearing.inner_shape([0.0, 0.25 * math.pi]).tolist() == pytest.approx([0.004, 0.0])
     assert set(case.attachments) == {"oval.txt"}
     with pytest.raises(nh.CaseError) as caught:
-        bearing_in(parsed(text, "bearing.toml"), path, files=False)
+        BearingCase.of(parsed(text, "bearing.toml"), path, files=False)
     assert caught.value.mistakes == (
         "bearing.inner_shape.file = 'oval.txt' must not be read here: write the angles and deviations into the file.",
     )
@@ -925,7 +926,7 @@ def test_thrust_bearings_have_no_fits():
     ],
 )
 def test_a_contact_of_a_bearing_is_a_case_of_its_own(tmp_path, text, roller, ring):
-    found = bearing_in(tomllib.loads(text), Path("nu.toml"))
+    found = BearingCase.of(tomllib.loads(text), Path("nu.toml"))
     loaded = found.solve()
     path, at = tmp_path / "contact.toml", (roller, ("inner", "outer").index(ring))
     found.contact_case(loaded, roller, ring).write(path)
@@ -942,7 +943,7 @@ def test_a_contact_of_a_bearing_is_a_case_of_its_own(tmp_path, text, roller, rin
 
 
 def test_a_contact_by_slices_says_so_and_one_without_load_is_refused():
-    found = bearing_in(tomllib.loads(PLAIN), Path("nu.toml"))
+    found = BearingCase.of(tomllib.loads(PLAIN), Path("nu.toml"))
     sliced = found.solve("slices")
     case = found.contact_case(sliced, 0)
     assert case.title == "nu, roller 0 on the inner ring, by slices"

@@ -15,7 +15,8 @@ import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.io import reading
 from nonhertz.io.bounds import KEYS, LARGEST_CASE, LOADS, MISTAKES, NESTING, PROFILES, has_long_key
-from nonhertz.io.casefile import parsed, read_case
+from nonhertz.io.casefile import read_case
+from nonhertz.io.held import parsed
 from nonhertz.model.profile import table
 from nonhertz.model.profile.table import LARGEST_FILE, from_file
 

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, case_in, read_case, schema, starting_case
+from nonhertz.io.casefile import Case, read_case, schema, starting_case
 from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.model.profile import CATALOGUE
@@ -40,7 +40,7 @@ def with_body(keys: str) -> str:
 
 def mistakes_of(document: dict[str, Any]) -> tuple[str, ...]:
     try:
-        case_in(document, Path())
+        Case.of(document, Path())
     except CaseError as error:
         return error.mistakes
     return ()
@@ -336,7 +336,7 @@ def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
 
 
 def test_a_life_table_holds_models_and_a_spectrum() -> None:
-    life = case_in(WHOLE, Path()).life
+    life = Case.of(WHOLE, Path()).life
     assert life.contact_angle == pytest.approx(np.radians(12.0))
     assert (life.rollers, life.models) == (14, ("zaretsky", "iso-16281"))
     assert life.spectrum == (LoadCase(load=20e3, share=0.25, tilt=0.5e-3), LoadCase(load=5e3, share=0.75))
@@ -348,7 +348,7 @@ def test_a_life_table_holds_models_and_a_spectrum() -> None:
 
 def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
     document = {name: table for name, table in WHOLE.items() if name != "life"}
-    assert case_in(document, Path()).life.made_models() == tuple(make() for make in MODELS.values())
+    assert Case.of(document, Path()).life.made_models() == tuple(make() for make in MODELS.values())
 
 
 @pytest.mark.parametrize(
@@ -401,7 +401,7 @@ def test_mistakes_in_a_life_table(life: dict[str, Any], sentences: list[str]) ->
 @pytest.mark.parametrize("short", [0.9e-3, -0.9e-3])
 def test_shares_are_taken_to_a_thousandth(short: float) -> None:
     spectrum = [{"load": 1, "share": 0.5}, {"load": 2, "share": 0.5 - short}]
-    assert len(case_in(WHOLE | {"life": {"spectrum": spectrum}}, Path()).life.spectrum) == 2
+    assert len(Case.of(WHOLE | {"life": {"spectrum": spectrum}}, Path()).life.spectrum) == 2
     spectrum[1]["share"] -= 0.2e-3 if short > 0.0 else -0.2e-3
     assert len(mistakes_of(WHOLE | {"life": {"spectrum": spectrum}})) == 1
 
@@ -474,7 +474,7 @@ def places(value: Any, place: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 
 
 def test_the_whole_document_is_sound() -> None:
-    assert case_in(WHOLE, Path()).solver["strips"] == 41
+    assert Case.of(WHOLE, Path()).solver["strips"] == 41
 
 
 @settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])

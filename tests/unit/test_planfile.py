@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import nonhertz as nh
 from nonhertz.io.casefile import starting_case
-from nonhertz.io.planfile import Plan, holds_plan, read_any, read_design, read_plan, starting_plan
+from nonhertz.io.held import holds_plan
+from nonhertz.io.planfile import Plan, read_any, read_design, read_plan, starting_plan
 from nonhertz.io.spreads import Distribution
 
 
@@ -48,6 +50,24 @@ seed = 3
     assert found.spreads["load.tilt"] == (0.0, 0.5e-3)
     assert isinstance(found.spreads["body.a.diameter"], Distribution)
     assert (found.samples.count, found.samples.method, found.samples.seed) == (7, "sobol", 3)
+
+
+def test_a_plan_is_written_with_the_way_to_its_case(folder):
+    made = Plan(
+        read_any(folder / "case.toml"),
+        over={"load.load": "5 kN : 15 kN : 3", "load.tilt": np.array([0.0, 0.5e-3])},
+        quantities=["max_pressure"],
+        title="A study",
+    )
+    assert made.document["over"] == {"load.load": "5 kN : 15 kN : 3", "load.tilt": [0.0, 0.5e-3]}
+    (folder / "studies").mkdir()
+    made.write(folder / "studies" / "plan.toml")
+    found = read_plan(folder / "studies" / "plan.toml")
+    assert found.document["case"] == "../case.toml"
+    assert 'title = "A study"' in found.text
+    assert (found.title, found.quantities, found.samples) == (made.title, made.quantities, made.samples)
+    assert found.spreads == made.spreads
+    assert found.case == made.case
 
 
 TABLES = ("over", "tolerance", "vary")

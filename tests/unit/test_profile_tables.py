@@ -12,8 +12,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, case_in
-from nonhertz.io.casefile import document_of_case as document
+from nonhertz.io.casefile import Case
 from nonhertz.io.profiles import needed_keys
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.inputs import inputs
@@ -32,7 +31,7 @@ NEEDED = {
 
 def case(profile: str, body: str = ROLLER, other: str = "diameter = 60", folder: Path = Path()) -> Case:
     text = f"[body.a]\n{body}\nprofile = [{{ {profile} }}]\n[body.b]\n{other}\n[load]\nload = 5000\n"
-    return case_in(tomllib.loads(text), folder / "case.toml")
+    return Case.of(tomllib.loads(text), folder / "case.toml")
 
 
 def mistakes(profile: str, body: str = ROLLER, other: str = "diameter = 60") -> list[str]:
@@ -54,9 +53,9 @@ def test_every_kind_has_the_drop_at_the_end_of_the_land(kind: str) -> None:
     relief = made.contact.a.relief([9.5, 0.0])
     assert relief[0] - relief[1] == pytest.approx(0.005, rel=1e-12)
     # What is written has no drop any more, but the same relief.
-    table = document(made)["body"]["a"]["profile"][0]
+    table = made.own_document["body"]["a"]["profile"][0]
     assert not {"drop", "at"} & set(table)
-    again = case_in(document(made), Path())
+    again = Case.of(made.own_document, Path())
     y = np.linspace(-9.9, 9.9, 41)
     np.testing.assert_array_equal(again.contact.a.relief(y), made.contact.a.relief(y))
 
@@ -115,7 +114,7 @@ def test_the_radius_of_a_design_load_is_that_of_both_bodies(kind: str) -> None:
             "b": {"diameter": 16.0, "length": 20.0, "profile": {"kind": kind, "load": 2e4}},
         }
     }
-    made = case_in(on_b | {"load": {"load": 1e3}}, Path())
+    made = Case.of(on_b | {"load": {"load": 1e3}}, Path())
     assert made.contact.b.profile == case(f"kind = '{kind}', load = '20 kN'").contact.a.profile
 
 
@@ -258,5 +257,5 @@ def test_a_case_of_python_with_a_drop_is_written() -> None:
     roller = nh.Roller(diameter=16.0, length=20.0, corner_radius=0.5, profile=profile)
     made = nh.Case(nh.Contact(roller, nh.Ring(diameter=60.0)), {"load": 5e3})
     y = np.linspace(-9.9, 9.9, 41)
-    found = case_in(document(made), Path("case.toml"))
+    found = Case.of(made.own_document, Path("case.toml"))
     np.testing.assert_array_equal(found.contact.a.relief(y), roller.relief(y))

@@ -16,7 +16,8 @@ from matplotlib.figure import Figure
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, case_in, parsed, read_case
+from nonhertz.io.casefile import Case, read_case
+from nonhertz.io.held import parsed
 from nonhertz.report import CaseResults, compose, examined, rendered, settled, steps
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import differing_inputs, lives, results
@@ -96,7 +97,7 @@ class Page(HTMLParser):
 
 
 def case_of(text: str, name: str = "case.toml") -> Case:
-    return case_in(parsed(text, name), Path(name), text, files=False)
+    return Case.of(parsed(text, name), Path(name), text, files=False)
 
 
 def found_in(text: str, name: str = "case.toml") -> CaseResults:

@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.bearingfile import bearing_in, starting_bearing
-from nonhertz.io.casefile import parsed
+from nonhertz.io.bearingfile import BearingCase, starting_bearing
+from nonhertz.io.held import parsed
 from nonhertz.report import settled, settled_bearings
 from nonhertz.report.basis import basis
 from nonhertz.report.bearing.basis import bearing_basis
@@ -80,7 +80,7 @@ def test_side_faces_are_named_and_with_them_what_is_measured() -> None:
 
 def test_bearings_by_slices_or_with_other_loads_do_not_compare() -> None:
     document = parsed(starting_bearing(), "bearing.toml")
-    one = bearing_in(document, CASE.path)
+    one = BearingCase.of(document, CASE.path)
     slices = replace(one, solver={"method": "slices"})
     heavy = replace(slices, prescribed=one.prescribed | {"radial": 2e4})
     assert bearing_basis(settled_bearings([slices, slices])) == []

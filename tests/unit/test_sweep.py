@@ -239,7 +239,7 @@ def test_rows_are_written_to_the_last_bit(tmp_path):
 
 def test_a_bearing_is_swept_too():
     from nonhertz.io.bearingfile import starting_bearing
-    from nonhertz.io.casefile import parsed
+    from nonhertz.io.held import parsed
     from nonhertz.io.planfile import case_or_bearing_in
 
     text = starting_bearing()

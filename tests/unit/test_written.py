@@ -9,8 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import case_in, read_case
-from nonhertz.io.casefile import document_of_case as document
+from nonhertz.io.casefile import Case, read_case
 from nonhertz.io.results import as_json, as_object
 from nonhertz.io.sections import Life, OverrolledDent
 from nonhertz.life import LoadCase
@@ -44,7 +43,7 @@ def made(profile=None, **changes):
 
 
 def back(case):
-    return case_in(document(case), Path("case.toml"), files=False)
+    return Case.of(case.own_document, Path("case.toml"), files=False)
 
 
 def test_every_kind_of_profile_is_tried():
@@ -61,7 +60,7 @@ def test_every_kind_of_profile_is_written_as_it_was_made(kind, tmp_path):
     assert found.prescribed == case.prescribed
     y = np.linspace(-9.0, 9.0, 101)
     np.testing.assert_array_equal(found.contact.separation(y), case.contact.separation(y))
-    tables = document(case)["body"]["a"].get("profile", [])
+    tables = case.own_document["body"]["a"].get("profile", [])
     assert [table["kind"] for table in tables] == ([] if kind == "straight" else [kind])
 
 
@@ -83,7 +82,7 @@ def test_flipped_profiles_are_written_too(kind):
     case = made(profile.scaled(0.5).shifted(0.125))
     y = np.linspace(-8.0, 8.0, 101)
     np.testing.assert_allclose(back(case).contact.separation(y), case.contact.separation(y), rtol=1e-12, atol=1e-15)
-    first, second = document(case)["body"]["a"]["profile"]
+    first, second = case.own_document["body"]["a"]["profile"]
     assert first["flip"] is True
     assert "flip" not in second
 
@@ -94,7 +93,7 @@ def test_the_examples_come_back_as_they_are_and_need_no_other_file(path, tmp_pat
     case.write(tmp_path / "again.toml")
     again = read_case(tmp_path / "again.toml")
     assert again == case
-    assert '"file"' not in json.dumps(document(case))
+    assert '"file"' not in json.dumps(case.own_document)
 
 
 BODIES = {
@@ -170,13 +169,13 @@ def test_a_case_is_written_to_a_file_and_to_nothing_else():
 @pytest.mark.parametrize("value", [2, 0, "1", True])
 def test_other_formats_of_case_files_are_refused(value):
     with pytest.raises(nh.CaseError, match=r"format = .* must be 1, the newest format this release reads"):
-        case_in(document(made()) | {"format": value}, Path("case.toml"))
+        Case.of(made().own_document | {"format": value}, Path("case.toml"))
 
 
 def test_files_without_a_format_are_read():
-    found = document(made())
+    found = made().own_document
     del found["format"]
-    assert case_in(found, Path("case.toml")) == made()
+    assert Case.of(found, Path("case.toml")) == made()
 
 
 # Results
@@ -270,7 +269,7 @@ def test_what_materials_bear_is_written_as_it_was_given(tmp_path):
 
 
 def test_what_is_not_known_is_not_written():
-    table = document(made(material=nh.Material(210000, 0.3)))["body"]["a"]
+    table = made(material=nh.Material(210000, 0.3)).own_document["body"]["a"]
     assert table["material"] == {"modulus": 210000.0, "poisson": 0.3}
     assert "case_depth" not in table
 

@@ -9,8 +9,9 @@ from typing import Any
 
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case, case_text, parsed
-from nonhertz.io.planfile import DESIGN, case_or_bearing_in, design_in, holds_plan, plan_in
+from nonhertz.io.casefile import Case
+from nonhertz.io.held import holds_plan, opened
+from nonhertz.io.planfile import DESIGN, Plan, case_or_bearing_in, design_in
 
 _UNITS = {
     **dict.fromkeys(("load", "radial", "axial"), "N"),
@@ -29,8 +30,7 @@ def checked(path: Path, changes: Mapping[str, Any]) -> str:
     CaseError
         With every mistake in the file.
     """
-    text = case_text(path)
-    document = parsed(text, str(path))
+    document, _, text = opened(path, "case")
     if holds_plan(document):
         return f"{path} is fine: {_plan(document, path, changes)}."
     case = case_or_bearing_in(document, path, text, changes)
@@ -61,7 +61,7 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
 
     said = []
     for table, what in (("over", "a sweep"), ("tolerance", "a tolerance study")):
-        plan = plan_in(document, path, table, changes)
+        plan = Plan.of(document, path, changes=changes, table=table)
         try:
             chosen(plan.quantities, bearing=plan.template.is_bearing)
             if table in document:
@@ -72,7 +72,7 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
     if DESIGN in document:
         from nonhertz.study.design import checked as checked_design
 
-        case, given = design_in(document, path, changes)
+        case, given = design_in(document, path, changes=changes)
         try:
             checked_design(case, **given)
         except InputError as error:

@@ -325,9 +325,10 @@ def life(
         Print one JSON object instead of the table.
     """
     from nonhertz.cli.life import check_models, report_lives
-    from nonhertz.io.casefile import named, read_case
+    from nonhertz.io.casefile import read_case
     from nonhertz.io.changes import changes_in
     from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.io.held import named
 
     _show_in(units)
     check_models(model)
@@ -851,7 +852,8 @@ def new(
     """
     from nonhertz.cli.options import named_as
     from nonhertz.io.bearingfile import starting_bearing
-    from nonhertz.io.casefile import starting_case, write_new
+    from nonhertz.io.casefile import starting_case
+    from nonhertz.io.held import write_new
     from nonhertz.io.planfile import starting_plan
 
     if plan and template is not None:

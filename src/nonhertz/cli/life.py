@@ -16,7 +16,8 @@ from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.solve import spectrum_or_not
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
-from nonhertz.io.casefile import Case, named
+from nonhertz.io.casefile import Case
+from nonhertz.io.held import named
 from nonhertz.io.lives import Assessment
 from nonhertz.io.lives import as_json as as_json_text
 from nonhertz.life import MODELS

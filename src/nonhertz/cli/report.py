@@ -9,9 +9,10 @@ from typing import Any
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
 from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case, case_text, named, parsed
+from nonhertz.io.casefile import Case
 from nonhertz.io.folder import write_files
-from nonhertz.io.planfile import case_or_bearing_in
+from nonhertz.io.held import named
+from nonhertz.io.planfile import read_any
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.report import (
     MARK,
@@ -67,10 +68,8 @@ def _read_all(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case | 
 
 def _silently(path: Path, changes: Mapping[str, Any]) -> Case | BearingCase:
     """Return a case or a bearing without issuing warnings; the report shows them."""
-    text = case_text(path)
-    document = parsed(text, str(path))
     with without_accuracy_warnings():
-        return case_or_bearing_in(document, path, text, changes)
+        return read_any(path, changes)
 
 
 def target(out: Path | None, cases: Sequence[Path]) -> Path:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from nonhertz.io.casefile import case_in, case_text, holds_bearing, parsed, starting_case
+from nonhertz.io.casefile import Case, starting_case
+from nonhertz.io.held import meant_as, opened, parsed
 
 
 class Start(NamedTuple):
@@ -42,14 +43,13 @@ def starting_document(path: Path | None) -> Start:
     if path is None:
         text = starting_case()
         return Start(parsed(text, "case.toml"), (), text)
-    from nonhertz.io.bearingfile import bearing_in
+    from nonhertz.io.bearingfile import BearingCase
     from nonhertz.web.form.inlining import inlined, inlined_bearing
     from nonhertz.web.limits import slow, slow_bearing
 
-    text = case_text(path)
-    document = parsed(text, str(path))
-    bearing = holds_bearing(document)
-    title = (bearing_in if bearing else case_in)(document, path).title
+    document, _, text = opened(path, "case")
+    bearing = meant_as(document) == "bearing"
+    title = (BearingCase if bearing else Case).of(document, path).title
     changed, notes = (inlined_bearing if bearing else inlined)(document, path.parent)
     _refuse(changed, (slow_bearing if bearing else slow)(changed))
     return Start({"title": title} | changed, notes, text)

@@ -16,8 +16,8 @@ from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import InputError
 from nonhertz.inputs.files import legible
-from nonhertz.io.casefile import case_text, parsed
-from nonhertz.io.planfile import Plan, case_or_bearing_in, holds_plan, plan_in
+from nonhertz.io.held import holds_plan, opened
+from nonhertz.io.planfile import Plan, case_or_bearing_in
 from nonhertz.result.reading import chosen
 from nonhertz.show.studies import SWEEP_COLUMNS, failure_rows, sweep_rows, varied_rows
 from nonhertz.study.sweeps import Progress, Sweep, sweep
@@ -35,15 +35,14 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
     InputError
         If an option cannot be read, named as on the command line.
     """
-    text = case_text(file, "plan file or case file", "nonhertz new --plan")
-    document = parsed(text, str(file))
+    document, _, text = opened(file, "plan", "case")
     if not holds_plan(document):
         plan = Plan(case_or_bearing_in(document, file, text, changes), path=file)
     elif over:
         remedy = "write it into the plan, or give the case file in place of the plan"
         raise InputError("--over", over[0], "vary a case file", remedy)
     else:
-        plan = plan_in(document, file, table, changes)
+        plan = Plan.of(document, file, text, changes, table)
     try:
         return plan.changed(over=dict(map(_path_and_values, over)) or None, quantities=tuple(quantities) or None)
     except InputError as error:

@@ -51,6 +51,14 @@ def legible(name: str) -> str:
     return "".join(character if character.isprintable() else "\ufffd" for character in text)
 
 
+def seen_from(directory: Path, file: Path) -> Path:
+    """Return the path of a file relative to a directory."""
+    try:
+        return Path(os.path.relpath(file, directory))
+    except ValueError:  # on another drive
+        return file.absolute()
+
+
 def special(path: str | os.PathLike[str]) -> bool:
     """Return whether a path leads to a device, a pipe or a socket: something that is neither a file nor a directory."""
     try:

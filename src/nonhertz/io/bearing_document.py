@@ -7,7 +7,7 @@ second row like the first within it.
 from __future__ import annotations
 
 from dataclasses import fields
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import InnerRing, OuterRing, Pair, Paired, RollerBearing, Rollers, paired
@@ -26,9 +26,6 @@ from nonhertz.io.shape_tables import read_shape, shape_schema, shape_tables
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.io.writing import document_of
 from nonhertz.life.spectrum import at_most_whole
-
-if TYPE_CHECKING:
-    from nonhertz.io.bearingfile import BearingCase
 
 PARTS = ("roller", "inner", "outer")
 SHAPES = ("inner_shape", "outer_shape")
@@ -246,8 +243,8 @@ def schema() -> Schema:
     return whole | {"properties": sections, "$defs": tables}
 
 
-def document(case: BearingCase) -> dict[str, Any]:
-    """Return a bearing with its loads as the document of a bearing file.
+def bearing_sections(bearing: RollerBearing | Paired) -> dict[str, Any]:
+    """Return the sections of a bearing and of its parts.
 
     Raises
     ------
@@ -255,7 +252,7 @@ def document(case: BearingCase) -> dict[str, Any]:
         If no bearing file can hold it: a profile, diameter or shape of a raceway of a user-defined class, or rows that
         are not two equal ones.
     """
-    row = case.bearing.rows[0].bearing
+    row = bearing.rows[0].bearing
     if type(row) not in RollerBearing.kinds.values():
         condition = "be of a kind that a bearing file knows"
         raise InputError("bearing", type(row).__name__, condition, "solve such a bearing in Python")
@@ -266,28 +263,11 @@ def document(case: BearingCase) -> dict[str, Any]:
         if each.name not in (*PARTS, *SHAPES) and (value := getattr(row, each.name)) != default_of(each)
     }
     word = next(word for word, kind in row.kinds.items() if kind is type(row))
-    pair = {"pair": document_of(Pair.of(case.bearing))} if isinstance(case.bearing, Paired) else {}
-    found: dict[str, Any] = {"format": FORMAT} | ({"title": case.title} if case.title else {})
-    found["bearing"] = {"kind": word} | table | shapes | pair
+    pair = {"pair": document_of(Pair.of(bearing))} if isinstance(bearing, Paired) else {}
+    found: dict[str, Any] = {"bearing": {"kind": word} | table | shapes | pair}
     for name in PARTS:
         try:
             found[name] = document_of(getattr(row, name), name=name)
         except InputError as error:
             raise error.within(name) from None
-    found["load"] = _given(case.prescribed)
-    if case.fit:
-        found["fit"] = _given(case.fit)
-    found["solver"] = _given(case.solver)
-    life = _given(case.life, without="speed")
-    if case.spectrum:
-        life["spectrum"] = [document_of(each) for each in case.spectrum]
-    block = document_of(case.title_block, defaults=False)
-    return found | ({"life": life} if life else {}) | ({"report": block} if block else {})
-
-
-def _given(values: dict[str, Any], without: str = "") -> dict[str, Any]:
-    return {
-        name: document_of(value, name=name, defaults=False)
-        for name, value in values.items()
-        if value is not None and name != without
-    }
+    return found

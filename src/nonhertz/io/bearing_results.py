@@ -16,7 +16,6 @@ from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
-from nonhertz.io.bearing_document import document
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.results import key_by_key, plain
 
@@ -100,7 +99,7 @@ def as_object(
         "life_reason": reason,
         "warnings": list(warnings),
         "units": UNITS,
-        "case": document(case),
+        "case": case.own_document,
     }
 
 

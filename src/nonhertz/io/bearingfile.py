@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import Paired, RollerBearing
@@ -18,17 +18,19 @@ from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError
-from nonhertz.inputs.checks import one_line, one_of, whole
-from nonhertz.inputs.files import legible
-from nonhertz.io.casefile import OF_BEARINGS, Case, as_toml, case_text, parsed, starting_text, write_document
-from nonhertz.io.changes import changed
+from nonhertz.inputs.checks import one_of, whole
+from nonhertz.io.bearing_document import bearing_sections, of_fit, radius_across, read_document, schema
+from nonhertz.io.casefile import Case
+from nonhertz.io.held import OF_BEARINGS, HeldCase, starting_text
+from nonhertz.io.mistakes import Mistake, case_error
+from nonhertz.io.reading import Surroundings, place_of
 from nonhertz.io.title_block import TitleBlock
+from nonhertz.io.writing import document_of
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.solution import BearingSolution
-    from nonhertz.io.origin import Origin
 
 _SECTIONS: dict[str, tuple[str, ...]] = {
     "fit": tuple(Mounting.descriptions),
@@ -39,8 +41,14 @@ _SECTIONS: dict[str, tuple[str, ...]] = {
 }
 
 
+@cache
+def bearing_schema() -> Mapping[str, Any]:
+    """Return the JSON schema of a bearing file, with the meaning and the unit of every key; made once, only read."""
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema()
+
+
 @dataclass(frozen=True)
-class BearingCase:
+class BearingCase(HeldCase):
     """A bearing, what loads it, how that is solved, and how its life is assessed.
 
     Attributes
@@ -55,17 +63,11 @@ class BearingCase:
         Viscosity, contamination, reliability and so on: keywords for `nonhertz.bearing.assess`.
     spectrum : tuple of LoadCase
         The loads under which life is assessed, in place of what is prescribed; empty if there are none.
-    title : str
-        What the bearing is called; the file's name if the file has none.
-    path : Path
-        The file it was read from; other file names are relative to it.
     fit : dict
         Seats and temperatures: keywords for `nonhertz.bearing.operating_clearance` but for the speed, which is that of
         ``prescribed``. The clearance of ``bearing`` is then the one before it is mounted.
-    title_block : TitleBlock
-        What the head of a report says beside the title.
-    origin : Origin or None
-        What the file held; None for a case made in Python, and for a changed copy made with ``dataclasses.replace``.
+    title, path, title_block, origin
+        As of `HeldCase`.
 
     Raises
     ------
@@ -89,81 +91,57 @@ class BearingCase:
     prescribed: dict[str, Any] = field(default_factory=dict)
     solver: dict[str, Any] = field(default_factory=dict)
     life: dict[str, Any] = field(default_factory=dict)
-    title: str = ""
-    path: Path = field(default=Path("bearing.toml"), compare=False)
-    spectrum: tuple[LoadCase, ...] = ()
-    fit: dict[str, Any] = field(default_factory=dict)
-    title_block: TitleBlock = field(default_factory=TitleBlock)
-    # No argument, so that a changed copy does not carry the text of the case it was made from.
-    origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
+    path: Path = field(default=Path("bearing.toml"), compare=False, kw_only=True)
+    spectrum: tuple[LoadCase, ...] = field(default=(), kw_only=True)
+    fit: dict[str, Any] = field(default_factory=dict, kw_only=True)
+
+    parts: ClassVar = {"title_block": TitleBlock}
+    keywords: ClassVar = {"prescribed" if name == "load" else name: known for name, known in _SECTIONS.items()}
+    schema: ClassVar = staticmethod(bearing_schema)
+    kind: ClassVar = "bearing"
 
     def __post_init__(self) -> None:
         if not isinstance(self.bearing, RollerBearing | Paired):
             remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
             raise InputError("bearing", self.bearing, "be a bearing", remedy)
-        for name, value, kind in (
-            ("title", self.title, str),
-            ("path", self.path, Path),
-            ("title_block", self.title_block, TitleBlock),
-        ):
-            if not isinstance(value, kind):
-                raise InputError(name, value, f"be a {kind.__name__}", "make the case with one")
+        super().__post_init__()
         if not (isinstance(self.spectrum, tuple) and all(isinstance(each, LoadCase) for each in self.spectrum)):
             remedy = "make them with nonhertz.bearing.LoadCase, and leave the tuple empty for one load"
             raise InputError("spectrum", self.spectrum, "be a tuple of load cases", remedy)
-        one_line("title", self.title, "give a short name")
-        for name, given, section in (
-            ("prescribed", self.prescribed, "load"),
-            ("solver", self.solver, "solver"),
-            ("life", self.life, "life"),
-            ("fit", self.fit, "fit"),
-        ):
-            known = _SECTIONS[section]
-            if not isinstance(given, dict) or not set(given) <= set(known):
-                raise InputError(name, given, f"be a dictionary of {', '.join(known)}", "give no other names")
         if self.fit and not {"shaft", "housing"} <= set(self.fit):
             remedy = "make them with nonhertz.bearing.Shaft and Housing"
             raise InputError("fit", self.fit, "hold shaft and housing", remedy)
 
-    @property
-    def file_name(self) -> str:
-        """The name of its file, without the directory."""
-        return legible(self.path.name)
+    @staticmethod
+    def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
+        """Return the title and the fields of a bearing in a document."""
+        found = read_document(document, Surroundings(folder, radius_across(document)))
+        load, life = found.load, found.life
+        loads = document["life"]["spectrum"] if life.spectrum else []
+        conditions = {name: value for name in LifeConditions.descriptions if (value := getattr(life, name)) is not None}
+        speed = {} if life.viscosity is None else {"speed": load.speed if "speed" in document["load"] else None}
+        return {
+            "title": found.title,
+            "bearing": found.bearing,
+            "prescribed": {name: getattr(load, name) for name in BearingLoad.descriptions if name in document["load"]},
+            "solver": dict(vars(found.solver)),
+            "life": conditions | speed,
+            "fit": {} if found.fit is None else {name: getattr(found.fit, name) for name in document["fit"]},
+            "spectrum": tuple(
+                case if "speed" in table else replace(case, speed=load.speed)
+                for case, table in zip(life.spectrum, loads, strict=True)
+            ),
+            "title_block": found.report,
+        }
 
-    @property
-    def document(self) -> dict[str, Any]:
-        """What its file holds, or would hold.
-
-        Raises
-        ------
-        InputError
-            If no bearing file can hold it; see `write`.
-        """
-        from nonhertz.io.bearing_document import document
-
-        return document(self) if self.origin is None else self.origin.document
-
-    @property
-    def text(self) -> str:
-        """The text of its file, or what `write` would write.
-
-        Raises
-        ------
-        InputError
-            If no bearing file can hold it; see `write`.
-        """
-        text = None if self.origin is None else self.origin.text
-        return as_toml(self.document) if text is None else text
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """Warnings raised when its file was read, such as gaps in a measured profile."""
-        return () if self.origin is None else self.origin.notes
-
-    @property
-    def attachments(self) -> Mapping[str, bytes]:
-        """Contents of the files that its file names, by name; missing and too large ones are left out."""
-        return {} if self.origin is None else self.origin.attachments
+    def sections(self) -> dict[str, Any]:
+        """Return the sections of its file."""
+        life = {name: value for name, value in self.life.items() if name != "speed"}
+        life |= {"spectrum": document_of(self.spectrum)} if self.spectrum else {}
+        given = {"load": self.prescribed, "fit": self.fit, "solver": self.solver, "life": life}
+        found = document_of(given | {"report": self.title_block}, defaults=False)
+        needed = {name: each for name, each in found.items() if each or name in {"load", "solver"}}
+        return bearing_sections(self.bearing) | needed
 
     @property
     def operating_clearance(self) -> OperatingClearance | None:
@@ -312,22 +290,6 @@ class BearingCase:
             title_block=self.title_block,
         )
 
-    def write(self, path: str | Path) -> None:
-        """Write the bearing to a file that `read_bearing` reads back as the same.
-
-        Values are in mm, N, MPa, rad and 1/min. The points of measured and tabulated profiles are written into the
-        file, so it needs no other file. An existing file is overwritten.
-
-        Raises
-        ------
-        InputError
-            If the file cannot be written, or the bearing has something no file can hold: a profile, a diameter or
-            the shape of a raceway of a user-defined class, or rows that are not two equal ones.
-        """
-        from nonhertz.io.bearing_document import document
-
-        write_document(lambda: document(self), path)
-
 
 def read_bearing(path: str | Path, changes: Mapping[str, Any] | None = None) -> BearingCase:
     """Return the bearing in a file.
@@ -352,86 +314,7 @@ def read_bearing(path: str | Path, changes: Mapping[str, Any] | None = None) -> 
     InputError
         If ``path`` is not the name of a file, or ``changes`` not a mapping.
     """
-    if not isinstance(path, str | Path):
-        raise InputError("path", path, "be the name of a bearing file", "give a string or a Path")
-    path = Path(path)
-    text = case_text(path, "bearing file", "nonhertz new --bearing")
-    document = parsed(text, str(path))
-    if "body" in document and "bearing" not in document:
-        raise CaseError([f"{path} must hold a bearing, not a single contact: use 'nonhertz solve {path}'."])
-    return bearing_in(document, path, text, changes=changes)
-
-
-def bearing_in(
-    document: dict[str, Any],
-    path: Path,
-    text: str | None = None,
-    *,
-    files: bool = True,
-    changes: Mapping[str, Any] | None = None,
-) -> BearingCase:
-    """Return the bearing in a document that has already been parsed.
-
-    Parameters
-    ----------
-    document : dict
-        What a TOML file holds.
-    path : Path
-        Where it came from; the names of other files are relative to it.
-    text : str, optional
-        What it was parsed from.
-    files : bool
-        Whether it may name files; False for an untrusted document, which must not make us read any.
-    changes : mapping of str to object, optional
-        Values in place of those in the document, by dotted path, as of `read_bearing`.
-
-    Raises
-    ------
-    CaseError
-        With every mistake in the document, one sentence each.
-    """
-    # Imported here: they import this module.
-    from nonhertz.io.bearing_document import radius_across, read_document
-    from nonhertz.io.mistakes import TableError, case_error, in_order
-    from nonhertz.io.origin import Origin, with_notes
-    from nonhertz.io.reading import Surroundings
-
-    if changes is not None:
-        document, text = changed(document, text, changes, bearing_schema, legible(path.stem))
-    folder = path.parent if files else None
-    file = Surroundings(folder, radius_across(document))
-    try:
-        found, notes = with_notes(lambda: read_document(document, file))
-    except TableError as error:
-        raise case_error(in_order(error.mistakes, document)) from None
-    load, life = found.load, found.life
-    loads = document["life"]["spectrum"] if life.spectrum else []
-    conditions = {name: value for name in LifeConditions.descriptions if (value := getattr(life, name)) is not None}
-    case = BearingCase(
-        title=found.title or legible(path.stem),
-        bearing=found.bearing,
-        prescribed={name: getattr(load, name) for name in BearingLoad.descriptions if name in document["load"]},
-        solver=dict(vars(found.solver)),
-        life=conditions
-        | ({} if life.viscosity is None else {"speed": load.speed if "speed" in document["load"] else None}),
-        fit={} if found.fit is None else {name: getattr(found.fit, name) for name in document["fit"]},
-        path=path,
-        spectrum=tuple(
-            case if "speed" in table else replace(case, speed=load.speed)
-            for case, table in zip(life.spectrum, loads, strict=True)
-        ),
-        title_block=found.report,
-    )
-    object.__setattr__(case, "origin", Origin(document, text, notes, folder))
-    return case
-
-
-@cache
-def bearing_schema() -> Mapping[str, Any]:
-    """Return the JSON schema of a bearing file, with the meaning and the unit of every key; made once, only read."""
-    from nonhertz.io.bearing_document import schema
-
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema()
+    return BearingCase.read(path, changes)
 
 
 #: Bearings whose files `starting_bearing` returns, by name, in words.
@@ -466,10 +349,6 @@ def placed(error: InputError, *sections: str) -> CaseError:
 
     An error about something that is in no file, such as the approach of a contact, comes from the loads.
     """
-    from nonhertz.io.bearing_document import of_fit
-    from nonhertz.io.mistakes import Mistake, case_error
-    from nonhertz.io.reading import place_of
-
     field = error.field.partition(".")[0]
     if sections == ("fit",):
         error = of_fit(error)

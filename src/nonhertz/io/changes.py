@@ -75,7 +75,7 @@ def changed(
     if not changes:
         return document, text
     # Imported here: they import this module.
-    from nonhertz.io.casefile import as_toml
+    from nonhertz.io.held import as_toml
     from nonhertz.io.paths import drops_first, parameter, parameters
 
     whole, known, mistakes = document, schema(), []

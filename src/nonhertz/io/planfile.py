@@ -10,20 +10,23 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
-from nonhertz.inputs.checks import one_line, one_of
-from nonhertz.inputs.files import legible
-from nonhertz.io.bearingfile import BearingCase, bearing_in, bearing_schema
-from nonhertz.io.casefile import Case, case_in, case_text, holds_bearing, named, parsed, schema, starting_text
+from nonhertz.inputs.checks import one_of
+from nonhertz.inputs.files import legible, seen_from
+from nonhertz.io.bearingfile import BearingCase, bearing_schema
+from nonhertz.io.casefile import Case, schema
 from nonhertz.io.forms import with_form
+from nonhertz.io.held import Held, holds_plan, meant_as, named, opened, starting_text
 from nonhertz.io.mistakes import Mistake, TableError, case_error, in_order
+from nonhertz.io.origin import Origin
 from nonhertz.io.paths import FORM, Parameter, drops_first, parameter, parameters
 from nonhertz.io.plan_document import PlanDocument
 from nonhertz.io.reading import read, schema_of_file
 from nonhertz.io.sampling import Sampling
 from nonhertz.io.spreads import Distribution, Spread, spread_in
+from nonhertz.io.writing import document_of
 from nonhertz.life import model
 from nonhertz.result.numerals import digits
 
@@ -95,11 +98,11 @@ class Template:
         """
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", AccuracyWarning)
-            return (bearing_in if self.is_bearing else case_in)(document, self.path)
+            return (BearingCase if self.is_bearing else Case).of(document, self.path)
 
 
 @dataclass(frozen=True)
-class Plan:
+class Plan(Held):
     """A case or a bearing, and what of it is varied.
 
     Parameters
@@ -114,10 +117,8 @@ class Plan:
         How samples are drawn.
     quantities : tuple of str
         Names of the numbers that a row holds; the usual ones if empty.
-    title : str
-        What the study is called.
-    path : Path
-        The file it was read from.
+    title, path, origin
+        As of `Held`; the title of the case if there is none.
 
     Raises
     ------
@@ -141,20 +142,17 @@ class Plan:
     over: Mapping[str, Any] = field(default_factory=dict)
     samples: Sampling = field(default_factory=Sampling)
     quantities: tuple[str, ...] = ()
-    title: str = ""
-    path: Path = field(default=Path("plan.toml"), compare=False)
+    path: Path = field(default=Path("plan.toml"), compare=False, kw_only=True)
+
+    kind: ClassVar = "plan"
+    parts: ClassVar = {"samples": Sampling}
 
     def __post_init__(self) -> None:
         if not isinstance(self.case, Case | BearingCase):
             remedy = "read one with nonhertz.read_case or nonhertz.read_bearing"
             raise InputError("case", self.case, "be a case or a bearing case", remedy)
-        if not isinstance(self.title, str) or not isinstance(self.path, Path):
-            name, kind = ("path", "a Path") if isinstance(self.title, str) else ("title", "text")
-            raise InputError(name, getattr(self, name), f"be {kind}", "make the plan with one")
         if not isinstance(self.over, Mapping) or not all(isinstance(path, str) for path in self.over):
             raise InputError("over", self.over, "be a dictionary", "map paths to what they run over")
-        if not isinstance(self.samples, Sampling):
-            raise InputError("samples", self.samples, "be a Sampling", "make one with nonhertz.study.Sampling")
         names = self.quantities
         if (
             isinstance(names, str)
@@ -163,8 +161,8 @@ class Plan:
         ):
             raise InputError("quantities", names, "be names", "give a list of names, such as ['max_pressure']")
         object.__setattr__(self, "quantities", tuple(names))
+        super().__post_init__()
         object.__setattr__(self, "title", self.title or self.case.title)
-        one_line("title", self.title, "give a short name")
         template = Template(self.case.document, self.case.path, isinstance(self.case, BearingCase))
         object.__setattr__(self, "template", template)
         spreads = {path: self.tried(path, given) for path, given in self.over.items()}
@@ -176,6 +174,59 @@ class Plan:
     spreads: Mapping[str, Spread] = field(init=False, repr=False, compare=False)
     #: The case's file, with other values wherever a row has them.
     template: Template = field(init=False, repr=False, compare=False)
+
+    @classmethod
+    def of(
+        cls,
+        document: dict[str, Any],
+        path: Path,
+        text: str | None = None,
+        changes: Mapping[str, Any] | None = None,
+        table: str = "over",
+    ) -> Plan:
+        """Return the plan in a document that has already been parsed.
+
+        All of its tables are read, whichever says what is varied. ``changes`` are values in place of those in the file
+        of its case.
+
+        Raises
+        ------
+        CaseError
+            With every mistake in the document.
+        """
+        kind = meant_as(document)
+        if kind and not holds_plan(document):
+            remedy = f"begin with one from 'nonhertz new --plan', and name the {kind} file in it"
+            raise CaseError([f"{path} must be a plan, and holds a {kind}: {remedy}."], [""])
+        try:
+            found = read(PlanDocument, document)
+        except TableError as error:
+            raise case_error(in_order(error.mistakes, document)) from None
+        file = path.parent / found.case
+        with named(file):
+            case = read_any(file, changes)
+        bare, mistakes = Plan(case), []
+        for section in TABLES:
+            for varied, given in getattr(found, section).items():
+                try:
+                    bare.tried(varied, given)
+                except InputError as error:
+                    here = InputError(varied, given, error.condition, error.remedy)
+                    mistakes.append(Mistake((section, *varied.split(".")), here))
+        try:
+            title = found.title or legible(path.stem)
+            plan = Plan(case, {}, found.samples, found.quantities, title=title, path=path)
+        except InputError as error:
+            mistakes.append(Mistake((error.field,), error))
+        if mistakes:
+            raise case_error(mistakes)
+        return plan.changed(over=getattr(found, table)).held_in(Origin(document, text, (), path.parent))
+
+    def sections(self) -> dict[str, Any]:
+        """Return the sections of its file."""
+        parts = {"over": self.over, "samples": self.samples, "quantities": self.quantities}
+        rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}
+        return {"case": seen_from(self.path.parent, self.case.path).as_posix()} | rest
 
     def changed(
         self,
@@ -230,17 +281,6 @@ def _extremes(spread: Spread) -> Iterator[Any]:
         yield from (min(spread), max(spread))
 
 
-def holds_plan(document: Mapping[str, Any]) -> bool:
-    """Return whether a document is meant as a plan rather than as a case.
-
-    Examples
-    --------
-    >>> holds_plan({"case": "roller.toml", "over": {}}), holds_plan({"body": {}, "load": {}})
-    (True, False)
-    """
-    return "case" in document or any(name in document for name in (*TABLES, DESIGN))
-
-
 def read_any(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case | BearingCase:
     """Return the case or the bearing in a file, whichever it holds, with other values by path.
 
@@ -249,9 +289,7 @@ def read_any(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case
     CaseError
         With every mistake in the file.
     """
-    path = Path(path)
-    text = case_text(path, "case file or bearing file")
-    return case_or_bearing_in(parsed(text, str(path)), path, text, changes)
+    return case_or_bearing_in(*opened(path, "case", "bearing"), changes)
 
 
 def case_or_bearing_in(
@@ -264,7 +302,8 @@ def case_or_bearing_in(
     CaseError
         With every mistake in the document.
     """
-    return (bearing_in if holds_bearing(document) else case_in)(document, path, text, changes=changes)
+    kind = BearingCase if meant_as(document) == "bearing" else Case
+    return kind.of(document, path, text, changes=changes)
 
 
 def read_plan(path: str | Path, table: str = "over") -> Plan:
@@ -284,48 +323,8 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
     InputError
         If ``path`` is not the name of a file.
     """
-    if not isinstance(path, str | Path):
-        raise InputError("path", path, "be the name of a plan file", "give a string or a Path")
     one_of("table", table, TABLES, "name the one that is meant")
-    path = Path(path)
-    return plan_in(parsed(case_text(path, "plan file", "nonhertz new --plan"), str(path)), path, table)
-
-
-def plan_in(
-    document: dict[str, Any], path: Path, table: str = "over", changes: Mapping[str, Any] | None = None
-) -> Plan:
-    """Return the plan in a document that has already been parsed; names of files are relative to ``path``.
-
-    All of its tables are read, whichever says what is varied. ``changes`` are values in place of those in the file of
-    its case, by path.
-
-    Raises
-    ------
-    CaseError
-        With every mistake in the document.
-    """
-    held = next((kind for kind, table in (("case", "body"), ("bearing", "bearing")) if table in document), "")
-    if held and not holds_plan(document):
-        remedy = f"begin with one from 'nonhertz new --plan', and name the {held} file in it"
-        raise CaseError([f"{path} must be a plan, and holds a {held}: {remedy}."], [""])
-    try:
-        found = read(PlanDocument, document)
-    except TableError as error:
-        raise case_error(in_order(error.mistakes, document)) from None
-    file = path.parent / found.case
-    with named(file):
-        case = read_any(file, changes)
-    bare, mistakes = Plan(case), []
-    for section in TABLES:
-        for varied in getattr(found, section).items():
-            mistakes += _mistake(section, bare, *varied)
-    try:
-        plan = Plan(case, {}, found.samples, found.quantities, found.title or legible(path.stem), path)
-    except InputError as error:
-        mistakes.append(Mistake((error.field,), error))
-    if mistakes:
-        raise case_error(mistakes)
-    return plan.changed(over=getattr(found, table))
+    return Plan.of(*opened(path, "plan"), table=table)
 
 
 def starting_plan() -> str:
@@ -336,15 +335,6 @@ def starting_plan() -> str:
 def plan_schema() -> dict[str, Any]:
     """Return the JSON schema of a plan file, with the meaning of every key."""
     return schema_of_file(PlanDocument)
-
-
-def _mistake(section: str, plan: Plan, path: str, given: Any) -> list[Mistake]:
-    """Return what is wrong with what a path runs over."""
-    try:
-        plan.tried(path, given)
-    except InputError as error:
-        return [Mistake((section, *path.split(".")), InputError(path, given, error.condition, error.remedy))]
-    return []
 
 
 def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> tuple[Case, dict[str, Any]]:
@@ -359,14 +349,11 @@ def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> t
     InputError
         If ``path`` is not the name of a file.
     """
-    if not isinstance(path, str | Path):
-        raise InputError("path", path, "be the name of a plan file", "give a string or a Path")
-    path = Path(path)
-    return design_in(parsed(case_text(path, "plan file", "nonhertz new --plan"), str(path)), path, changes)
+    return design_in(*opened(path, "plan"), changes)
 
 
 def design_in(
-    document: dict[str, Any], path: Path, changes: Mapping[str, Any] | None = None
+    document: dict[str, Any], path: Path, text: str | None = None, changes: Mapping[str, Any] | None = None
 ) -> tuple[Case, dict[str, Any]]:
     """Return the case of a plan in a document and what it says about a design.
 
@@ -376,7 +363,7 @@ def design_in(
         With every mistake in the document.
     """
     # All that is wrong with the rest of the plan is said, too.
-    case = plan_in(document, path, changes=changes).case
+    case = Plan.of(document, path, text, changes=changes).case
     if not isinstance(case, Case):
         raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
     found = read(PlanDocument, document)

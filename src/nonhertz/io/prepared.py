@@ -5,11 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import json
-import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from nonhertz.inputs.files import seen_from
 from nonhertz.io.measured import KIND
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.measured import Fit, Measured, Roughness
@@ -140,15 +140,8 @@ def files(
     return {
         "profile.json": as_json(measured, fits) + "\n",
         TABLE: as_table(measured),
-        "profile.toml": as_case(_seen_from(directory, file), values, measured, fits),
+        "profile.toml": as_case(seen_from(directory, file), values, measured, fits),
     }
-
-
-def _seen_from(directory: Path, file: Path) -> Path:
-    try:
-        return Path(os.path.relpath(file, directory))
-    except ValueError:  # on another drive
-        return file.absolute()
 
 
 def _table(entries: Mapping[str, Any]) -> str:

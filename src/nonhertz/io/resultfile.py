@@ -14,7 +14,7 @@ import numpy as np
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.files import content
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import Case, case_in
+from nonhertz.io.casefile import Case
 from nonhertz.io.results import as_json
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ def read_result(path: str | Path) -> Result:
         condition = f"hold a result of format {FORMAT}" + (f", not {shown!r}" if shown is not None else "")
         raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
     try:
-        case = case_in(found["case"], path, files=False)
+        case = Case.of(found["case"], path, files=False)
         return Result(case, _solution(found, case))
     except CaseError as error:
         raise InputError("path", str(path), f"hold a case ({error.mistakes[0]})", _WAY_OUT) from None

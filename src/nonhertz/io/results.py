@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import document_of_case
 from nonhertz.model.body import BODIES
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgePressure, Solution
@@ -69,7 +68,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
         **{name: plain(column) for name, column in solution.table().items()},
         "edges": plain(solution.edges),
         "element_half_width": plain(solution.element_half_width),
-        "case": document_of_case(case),
+        "case": case.own_document,
     }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from typing import Any
 
 from nonhertz.errors import InputError
@@ -31,16 +32,10 @@ def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
     """
     if isinstance(value, Profile):
         return list(profile_tables(value))
-    if isinstance(value, Material) and value in MATERIALS.values():
-        return next(word for word, known in MATERIALS.items() if known == value)
     if isinstance(value, Input):
-        word = next((word for word, kind in value.kinds.items() if kind is type(value)), None)
-        fields = {
-            each.name: document_of(held, name=each.name, defaults=defaults)
-            for each in dataclasses.fields(value)  # type: ignore[arg-type]
-            if (held := getattr(value, each.name)) is not None and (defaults or held != default_of(each))
-        }
-        return ({} if word is None else {"kind": word}) | {key: each for key, each in fields.items() if each != []}
+        return _table(value, defaults)
+    if isinstance(value, Mapping):
+        return {key: document_of(each, name=key, defaults=defaults) for key, each in value.items() if each is not None}
     if isinstance(value, str | bool | int | float):
         return int(value) if type(value) is int else float(value) if isinstance(value, float) else value
     if hasattr(value, "__iter__"):
@@ -49,6 +44,19 @@ def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
         return float(value)
     table = " or a table" if "diameter" in name or name == "bore" else ""
     raise InputError(name, value, f"be a number{table} to go into a file", "tabulate it, or use it in Python alone")
+
+
+def _table(value: Input, defaults: bool) -> dict[str, Any] | str:
+    """Return the table of an input, or the name of a material that has one."""
+    if isinstance(value, Material) and value in MATERIALS.values():
+        return next(word for word, known in MATERIALS.items() if known == value)
+    word = next((word for word, kind in value.kinds.items() if kind is type(value)), None)
+    fields = {
+        each.name: document_of(held, name=each.name, defaults=defaults)
+        for each in dataclasses.fields(value)  # type: ignore[arg-type]
+        if (held := getattr(value, each.name)) is not None and (defaults or held != default_of(each))
+    }
+    return ({} if word is None else {"kind": word}) | {key: each for key, each in fields.items() if each != []}
 
 
 def profile_tables(profile: Profile) -> list[dict[str, Any]]:

@@ -10,7 +10,8 @@ from pathlib import Path
 from nonhertz.errors import CaseError, ConvergenceError
 from nonhertz.inputs.files import legible
 from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case, named
+from nonhertz.io.casefile import Case
+from nonhertz.io.held import named
 from nonhertz.io.lives import Assessment
 from nonhertz.io.sections import Life
 from nonhertz.io.stresses import all_warnings

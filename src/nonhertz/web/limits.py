@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from nonhertz.errors import InputError
-from nonhertz.io.casefile import OF_BEARINGS
+from nonhertz.io.held import OF_BEARINGS
 from nonhertz.io.mistakes import Mistake, Place
 
 DOCUMENT_BYTES: Final = 256 * 1024

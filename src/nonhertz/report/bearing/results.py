@@ -10,7 +10,7 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.io.bearingfile import BearingCase, placed
-from nonhertz.io.casefile import named
+from nonhertz.io.held import named
 from nonhertz.report.results import labels
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.bearing import rated

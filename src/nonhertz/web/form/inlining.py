@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from nonhertz.io.casefile import OF_BEARINGS
+from nonhertz.io.held import OF_BEARINGS
 from nonhertz.io.mistakes import path_of
 from nonhertz.io.profiles import Changes, profile_tables, read_profile
 from nonhertz.model.profile import Tabulated

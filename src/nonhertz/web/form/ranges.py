@@ -17,7 +17,7 @@ from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
 from nonhertz.hertz import half_space_line_compression, line_contact
 from nonhertz.io.bearing_document import radius_across, read_document
-from nonhertz.io.casefile import OF_BEARINGS
+from nonhertz.io.held import OF_BEARINGS
 from nonhertz.io.mistakes import TableError
 from nonhertz.io.reading import Surroundings, read
 from nonhertz.io.sections import Bodies, surroundings

@@ -18,7 +18,8 @@ from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
 from nonhertz.io.bearingfile import starting_bearing
-from nonhertz.io.casefile import TEMPLATES, holds_bearing, parsed, starting_case
+from nonhertz.io.casefile import TEMPLATES, starting_case
+from nonhertz.io.held import meant_as, parsed
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.reading import US
 from nonhertz.web.form.fields import is_number
@@ -72,7 +73,7 @@ class Page:
     """
 
     def __init__(self, document: dict[str, Any], workers: int, text: str = "") -> None:
-        self.begins_with_bearing = holds_bearing(document)
+        self.begins_with_bearing = meant_as(document) == "bearing"
         # The other page starts with what 'nonhertz new' writes.
         other = starting_case() if self.begins_with_bearing else starting_bearing()
         given, usual = (document, text), (parsed(other, "the start"), other)

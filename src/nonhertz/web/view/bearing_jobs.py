@@ -12,8 +12,8 @@ from typing import Any, Final, Literal
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.io.bearing_results import files
-from nonhertz.io.bearingfile import BearingCase, bearing_in, placed, starting_bearing
-from nonhertz.io.casefile import parsed
+from nonhertz.io.bearingfile import BearingCase, placed, starting_bearing
+from nonhertz.io.held import parsed
 from nonhertz.io.mistakes import case_error
 from nonhertz.result.reading import chosen
 from nonhertz.show.bearing import rated
@@ -84,7 +84,7 @@ def sound(document: dict[str, Any]) -> BearingCase:
         If it is not a valid bearing file, or exceeds the limits of the page.
     """
     _refuse(unfit(document))
-    case = bearing_in(document, PATH, files=False)
+    case = BearingCase.of(document, PATH, files=False)
     _refuse(slow_bearing(document))
     return case
 

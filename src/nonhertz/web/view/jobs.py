@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, case_in, parsed, starting_case
+from nonhertz.io.casefile import Case, starting_case
 from nonhertz.io.commented import as_toml_like
+from nonhertz.io.held import parsed
 from nonhertz.io.mistakes import Mistake, case_error
 from nonhertz.io.results import as_json, as_table
 from nonhertz.model.body import BodyName
@@ -176,7 +177,7 @@ def sound(document: dict[str, Any]) -> Case:
     """
     _refuse(unfit(document))
     # The case file's own checks come first, so that what they reject is worded as on the command line.
-    case = case_in(document, PATH, files=False)
+    case = Case.of(document, PATH, files=False)
     _refuse(slow(document))
     return case
 
