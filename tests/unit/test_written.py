@@ -2,12 +2,14 @@
 
 import dataclasses
 import json
+import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.io.bearingfile import BearingCase, starting_bearing
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.casefile import Case, read_case
 from nonhertz.io.results import as_json, as_object
@@ -210,6 +212,46 @@ def test_a_result_is_read_back_to_the_last_digit(solved, tmp_path):
             assert other == one
     assert found.solution.max_pressure == solution.max_pressure
     assert repr(found.solution) == repr(solution)
+
+
+@pytest.fixture(scope="module")
+def bearing_result():
+    case = BearingCase.of(tomllib.loads(starting_bearing()), Path("bearing.toml"))
+    return nh.Result(case, case.solve("slices"))
+
+
+@pytest.mark.parametrize(
+    ("template", "method"), [("cylindrical", "strips"), ("tapered-pair", "slices"), ("spherical", "slices")]
+)
+def test_so_is_that_of_a_bearing(template, method, tmp_path):
+    path = tmp_path / "bearing.toml"
+    path.write_text(starting_bearing(template))
+    case = nh.read_bearing(path, {"solver.method": method})
+    solution = case.solve()
+    text = nh.Result(case, solution).to_json()
+    (tmp_path / "result.json").write_text(text)
+    found = nh.read_result(tmp_path / "result.json")
+    assert found.case == case
+    for field in dataclasses.fields(solution):
+        np.testing.assert_equal(getattr(found.solution, field.name), getattr(solution, field.name))
+    assert repr(found.solution) == repr(solution)
+    assert found.to_json() == text
+
+
+def test_a_case_and_the_solution_of_another_kind_are_no_result(bearing_result):
+    with pytest.raises(nh.InputError, match="solution = 'BearingSolution' must be that of the case"):
+        nh.Result(made(), bearing_result.solution).to_json()
+
+
+@pytest.mark.parametrize(
+    ("key", "value"), [("rib_loads", None), ("rib_loads", [[1.0]]), ("load", [[1.0]]), ("steps", [1])]
+)
+def test_a_bearing_that_is_incomplete_is_refused_in_one_sentence(key, value, bearing_result, tmp_path):
+    result = json.loads(bearing_result.to_json())
+    changed = {name: entry for name, entry in (result | {key: value}).items() if entry is not None}
+    (tmp_path / "result.json").write_text(json.dumps(changed))
+    with pytest.raises(nh.InputError, match=r"hold a complete solution \((KeyError|ValueError|TypeError)"):
+        nh.read_result(tmp_path / "result.json")
 
 
 def whole():

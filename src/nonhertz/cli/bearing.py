@@ -25,7 +25,6 @@ from nonhertz.show.bearing import (
     compared_roller_rows,
     compared_rows,
     life_rows,
-    rated,
     roller_columns,
     roller_rows,
     spectrum_rows,
@@ -39,7 +38,7 @@ def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
     """Solve a bearing, write results if requested, print them; return the exit code."""
     try:
         solution = _solved(case)
-        life, reason = rated(case, solution)
+        life, reason = case.rated(solution)
         sentences = solution.warnings
     except ConvergenceError as error:
         print(chosen()(str(error)), file=sys.stderr)

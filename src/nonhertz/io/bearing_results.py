@@ -37,6 +37,7 @@ UNITS: dict[str, Any] = {
     "tilt": "rad",
     "contact_angle": "rad",
     "rib_load": _FORCE,
+    "rib_loads": _FORCE,
     "max_pressure": "MPa",
     "max_pressure_y": "mm",
     "roller_load": [_FORCE, _FORCE, _MOMENT],
@@ -69,6 +70,8 @@ def as_object(
 ) -> dict[str, Any]:
     """Return a loaded bearing as plain numbers, text, lists and dictionaries, with the case it belongs to.
 
+    `nonhertz.io.resultfile.read_result` reads it back.
+
     Numbers are unrounded; a non-finite one, such as the life of a bearing without load, is None, since JSON has no
     infinity.
     """
@@ -85,6 +88,7 @@ def as_object(
         "angle": plain(solution.angle),
         **{name: plain(getattr(solution, name)) for name in _OF_CONTACTS},
         "rib_load": plain(solution.rib_load),
+        "rib_loads": plain(solution.rib_loads),
         "max_pressure": plain(solution.max_pressure) if pressures else None,
         "max_pressure_y": plain(solution.max_pressure_y) if pressures else None,
         "roller_load": plain(solution.roller_load),

@@ -234,6 +234,21 @@ class BearingCase(HeldCase):
                 raise placed(error, "life") from None
             raise
 
+    def rated(self, solution: BearingSolution) -> tuple[BearingLife | None, str]:
+        """Return what `assess` does, or None and the reason why such a bearing has no rating.
+
+        Raises
+        ------
+        CaseError
+            If something that the file says about life is refused.
+        """
+        try:
+            return self.assess(solution), ""
+        except InputError as error:
+            if error.field in {"bearing", "solution"}:
+                return None, f"the bearing must {error.condition}"
+            raise placed(error, "life") from None
+
     def contact_case(self, solution: BearingSolution, roller: int, ring: str = "inner") -> Case:
         """Return the contact of a roller with a ring as a case of its own, with the load and tilt that it has there.
 

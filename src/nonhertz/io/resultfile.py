@@ -1,4 +1,4 @@
-"""Result files: from ``result.json``, as `nonhertz.io.results` writes it, back to the case and its solution."""
+"""Result files: from ``result.json``, of a contact or a bearing, back to the case and its solution."""
 
 from __future__ import annotations
 
@@ -7,21 +7,24 @@ import json
 import math
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.files import content
+from nonhertz.io import bearing_results
+from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.casefile import Case
+from nonhertz.io.held import meant_as
 from nonhertz.io.results import as_json
-
-if TYPE_CHECKING:
-    from nonhertz.result.solution import EdgePressure, Solution
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.strip.element import ELEMENTS
 
 LARGEST_RESULT = 200_000_000  # bytes
-_WAY_OUT = "give a result.json that 'nonhertz solve' or the page wrote"
+_WAY_OUT = "give a result.json that 'nonhertz solve', 'nonhertz bearing' or a page wrote"
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,9 +33,9 @@ class Result:
 
     Attributes
     ----------
-    case : Case
+    case : Case or BearingCase
         What was solved; ``case.solve()`` solves it again.
-    solution : Solution
+    solution : Solution or BearingSolution
         The solution, to the digits it was written with.
 
     Examples
@@ -49,11 +52,11 @@ class Result:
     'converged'
     """
 
-    case: Case
-    solution: Solution
+    case: Case | BearingCase
+    solution: Solution | BearingSolution
 
     def to_json(self) -> str:
-        """Return the text of a result file, which is what ``nonhertz solve --json`` prints.
+        """Return the text of a result file, which is what ``solve --json`` and ``bearing --json`` print.
 
         The case is part of it, which a solution alone does not know: which of its numbers were prescribed.
 
@@ -62,7 +65,14 @@ class Result:
         InputError
             If the case has something that no file can hold; see `Case.write`.
         """
-        return as_json(self.solution, self.case)
+        match self.case, self.solution:
+            case Case() as case, Solution() as solution:
+                return as_json(solution, case)
+            case BearingCase() as bearing, BearingSolution() as loaded:
+                given = bearing_results.as_object(loaded, bearing, *bearing.rated(loaded), loaded.warnings)
+                return bearing_results.as_json(given)
+        remedy = "give what the solve method of the case returned"
+        raise InputError("solution", type(self.solution).__name__, "be that of the case", remedy)
 
 
 def read_result(path: str | Path) -> Result:
@@ -71,7 +81,7 @@ def read_result(path: str | Path) -> Result:
     Parameters
     ----------
     path : str or Path
-        A ``result.json``, or what ``nonhertz solve --json`` printed.
+        A ``result.json``, or what ``nonhertz solve --json`` or ``nonhertz bearing --json`` printed.
 
     Returns
     -------
@@ -108,6 +118,9 @@ def read_result(path: str | Path) -> Result:
         condition = f"hold a result of format {FORMAT}" + (f", not {shown!r}" if shown is not None else "")
         raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
     try:
+        if meant_as(found["case"]) == "bearing":
+            bearing = BearingCase.of(found["case"], path, files=False)
+            return Result(bearing, _bearing_solution(found, bearing))
         case = Case.of(found["case"], path, files=False)
         return Result(case, _solution(found, case))
     except CaseError as error:
@@ -130,10 +143,6 @@ def _object(path: Path) -> dict[str, Any]:
 
 
 def _solution(found: dict[str, Any], case: Case) -> Solution:
-    # Imported here: they pull in the compiler.
-    from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Solution, Status
-    from nonhertz.strip.element import ELEMENTS
-
     low, high = found["edge_pressure"]
     return Solution(
         contact=case.contact,
@@ -158,9 +167,26 @@ def _solution(found: dict[str, Any], case: Case) -> Solution:
     )
 
 
-def _edge(found: dict[str, Any]) -> EdgePressure:
-    from nonhertz.result.solution import EdgeKind, EdgePressure
+def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSolution:
+    bearing = case.mounted
+    count = sum(row.bearing.rollers for row in bearing.rows)
+    shapes: dict[str, tuple[int, ...]] = {
+        **dict.fromkeys(("load", "moment", "approach", "tilt", "contact_angle"), (count, 2)),
+        **{"angle": (count,), "rib_loads": (count, -1), "roller_load": (count, 3), "displacement": (5,), "force": (5,)},
+        **{"stiffness": (5, 5), "edge_rollers": (-1,), "edge_stiffness": (3,)},
+    }
+    # Null becomes NaN: the stiffness at the edge of the load zone where no roller stands there.
+    arrays: dict[str, Any] = {name: np.array(found[name], float).reshape(shape) for name, shape in shapes.items()}
+    return BearingSolution(
+        bearing=bearing,
+        method=str(found["method"]),
+        residual=float(found["residual"]),
+        steps=int(found["steps"]),
+        **arrays | {"edge_rollers": arrays["edge_rollers"].astype(np.int64)},
+    )
 
+
+def _edge(found: dict[str, Any]) -> EdgePressure:
     kept = {name: value for name, value in found.items() if name not in {"kind", "converges"}}
     return EdgePressure(kind=EdgeKind[_member(found["kind"])], **kept)
 

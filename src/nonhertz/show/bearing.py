@@ -13,31 +13,13 @@ from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBe
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
-from nonhertz.errors import InputError
-from nonhertz.io.bearingfile import BearingCase, placed
+from nonhertz.io.bearingfile import BearingCase
 from nonhertz.result.numerals import digits, given, in_column, sized, sized_list, unit_for
 from nonhertz.show.summary import Row
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
-_UNRATED = ("bearing", "solution")
 _PLAY = 1e-3  # mm, below which diameters are rounded
 MOST_PRESSURE = 4000.0  # MPa, the pressure by which ISO 76 defines C0
-
-
-def rated(case: BearingCase, solution: BearingSolution) -> tuple[BearingLife | None, str]:
-    """Return how long a bearing lasts, or None and the reason why such a bearing is not rated.
-
-    Raises
-    ------
-    CaseError
-        If something that the file says about life is refused.
-    """
-    try:
-        return case.assess(solution), ""
-    except InputError as error:
-        if error.field in _UNRATED:
-            return None, f"the bearing must {error.condition}"
-        raise placed(error, "life") from None
 
 
 def spectrum_rows(case: BearingCase) -> list[Row]:

@@ -13,7 +13,6 @@ from nonhertz.io.bearingfile import BearingCase, placed
 from nonhertz.io.held import named
 from nonhertz.report.results import labels
 from nonhertz.show.analysis import Announce, in_silence
-from nonhertz.show.bearing import rated
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +111,7 @@ def _settled(case: BearingCase, label: str, life: bool, compare: bool) -> Bearin
         try:
             solution = case.solve()
             slices = case.solve("slices") if compare and solution.method == "strips" else None
-            rating, reason = rated(case, solution) if life else (None, "")
+            rating, reason = case.rated(solution) if life else (None, "")
             strained = solution.warnings
         except ConvergenceError as error:
             return BearingResults(case, label, None, str(error))

@@ -16,7 +16,6 @@ from nonhertz.io.bearingfile import BearingCase, placed, starting_bearing
 from nonhertz.io.held import parsed
 from nonhertz.io.mistakes import case_error
 from nonhertz.result.reading import chosen
-from nonhertz.show.bearing import rated
 from nonhertz.web.limits import slow_bearing, unfit
 from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
 from nonhertz.web.view.jobs import as_json_has_it, calmly
@@ -133,7 +132,7 @@ def table(document: dict[str, Any], name: str) -> bytes | dict[str, Any]:
     """Return one of the files that `nonhertz bearing` writes, or what is wrong with a document."""
 
     def make(case: BearingCase, solution: BearingSolution) -> bytes:
-        life, reason = rated(case, solution)
+        life, reason = case.rated(solution)
         return files(solution, case, life, reason, solution.warnings)[name].encode()
 
     return _made(document, make)

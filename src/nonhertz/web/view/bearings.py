@@ -21,7 +21,6 @@ from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import (
     life_rows,
     most_loaded,
-    rated,
     roller_columns,
     roller_rows,
     summary_rows,
@@ -49,7 +48,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
     CaseError
         If something that the case says about life is refused.
     """
-    life, reason = rated(case, solution)
+    life, reason = case.rated(solution)
     pressed = solution.method == "strips"
     rows = [*summary_rows(case, solution), *life_rows(life, reason, case.prescribed.get("speed"))]
     columns, rollers = chosen().columns([in_letters(head) for head in roller_columns(solution)], roller_rows(solution))
