@@ -1,5 +1,6 @@
 """What results say of themselves where they are printed."""
 
+import inspect
 import re
 import warnings
 
@@ -41,6 +42,16 @@ def test_a_singular_end_and_warnings_are_told():
     assert re.search(rf"maximum pressure \S+ MPa at y = \S+ and \S+ mm, {away}", repr(sharp))
     assert "singular and singular" in repr(sharp)
     assert "warning" not in repr(sharp) or len(repr(sharp).splitlines()) <= 10
+
+
+def test_what_a_file_held_and_a_result_are_printed_as_they_are_made(solved):
+    case = nh.Case(CONTACT, {"load": "5 kN"}, {"element": "parabolic"}, title="Roller")
+    assert repr(case).startswith("Case(title='Roller', contact=Contact(a=Roller(diameter=20.0, length=20.0, profile=")
+    assert repr(case).endswith(
+        "prescribed={'load': 5000.0}, solver={'element': Element('parabolic'), 'strips': 'auto', 'accuracy': None})"
+    )
+    assert repr(nh.Result(case, solved)) == f"Result('Roller', {solved!r})"
+    assert "element: 'Element | str' = Element('semi-elliptic'), strips" in str(inspect.signature(nh.solve))
 
 
 def test_notebooks_see_the_pressure_drawn(solved):

@@ -120,6 +120,16 @@ def test_a_solution_comes_whole():
     assert len(many) == 5
 
 
+@pytest.mark.parametrize(
+    "loads", [["5 kN", "8 kN"], np.array(["5 kN", "8 kN"]), ("5 kN", 8e3), np.array([5e3, "8 kN"], dtype=object)]
+)
+def test_text_with_a_unit_stands_for_numbers(loads):
+    found = nh.solve_many(CROWNED, load=loads, tilt="0.2 mrad", element="parabolic", strips=15)
+    same = nh.solve_many(CROWNED, load=[5e3, 8e3], tilt=0.2e-3, element=nh.PARABOLIC, strips=15)
+    np.testing.assert_array_equal(found.approach, same.approach)
+    np.testing.assert_array_equal(nh.solve_many(CROWNED, load="5 kN", strips=15).load.round(6), [5e3])
+
+
 def test_arrays_spread_into_a_map():
     many = nh.solve_many(CROWNED, load=np.array([[5e3], [9e3], [15e3]]), tilt=[0.0, 2e-4], strips=15)
     assert many.shape == many.approach.shape == (3, 2)
@@ -205,7 +215,7 @@ def test_strained_circles_are_told_apart_from_long_contacts():
         ({"load": [1e3, -2.0]}, r"case 1\.load = -2\.0 must be positive"),
         ({"load": [1e3, np.nan]}, r"case 1\.load = nan must be"),
         ({"load": [1e3, 2e3], "tilt": [0.0, 1e-4, 2e-4]}, r"shapes = .* must broadcast together"),
-        ({"load": "much"}, r"load = 'much' must be a number or an array of numbers"),
+        ({"load": "much"}, r"load = 'much' must be a number with a unit"),
         ({"load": []}, r"load = \[\] must hold at least one case"),
         ({"load": [1e3, 1e3], "moment": [0.0, 1e6]}, r"case 1\.moment = 1000000\.0 must keep moment / load between"),
         ({"load": [1e3], "approach": [0.1]}, r"approach = \[0.1\] must not be given together with load"),
@@ -296,7 +306,9 @@ def test_an_error_does_not_grow_with_every_look_at_it():
     ("contacts", "arguments", "complaint"),
     [
         (CROWNED, {"load": True}, "load = True must be a number"),
-        (CROWNED, {"load": ["1000"]}, r"load = \['1000'\] must be a number"),
+        (CROWNED, {"load": ["1000"]}, "load = '1000' must have a unit: write 1000 without quotes"),
+        (CROWNED, {"load": ["1 kN", None]}, "must be a number or an array of numbers"),
+        (CROWNED, {"load": ["1 kN", "2 mm"]}, "load = '2 mm' must have a unit of force"),
         (CROWNED, {"load": [1e3 + 2j]}, "must be a number or an array of numbers"),
         (CROWNED, {"load": np.ma.masked_less([1.0, 5.0], 2.0)}, "must be a number or an array of numbers"),
         (CROWNED, {"load": [[1e3], [-2.0]]}, r"case \(1, 0\)\.load = -2\.0 must be positive"),

@@ -111,6 +111,16 @@ def test_other_names_stand_for_the_same():
     assert listed_as("440C").name == "X105CrMo17"
 
 
+@pytest.mark.parametrize(
+    ("name", "nearest"), [("100cr6", "100Cr6"), ("stele", "steel"), ("EN-GJS-400", "EN-GJS-400-15")]
+)
+def test_a_name_that_is_none_names_the_nearest(name, nearest):
+    with pytest.raises(KeyError, match=f"must be a known material: the nearest is '{nearest}'"):
+        nh.MATERIALS[name]
+    with pytest.raises(nh.InputError, match=f"must be a known material: the nearest is '{nearest}'"):
+        nh.Roller(diameter=10, length=10, material=name)
+
+
 def test_polymers_are_said_to_be_viscoelastic():
     polymers = [each for each in LIBRARY if each.group == "polymers"]
     assert {each.name for each in polymers} == {"POM", "PA66", "PEEK"}

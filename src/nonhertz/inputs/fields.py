@@ -516,9 +516,7 @@ class Input:
             check(self)
 
     def __repr__(self) -> str:
-        values = {each.name: (getattr(self, each.name), default_of(each)) for each in dataclasses.fields(self)}  # type: ignore[arg-type]
-        given = (f"{name}={value!r}" for name, (value, usual) in values.items() if value != usual)
-        return f"{type(self).__name__}({', '.join(given)})"
+        return short_repr(self)
 
     @classmethod
     def likely(cls, values: Mapping[str, Any]) -> type[Any]:
@@ -575,6 +573,15 @@ def given_beside(cls: type[Input], given: Mapping[str, Any]) -> list[InputError]
         for name, other in cls.instead.items()
         if name in given and other in given
     ]
+
+
+def short_repr(value: Any) -> str:
+    """Return the call that makes a dataclass, without what is at its default or not shown."""
+    values = {
+        each.name: (getattr(value, each.name), default_of(each)) for each in dataclasses.fields(value) if each.repr
+    }
+    given = (f"{name}={held!r}" for name, (held, usual) in values.items() if held != usual)
+    return f"{type(value).__name__}({', '.join(given)})"
 
 
 def default_of(each: dataclasses.Field[Any]) -> Any:

@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.solution import BearingSolution
 
-_SECTIONS: dict[str, tuple[str, ...]] = {
-    "fit": tuple(Mounting.descriptions),
-    "load": tuple(BearingLoad.descriptions),
-    "solver": tuple(BearingSolver.descriptions),
+_SECTIONS = {
+    "fit": Mounting.descriptions,
+    "load": BearingLoad.descriptions,
+    "solver": BearingSolver.descriptions,
     # In a file the speed beside a viscosity is that of the load.
-    "life": (*LifeConditions.descriptions, "speed"),
+    "life": {**LifeConditions.descriptions, "speed": BearingLoad.descriptions["speed"]},
 }
 
 
@@ -47,7 +47,7 @@ def bearing_schema() -> Mapping[str, Any]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class BearingCase(HeldCase):
     """A bearing, what loads it, how that is solved, and how its life is assessed.
 

@@ -21,6 +21,7 @@ from nonhertz.io.writing import document_of
 from nonhertz.model.body import BODIES
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
+from nonhertz.solver.one import element_of
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ def schema() -> Mapping[str, Any]:
     return schema_of_file(CaseDocument)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Case(HeldCase):
     """Two bodies, what presses them together, how that is solved, and how long the bodies last.
 
@@ -88,7 +89,9 @@ class Case(HeldCase):
         if len({"load", "approach"} & set(self.prescribed)) != 1:
             condition = "hold either load or approach"
             raise InputError("prescribed", self.prescribed, condition, 'write {"load": 20e3}, say, in N')
-        object.__setattr__(self, "solver", {"element": SEMI_ELLIPTIC, "strips": "auto", "accuracy": None} | self.solver)
+        element = element_of(self.solver.get("element") or SEMI_ELLIPTIC)
+        solver = {"element": element, "strips": "auto", "accuracy": None}
+        object.__setattr__(self, "solver", solver | self.solver | {"element": element})
 
     @staticmethod
     def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
@@ -115,8 +118,7 @@ class Case(HeldCase):
         if not isinstance(strips, str | int):
             condition, remedy = "be 'auto' or a number to go into a case file", "give the number of strips"
             raise InputError("strips", "edges", condition, remedy)
-        element = self.solver["element"] or SEMI_ELLIPTIC
-        solver = Solver(element=element.name, strips=strips, accuracy=self.solver["accuracy"])
+        solver = Solver(element=self.solver["element"].name, strips=strips, accuracy=self.solver["accuracy"])
         load = {name: float(value) for name, value in self.prescribed.items()}
         parts = {"life": self.life, "report": self.title_block}
         rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}

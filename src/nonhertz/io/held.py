@@ -13,6 +13,7 @@ from typing import Any, ClassVar, Self
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of
+from nonhertz.inputs.fields import Described, short_repr
 from nonhertz.inputs.files import content, legible
 from nonhertz.io.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.io.changes import changed
@@ -28,7 +29,7 @@ _CONTENTS = {"case": "a single contact", "bearing": "a bearing", "plan": "a plan
 _COMMANDS = {"case": "solve", "bearing": "bearing", "plan": "sweep"}
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Held:
     """Base of what a file holds.
 
@@ -47,10 +48,10 @@ class Held:
     # No argument, so that a changed copy does not carry the text of the case it was made from.
     origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
 
-    #: What such a file is called, the classes that fields must be of, and the names that dictionaries may have.
+    #: What such a file is called, the classes that fields must be of, and what the entries of dictionaries are.
     kind: ClassVar[str] = "case"
     parts: ClassVar[Mapping[str, type[Any]]] = {}
-    keywords: ClassVar[Mapping[str, Iterable[str]]] = {}
+    keywords: ClassVar[Mapping[str, Mapping[str, Described]]] = {}
 
     def __post_init__(self) -> None:
         kinds: dict[str, type[Any]] = {"title": str, "path": Path, **self.parts}
@@ -63,6 +64,12 @@ class Held:
             given = getattr(self, name)
             if not isinstance(given, dict) or not set(given) <= set(known):
                 raise InputError(name, given, f"be a dictionary of {', '.join(known)}", "give no other names")
+            # Numbers are checked where they are used, with all that they have to go with.
+            read = {key: known[key].take(key, each) for key, each in given.items() if isinstance(each, str)}
+            object.__setattr__(self, name, given | read)
+
+    def __repr__(self) -> str:
+        return short_repr(self)
 
     def held_in(self, origin: Origin) -> Self:
         """Note what the file held from which it has just been read, and return it."""
@@ -129,7 +136,7 @@ class Held:
             raise InputError("path", str(path), error.condition, error.remedy) from None
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class HeldCase(Held):
     """Base of a case and a bearing case.
 

@@ -101,7 +101,7 @@ class Template:
             return (BearingCase if self.is_bearing else Case).of(document, self.path)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Plan(Held):
     """A case or a bearing, and what of it is varied.
 

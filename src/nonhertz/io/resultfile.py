@@ -27,7 +27,7 @@ LARGEST_RESULT = 200_000_000  # bytes
 _WAY_OUT = "give a result.json that 'nonhertz solve', 'nonhertz bearing' or a page wrote"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Result:
     """What a result file holds.
 
@@ -54,6 +54,9 @@ class Result:
 
     case: Case | BearingCase
     solution: Solution | BearingSolution
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.case.title!r}, {self.solution!r})"
 
     def to_json(self) -> str:
         """Return the text of a result file, which is what ``solve --json`` and ``bearing --json`` print.

@@ -19,7 +19,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, refuse_load
 from nonhertz.result import brief
 from nonhertz.result.numerals import digits
-from nonhertz.solver.one import refuse_no_element
+from nonhertz.solver.one import element_of
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ def contact_map(
     approach: Range | None = None,
     tilt: Range | float = 0.0,
     accuracy: float = 1e-4,
-    element: Element = SEMI_ELLIPTIC,
+    element: Element | str = SEMI_ELLIPTIC,
     stations: int | ArrayLike = STATIONS,
     threads: int | None = None,
     checks: int = CHECKS,
@@ -64,7 +64,7 @@ def contact_map(
     accuracy : float
         Largest error of load and moment, relative as `SampledErrors` says, from 1e-6; what was reached is in
         ``ContactMap.sampled_error``. The solutions scatter by some 1e-5 from grid to grid, which no map undercuts.
-    element : Element
+    element : Element or str
         As in `nonhertz.solve`.
     stations : int or array_like
         Number of equal strips along the contact whose loads the map has, or their edges [mm].
@@ -120,11 +120,11 @@ def contact_map(
     return _made(building, found, ("load" if by_load else "approach", pressed), accuracy)
 
 
-def _building(contact: Contact, element: Element, threads: int | None, accuracy: float, checks: int) -> Building:
+def _building(contact: Contact, element: Element | str, threads: int | None, accuracy: float, checks: int) -> Building:
     """Return what a map is built of, checked, without stations."""
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
-    refuse_no_element(element)
+    element = element_of(element)
     thread_count(threads)
     positive("accuracy", accuracy, "give a relative error such as 1e-4")
     if not FINEST <= accuracy <= COARSEST:

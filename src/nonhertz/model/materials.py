@@ -9,9 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from nonhertz.errors import InputError
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Part
+from nonhertz.inputs.fields import Part, unknown
 from nonhertz.model.material import STEEL, STEEL_MODULUS, Material
 
 STEEL_DENSITY = 7.85e-9  # t/mm^3
@@ -149,10 +148,18 @@ LIBRARY: tuple[Listed, ...] = (
     ),
 )  # fmt: skip
 
+
+class _Materials(dict[str, Material]):
+    """Materials by name; where there is none, the error names the nearest."""
+
+    def __missing__(self, name: object) -> Material:
+        raise KeyError(str(unknown("name", name, "material", name, self, "run 'nonhertz materials' for the list")))
+
+
 #: Materials that a case file may refer to by name.
-MATERIALS: dict[str, Material] = {each.name: each.material for each in LIBRARY} | {
-    other: each.material for each in LIBRARY for other in each.others
-}
+MATERIALS = _Materials(
+    {each.name: each.material for each in LIBRARY} | {other: each.material for each in LIBRARY for other in each.others}
+)
 
 #: The material of a part, which may be given by its name.
 NamedMaterial = Annotated[
@@ -178,7 +185,7 @@ def listed_as(name: str) -> Listed:
     for each in LIBRARY:
         if name in (each.name, *each.others):
             return each
-    raise InputError("name", name, "be a material of the library", "run 'nonhertz materials' for the list")
+    raise unknown("name", name, "material", name, MATERIALS, "run 'nonhertz materials' for the list")
 
 
 def density_of(material: Material) -> float | None:

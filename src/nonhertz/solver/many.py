@@ -11,6 +11,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from threading import Event
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +20,7 @@ from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
-from nonhertz.solver.one import Strips, is_automatic, problem_of, refuse_no_element, requested_strips
+from nonhertz.solver.one import Strips, element_of, is_automatic, problem_of, requested_strips
 from nonhertz.solver.portions import Portion, Run, Task, Work
 from nonhertz.solver.solutions import Solutions, case_label, several
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -39,7 +40,7 @@ def solve_many(
     load: ArrayLike | None = None,
     tilt: ArrayLike | None = None,
     moment: ArrayLike | None = None,
-    element: Element = SEMI_ELLIPTIC,
+    element: Element | str = SEMI_ELLIPTIC,
     strips: Strips = None,
     accuracy: float | None = None,
     threads: int | None = None,
@@ -52,10 +53,10 @@ def solve_many(
     contacts : Contact or iterable of Contact
         One contact for all cases, or one for each.
     approach, load, tilt, moment : array_like, optional
-        As in `nonhertz.solve`, a number for all cases or an array; arrays and ``contacts`` are broadcast against each
-        other, and the resulting shape is that of the results. Neighbouring cases along the last axis should be
-        similar: a case may then start from the previous one.
-    element : Element
+        As in `nonhertz.solve`, a number or text with a unit for all cases, or an array of them; arrays and ``contacts``
+        are broadcast against each other, and the resulting shape is that of the results. Neighbouring cases along the
+        last axis should be similar: a case may then start from the previous one.
+    element : Element or str
         As in `nonhertz.solve`.
     strips : int or array_like or "auto", optional
         As in `nonhertz.solve`, for all cases. A number of strips is several times as fast as the automatic grid, and
@@ -107,7 +108,7 @@ def solve_many(
     """
     callback("announce", announce)
     prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
-    shape, tasks = _laid_out(contacts, prescribed, _Options(element, strips, accuracy))
+    shape, tasks = _laid_out(contacts, prescribed, _Options(element_of(element), strips, accuracy))
     solutions, sentences = Run(shape, tuple(_works(tasks)), thread_count(threads)).outcome(announce)
     for sentence in sentences:
         warnings.warn(sentence, AccuracyWarning, stacklevel=2)
@@ -126,7 +127,7 @@ def solve_in_silence(
     InputError
         As `solve_many` does.
     """
-    shape, tasks = _laid_out(contact, prescribed, _Options(element, strips, accuracy))
+    shape, tasks = _laid_out(contact, prescribed, _Options(element_of(element), strips, accuracy))
     never = Event()
     return Solutions(shape, tuple(block for work in _works(tasks) for block in work.solved(never)))
 
@@ -146,7 +147,6 @@ def _laid_out(
     """Return the shape of the results and the cases; invalid input is refused."""
     given = {name: value for name, value in prescribed.items() if value is not None}
     refuse_unpaired(**{name: prescribed.get(name) for name in _PRESCRIBED})
-    refuse_no_element(options.element)
     each = several(contacts)
     shape, which, values = _spread(len(each) if not isinstance(contacts, Contact) else None, given)
     return shape, _tasks(each, shape, which, values, options)
@@ -160,11 +160,17 @@ def _spread(
     for name, value in given.items():
         try:
             column = np.asarray(value)
+            if column.dtype.kind in "UO":
+                texts = np.asarray(value, dtype=object)
+                column = np.array([_number(name, each) for each in texts.flat]).reshape(texts.shape)
+        except InputError:
+            raise
         except (TypeError, ValueError):
             column = np.asarray(None)
         if column.dtype.kind not in "iuf" or np.ma.isMaskedArray(value):
             if column.size:
-                raise InputError(name, value, "be a number or an array of numbers", "give plain numbers")
+                remedy = "give plain numbers, or text with a unit"
+                raise InputError(name, value, "be a number or an array of numbers", remedy)
             column = column.astype(float)
         columns.append(column)
     try:
@@ -183,6 +189,11 @@ def _spread(
         which,
         {name: value.astype(float) for name, value in zip(given, values, strict=True)},
     )
+
+
+def _number(name: str, value: Any) -> Any:
+    """Return text with a unit as a number in that of what is prescribed; anything else as it is."""
+    return Prescription.descriptions[name].take(name, value) if isinstance(value, str) else value
 
 
 def _tasks(

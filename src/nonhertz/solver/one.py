@@ -17,7 +17,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import Solution
-from nonhertz.strip.element import SEMI_ELLIPTIC, Element
+from nonhertz.strip.element import ELEMENTS, SEMI_ELLIPTIC, Element
 from nonhertz.strip.feasible import refuse_infeasible
 from nonhertz.strip.levels import (
     ACCURACY,
@@ -47,11 +47,13 @@ def solve(
     load: float | None = None,
     tilt: float | None = None,
     moment: float | None = None,
-    element: Element = SEMI_ELLIPTIC,
+    element: Element | str = SEMI_ELLIPTIC,
     strips: Strips = None,
     accuracy: float | None = None,
 ) -> Solution:
     """Press the bodies of a contact together.
+
+    Quantities may be text with a unit, such as ``"20 kN"``.
 
     Parameters
     ----------
@@ -66,8 +68,8 @@ def solve(
         ``moment`` is given.
     moment : float, optional
         T [N mm], integral of pressure times y.
-    element : Element
-        SEMI_ELLIPTIC, or the paper's PARABOLIC.
+    element : Element or str
+        SEMI_ELLIPTIC, or the paper's PARABOLIC, or its name.
     strips : int or array_like or "auto", optional
         A number: that many equal strips over the length on which both bodies can touch. An array: the edges of
         the strips [mm], ascending. Omitted or ``"auto"``: a graded grid adapted to the contact.
@@ -113,7 +115,7 @@ def solve(
 def problem_of(
     contact: Contact,
     given: Prescription,
-    element: Element,
+    element: Element | str,
     strips: Strips = None,
     accuracy: float | None = None,
 ) -> Problem:
@@ -127,7 +129,7 @@ def problem_of(
     """
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
-    refuse_no_element(element)
+    element = element_of(element)
     refuse_accuracy(strips, accuracy)
     given.refuse_outside(contact)
     prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
@@ -146,11 +148,13 @@ def posed(
     )  # fmt: skip
 
 
-def refuse_no_element(element: object) -> None:
-    """Refuse anything but one of the strip elements."""
-    if not isinstance(element, Element):
+def element_of(given: Element | str) -> Element:
+    """Return a strip element, which may be given by its name."""
+    found = ELEMENTS.get(given, given) if isinstance(given, str) else given
+    if not isinstance(found, Element):
         remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
-        raise InputError("element", element, "be an element", remedy)
+        raise InputError("element", given, "be an element", remedy)
+    return found
 
 
 def refuse_accuracy(strips: Strips, accuracy: float | None) -> None:

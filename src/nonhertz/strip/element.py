@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -49,7 +49,7 @@ POWERS_AT = LEADING_AT + 4
 A, T_DA, B, T_DB = range(4)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Element:
     """A strip with a fixed pressure shape across the contact.
 
@@ -82,14 +82,17 @@ class Element:
     """p(0) = centre_factor * q / a, the element's own pressure on the centre line."""
     far_constant: float
     """A(t) - ln(2 t) at infinity, -int phi ln|xi|."""
-    _moments: tuple[Callable[[int], float], Callable[[int], float]] = field(repr=False)
+    _moments: tuple[Callable[[int], float], Callable[[int], float]]
     """k -> int phi xi^2k and k -> int psi xi^2k."""
-    _closed_forms: Callable[[Array], tuple[Array, Array, Array]] = field(repr=False)
+    _closed_forms: Callable[[Array], tuple[Array, Array, Array]]
     """t in [SMALL, CANCELLING] -> A', B, t B'."""
-    _leading: tuple[float, float, float, float] = field(repr=False)
+    _leading: tuple[float, float, float, float]
     """For t -> 0: A' = l0 ln(l1/t), B = l2 t ln(l3/t)."""
-    smoothed: Callable[[Array], tuple[Array, Array]] = field(repr=False)
+    smoothed: Callable[[Array], tuple[Array, Array]]
     """t > 0 -> (1/pi) int phi t / (xi^2 + t^2), and its second derivative."""
+
+    def __repr__(self) -> str:
+        return f"Element({self.name!r})"
 
     def functions(self, t: ArrayLike) -> tuple[Array, Array, Array, Array]:
         """Return A, t A', B and t B' at ``t``, arrays of its shape, odd in t.
