@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -200,6 +201,15 @@ def test_a_free_profile_grows_from_the_middle():
             free_form_in("x", text)
 
 
+BY_ITS_DROP = nh.Case.of(
+    {
+        "body": {"a": {"diameter": 20.0, "length": 20.0, "profile": {"kind": "crown", "drop": "9 um"}}, "b": {}},
+        "load": {"load": "20 kN"},
+    },
+    Path("case.toml"),
+)
+
+
 @pytest.mark.parametrize(
     ("given", "what"),
     [
@@ -207,6 +217,10 @@ def test_a_free_profile_grows_from_the_middle():
         ({"vary": {"body.a.profile.radiu": "1 m : 2 m"}}, "the nearest is"),
         ({"vary": {"body.a.profile.radius": "2 m : 1 m"}}, "must ascend"),
         ({"vary": {"body.a.material": "steel"}}, "change gradually"),
+        (
+            {"case": BY_ITS_DROP},
+            "beside body.a.profile.drop, which the case gives in its place: vary it",
+        ),
         ({"vary": {"body.a.length": (-1.0, 2.0)}}, "stay within what the case allows"),
         ({"goal": "beauty"}, "goal = 'beauty' must be one of"),
         ({"loads": []}, "be loads"),

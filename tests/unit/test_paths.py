@@ -87,6 +87,22 @@ def test_a_drop_takes_the_place_of_what_it_determines(table, left):
     assert drops_first({"body.a.profile.radius": 1.0, "body.a.profile.drop": 2.0})[0] == ("body.a.profile.drop", 2.0)
 
 
+@pytest.mark.parametrize(
+    ("table", "name", "drop"),
+    [
+        ({"kind": "crown", "drop": 0.01}, "radius", "body.a.profile.drop"),
+        ({"kind": "crown", "radius": 4e3}, "radius", ""),
+        ({"kind": "crown", "drop": 0.01}, "shift", ""),
+        ({"kind": "partial-crown", "drop": 0.01, "straight": 9.0}, "radius", "body.a.profile.drop"),
+        ({"kind": "partial-crown", "drop": 0.01, "straight": 9.0}, "straight", ""),
+        ({"kind": "partial-crown", "drop": 0.01, "radius": 1e3}, "straight", "body.a.profile.drop"),
+    ],
+)
+def test_what_a_drop_determines_is_not_varied_beside_it(table, name, drop):
+    case = {"body": {"a": {"profile": [table]}}}
+    assert parameters(case, schema())[f"body.a.profile.{name}"].drop_beside(case) == drop
+
+
 def test_tables_that_are_missing_are_made(known):
     assert known["solver.strips"].value_in(CASE) is None
     assert known["solver.strips"].put(CASE, 41)["solver"] == {"strips": 41}

@@ -11,7 +11,8 @@ import pytest
 import nonhertz as nh
 from nonhertz.io.bearingfile import BearingCase, starting_bearing
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import Case, read_case
+from nonhertz.io.casefile import Case, read_case, starting_case
+from nonhertz.io.held import as_toml
 from nonhertz.io.results import as_json, as_object
 from nonhertz.io.sections import Life, OverrolledDent
 from nonhertz.life import LoadCase
@@ -188,6 +189,22 @@ SOLVED = {
     "grooved": made(nh.profile.tabulated([-10, -2.1, -2, 2, 2.1, 10], [0, 0, 1, 1, 0, 0])),
     "few strips": dataclasses.replace(made(), solver={"strips": 1, "element": nh.PARABOLIC}),
 }
+
+
+def test_the_document_for_another_folder_names_the_same_files(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for folder in ("data", "cases", "found/best"):
+        Path(folder).mkdir(parents=True)
+    Path("data/relief.csv").write_text("-10, 0.01\n0, 0\n10, 0.02\n")
+    names = "../data/relief.csv", f"{tmp_path.as_posix()}/data/relief.csv"
+    tables = ", ".join(f'{{ kind = "tabulated", file = "{name}" }}' for name in names)
+    logarithm = '{ kind = "logarithmic", amplitude = 0.005, fraction = 0.9999 }'
+    Path("cases/case.toml").write_text(starting_case().replace(logarithm, tables))
+    case = read_case("cases/case.toml")
+    Path("found/best/case.toml").write_text(as_toml(case.document_in(Path("found/best"))))
+    found = read_case("found/best/case.toml")
+    assert [each["file"] for each in found.document["body"]["a"]["profile"]] == ["../../data/relief.csv", names[1]]
+    assert found.contact == case.contact
 
 
 @pytest.fixture(scope="module", params=SOLVED)

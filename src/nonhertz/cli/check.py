@@ -30,7 +30,7 @@ def checked(path: Path, changes: Mapping[str, Any]) -> str:
     CaseError
         With every mistake in the file.
     """
-    document, _, text = opened(path, "case")
+    document, _, text = opened(path, "case", "bearing", "plan")
     if holds_plan(document):
         return f"{path} is fine: {_plan(document, path, changes)}."
     case = case_or_bearing_in(document, path, text, changes)

@@ -536,8 +536,8 @@ def contact_map(
     from nonhertz.io.folder import refuse_unwritable
 
     _show_in(units)
-    asked = requested(approach, load, tilt, accuracy, out)
     problem = read_case(case, changes_in(changes))
+    asked = requested(approach, load, tilt, accuracy, out)
     if out is not None:
         refuse_unwritable(out.parent)
     found = made(problem, asked)
@@ -867,7 +867,8 @@ def new(
     else:
         write_new(text, path)
         command = "bearing" if bearing else "design" if plan else "solve"
-        print(f"wrote {path}; {'try' if plan else 'solve'} it with: nonhertz {command} {path}")
+        made_for = f", for {path.with_name('case.toml')} as 'nonhertz new' writes it" if plan else ""
+        print(f"wrote {path}{made_for}; {'try' if plan else 'solve'} it with: nonhertz {command} {path}")
     return FINE
 
 

@@ -57,7 +57,7 @@ def written(found: Design, out: Path) -> tuple[Path, ...]:
             save(figure, folder / name)
 
     texts = {
-        "case.toml": as_toml(found.case.document | {"title": f"{found.was.title}, designed"}),
+        "case.toml": as_toml(found.case.document_in(out) | {"title": f"{found.was.title}, designed"}),
         "profile.csv": _profile(found),
         "design.json": as_json(found, ()) + "\n",
     }

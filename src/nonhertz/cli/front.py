@@ -63,7 +63,8 @@ def written_front(found: Front, out: Path) -> tuple[Path, ...]:
 
     texts = {"front.csv": _table(found), "front.json": as_json(found, ()) + "\n"}
     for number, case in enumerate(found.cases, start=1):
-        texts[f"case-{number}.toml"] = as_toml(case.document | {"title": f"{case.title}, point {number} of a front"})
+        title = {"title": f"{case.title}, point {number} of a front"}
+        texts[f"case-{number}.toml"] = as_toml(case.document_in(out) | title)
     return write_files(out, texts, draw)
 
 

@@ -47,7 +47,7 @@ def starting_document(path: Path | None) -> Start:
     from nonhertz.web.form.inlining import inlined, inlined_bearing
     from nonhertz.web.limits import slow, slow_bearing
 
-    document, _, text = opened(path, "case")
+    document, _, text = opened(path, "case", "bearing")
     bearing = meant_as(document) == "bearing"
     title = (BearingCase if bearing else Case).of(document, path).title
     changed, notes = (inlined_bearing if bearing else inlined)(document, path.parent)

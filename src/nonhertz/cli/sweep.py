@@ -35,7 +35,7 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
     InputError
         If an option cannot be read, named as on the command line.
     """
-    document, _, text = opened(file, "plan", "case")
+    document, _, text = opened(file, "plan", "case", "bearing")
     if not holds_plan(document):
         plan = Plan(case_or_bearing_in(document, file, text, changes), path=file)
     elif over:

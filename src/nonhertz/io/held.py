@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Self
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.fields import Described, short_repr
-from nonhertz.inputs.files import content, legible
+from nonhertz.inputs.files import content, legible, seen_from
 from nonhertz.io.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.io.changes import changed
 from nonhertz.io.folder import write_files
@@ -101,6 +101,11 @@ class Held:
         text = None if self.origin is None else self.origin.text
         return as_toml(self.document) if text is None else text
 
+    def document_in(self, folder: Path) -> dict[str, Any]:
+        """Return its document as a file in another folder holds it: the names of files are relative to that."""
+        document: dict[str, Any] = _moved(self.document, self.path.parent, folder)
+        return document
+
     @property
     def notes(self) -> tuple[str, ...]:
         """Warnings raised when its file was read, such as gaps in a measured profile."""
@@ -158,13 +163,8 @@ class HeldCase(Held):
 
     @classmethod
     def read(cls, path: str | Path, changes: Mapping[str, Any] | None = None) -> Self:
-        """Return what a file holds, with changes as of `of`, unless that is of another kind."""
-        document, path, text = opened(path, cls.kind)
-        kind = meant_as(document)
-        if kind and kind != cls.kind:
-            condition = f"hold {_CONTENTS[cls.kind]}, not {_CONTENTS[kind]}"
-            raise CaseError([f"{path} must {condition}: use 'nonhertz {_COMMANDS[kind]} {path}'."])
-        return cls.of(document, path, text, changes=changes)
+        """Return what a file holds, with changes as of `of`."""
+        return cls.of(*opened(path, cls.kind), changes=changes)
 
     @classmethod
     def of(
@@ -207,6 +207,15 @@ class HeldCase(Held):
         return cls(title=title, path=path, **given).held_in(Origin(document, text, notes, folder))
 
 
+def _moved(value: Any, old: Path, new: Path) -> Any:
+    if isinstance(value, dict):
+        moved = {key: _moved(each, old, new) for key, each in value.items()}
+        if "file" in value and not Path(value["file"]).is_absolute():
+            moved["file"] = seen_from(new, old / value["file"]).as_posix()
+        return moved
+    return [_moved(each, old, new) for each in value] if isinstance(value, list) else value
+
+
 def meant_as(document: Mapping[str, Any]) -> str:
     """Return the kind of file that a document is meant as, empty if that cannot be told.
 
@@ -241,16 +250,18 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
     path : str or Path
         A TOML file.
     *kinds : {"case", "bearing", "plan"}
-        What it may be, for messages; the first is what one may begin with.
+        What it may be; the first is what one may begin with.
 
     Raises
     ------
     CaseError
-        If it cannot be read, is not TOML, or is larger than any case.
+        If it cannot be read, is not TOML, is larger than any case, or holds something else than it may; what holds no
+        plan is left to be refused by who reads plans.
     InputError
         If ``path`` is not the name of a file.
     """
-    what = " or ".join(f"{kind} file" for kind in kinds)
+    *some, last = (f"{kind} file" for kind in kinds)
+    what = " or ".join([*([", ".join(some)] if some else []), last])
     if not isinstance(path, str | Path):
         raise InputError("path", path, f"be the name of a {what}", "give a string or a Path")
     path = Path(path)
@@ -258,7 +269,7 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
         text = content(path, LARGEST_CASE).decode("utf-8-sig")
     except FileNotFoundError:
         new = "nonhertz new" if kinds[0] == "case" else f"nonhertz new --{kinds[0]}"
-        way_out = f"give the path of a {what}, or begin with one from '{new}'"
+        way_out = f"give the path of a {what}, or begin with one from '{new} {path}'"
         sentence = f"{path} must exist: {way_out}."
     except IsADirectoryError:
         sentence = f"{path} must be a file, not a directory: give the path of a {what}."
@@ -271,7 +282,12 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
         way_out = "put measured points into a file that it names" if too_large else "check path and permissions"
         sentence = f"{path} must be readable ({reason[:1].lower()}{reason[1:]}): {way_out}."
     else:
-        return parsed(text, str(path)), path, text
+        document = parsed(text, str(path))
+        kind = meant_as(document)
+        if not kind or kind in kinds or "plan" in kinds:
+            return document, path, text
+        contents = " or ".join(_CONTENTS[each] for each in kinds)
+        sentence = f"{path} must hold {contents}, not {_CONTENTS[kind]}: use 'nonhertz {_COMMANDS[kind]} {path}'."
     raise CaseError([sentence])
 
 

@@ -61,13 +61,26 @@ class Parameter:
         The drop of a profile takes the place of the parameter that it determines.
         """
         if self.keys[-1] == "drop":
-            kind = Parameter("", (*self.keys[:-1], "kind"), None).value_in(document)
-            names = PARAMETERS[kind].by_drop if kind in PARAMETERS else ()
-            siblings = [Parameter("", (*self.keys[:-1], name), None) for name in names]
+            siblings = self._by_drop(document)
             if siblings and all(each.value_in(document) is not None for each in siblings):
                 document = siblings[0].removed(document)
         changed: dict[str, Any] = _with(document, self.keys, value)
         return changed
+
+    def drop_beside(self, document: Mapping[str, Any]) -> str:
+        """Return the path of the drop that a document gives in place of this value; empty if it gives none."""
+        others = [each for each in self._by_drop(document) if each.keys != self.keys]
+        drop = self._beside("drop")
+        determined = len(others) < len(self._by_drop(document)) and drop.value_in(document) is not None
+        return drop.path if determined and all(each.value_in(document) is not None for each in others) else ""
+
+    def _beside(self, name: str) -> Parameter:
+        return Parameter(f"{self.path.rpartition('.')[0]}.{name}", (*self.keys[:-1], name), None)
+
+    def _by_drop(self, document: Mapping[str, Any]) -> list[Parameter]:
+        """Return the parameters of a profile of which its drop determines the first that is not given."""
+        kind = self._beside("kind").value_in(document)
+        return [self._beside(name) for name in (PARAMETERS[kind].by_drop if kind in PARAMETERS else ())]
 
     def removed(self, document: Mapping[str, Any]) -> dict[str, Any]:
         """Return a document without the value; one that has none stays as it is."""

@@ -74,6 +74,21 @@ class Template:
             document = parameter.put(document, value)
         return document
 
+    def varied(self, path: str, given: Any) -> Parameter:
+        """Return the parameter of a path that is varied.
+
+        Raises
+        ------
+        InputError
+            If there is none, or the case gives the drop of a profile in its place.
+        """
+        found = parameter(path, self.known)
+        drop = found.drop_beside(self.document)
+        if drop:
+            condition = f"not be varied beside {drop}, which the case gives in its place"
+            raise InputError(path, given, condition, "vary it, or take it out of the case")
+        return found
+
     def case(self, values: Mapping[str, Any]) -> Case | BearingCase:
         """Return the case with other values, by path; notes on its files are not repeated.
 
@@ -254,7 +269,7 @@ class Plan(Held):
         InputError
             As the class does.
         """
-        which = parameter(path, self.template.known)
+        which = self.template.varied(path, given)
         spread = spread_in(which, given, self.template.document)
         template = replace(self.template, forms={path: spread} if isinstance(spread, Distribution) else {})
         for value in _extremes(spread):

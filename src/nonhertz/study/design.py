@@ -28,7 +28,6 @@ from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.inputs.checks import callback, listed, one_of, thread_count, whole
 from nonhertz.io.casefile import Case
 from nonhertz.io.free_forms import free_form_in
-from nonhertz.io.paths import parameter
 from nonhertz.io.planfile import Template, read_design
 from nonhertz.io.spreads import bounds_in
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
@@ -467,7 +466,7 @@ def _mapping(name: str, value: object) -> Mapping[str, Any]:
 def _variables(template: Template, vary: object) -> tuple[Variable, ...]:
     found: list[Variable] = []
     for path, given in _mapping("vary", vary).items():
-        which = parameter(path, template.known)
+        which = template.varied(path, given)
         form = free_form_in(path, given)
         if form is not None:
             found += [Variable(path, 0.0, 1.0, form)] * form.knots
