@@ -1,24 +1,37 @@
-"""Every key of a case file or a bearing file in tables, from the schema that the program itself checks files with."""
+"""Every key of a case file or a bearing file in tables, from what the fields of inputs say."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import MISSING
+from typing import TYPE_CHECKING
 
 from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
-from nonhertz.io.bearingfile import bearing_schema
-from nonhertz.io.casefile import schema
-from nonhertz.io.profiles import KINDS, Changes, keys_of, meaning_of, needed_keys
+from nonhertz.inputs.fields import (
+    Count,
+    Custom,
+    Flag,
+    OneOrTwo,
+    Part,
+    Parts,
+    Quantities,
+    Quantity,
+    Word,
+    Words,
+    text_of,
+)
+from nonhertz.io.bearing_document import BearingFile
+from nonhertz.io.keys import Key, Table, profile_kinds, table_of, unit_of
+from nonhertz.io.profiles import Changes
+from nonhertz.io.sections import CaseDocument
 
 if TYPE_CHECKING:
     from docutils import nodes
     from sphinx.application import Sphinx
 
-Schema = dict[str, Any]
-
-NAMES = {"number": "number", "integer": "whole number", "string": "text", "array": "list", "object": "table"}
 # Tables that are alike stand once.
 _OF_BOTH = {"body.a": "[body.a] and [body.b]", "roller": "[roller], [inner] and [outer]"}
 EVERY_PROFILE = tuple(Changes.descriptions)
@@ -29,8 +42,7 @@ class CaseFileKeys(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """Return the sections."""
-        whole = schema()
-        return self.parsed([*_sections(whole), *self._of_profiles()])
+        return self.parsed([*_sections(table_of(CaseDocument)), *self._of_profiles()])
 
     def parsed(self, lines: list[str]) -> list[nodes.Node]:
         """Return the sections in lines of reST."""
@@ -55,32 +67,30 @@ class BearingFileKeys(CaseFileKeys):
 
     def run(self) -> list[nodes.Node]:
         """Return the sections."""
-        return self.parsed(_sections(bearing_schema()))
+        return self.parsed(_sections(table_of(BearingFile)))
 
 
-def _sections(whole: Schema) -> list[str]:
+def _sections(whole: Table) -> list[str]:
     lines: list[str] = []
     for heading, table in tables(whole):
-        lines += [heading, "-" * len(heading), "", sentence(table.get("description", "")), "", *_keys(table), ""]
+        lines += [heading, "-" * len(heading), "", sentence(table.meaning), "", *_keys(table), ""]
     return lines
 
 
-def tables(whole: Schema) -> Iterator[tuple[str, Schema]]:
-    """Yield the heading and the schema of every table of a case file, those in it after those around it."""
+def tables(whole: Table) -> Iterator[tuple[str, Table]]:
+    """Yield the heading of every table of a file and what it may hold, those in it after those around it."""
     seen: set[str] = set()
     waiting = [("", whole)]
     while waiting:
         place, table = waiting.pop(0)
         if place != "body":  # there are only the two bodies in it
             yield _heading(place), table
-        for key, value in table["properties"].items():
-            if "properties" in value.get("items", {}):
-                waiting.append((f"[{place}.{key}]", value["items"]))
-            path = f"{place}.{key}".lstrip(".")
-            for name in _tables_in(value):
-                if name not in seen and name in whole["$defs"]:
-                    seen.add(name)
-                    waiting.append((f"[{path}]" if value.get("type") == "array" else path, whole["$defs"][name]))
+        for name, key in table.keys.items():
+            path = f"{place.strip('[]')}.{name}".lstrip(".")
+            for each in key.tables:
+                if name != "profile" and each.meaning not in seen:
+                    seen.add(each.meaning)
+                    waiting.append((f"[{path}]" if key.several and len(key.tables) == 1 else path, each))
 
 
 def _heading(place: str) -> str:
@@ -89,64 +99,64 @@ def _heading(place: str) -> str:
     return _OF_BOTH.get(place, f"[{place}]")
 
 
-def _tables_in(value: Any) -> Iterator[str]:
-    """Yield the names of the tables that a value refers to, at any depth."""
-    if isinstance(value, dict):
-        if "$ref" in value:
-            yield value["$ref"].rpartition("/")[2]
-        for each in value.values():
-            yield from _tables_in(each)
-    elif isinstance(value, list):
-        for each in value:
-            yield from _tables_in(each)
-
-
-def _keys(table: Schema) -> list[str]:
-    required = table.get("required", ())
+def _keys(table: Table) -> list[str]:
+    usual = any(each.meaning == table.meaning for each in table.kinds.values())
+    head = [("``kind``", _words(table.kinds), "", "" if usual else "must be there", table.meaning_of_kind)]
     rows = [
-        (f"``{key}``", kind(value), unit(value), _default(value, key in required), value.get("description", ""))
-        for key, value in table["properties"].items()
+        (f"``{name}``", kind(key), "" if key.several else unit_of(key), _default(key), text_of(key.each))
+        for name, key in table.keys.items()
     ]
-    return list_table(("key", "value", "unit", "default", "meaning"), rows)
+    return list_table(("key", "value", "unit", "default", "meaning"), [*(head if table.kinds else []), *rows])
 
 
 def _profiles() -> list[str]:
     rows = []
-    for name in KINDS:
-        needed, keys = needed_keys(name), [key for key in keys_of(name) if key not in EVERY_PROFILE]
-        must, may = ([f"``{key}``" for key in keys if (key in needed) == wanted] for wanted in (True, False))
-        rows.append((f"``{name}``", " ".join(must), " ".join(may), meaning_of(name)))
+    for table in profile_kinds():
+        keys = [name for name in table.keys if name not in EVERY_PROFILE]
+        must, may = (
+            " ".join(f"``{name}``" for name in keys if (name in table.required) == wanted) for wanted in (True, False)
+        )
+        rows.append((f"``{table.word}``", must, may, table.meaning))
     return list_table(("kind", "must have", "may have", "meaning"), rows)
 
 
-def kind(value: Schema) -> str:
+def kind(key: Key) -> str:
     """Return in words what may stand for a key."""
-    if "anyOf" in value:
-        alternatives = [each for each in value["anyOf"] if each.get("type") != "null"]
-        types = {each.get("type") for each in alternatives}
-        if unit(value) and types >= {"number", "string"}:
-            return "quantity or list of two" if "array" in types else "quantity"
-        return " or ".join(dict.fromkeys(kind(each) for each in alternatives))
-    if "const" in value:
-        return f'``"{value["const"]}"``'
-    if "enum" in value:
-        return ", ".join(f'``"{each}"``' for each in value["enum"])
-    return "table" if "$ref" in value else NAMES.get(value.get("type", ""), "")
+    one = key.each.each if isinstance(key.each, OneOrTwo) else key.each
+    match one:
+        case Quantity() if key.several:
+            found = []
+        case Quantity():
+            found = ["quantity"] if one.unit else [_words(one.words), "number"]
+        case Count():
+            found = [_words(one.words), "whole number"]
+        case Word():
+            found = [_words(one.words) or "text"]
+        case Quantities() | Words():
+            found = ["list"]
+        case Flag():
+            found = ["``true``, ``false``"]
+        case Custom():
+            found = [f"``{one.json['const']}``"]
+        case _:
+            found = ["text"] if getattr(one, "named", ()) else []
+    found += ["table"] if key.tables and not isinstance(one, Parts) else []
+    found += ["list"] if key.several else []
+    found += ["list of two"] if one is not key.each else []
+    return " or ".join(filter(None, found))
 
 
-def unit(value: Schema) -> str:
-    """Return the unit of a plain number, if the schema knows one."""
-    return str(value.get("unit") or next((each["unit"] for each in value.get("anyOf", ()) if "unit" in each), ""))
+def _words(words: Iterable[str]) -> str:
+    return ", ".join(f'``"{word}"``' for word in words)
 
 
-def _default(value: Schema, required: bool) -> str:
-    default = value.get("default")
-    if required:
+def _default(key: Key) -> str:
+    if key.usual is MISSING:
         return "must be there"
-    if isinstance(default, dict):
-        known = {key: each for key, each in default.items() if each is not None}
-        return "{ " + ", ".join(f"{key} = {each:g}" for key, each in known.items()) + " }"
-    return "" if default in (None, "", []) else f"``{default}``"
+    named = key.each.named if isinstance(key.each, Part) else {}
+    usual = next((word for word, known in named.items() if known == key.usual), key.usual)
+    plain = isinstance(usual, str | int | float) and usual not in ("", math.inf)
+    return f"``{usual}``" if plain else ""
 
 
 def sentence(text: str) -> str:

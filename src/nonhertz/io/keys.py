@@ -10,7 +10,7 @@ import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, dataclass, field, replace
 from functools import cache
-from typing import Any
+from typing import Any, Final
 
 from nonhertz.bearing.bearings import Pair, RollerBearing
 from nonhertz.bearing.shapes import Deviations, Waves
@@ -19,6 +19,9 @@ from nonhertz.io.bearing_document import PAIR, PARTS, SHAPES
 from nonhertz.io.profiles import KINDS, keys_of, meaning_of, needed_keys
 from nonhertz.io.shape_tables import ShapeFile
 from nonhertz.model.profile import Profile
+
+#: Of a bearing's file as people write it: the bearing before its parts, and a second row after all that the first has.
+_ORDER: Final = {"format": -3, "title": -2, "bearing": -1, "pair": 1}
 
 
 @dataclass(frozen=True)
@@ -89,6 +92,11 @@ def table_of(cls: Any) -> Table:
     own = _plain(cls)
     kinds = {word: replace(_plain(kind), word=word) for word, kind in cls.kinds.items()}
     every = {name: key for each in (*kinds.values(), own) for name, key in each.keys.items()}
+    # What one kind needs others do not.
+    every = {
+        name: key if name in own.keys or key.usual is not MISSING else replace(key, usual=None)
+        for name, key in sorted(every.items(), key=lambda each: _ORDER.get(each[0], 0))
+    }
     return replace(own, keys=every, kinds=kinds, meaning_of_kind=cls.meaning_of_kind)
 
 
@@ -114,6 +122,11 @@ def _key(name: str, each: Described, usual: Any, inner: Any) -> Key:
         return Key(each, usual, (table_of(each.of),), several=True)
     likely = getattr(each, "likely", None)
     return Key(each, usual, () if inner is None else (replace(table_of(inner), likely=likely),))
+
+
+def unit_of(key: Key) -> str:
+    """Return the unit of the number or the numbers that a key holds; empty if they have none, or it holds others."""
+    return str(getattr(getattr(key.each, "each", key.each), "unit", ""))
 
 
 @cache

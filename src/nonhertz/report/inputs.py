@@ -1,6 +1,6 @@
 """Every input of a case with value, unit and meaning, and whether it is a default.
 
-Meanings and units come from the case file's schema, values from the bodies made from it.
+Meanings and units come from what the fields of inputs say, values from the bodies made of the file.
 """
 
 from __future__ import annotations
@@ -10,15 +10,19 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from nonhertz.io.casefile import Case, schema
+from nonhertz.inputs.fields import text_of
+from nonhertz.io.casefile import Case
+from nonhertz.io.keys import Key, Table, profile_kinds, table_of, unit_of
 from nonhertz.io.measured import KIND as MEASURED
 from nonhertz.io.profiles import profile_tables
+from nonhertz.io.sections import Life, Solver
 from nonhertz.io.writing import profile_tables as written_profiles
 from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.corner import Chamfer
 from nonhertz.model.material import Material
 from nonhertz.model.materials import MATERIALS
+from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.model.profile.drop import determined
 from nonhertz.report.method import formula, source
@@ -40,16 +44,6 @@ _BORNE = {
     "core_yield_strength": ("core", " MPa"),
     "hardness": ("hardness", ""),
     "pressure_limit": ("limit of pressure", " MPa"),
-}
-# Units of numbers within an input that is a table.
-_WITHIN = {
-    **dict.fromkeys(("length", "blend_radius", "approach", "end_radius", "height", "crown_radius", "edge"), " mm"),
-    **dict.fromkeys(("depth", "diameter", "shoulder", "shoulder_diameter", "y", "raceway_diameter"), " mm"),
-    "per_area": " /mm^2",
-    **dict.fromkeys(("load", "radial", "axial"), " N"),
-    **dict.fromkeys(("angle", "tilt"), " rad"),
-    "moment": " N mm",
-    "speed": " 1/min",
 }
 _OF_THE_BODY, _OF_BOTH, _AT_THE_END = "from the body", "from both bodies", "the end of the land"
 
@@ -121,18 +115,15 @@ def inputs(case: Case) -> list[InputGroup]:
 def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> InputGroup:
     """Return the inputs of a body, from its table and from what was made of that."""
     entries = [Entry(f"{place}.kind", *_kind(table, body), "kind" not in table)]
-    for name, property_ in _properties("Body").items():
-        if name not in {"kind", "profile"}:
+    for name, key in table_of(Body).keys.items():
+        if name != "profile":
             value = getattr(body, name)
             if name == "depth" and value is None:
                 value = body.behind.shown
-            text = _ABSENT[name] if value is None else shown(value)
-            unit = unit_of(property_) if isinstance(value, float | int | TabulatedDiameter) else ""
-            entries.append(
-                Entry(
-                    f"{place}.{name}", text, unit, property_["description"], name not in table, as_written(table, name)
-                )
-            )
+            text = _ABSENT[name] if value is None else shown(value, key)
+            unit = unit_of(key) if isinstance(value, float | int | TabulatedDiameter) else ""
+            meaning, written = text_of(key.each), as_written(table, name)
+            entries.append(Entry(f"{place}.{name}", text, unit, meaning, name not in table, written))
     tables = profile_tables(table)
     made = iter(written_profiles(body.profile))
     profiles = tuple(
@@ -151,53 +142,52 @@ def _kind(table: Mapping[str, Any], body: Body) -> tuple[str, str, str]:
 
 
 def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
-    prescribed = case.prescribed
-    for name, property_ in _properties("Prescription").items():
+    prescribed, keys = case.prescribed, table_of(Prescription).keys
+    for name, key in keys.items():
         if name in prescribed:
-            value = given(prescribed[name])
-            yield Entry(
-                f"load.{name}", value, unit_of(property_), property_["description"], False, as_written(table, name)
-            )
+            value, written = given(prescribed[name]), as_written(table, name)
+            yield Entry(f"load.{name}", value, unit_of(key), text_of(key.each), False, written)
     if not {"tilt", "moment"} & set(prescribed):
-        yield Entry("load.tilt", "0", "rad", _properties("Prescription")["tilt"]["description"], True)
+        yield Entry("load.tilt", "0", "rad", text_of(keys["tilt"].each), True)
 
 
 def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     solver = case.solver
     accuracy = "" if solver["accuracy"] is None else f"{solver['accuracy']:g}"
     values = {"element": solver["element"].name, "strips": str(solver["strips"]), "accuracy": accuracy}
-    for name, property_ in _properties("Solver").items():
+    for name, key in table_of(Solver).keys.items():
         if values[name]:
-            yield Entry(f"solver.{name}", values[name], "", property_["description"], name not in table)
+            yield Entry(f"solver.{name}", values[name], "", text_of(key.each), name not in table)
 
 
 def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
-    for name, property_ in _properties("Life").items():
+    for name, key in table_of(Life).keys.items():
         if name == "spectrum" and table.get(name):
+            (row,) = key.tables
             for number, case in enumerate(table[name], start=1):
-                text = ", ".join(f"{key} {_entry_within(key, value)}" for key, value in case.items())
-                yield Entry(f"life.spectrum[{number}]", text, "", property_["description"], False)
+                text = ", ".join(f"{each} {_entry_within(value, row.keys[each])}" for each, value in case.items())
+                yield Entry(f"life.spectrum[{number}]", text, "", text_of(key.each), False)
         elif name in table:
-            yield Entry(f"life.{name}", shown(table[name]), unit_of(property_), property_["description"], False)
+            yield Entry(f"life.{name}", shown(table[name], key), unit_of(key), text_of(key.each), False)
 
 
 def _profile_input(
     place: str, table: Mapping[str, Any], made: Mapping[str, Any], *, default: bool = False
 ) -> ProfileInput:
     kind = table["kind"]
-    described = _profile_kinds().get(kind, {})
+    described = next((each for each in profile_kinds() if each.word == kind), Table(kind, kind, {}))
     function = prepare if kind == MEASURED else CATALOGUE.get(kind)
     entries = [Entry(f"{place}.kind", kind, "", "relief along the axis", default)]
-    for name, property_ in described.get("properties", {}).items():
+    for name, key in described.keys.items():
         value, is_default = _parameter(name, table, function)
-        meaning = property_.get("description", "").replace("`", "").rstrip(".")
+        meaning = text_of(key.each)
         if "drop" in table and name == determined(kind, table):
             value, is_default, meaning = shown(made[name]), False, f"{meaning}; from the drop"
-        if name != "kind" and value is not None:
+        if value is not None:
             # Text includes its unit, and a word such as "auto" has none.
-            unit = unit_of(property_) if _has_digit(value) and not isinstance(table.get(name), str) else ""
+            unit = unit_of(key) if _has_digit(value) and not isinstance(table.get(name), str) else ""
             entries.append(Entry(f"{place}.{name}", value, unit, meaning, is_default))
-    what = described.get("description", kind).rstrip(".")
+    what = described.meaning.rstrip(".")
     return ProfileInput(what[:1].upper() + what[1:], formula(function), source(function), tuple(entries))
 
 
@@ -215,8 +205,8 @@ def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any]
     return (None if known.default is None else shown(known.default)), True
 
 
-def shown(value: Any) -> str:
-    """Return a value as readable text."""
+def shown(value: Any, key: Key | None = None) -> str:
+    """Return a value as readable text; that of a key whose tables say the units within them."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float | int):
@@ -228,18 +218,20 @@ def shown(value: Any) -> str:
     if isinstance(value, Chamfer):
         value = asdict(value)
     if isinstance(value, dict):
-        return ", ".join(f"{key} = {_entry_within(key, entry)}" for key, entry in value.items())
-    return _sequence(value) if isinstance(value, list | tuple) else str(value)
+        keys = {name: each for table in (key.tables if key else ()) for name, each in table.keys.items()}
+        return ", ".join(f"{name} = {_entry_within(entry, keys.get(name))}" for name, entry in value.items())
+    return _sequence(value, key) if isinstance(value, list | tuple) else str(value)
 
 
-def _entry_within(key: str, value: Any) -> str:
-    return shown(value) + (_WITHIN.get(key, "") if isinstance(value, float | int | list | tuple) else "")
+def _entry_within(value: Any, key: Key | None) -> str:
+    unit = unit_of(key) if key and isinstance(value, float | int | list | tuple) else ""
+    return f"{shown(value, key)} {unit}".rstrip()
 
 
-def _sequence(values: Sequence[Any]) -> str:
+def _sequence(values: Sequence[Any], key: Key | None = None) -> str:
     if len(values) > LONGEST_LIST:
-        return f"{len(values)} values, {shown(values[0])} to {shown(values[-1])}"
-    return ", ".join(map(shown, values))
+        return f"{len(values)} values, {shown(values[0], key)} to {shown(values[-1], key)}"
+    return ", ".join(shown(value, key) for value in values)
 
 
 def _material(material: Material) -> str:
@@ -261,19 +253,3 @@ def as_written(table: Mapping[str, Any], name: str) -> str:
 
 def _has_digit(text: str) -> bool:
     return any(letter.isdigit() for letter in text)
-
-
-def unit_of(property_: Mapping[str, Any]) -> str:
-    """Return the unit in a key's schema, wherever it is given."""
-    choices = [property_, *property_.get("anyOf", ()), property_.get("items", {})]
-    return next((str(each["unit"]) for each in choices if each.get("unit")), "")
-
-
-def _properties(table: str) -> dict[str, dict[str, Any]]:
-    found: dict[str, dict[str, Any]] = schema()["$defs"][table]["properties"]
-    return found
-
-
-def _profile_kinds() -> dict[str, dict[str, Any]]:
-    single = _properties("Body")["profile"]["anyOf"][0]
-    return {each["title"]: each for each in single["anyOf"]}

@@ -5,10 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import Pair, Paired, RollerBearing
+from nonhertz.bearing.clearance import Housing, Mounting, Shaft
+from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.ribs import Rib
-from nonhertz.io.bearingfile import BearingCase, bearing_schema
-from nonhertz.report.inputs import Entry, InputGroup, as_written, body_group, shown, unit_of
+from nonhertz.bearing.verb import BearingSolver
+from nonhertz.inputs.fields import text_of
+from nonhertz.io.bearing_document import BearingLifeConditions
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.keys import Key, table_of, unit_of
+from nonhertz.report.inputs import Entry, InputGroup, as_written, body_group, shown
 
 _BODIES = {"roller": "Rollers", "inner": "Inner ring", "outer": "Outer ring"}
 #: Lengths that people read in um.
@@ -21,76 +27,69 @@ def bearing_inputs(case: BearingCase) -> list[InputGroup]:
     row = case.bearing.rows[0].bearing
     groups = [InputGroup("Bearing", tuple(_bearing_entries(case, document["bearing"])))]
     groups += [body_group(title, name, document.get(name, {}), getattr(row, name)) for name, title in _BODIES.items()]
-    groups.append(InputGroup("Load", tuple(_given_entries("load", document.get("load", {}), case.prescribed))))
+    groups.append(
+        InputGroup("Load", tuple(_given_entries("load", document.get("load", {}), case.prescribed, BearingLoad)))
+    )
     if case.fit:
         groups.append(InputGroup("Fits and temperatures", tuple(_fit_entries(case, document["fit"]))))
-    groups.append(InputGroup("Solver", tuple(_all_entries("solver", document.get("solver", {}), case.solver))))
+    groups.append(InputGroup("Solver", tuple(_solver_entries(document.get("solver", {}), case.solver))))
     if document.get("life"):
-        groups.append(InputGroup("Life", tuple(_given_entries("life", document["life"], case.life))))
+        groups.append(
+            InputGroup("Life", tuple(_given_entries("life", document["life"], case.life, BearingLifeConditions)))
+        )
     return groups
 
 
 def _bearing_entries(case: BearingCase, table: Mapping[str, Any]) -> Iterator[Entry]:
     row = case.bearing.rows[0].bearing
-    for name, property_ in _properties("RollerBearing").items():
-        if name == "kind":
-            yield Entry("bearing.kind", shown(table["kind"]), "", "what it is", False)
-        elif name == "pair" and name in table:
+    yield Entry("bearing.kind", shown(table["kind"]), "", "what it is", False)
+    for name, key in table_of(RollerBearing).keys.items():
+        if name == "pair" and name in table:
             yield from _pair_entries(case.bearing, table["pair"])
         elif hasattr(row, name):
             value = table.get(name) if name.endswith("_shape") else getattr(row, name)
             if value is None and name not in table:
                 guessed = name == "rib" and bool(row.rib_contacts)
                 value = {"pitch_diameter": row.pitch}.get(name, "a guess" if guessed else "none")
-            yield _entry(f"bearing.{name}", value, property_, table)
+            yield _entry(f"bearing.{name}", value, key, table)
 
 
 def _fit_entries(case: BearingCase, table: Mapping[str, Any]) -> Iterator[Entry]:
-    for name, schema in (("shaft", "Shaft"), ("housing", "Housing")):
-        yield from _given_entries(f"fit.{name}", table[name], vars(case.fit[name]), schema)
+    for name, cls in (("shaft", Shaft), ("housing", Housing)):
+        yield from _given_entries(f"fit.{name}", table[name], vars(case.fit[name]), cls)
     rest = {name: value for name, value in table.items() if name not in {"shaft", "housing"}}
-    yield from _given_entries("fit", rest, case.fit)
+    yield from _given_entries("fit", rest, case.fit, Mounting)
 
 
 def _pair_entries(rows: RollerBearing | Paired, table: Mapping[str, Any]) -> Iterator[Entry]:
     values: dict[str, Any] = {}
     if isinstance(rows, Paired):
         values = {"distance": rows.x[-1] - rows.x[0], "clearance": rows.clearance}
-    return _given_entries("bearing.pair", table, values, "Pair")
+    return _given_entries("bearing.pair", table, values, Pair)
 
 
-def _given_entries(
-    place: str, table: Mapping[str, Any], values: Mapping[str, Any], schema: str = ""
-) -> Iterator[Entry]:
+def _given_entries(place: str, table: Mapping[str, Any], values: Mapping[str, Any], cls: Any) -> Iterator[Entry]:
     """Yield the keys that a table has, with the values that were made of them."""
-    for name, property_ in _properties(schema or _TABLES[place]).items():
+    for name, key in table_of(cls).keys.items():
         if name in table:
-            yield _entry(f"{place}.{name}", values.get(name, table[name]), property_, table)
+            yield _entry(f"{place}.{name}", values.get(name, table[name]), key, table)
 
 
-def _all_entries(place: str, table: Mapping[str, Any], values: Mapping[str, Any]) -> Iterator[Entry]:
+def _solver_entries(table: Mapping[str, Any], values: Mapping[str, Any]) -> Iterator[Entry]:
     """Yield all keys of a table, defaults too."""
-    for name, property_ in _properties(_TABLES[place]).items():
-        yield _entry(f"{place}.{name}", values.get(name, property_.get("default")), property_, table)
+    for name, key in table_of(BearingSolver).keys.items():
+        yield _entry(f"solver.{name}", values.get(name, key.usual), key, table)
 
 
-def _entry(place: str, value: Any, property_: Mapping[str, Any], table: Mapping[str, Any]) -> Entry:
+def _entry(place: str, value: Any, key: Key, table: Mapping[str, Any]) -> Entry:
     name = place.rpartition(".")[2]
-    unit = "" if isinstance(value, str) else unit_of(property_)
+    unit = "" if isinstance(value, str) or key.tables else unit_of(key)
     if name in _SMALL and unit == "mm":
         value = [1e3 * each for each in value] if isinstance(value, list | tuple) else 1e3 * value
         unit = "µm"
     if isinstance(value, Rib):
         value = {name: each for name, each in vars(value).items() if each is not None}
-    text, written = shown(value), as_written(table, name)
+    text, written = shown(value, key), as_written(table, name)
     # What a file says, unless that is what is shown.
     unlike = "" if written.replace("um", "µm") == f"{text} {unit}" else written
-    return Entry(place, text, unit, property_.get("description", ""), name not in table, unlike)
-
-
-_TABLES = {"load": "BearingLoad", "solver": "BearingSolver", "life": "BearingLifeConditions", "fit": "Mounting"}
-
-
-def _properties(table: str) -> dict[str, dict[str, Any]]:
-    found: dict[str, dict[str, Any]] = bearing_schema()["$defs"][table]["properties"]
-    return found
+    return Entry(place, text, unit, text_of(key.each), name not in table, unlike)
