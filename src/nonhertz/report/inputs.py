@@ -29,15 +29,8 @@ from nonhertz.report.method import formula, source
 from nonhertz.result.numerals import given
 
 LONGEST_LIST = 8  # entries; a longer list is summarised
-_ABSENT = {
-    "diameter": "flat",
-    "bore": "none",
-    "length": "unbounded",
-    "effective_length": "the whole length",
-    "corner_radius": "none",
-    "chamfer": "none",
-    "case_depth": "none",
-}
+# What the body has where a key is left out that has no value then; nothing, if not here.
+_ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "the whole length"}
 # What is known of a material beside its elastic constants: words before the value, and unit.
 _BORNE = {
     "yield_strength": ("yield strength", " MPa"),
@@ -120,7 +113,7 @@ def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> 
             value = getattr(body, name)
             if name == "depth" and value is None:
                 value = body.behind.shown
-            text = _ABSENT[name] if value is None else shown(value, key)
+            text = _ABSENT.get(name, "none") if value is None else shown(value, key)
             unit = unit_of(key) if isinstance(value, float | int | TabulatedDiameter) else ""
             meaning, written = text_of(key.each), as_written(table, name)
             entries.append(Entry(f"{place}.{name}", text, unit, meaning, name not in table, written))
