@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import contextlib
 import os
+import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from nonhertz.errors import InputError
-from nonhertz.io.drafts import drafts_in
 from nonhertz.result.reading import read_in
 
 _OUT_REMEDY = "give a directory to write to"
-_OF_FILES = (
-    *(".csv", ".docx", ".html", ".htm", ".jpg", ".json", ".md", ".npz", ".ods", ".parquet", ".pdf", ".png", ".svg"),
-    *(".toml", ".txt", ".vtk", ".vtu", ".xls", ".xlsx", ".xml", ".zip"),
-)
+_DRAFTS = ".nonhertz-draft-"
 
 
 def write_files(
@@ -74,8 +71,9 @@ def refuse_unwritable(directory: Path) -> None:
 def _drafts(directory: Path) -> Iterator[Path]:
     """Make a folder for drafts in a directory, created if need be; refuse a directory that cannot be written to."""
     try:
-        with _directory(directory), drafts_in(directory) as drafts:
-            yield drafts
+        # Inside the directory, not beside it: a move is only atomic within one file system.
+        with _directory(directory), tempfile.TemporaryDirectory(prefix=_DRAFTS, dir=directory) as drafts:
+            yield Path(drafts)
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         condition = f"be a directory to write to ({reason})"
@@ -88,9 +86,6 @@ def _directory(directory: Path) -> Iterator[None]:
     if directory.exists() and not directory.is_dir():
         raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
     made = _missing(directory)
-    if made and directory.suffix.lower() in _OF_FILES:
-        remedy = f"write '{directory.with_suffix('')}', in which files get names of their own"
-        raise InputError("--out", str(directory), "be a directory, and looks like a file", remedy)
     try:
         directory.mkdir(parents=True, exist_ok=True)
         yield
