@@ -54,6 +54,11 @@ def test_what_a_file_held_and_a_result_are_printed_as_they_are_made(solved):
     assert "element: 'Element | str' = Element('semi-elliptic'), strips" in str(inspect.signature(nh.solve))
 
 
+def test_two_strips_beside_each_other_are_one_place_of_the_maximum():
+    even = quietly(nh.solve, CONTACT, load=5e3, strips=20)
+    assert re.search(r"maximum pressure \S+ MPa at y = \S+ mm", repr(even))
+
+
 def test_notebooks_see_the_pressure_drawn(solved):
     page = solved._repr_html_()
     points = re.search(r'points="([^"]*)"', page)[1].split()

@@ -120,6 +120,14 @@ def test_contacts_end_within_the_corner_and_their_pressure_has_a_limit():
     assert coarse.approach == pytest.approx(fine.approach, rel=1e-4)
 
 
+@pytest.mark.parametrize(("next_to_it", "beside", "ends"), [(120.0, 130.0, (9.0,)), (130.0, 120.0, ())])
+def test_a_contact_round_a_corner_ends_there_only_if_its_pressure_rises_towards_it(next_to_it, beside, ends):
+    body = roller(corner_radius=None, chamfer=nh.Chamfer(length=1.0, angle=0.3), profile=nh.profile.straight())
+    edges = np.array([8.6, 8.7, 8.8, 8.9, 9.0, 9.02])
+    pressure = np.array([100.0, 110.0, next_to_it, beside, 90.0])
+    assert corner_ends(nh.Contact(body, nh.Plate()), edges, pressure, np.full(5, 0.4)) == ends
+
+
 @pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")  # so small a corner needs more strips for its maximum
 def test_a_small_radius_approaches_a_sharp_end():
     ring = nh.Ring(diameter=80.0, depth=10.0)

@@ -79,6 +79,21 @@ def test_it_is_what_contacts_solved_anew_differ_by(crowned, holding):
         assert_allclose(found * at / sizes, expected * at / sizes, rtol=1e-6, atol=1e-8, err_msg=name)
 
 
+def test_a_maximum_a_half_width_from_a_sharp_end_moves_with_the_half_widths_beside_it():
+    straight = nh.Contact(nh.Roller(diameter=15.0, length=10.0, side_faces="none"), nh.Plate(material=SOFT))
+    solution = solved(straight, None, load=14e3, tilt=3e-4)
+    assert solution.max_pressure_y not in solution.y
+    gradients = [solution.gradient(each) for each in NAMES[-2:]]
+    change, at = by_path(straight, "a.diameter")
+    sizes = np.array([each.value for each in gradients])
+    for found, case, start in (
+        ([each.by("a.diameter") for each in gradients], change, at),
+        ([each.given["load"] for each in gradients], lambda load: (None, {"load": load}), 14e3),
+    ):
+        expected = differenced(solution, NAMES[-2:], HOLDING[0], case, start)
+        assert_allclose(np.array(found) * start / sizes, expected * start / sizes, rtol=1e-5)
+
+
 def test_relief_at_every_strip(crowned):
     quantities = ["approach", "max_pressure", PowerIntegral(31 / 3, -4 / 3)]
     reliefs = np.array([crowned.gradient(each).relief for each in quantities])

@@ -287,10 +287,11 @@ def test_a_corner_that_an_end_presses_on_is_found_however_short_the_contact():
     assert solution.contact_y[0][1] > 0.0
 
 
-def test_a_strip_beside_the_contact_hides_no_other_contact():
+@pytest.mark.parametrize("fine", [np.linspace(-0.5, 0.5, 21), np.linspace(-6.0, 0.5, 66)], ids=["middle", "one side"])
+def test_a_strip_beside_the_contact_hides_no_other_contact(fine):
     # The strips beside the fine ones have their centres out of contact, and nearly all of the contact within.
     roller = nh.Roller(diameter=20, length=20, profile=profile.crown(4000))
-    edges = np.concatenate([[-10.0], np.linspace(-0.5, 0.5, 21), [10.0]])
+    edges = np.concatenate([[-10.0], fine, [10.0]])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
         solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), approach=2e-3, strips=edges)

@@ -159,11 +159,26 @@ def test_a_body_thinner_than_its_contact_is_refused_among_others(strips):
     assert "depth" in str(many.failures[1])
 
 
-def test_what_strains_the_model_is_told_once():
-    with pytest.warns(nh.AccuracyWarning, match=r"1 of 2 cases strain the model; number 1, the first: The half-width"):
-        many = nh.solve_many(CROWNED, load=[2e3, 3e6], strips=21)
-    assert list(many.warnings) == [1]
-    assert many.warnings[1] == many[1].warnings
+THIN = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), depth="none"), nh.Plate(depth=1.0))
+EDGED = nh.Contact(
+    nh.Roller(diameter=20, length=20, chamfer=nh.Chamfer(length=5.0, angle=0.003), side_faces="mirror"), nh.Plate()
+)
+
+
+@pytest.mark.parametrize(
+    ("contact", "strips", "loads", "numbers", "words"),
+    [
+        (CROWNED, 41, [2e3, 3e6], [1], "The half-width"),
+        (THIN, 41, [2e3, 10e3], [1], "The depth of body b is only 2.59 half-widths"),
+        (EDGED, None, [5e3, 10e3], [0, 1], "The largest pressure is at a corner of the profile"),
+    ],
+    ids=["wide", "thin", "edged"],
+)
+def test_what_strains_the_model_is_told_once(contact, strips, loads, numbers, words):
+    said = f"{len(numbers)} of 2 cases strain the model; number {numbers[0]}, the first: {words}"
+    with pytest.warns(nh.AccuracyWarning, match=said):
+        many = nh.solve_many(contact, load=loads, strips=strips)
+    assert many.warnings == {number: many[number].warnings for number in numbers}
 
 
 def test_contacts_with_singular_ends_are_told_once_and_apart_from_what_strains_the_model():

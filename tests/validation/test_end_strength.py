@@ -6,9 +6,11 @@ that add up to kappa.
 
 import math
 
+import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.result.end_fit import fitted_strength
 
 # kappa, length [mm], load [N], crown radius [mm], K [MPa mm^alpha], relative error documented
 CASES = [
@@ -36,6 +38,11 @@ def solved(kappa, length, load, crown, element):
 def test_strength(element, kappa, length, load, crown, expected, error):
     edge = solved(kappa, length, load, crown, element).edge_pressure[1]
     assert edge.strength == pytest.approx(expected, rel=error if element is nh.SEMI_ELLIPTIC else 0.03)
+
+
+def test_pressures_that_are_no_numbers_have_no_strength():
+    pressure = np.where(np.arange(10) == 1, np.nan, 100.0)
+    assert fitted_strength(np.linspace(0.0, 1.0, 11), pressure, (0.0, 0.0), 1.0, nh.SEMI_ELLIPTIC) == (None, None)
 
 
 # Straight rollers, where the contact is widest at its ends: kappa, length [mm], load [N], and the largest half-width
