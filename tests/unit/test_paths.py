@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.bearingfile import bearing_schema
-from nonhertz.io.casefile import schema
+from nonhertz.io.bearing_document import BearingFile
 from nonhertz.io.paths import drops_first, parameter, parameters
+from nonhertz.io.sections import CaseDocument
 
 CASE = {
     "body": {
@@ -24,7 +24,7 @@ CASE = {
 
 @pytest.fixture
 def known():
-    return parameters(CASE, schema())
+    return parameters(CASE, CaseDocument)
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_a_document_with_another_value_leaves_the_first_as_it_was(known):
 )
 def test_a_drop_takes_the_place_of_what_it_determines(table, left):
     case = {"body": {"a": {"profile": [table]}}}
-    drop = parameters(case, schema())["body.a.profile.drop"]
+    drop = parameters(case, CaseDocument)["body.a.profile.drop"]
     assert drop.put(case, 0.01)["body"]["a"]["profile"] == [left | {"drop": 0.01}]
     assert drops_first({"body.a.profile.radius": 1.0, "body.a.profile.drop": 2.0})[0] == ("body.a.profile.drop", 2.0)
 
@@ -100,7 +100,7 @@ def test_a_drop_takes_the_place_of_what_it_determines(table, left):
 )
 def test_what_a_drop_determines_is_not_varied_beside_it(table, name, drop):
     case = {"body": {"a": {"profile": [table]}}}
-    assert parameters(case, schema())[f"body.a.profile.{name}"].drop_beside(case) == drop
+    assert parameters(case, CaseDocument)[f"body.a.profile.{name}"].drop_beside(case) == drop
 
 
 def test_tables_that_are_missing_are_made(known):
@@ -115,7 +115,7 @@ def test_a_material_by_its_name_has_no_modulus_to_vary(known):
 
 def test_bearing_files_have_paths_too():
     document = {"bearing": {"kind": "cylindrical"}, "roller": {"profile": {"kind": "crown", "radius": 1e3}}}
-    known = parameters(document, bearing_schema())
+    known = parameters(document, BearingFile)
     assert known["roller.profile.drop"].unit == "mm"
     assert known["fit.shaft.interference"].unit == "mm"
     assert known["bearing.rollers"].whole

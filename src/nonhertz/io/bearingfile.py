@@ -19,7 +19,7 @@ from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_of, whole
-from nonhertz.io.bearing_document import bearing_sections, of_fit, radius_across, read_document, schema
+from nonhertz.io.bearing_document import BearingFile, bearing_sections, of_fit, radius_across, read_document, schema
 from nonhertz.io.casefile import Case
 from nonhertz.io.held import OF_BEARINGS, HeldCase, starting_text
 from nonhertz.io.mistakes import Mistake, case_error
@@ -97,7 +97,7 @@ class BearingCase(HeldCase):
 
     parts: ClassVar = {"title_block": TitleBlock}
     keywords: ClassVar = {"prescribed" if name == "load" else name: known for name, known in _SECTIONS.items()}
-    schema: ClassVar = staticmethod(bearing_schema)
+    contents: ClassVar = BearingFile
     kind: ClassVar = "bearing"
 
     def __post_init__(self) -> None:

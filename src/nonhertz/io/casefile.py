@@ -81,7 +81,7 @@ class Case(HeldCase):
     life: Life = field(default_factory=Life)
 
     parts: ClassVar = {"contact": Contact, "life": Life, "title_block": TitleBlock}
-    schema: ClassVar = staticmethod(schema)
+    contents: ClassVar = CaseDocument
     keywords: ClassVar = {"prescribed": Prescription.descriptions, "solver": Solver.descriptions}
 
     def __post_init__(self) -> None:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nonhertz.errors import CaseError, InputError
+from nonhertz.inputs.fields import Input
 from nonhertz.inputs.files import legible
 
 _LONGEST = 60  # characters of a value in a title
@@ -45,7 +46,7 @@ def changed(
     document: dict[str, Any],
     text: str | None,
     changes: Mapping[str, Any],
-    schema: Callable[[], Mapping[str, Any]],
+    kind: type[Input],
     name: str,
 ) -> tuple[dict[str, Any], str | None]:
     """Return a document with other values, whose title names them, and its text.
@@ -58,8 +59,8 @@ def changed(
         What it was parsed from.
     changes : mapping
         Values by path; None takes a key out.
-    schema : callable
-        Returns the JSON schema of such a file.
+    kind : type
+        The class of what such a file holds.
     name : str
         The title where the document has none.
 
@@ -78,10 +79,10 @@ def changed(
     from nonhertz.io.held import as_toml
     from nonhertz.io.paths import drops_first, parameter, parameters
 
-    whole, known, mistakes = document, schema(), []
+    whole, mistakes = document, []
     for path, value in drops_first(changes):
         try:
-            found = parameter(path, parameters(whole, known))
+            found = parameter(path, parameters(whole, kind))
         except InputError as error:
             mistakes.append((f"{error.field} must {error.condition}: {error.remedy}.", error.field))
         else:

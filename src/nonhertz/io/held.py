@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import tomllib
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from importlib import resources
 from pathlib import Path
@@ -13,7 +13,7 @@ from typing import Any, ClassVar, Self
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_line, one_of
-from nonhertz.inputs.fields import Described, short_repr
+from nonhertz.inputs.fields import Described, Input, short_repr
 from nonhertz.inputs.files import content, legible, seen_from
 from nonhertz.io.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.io.changes import changed
@@ -153,8 +153,8 @@ class HeldCase(Held):
 
     title_block: TitleBlock = field(default_factory=TitleBlock)
 
-    #: Returns the JSON schema of such a file.
-    schema: ClassVar[Callable[[], Mapping[str, Any]]]
+    #: The class of what a file holds.
+    contents: ClassVar[type[Input]]
 
     @staticmethod
     def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
@@ -197,7 +197,7 @@ class HeldCase(Held):
             With every mistake in the document, one sentence each.
         """
         if changes is not None:
-            document, text = changed(document, text, changes, cls.schema, legible(path.stem))
+            document, text = changed(document, text, changes, cls.contents, legible(path.stem))
         folder = path.parent if files else None
         try:
             given, notes = with_notes(lambda: cls.given_in(document, folder))

@@ -124,11 +124,3 @@ def in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mist
 def missing(place: Place, remedy: str) -> Mistake:
     """Return the mistake of leaving out a required key."""
     return Mistake(place, InputError("", None, "be given", remedy), absent=True)
-
-
-def mistake_in(field: str, error: InputError, value: object) -> Mistake:
-    """Return the mistake found by a field's own check, with text shown as the user wrote it."""
-    shown = value if isinstance(value, str) else error.value
-    place = (field,) if error.field == field else (field, error.field)
-    # TOML has no null, so None means that the key is missing.
-    return Mistake(place, InputError(error.field, shown, error.condition, error.remedy), absent=shown is None)

@@ -1,6 +1,6 @@
 """Single values of a case file or a bearing file, named by dotted paths such as ``body.a.profile.drop``.
 
-Which paths there are follows from the file's schema and from what the document holds: the kind of each profile decides
+Which paths there are follows from the fields of inputs and from what the document holds: the kind of a profile decides
 which keys it can have. Where a list has several tables, as a profile that is a sum, the position is part of the path,
 ``body.a.profile[2].radius``; it may be left out where only one of them can have the key.
 """
@@ -13,13 +13,15 @@ from dataclasses import dataclass
 from typing import Any
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.fields import nearest
+from nonhertz.inputs.fields import Described, Part, Parts, nearest
+from nonhertz.io.keys import Key, Table, table_of
 from nonhertz.io.mistakes import path_of
 from nonhertz.io.origin import body_tables
 from nonhertz.model.profile import PARAMETERS
 
 Keys = tuple[str | int, ...]
-Schema = Mapping[str, Any]
+#: Path, keys, and unit and wholeness of a single value.
+Leaf = tuple[str, Keys, tuple[str | None, bool]]
 
 #: The unit of a profile as a whole, whose values are random forms added to it.
 FORM = "form"
@@ -94,18 +96,18 @@ class Parameter:
         return rest
 
 
-def parameters(document: Mapping[str, Any], schema: Schema) -> dict[str, Parameter]:
+def parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
     """Return all that can be varied in a document, by path.
 
     Parameters
     ----------
     document : mapping
         What a case file or a bearing file holds.
-    schema : mapping
-        The JSON schema of such a file.
+    kind : type
+        The class of what it holds, `CaseDocument` or `BearingFile`.
     """
     found: dict[str, Parameter] = {}
-    for path, keys, leaf in _leaves(document, [schema], schema.get("$defs", {}), (), ()):
+    for path, keys, leaf in _in_tables(document, (table_of(kind),), (), ()):
         found.setdefault(path, Parameter(path, keys, *leaf))
     for place, _ in body_tables(document):
         path = f"{place}.profile"
@@ -138,41 +140,37 @@ def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     raise InputError(path, path, "be a path to a value of the file", remedy)
 
 
-def _leaves(
-    value: Any, schemas: Sequence[Schema], defs: Mapping[str, Any], keys: Keys, short: Keys
-) -> Iterator[tuple[str, Keys, tuple[str | None, bool]]]:
-    """Yield path, keys, unit and wholeness of all that a value, of any of these schemas, holds or could hold.
+def _in_tables(value: Any, tables: Sequence[Table], keys: Keys, short: Keys) -> Iterator[Leaf]:
+    """Yield path, keys, unit and wholeness of all that a value, one of these tables, holds or could hold.
 
     ``short`` are the keys without positions that say nothing.
     """
-    alternatives = [each for schema in schemas for each in _alternatives(schema, defs)]
-    leaf = _leaf(alternatives)
-    if leaf is not None and keys and (keys[-1] not in _NAMES or any("enum" in each for each in alternatives)):
+    if any(table.kinds for table in tables):
+        yield path_of((*short, "kind")), (*keys, "kind"), (None, False)
+    for name, key in {name: key for table in tables for name, key in table.keys.items()}.items():
+        yield from _at_key(_entry(value, name), key, (*keys, name), (*short, name))
+
+
+def _at_key(value: Any, key: Key, keys: Keys, short: Keys) -> Iterator[Leaf]:
+    """Yield what a key holds or could hold."""
+    leaf = None if key.several else _leaf(key.each)
+    if leaf is not None and keys[-1] not in _NAMES:
         yield path_of(short), keys, leaf
         if short != keys:
             yield path_of(keys), keys, leaf
-    if isinstance(value, list):
-        yield from _entries_leaves(value, alternatives, defs, keys, short)
-    elif isinstance(value, dict) or value is None:
-        tables = [each for each in alternatives if "properties" in each and _is_of_kind(value, each)]
-        # What a file leaves out has no kind, so that nothing is known of its keys.
-        if value is None and any("kind" in each["properties"] and len(tables) > 1 for each in tables):
-            return
-        for key in dict.fromkeys(key for table in tables for key in table["properties"]):
-            below = [table["properties"][key] for table in tables if key in table["properties"]]
-            yield from _leaves(_entry(value, key), below, defs, (*keys, key), (*short, key))
+    if isinstance(value, list) and key.several:
+        yield from _in_entries(value, key.tables, keys, short)
+    elif (isinstance(value, dict) or value is None) and not isinstance(key.each, Parts):
+        yield from _in_tables(value, _of_its_kind(value, key.tables), keys, short)
 
 
-def _entries_leaves(
-    value: list[Any], alternatives: Sequence[Schema], defs: Mapping[str, Any], keys: Keys, short: Keys
-) -> Iterator[tuple[str, Keys, tuple[str | None, bool]]]:
+def _in_entries(value: list[Any], tables: Sequence[Table], keys: Keys, short: Keys) -> Iterator[Leaf]:
     """Yield what the tables of a list hold; without their position where it is the only one with such a key."""
-    items = [each["items"] for each in alternatives if "items" in each]
     found = [
-        (path, inner, leaf)
+        each
         for position, entry in enumerate(value, start=1)
         if isinstance(entry, dict)
-        for path, inner, leaf in _leaves(entry, items, defs, (*keys, position), (*short, position))
+        for each in _in_tables(entry, _of_its_kind(entry, tables), (*keys, position), (*short, position))
     ]
     tails = Counter(inner[len(keys) + 1 :] for _, inner, _ in found)
     for _, inner, leaf in found:
@@ -182,33 +180,22 @@ def _entries_leaves(
     yield from found
 
 
-def _alternatives(schema: Schema, defs: Mapping[str, Any]) -> Iterator[Schema]:
-    """Yield the schemas that a value may follow, without references."""
-    if "$ref" in schema:
-        yield from _alternatives(defs[schema["$ref"].rpartition("/")[2]], defs)
-    elif "anyOf" in schema and "unit" not in schema:
-        for each in schema["anyOf"]:
-            yield from _alternatives(each, defs)
-    else:
-        yield schema
+def _of_its_kind(value: Any, tables: Sequence[Table]) -> Sequence[Table]:
+    """Return those of several tables that a value may be, profiles by their kind."""
+    return [each for each in tables if not each.meaning_of_kind or each.kinds or each.word == _entry(value, "kind")]
 
 
-def _leaf(alternatives: Sequence[Schema]) -> tuple[str | None, bool] | None:
+def _leaf(each: Described) -> tuple[str | None, bool] | None:
     """Return unit and wholeness of a single value; None for a table or a list."""
-    for each in alternatives:
-        if "unit" in each and each.get("type") != "array":
-            return each["unit"], False
-    kinds = {each.get("type") for each in alternatives}
+    schema: dict[str, Any] = {} if isinstance(each, Part) and not each.named else each.schema()
+    if "unit" in schema:
+        return schema["unit"], False
+    alternatives = schema.get("anyOf", [schema])
+    kinds = {one.get("type") for one in alternatives}
     if "number" in kinds or "integer" in kinds:
         return "", "number" not in kinds
-    is_word = kinds & {"string", "boolean"} or any("enum" in each or "const" in each for each in alternatives)
+    is_word = kinds & {"string", "boolean"} or any("enum" in one for one in alternatives)
     return (None, False) if is_word else None
-
-
-def _is_of_kind(value: Any, table: Schema) -> bool:
-    """Return whether a table's schema is that of the kind which a value says it is."""
-    kind = table["properties"].get("kind", {}).get("const")
-    return kind is None or (isinstance(value, dict) and value.get("kind") == kind)
 
 
 def _entry(value: Any, key: str | int) -> Any:

@@ -15,8 +15,8 @@ from typing import Any, ClassVar
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.inputs.checks import one_of
 from nonhertz.inputs.files import legible, seen_from
-from nonhertz.io.bearingfile import BearingCase, bearing_schema
-from nonhertz.io.casefile import Case, schema
+from nonhertz.io.bearingfile import BearingCase
+from nonhertz.io.casefile import Case
 from nonhertz.io.forms import with_form
 from nonhertz.io.held import Held, holds_plan, meant_as, named, opened, starting_text
 from nonhertz.io.mistakes import Mistake, TableError, case_error, in_order
@@ -62,7 +62,7 @@ class Template:
     @cached_property
     def known(self) -> Mapping[str, Parameter]:
         """All values that it holds or could hold, by path."""
-        return parameters(self.document, bearing_schema() if self.is_bearing else schema())
+        return parameters(self.document, (BearingCase if self.is_bearing else Case).contents)
 
     def put(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return the document with other values, by path."""

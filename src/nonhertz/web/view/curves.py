@@ -7,7 +7,7 @@ import time
 from typing import Any, Final
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.io.casefile import schema
+from nonhertz.io.casefile import Case
 from nonhertz.io.paths import Parameter, parameter, parameters
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
@@ -37,7 +37,7 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> bytes:
     with calmly():
         try:
             sound(document)
-            varied = parameter(path, parameters(document, schema()))
+            varied = parameter(path, parameters(document, Case.contents))
         except CaseError as error:
             return as_bytes(misfit(error))
         except InputError as error:
