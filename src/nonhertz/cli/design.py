@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import csv
-import io
 import json
 import math
 import sys
@@ -22,6 +20,7 @@ from nonhertz.inputs.files import legible
 from nonhertz.io.folder import write_files
 from nonhertz.io.held import as_toml
 from nonhertz.io.planfile import read_design
+from nonhertz.result.numerals import csv_text
 from nonhertz.show.studies import BAND_COLUMNS, START_COLUMNS, band_rows, design_rows, start_rows
 from nonhertz.study.design import Design, best
 
@@ -110,12 +109,9 @@ def print_design(found: Design, files: Sequence[Path]) -> None:
 
 def _profile(found: Design) -> str:
     """Return the relief of both bodies together as CSV, as it is best and as it was."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["y [mm]", "relief [mm]", "relief before [mm]"])
     rows = np.column_stack(found.relief).tolist()
-    writer.writerows([f"{y:.9g}", *("" if math.isnan(each) else f"{each:.9f}" for each in rest)] for y, *rest in rows)
-    return text.getvalue()
+    cells = ([f"{y:.9g}", *("" if math.isnan(each) else f"{each:.9f}" for each in rest)] for y, *rest in rows)
+    return csv_text(["y [mm]", "relief [mm]", "relief before [mm]"], cells)
 
 
 def _finite(value: float) -> float | None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -18,7 +16,7 @@ from nonhertz.errors import InputError
 from nonhertz.io.folder import write_files
 from nonhertz.io.held import as_toml
 from nonhertz.io.planfile import read_design
-from nonhertz.result.numerals import digits
+from nonhertz.result.numerals import csv_text, digits
 from nonhertz.result.reading import chosen
 from nonhertz.study.design import Front, front
 from nonhertz.study.pictures import front_figure
@@ -103,10 +101,7 @@ def _numbers(found: Front) -> dict[str, list[float]]:
 
 def _table(found: Front) -> str:
     numbers = _numbers(found)
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
     named = [f"{path} [{found.units[path]}]" if found.units.get(path) else path for path in numbers]
-    writer.writerow(["point", *(f"largest pressure {group} [MPa]" for group in GROUPS), *named])
-    for k, (first, second) in enumerate(zip(found.first, found.second, strict=True)):
-        writer.writerow([k + 1, f"{first:.9g}", f"{second:.9g}", *(f"{values[k]:.9g}" for values in numbers.values())])
-    return text.getvalue()
+    columns = zip(found.first, found.second, *numbers.values(), strict=True)
+    rows = ([number, *(f"{value:.9g}" for value in row)] for number, row in enumerate(columns, start=1))
+    return csv_text(["point", *(f"largest pressure {group} [MPa]" for group in GROUPS), *named], rows)

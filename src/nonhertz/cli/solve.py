@@ -129,8 +129,8 @@ def _several_written(directory: Path, found: Sequence[Attempt]) -> tuple[Path, .
     """Write each result into a folder of its own, and the table of all, or the table alone; return the files."""
     from nonhertz.io.folder import write_files
     from nonhertz.io.several import HEAD, folders, rows
-    from nonhertz.io.tables import csv_text
     from nonhertz.io.workbooks import INPUTS, inputs_table, write_workbook
+    from nonhertz.result.numerals import csv_text
 
     if is_workbook(directory):
         inputs = ((each.name, each.case.document) for each in found if each.case is not None)

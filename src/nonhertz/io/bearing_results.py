@@ -2,14 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 import dataclasses
-import io
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
@@ -18,6 +13,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.io.bounds import FORMAT
 from nonhertz.io.results import key_by_key, plain
+from nonhertz.result.numerals import csv_text
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
@@ -140,7 +136,7 @@ def rollers_table(solution: BearingSolution) -> str:
     rows = [k for k, row in enumerate(solution.bearing.rows, start=1) for _ in range(row.bearing.rollers)]
     cells = zip(range(solution.angle.size), rows, solution.angle, *columns, *solution.rib_load.T, strict=True)
     ribs = [f"rib_load_{ring} [N]" for ring in RINGS]
-    return _csv([*head, *ribs], (map(_cell, each) for each in cells))
+    return csv_text([*head, *ribs], (map(_cell, each) for each in cells))
 
 
 def lines_table(solution: BearingSolution, laminae: int) -> str:
@@ -155,8 +151,8 @@ def lines_table(solution: BearingSolution, laminae: int) -> str:
     """
     if solution.method == "strips":
         head = ["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"]
-        return _csv([*head, "centre_pressure [MPa]", "half_width [mm]"], _strips(solution))
-    return _csv(["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"], _slices(solution, laminae))
+        return csv_text([*head, "centre_pressure [MPa]", "half_width [mm]"], _strips(solution))
+    return csv_text(["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"], _slices(solution, laminae))
 
 
 def _strips(solution: BearingSolution) -> Iterator[Iterable[Any]]:
@@ -217,7 +213,7 @@ def comparison_table(strips: BearingSolution, slices: BearingSolution) -> str:
     ]
     columns = [each.load[:, k] for k in range(len(RINGS)) for each in (strips, slices)]
     cells = zip(range(strips.angle.size), strips.angle, *columns, strict=True)
-    return _csv(head, (map(_cell, each) for each in cells))
+    return csv_text(head, (map(_cell, each) for each in cells))
 
 
 def comparison_files(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, str]:
@@ -229,14 +225,4 @@ def comparison_files(strips: BearingSolution, slices: BearingSolution, title: st
 
 
 def _cell(value: Any) -> Any:
-    if isinstance(value, int):
-        return value
-    return float(value) if math.isfinite(np.float64(value)) else ""
-
-
-def _csv(head: Sequence[str], rows: Iterable[Iterable[Any]]) -> str:
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(head)
-    writer.writerows(rows)
-    return text.getvalue()
+    return value if isinstance(value, int) else plain(value)

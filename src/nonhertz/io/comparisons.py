@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from typing import Any
 
 import numpy as np
 
 from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
 from nonhertz.io.results import key_by_key, plain
+from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
 
 #: Units of the numbers in a comparison; quantities carry their own, and dimensionless numbers are left out.
@@ -54,15 +53,12 @@ def as_json(found: Comparison, title: str) -> str:
 
 def as_table(found: Comparison) -> str:
     """Return all strips, and the plane grid at their centres, as CSV with a header of names and units."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(_COLUMNS)
+    rows = []
     for solution in found.strips:
         of_patch = np.interp(solution.y, found.patch.y, found.patch.centre_pressure)
         columns = (solution.y, solution.strip_width, solution.centre_pressure, of_patch, found.along(solution))
-        for row in zip(*(column.tolist() for column in columns), strict=True):
-            writer.writerow([solution.element.name, *("" if plain(value) is None else value for value in row)])
-    return text.getvalue()
+        rows += [[solution.element.name, *row] for row in zip(*map(plain, columns), strict=True)]
+    return csv_text(_COLUMNS, rows)
 
 
 def files(found: Comparison, title: str) -> dict[str, str]:

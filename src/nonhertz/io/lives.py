@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
@@ -12,6 +9,7 @@ from typing import Any
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
+from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
 
 #: Units of the numbers; dimensionless ones are left out.
@@ -118,14 +116,13 @@ def as_json(found: Assessment, other: Assessment | None = None) -> str:
 
 def as_table(found: Assessment) -> str:
     """Return the damage density along both bodies as CSV with a header of names and units."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(_COLUMNS)
-    for body in BODIES:
-        for life in found.lives[body]:
-            for y, density in zip(life.y.tolist(), life.density.tolist(), strict=True):
-                writer.writerow([body, life.model.name, y, density if math.isfinite(density) else ""])
-    return text.getvalue()
+    rows = (
+        [body, life.model.name, y, plain(density)]
+        for body in BODIES
+        for life in found.lives[body]
+        for y, density in zip(life.y.tolist(), life.density.tolist(), strict=True)
+    )
+    return csv_text(_COLUMNS, rows)
 
 
 def files(found: Assessment, other: Assessment | None) -> dict[str, str]:

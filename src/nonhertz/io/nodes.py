@@ -17,9 +17,9 @@ from nonhertz.inputs.fields import nearest
 from nonhertz.inputs.files import content, legible
 from nonhertz.inputs.units import in_unit
 from nonhertz.io.results import plain
-from nonhertz.io.tables import csv_text
 from nonhertz.io.traces.text import decoded, value_in
 from nonhertz.result.nodes import NodalLoads
+from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,6 +11,7 @@ from nonhertz.inputs.files import seen_from
 from nonhertz.io.measured import KIND
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.measured import Fit, Measured, Roughness
+from nonhertz.result.numerals import csv_text
 
 #: Units of the numbers; dimensionless ones are left out. Fitted parameters have the units of the catalogue.
 UNITS: dict[str, Any] = {
@@ -78,13 +77,9 @@ def as_json(measured: Measured, fits: Sequence[Fit] = ()) -> str:
 
 def as_table(measured: Measured) -> str:
     """Return positions and relief as CSV, which ``kind = "tabulated"`` reads."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["y [mm]", "relief [mm]"])
     # A picometre is finer than any machine resolves.
     rows = zip(measured.points.y.tolist(), measured.relief.tolist(), strict=True)
-    writer.writerows([f"{y:.9g}", f"{relief:.9f}"] for y, relief in rows)
-    return text.getvalue()
+    return csv_text(["y [mm]", "relief [mm]"], ([f"{y:.9g}", f"{relief:.9f}"] for y, relief in rows))
 
 
 def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit] = ()) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 from typing import TYPE_CHECKING, Any
@@ -12,6 +10,7 @@ import numpy as np
 
 from nonhertz.io.bounds import FORMAT
 from nonhertz.model.body import BODIES
+from nonhertz.result.numerals import csv_text
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgePressure, Solution
 
@@ -112,11 +111,8 @@ def key_by_key(entries: dict[str, Any]) -> str:
 
 def as_table(solution: Solution) -> str:
     """Return the strips as CSV with a header of names and units."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(f"{name} [{unit}]" for name, unit in ALONG.items())
-    writer.writerows(zip(*(column.tolist() for column in solution.table().values()), strict=True))
-    return text.getvalue()
+    columns = (column.tolist() for column in solution.table().values())
+    return csv_text((f"{name} [{unit}]" for name, unit in ALONG.items()), zip(*columns, strict=True))
 
 
 def files(solution: Solution, case: Case) -> dict[str, str]:

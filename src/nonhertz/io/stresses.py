@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,6 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz.io.results import key_by_key, plain
 from nonhertz.model.body import BodyName
+from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extreme, Extremes, Field
@@ -70,13 +69,10 @@ def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
 
 def as_table(field: Field) -> str:
     """Return the points of a field and the stress there as CSV with a header of names and units."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([*(f"{name} [mm]" for name in _COORDINATES), *(f"{name} [MPa]" for name in _STRESSES)])
     columns = [getattr(field, name).ravel() for name in (*_COORDINATES, *_STRESSES)]
     # More digits than the quadrature has would only make the file longer.
-    writer.writerows([f"{value:.7g}" if np.isfinite(value) else "" for value in row] for row in np.transpose(columns))
-    return text.getvalue()
+    rows = ([f"{value:.7g}" if np.isfinite(value) else "" for value in row] for row in np.transpose(columns))
+    return csv_text([*(f"{name} [mm]" for name in _COORDINATES), *(f"{name} [MPa]" for name in _STRESSES)], rows)
 
 
 def files(text: str, planes: Mapping[str, Field]) -> dict[str, str]:

@@ -6,6 +6,7 @@ import csv
 import io
 import math
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -168,9 +169,22 @@ def as_csv(columns: Mapping[str, NDArray[np.float64]]) -> str:
     0,0
     0.1,1234.5
     """
+    rows = np.transpose([np.ravel(column) for column in columns.values()]).tolist()
+    return csv_text(columns, ([f"{value:.10g}" for value in row] for row in rows))
+
+
+def csv_text(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> str:
+    """Return a table as CSV; None is an empty cell, and numbers have all their digits.
+
+    Examples
+    --------
+    >>> print(csv_text(["title", "load [N]"], [["a, b", 20000.0], ["c", None]]), end="")
+    title,load [N]
+    "a, b",20000.0
+    c,
+    """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(columns)
-    rows = np.transpose([np.ravel(column) for column in columns.values()]).tolist()
-    writer.writerows([f"{value:.10g}" for value in row] for row in rows)
+    writer.writerow(head)
+    writer.writerows(rows)
     return text.getvalue()
