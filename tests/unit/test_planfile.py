@@ -76,9 +76,12 @@ TABLES = ("over", "tolerance", "vary")
 def test_the_plan_to_start_from_goes_with_the_case_to_start_from(folder):
     path = folder / "plan.toml"
     path.write_text(starting_plan(), encoding="utf-8")
+    (folder / "studies").mkdir()
+    read_plan(path, "tolerance").write(folder / "studies" / "same.toml")
     for table in TABLES[:2]:
-        assert read_plan(path, table).over
+        assert read_plan(path, table).over == read_plan(folder / "studies" / "same.toml", table).over != {}
     case, asked = read_design(path)
+    assert read_design(folder / "studies" / "same.toml")[1]["vary"] == asked["vary"]
     assert case.title == nh.read_case(folder / "case.toml").title
     assert list(asked["vary"]) == ["body.a.profile.amplitude"]
 

@@ -6,7 +6,7 @@ import contextlib
 import errno
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from importlib import resources
 from pathlib import Path
 from typing import Any, ClassVar, Self
@@ -106,6 +106,10 @@ class Held:
         document: dict[str, Any] = _moved(self.document, self.path.parent, folder)
         return document
 
+    def written(self, folder: Path) -> dict[str, Any]:
+        """Return the document that `write` writes into a folder; raises as that does."""
+        return self.own_document
+
     @property
     def notes(self) -> tuple[str, ...]:
         """Warnings raised when its file was read, such as gaps in a measured profile."""
@@ -131,7 +135,7 @@ class Held:
         if not isinstance(path, str | Path):
             raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
         path = Path(path)
-        text = as_toml(replace(self, path=path).document)
+        text = as_toml(self.written(path.parent))
         if len(text) > LARGEST_CASE:
             condition = f"fit into a case file of at most {LARGEST_CASE / 1e6:g} MB"
             raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
@@ -210,9 +214,8 @@ class HeldCase(Held):
 def _moved(value: Any, old: Path, new: Path) -> Any:
     if isinstance(value, dict):
         moved = {key: _moved(each, old, new) for key, each in value.items()}
-        if "file" in value and not Path(value["file"]).is_absolute():
-            moved["file"] = seen_from(new, old / value["file"]).as_posix()
-        return moved
+        names = {key: value[key] for key in ("file", "case") if key in value and not Path(value[key]).is_absolute()}
+        return moved | {key: seen_from(new, old / name).as_posix() for key, name in names.items()}
     return [_moved(each, old, new) for each in value] if isinstance(value, list) else value
 
 

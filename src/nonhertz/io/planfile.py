@@ -243,6 +243,10 @@ class Plan(Held):
         rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}
         return {"case": seen_from(self.path.parent, self.case.path).as_posix()} | rest
 
+    def written(self, folder: Path) -> dict[str, Any]:
+        """Return its document with all tables of its file, and the way to its case from a folder."""
+        return self.document_in(folder)
+
     def changed(
         self,
         *,
