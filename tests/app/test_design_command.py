@@ -74,7 +74,7 @@ def test_a_plan_is_designed(folder, capsys):
         (("body.a.profile.radius", "body.a.profile.radios"), "the nearest is 'body.a.profile.radius'"),
         (("starts = 2", "starts = 0"), "starts = 0 must be"),
         (("starts = 2", 'goal = "price"'), "goal = 'price' must be one of"),
-        (("starts = 2", 'model = "lundberg"'), "design.model = 'lundberg' must be a known fatigue model"),
+        (("starts = 2", 'model = "lundberg"'), "design.model = 'lundberg' must be one of 'lundberg-palmgren', "),
         (("starts = 2", 'where = { approach = "30 um" }'), "begin with 'at most'"),
         (('{ load = "20 kN" }', '{ load = "20 kN", share = 0.2 }'), "share"),
         (("[vary]", "[varied]"), "varied"),

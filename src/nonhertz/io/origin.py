@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from nonhertz.errors import AccuracyWarning
-from nonhertz.io.profiles import profile_tables
 
 MOST_ATTACHED = 10_000_000  # bytes; larger files are not attached
 
@@ -76,11 +75,9 @@ def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str,
             yield name, document[name]
 
 
-def _files_in(document: Mapping[str, Any]) -> Iterator[str]:
-    tables = [table for _, body in body_tables(document) for table in profile_tables(body)]
-    for shape in ("inner_shape", "outer_shape"):
-        value = document.get("bearing", {}).get(shape, [])
-        tables += [value] if isinstance(value, dict) else value
-    for table in tables:
-        if isinstance(table.get("file"), str):
-            yield table["file"]
+def _files_in(value: Any) -> Iterator[str]:
+    """Yield the names of files in a document: only tables of profiles and shapes have such a key."""
+    if isinstance(value, Mapping) and isinstance(value.get("file"), str):
+        yield value["file"]
+    for each in value.values() if isinstance(value, Mapping) else value if isinstance(value, list) else ():
+        yield from _files_in(each)

@@ -8,7 +8,7 @@ from dataclasses import field
 from typing import Annotated, Any
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.fields import Count, Custom, Input, Part, Parts, Quantity, Word, described, unknown
+from nonhertz.inputs.fields import Count, Custom, Input, Part, Parts, Quantity, Word, described
 from nonhertz.io.bounds import FORMAT, LOADS
 from nonhertz.io.sampling import Sampling
 from nonhertz.io.sections import FORMAT_FIELD, line
@@ -43,12 +43,6 @@ def _by_path(name: str, value: Any, remedy: str) -> dict[str, Any]:
     return dict(flat(value))
 
 
-def _model(name: str, value: Any, remedy: str) -> str:
-    if not isinstance(value, str) or value not in MODELS:
-        raise unknown(name, value, "fatigue model", value, MODELS)
-    return value
-
-
 def _as_given(name: str, value: Any, remedy: str) -> Any:
     return value
 
@@ -68,15 +62,19 @@ class DesignGoal(Input):
 
     goal: Annotated[
         str | None,
-        Custom(
+        Word(
             "'pressure': the least largest pressure; 'life': the longest life; pressure if left out",
-            _as_given,
-            {"enum": ["pressure", "life"]},
+            "name one of them",
+            ("pressure", "life"),
         ),
     ] = None
     model: Annotated[
         str | None,
-        Custom("name of the fatigue model of lives; 'lundberg-palmgren' if left out", _model, {"enum": list(MODELS)}),
+        Word(
+            "name of the fatigue model of lives; 'lundberg-palmgren' if left out",
+            "name one of them",
+            tuple(MODELS),
+        ),
     ] = None
     starts: Annotated[
         int | None, Count("number of searches, 5 if left out", 1, math.inf, "give the number of searches")

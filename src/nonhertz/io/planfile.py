@@ -6,14 +6,14 @@ All mistakes in a file are found at once and raised together.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, ClassVar
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
-from nonhertz.inputs.checks import one_of
+from nonhertz.inputs.checks import listed, one_of
 from nonhertz.inputs.files import legible, seen_from
 from nonhertz.io.bearingfile import BearingCase
 from nonhertz.io.casefile import Case
@@ -168,14 +168,11 @@ class Plan(Held):
             raise InputError("case", self.case, "be a case or a bearing case", remedy)
         if not isinstance(self.over, Mapping) or not all(isinstance(path, str) for path in self.over):
             raise InputError("over", self.over, "be a dictionary", "map paths to what they run over")
-        names = self.quantities
-        if (
-            isinstance(names, str)
-            or not isinstance(names, Sequence)
-            or not all(isinstance(each, str) for each in names)
-        ):
-            raise InputError("quantities", names, "be names", "give a list of names, such as ['max_pressure']")
-        object.__setattr__(self, "quantities", tuple(names))
+        remedy = "give a list of names, such as ['max_pressure']"
+        names = tuple(listed("quantities", self.quantities, "be names", remedy))
+        if not all(isinstance(each, str) for each in names):
+            raise InputError("quantities", self.quantities, "be names", remedy)
+        object.__setattr__(self, "quantities", names)
         super().__post_init__()
         object.__setattr__(self, "title", self.title or self.case.title)
         template = Template(self.case.document, self.case.path, isinstance(self.case, BearingCase))
