@@ -875,6 +875,17 @@ def test_a_case_with_half_a_fit_is_refused():
         BearingCase(NU206, fit={"axle": 1})
 
 
+def test_what_is_prescribed_may_be_text_with_units():
+    case = BearingCase(
+        NU206, {"radial": "10 kN", "speed": "1500 rpm"}, {"method": "slices"}, {"viscosity": "20 mm^2/s"}
+    )
+    assert case.prescribed == {"radial": 10e3, "speed": 1500.0}
+    assert case.life == {"viscosity": 20.0}
+    assert case.own_document["load"] == case.prescribed
+    with pytest.raises(nh.InputError, match="radial = '10 mm' must have a unit of force"):
+        BearingCase(NU206, {"radial": "10 mm"})
+
+
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
