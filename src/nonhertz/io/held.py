@@ -162,12 +162,12 @@ class HeldCase(Held):
 
     @staticmethod
     def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-        """Return the fields that a document gives; raises `TableError` with every mistake in it."""
+        """Return the fields that a document gives; raises ``TableError`` with every mistake in it."""
         raise NotImplementedError
 
     @classmethod
     def read(cls, path: str | Path, changes: Mapping[str, Any] | None = None) -> Self:
-        """Return what a file holds, with changes as of `of`."""
+        """Return what a file holds, with changes as of ``of``."""
         return cls.of(*opened(path, cls.kind), changes=changes)
 
     @classmethod

@@ -66,7 +66,7 @@ class Result:
         Raises
         ------
         InputError
-            If the case has something that no file can hold; see `Case.write`.
+            If the case has something that no file can hold; see `Held.write`.
         """
         match self.case, self.solution:
             case Case() as case, Solution() as solution:
