@@ -72,8 +72,12 @@ export class Form {
     this.rest = window.setTimeout(() => void this.refresh(), REST);
   }
 
-  /** Ask for the same form again, whose ranges are those of the geometry as it is now. */
+  /** Ask for the same form again, whose ranges are those of the geometry as it is now, once that has no mistakes. */
   async refresh() {
+    if (!byId("mistakes").hidden) {
+      this.refreshSoon();
+      return;
+    }
     const [document, number] = [this.document, this.asked];
     const html = await this.listener.fresh(document);
     if (html !== null && document === this.document && number === this.asked) this.put(document, html);

@@ -13,7 +13,7 @@ import { showMistakes } from "./mistakes.js";
 import { withValue } from "./paths.js";
 import { drawProfiles, placeProfiles } from "./profiles.js";
 import { notice } from "./status.js";
-import { watchUnits } from "./units.js";
+import { unitsCode, watchUnits } from "./units.js";
 
 /** @typedef {{document: object, answer: any}} Result a document with what was answered to it */
 /** @typedef {{document: any, text: string, limits: {document_bytes: number, upload_bytes: number}}} Start */
@@ -80,7 +80,8 @@ export class Work {
   /** Begin with the document in the address, if there is one. */
   async begin() {
     if (await this.fromLink()) this.edits.restart({ document: this.document, text: this.text });
-    else this.page.want(this.document);
+    // The form that came with the page is in the units of the program.
+    else if (unitsCode() === "si" || !(await this.form.open(this.document))) this.page.want(this.document);
   }
 
   /** Keep the document in the address. */
