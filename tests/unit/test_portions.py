@@ -140,9 +140,11 @@ def test_a_portion_that_has_begun_is_waited_for_but_not_for_long(monkeypatch, pa
         raise KeyboardInterrupt
 
     go_on.clear()
-    with pytest.raises(nh.Interrupted, match=rf"^Stopped after {solved} of 128 cases\.$") as stopped:
-        nh.solve_many([CROWNED] * 64 + [stuck] * 64, load=5e3, strips=11, threads=2, announce=stop)
-    go_on.set()
+    try:
+        with pytest.raises(nh.Interrupted, match=rf"^Stopped after {solved} of 128 cases\.$") as stopped:
+            nh.solve_many([CROWNED] * 64 + [stuck] * 64, load=5e3, strips=11, threads=2, announce=stop)
+    finally:
+        go_on.set()
     assert list(stopped.value.solutions.failures) == list(range(solved, 128))
 
 
