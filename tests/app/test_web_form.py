@@ -16,10 +16,11 @@ from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import in_unit
-from nonhertz.io.bearingfile import BEARING_TEMPLATES, bearing_schema, starting_bearing
+from nonhertz.io.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.io.casefile import TEMPLATES as TEMPLATES_OF_CASES
-from nonhertz.io.casefile import Case, schema, starting_case
+from nonhertz.io.casefile import Case, starting_case
 from nonhertz.io.mistakes import path_of
+from nonhertz.io.schemas import schema_of
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.materials import MATERIALS
 from nonhertz.solver.one import solve
@@ -38,7 +39,7 @@ STARTING = tomllib.loads(starting_case())
 @cache
 def kinds() -> dict[str, dict[str, Any]]:
     """Return the schema of each kind of profile."""
-    tables = schema()["$defs"]["Body"]["properties"]["profile"]["anyOf"][0]["anyOf"]
+    tables = schema_of("case")["$defs"]["Body"]["properties"]["profile"]["anyOf"][0]["anyOf"]
     return {table["properties"]["kind"]["const"]: table for table in tables}
 
 
@@ -174,7 +175,7 @@ def test_every_key_of_the_schema_is_in_the_form():
     document["body"]["b"]["profile"] = document["body"]["a"]["profile"]
     documents = [document, DOCUMENTS["tables for values"]]
     shown = {each["name"] for each in documents for each in Inputs(form_of(each)).fields}
-    asked = set(keys_of(schema(), schema()["$defs"], ())) - {("format",)}
+    asked = set(keys_of(schema_of("case"), schema_of("case")["$defs"], ())) - {("format",)}
     assert asked - {plain_path(name) for name in shown} == set()
 
 
@@ -436,7 +437,7 @@ def test_every_key_of_a_bearing_is_in_its_form():
         {"bearing": {}, "load": {}, "life": {"spectrum": [{}]}}
     ]
     shown = {each["name"] for each in documents for each in Inputs(form_of(each, "bearing")).fields}
-    asked = set(keys_of(bearing_schema(), bearing_schema()["$defs"], ()))
+    asked = set(keys_of(schema_of("bearing"), schema_of("bearing")["$defs"], ()))
     optional = {
         ("format",),
         ("fit",),

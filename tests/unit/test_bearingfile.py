@@ -14,9 +14,10 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import nonhertz as nh
-from nonhertz.io.bearingfile import BearingCase, bearing_schema, read_bearing, starting_bearing
+from nonhertz.io.bearingfile import BearingCase, read_bearing, starting_bearing
 from nonhertz.io.casefile import read_case
 from nonhertz.io.held import parsed
+from nonhertz.io.schemas import schema_of
 
 KINDS = nh.bearing.RollerBearing.kinds
 ROLLER = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(radius=1200))
@@ -132,7 +133,7 @@ def test_the_file_of_the_reference_is_the_same_bearing():
 def test_what_is_commented_out_in_the_starting_file_is_as_good():
     """Every key that a comment offers is a known one, with a value that is taken in a bearing of its kind."""
     offered = dict(re.findall(r"^# (\w+) = (.*?)(?:  .*)?$", starting_bearing(), re.MULTILINE))
-    tables = bearing_schema()["$defs"]
+    tables = schema_of("bearing")["$defs"]
     known = {name for table in tables.values() for name in table["properties"]}
     assert len(offered) > 8
     assert set(offered) <= known
@@ -256,7 +257,7 @@ def test_a_document_from_elsewhere_cannot_have_files_read(tmp_path):
 
 
 def test_every_key_has_a_meaning():
-    for name, table in bearing_schema()["$defs"].items():
+    for name, table in schema_of("bearing")["$defs"].items():
         assert table["description"], name
         for key, value in table["properties"].items():
             assert value.get("description"), f"{name}.{key}"
@@ -630,7 +631,7 @@ def test_every_mistake_is_one_sentence_at_its_key(name):
     assert list(caught.value.mistakes) == sentences
     for sentence, place in zip(caught.value.mistakes, caught.value.places, strict=True):
         assert sentence.startswith(place)
-        assert "no tables" in name or place.partition(".")[0] in {*bearing_schema()["properties"], "outr"}
+        assert "no tables" in name or place.partition(".")[0] in {*schema_of("bearing")["properties"], "outr"}
 
 
 def test_a_case_file_and_a_bearing_file_are_told_apart(tmp_path):

@@ -17,7 +17,8 @@ from hypothesis import strategies as st
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, read_case, schema, starting_case
+from nonhertz.io.casefile import Case, read_case, starting_case
+from nonhertz.io.schemas import schema_of
 from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.model.profile import CATALOGUE
@@ -276,7 +277,7 @@ def test_the_catalogue_leaves_the_common_keys_free() -> None:
 
 
 def test_the_schema_describes_every_key() -> None:
-    whole = schema()
+    whole = schema_of("case")
     assert json.loads(json.dumps(whole)) == whole
     tables = whole["$defs"]
     for name in ("Body", "Prescription", "Solver", "Material", "Life"):
@@ -292,7 +293,7 @@ def test_the_schema_describes_every_key() -> None:
 
 @pytest.mark.parametrize("kind", ["roller", None])
 def test_the_schema_allows_what_a_body_takes(kind: str | None) -> None:
-    properties = schema()["$defs"]["Body"]["properties"]
+    properties = schema_of("case")["$defs"]["Body"]["properties"]
     body = {"diameter": 20.0, "length": 20.0} | ({"kind": kind} if kind else {})
 
     def refused(keys: dict[str, Any]) -> bool:
@@ -321,13 +322,13 @@ def test_the_schema_allows_what_a_body_takes(kind: str | None) -> None:
 
 
 def test_the_schema_names_the_defaults_of_a_body() -> None:
-    properties = schema()["$defs"]["Body"]["properties"]
+    properties = schema_of("case")["$defs"]["Body"]["properties"]
     for name in ("position", "side_faces", "images", "depth"):
         assert properties[name]["default"] == getattr(nh.Body(), name)
 
 
 def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
-    strips = schema()["$defs"]["Solver"]["properties"]["strips"]["anyOf"][1]
+    strips = schema_of("case")["$defs"]["Solver"]["properties"]["strips"]["anyOf"][1]
     assert (strips["minimum"], strips["maximum"]) == (FEWEST_STRIPS, MOST_STRIPS)
     for count in (FEWEST_STRIPS, MOST_STRIPS):
         assert not mistakes_of(WHOLE | {"solver": {"strips": count}})
@@ -407,7 +408,7 @@ def test_shares_are_taken_to_a_thousandth(short: float) -> None:
 
 
 def test_the_schema_and_the_models_agree_on_the_number_of_laminae() -> None:
-    laminae = schema()["$defs"]["Life"]["properties"]["laminae"]
+    laminae = schema_of("case")["$defs"]["Life"]["properties"]["laminae"]
     assert (laminae["minimum"], laminae["maximum"]) == (FEWEST, MOST)
 
 
@@ -498,7 +499,7 @@ DOCS = Path(__file__).parents[2] / "docs" / "reference"
 
 def test_the_reference_names_every_key_and_only_those() -> None:
     page = (DOCS / "case-file.md").read_text(encoding="utf-8")
-    tables = schema()["$defs"]
+    tables = schema_of("case")["$defs"]
     spectrum = tables["LoadCase"]
     for table in (*(tables[name] for name in ("Body", "Prescription", "Solver", "Life")), spectrum):
         for key in table["properties"]:

@@ -14,6 +14,7 @@ import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.io.casefile import Case
 from nonhertz.io.profiles import needed_keys
+from nonhertz.io.schemas import schema_of
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.inputs import inputs
 
@@ -229,9 +230,8 @@ def test_bodies_without_a_radius_are_the_mistake(kind: str) -> None:
 
 
 def test_the_schema_needs_a_size_or_a_drop() -> None:
-    from nonhertz.io.casefile import schema
 
-    kinds = schema()["$defs"]["Body"]["properties"]["profile"]["anyOf"][0]["anyOf"]
+    kinds = schema_of("case")["$defs"]["Body"]["properties"]["profile"]["anyOf"][0]["anyOf"]
     found = {each["properties"]["kind"]["const"]: each for each in kinds}
     assert needed_keys("crown") == ["radius"]
     assert found["crown"]["required"] == ["kind"]

@@ -20,9 +20,9 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.fields import Input, Part, Parts, Word, default_of, described, together
 from nonhertz.io.bounds import FORMAT, LOADS
 from nonhertz.io.mistakes import Mistake, TableError
-from nonhertz.io.reading import Reading, Schema, Surroundings, read, schema_of, section
+from nonhertz.io.reading import Reading, Surroundings, read, section
 from nonhertz.io.sections import FORMAT_FIELD, combined_radius, line, of_both, sampled
-from nonhertz.io.shape_tables import read_shape, shape_schema, shape_tables
+from nonhertz.io.shape_tables import read_shape, shape_tables
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.io.writing import document_of
 from nonhertz.life.spectrum import at_most_whole
@@ -224,23 +224,6 @@ def of_fit(error: InputError) -> InputError:
         condition = f"leave a clearance that can be, but {left} must {error.condition}"
         return InputError("fit", None, condition, "check interferences and temperatures")
     return error.within("fit")
-
-
-def schema() -> Schema:
-    """Return the JSON schema of a bearing file."""
-    tables: dict[str, Schema] = {}
-    schema_of(BearingFile, tables)
-    schema_of(RollerBearing, tables)
-    row, shapes = tables["RollerBearing"], shape_schema(tables)
-    keys = {name: each for name, each in row["properties"].items() if name not in PARTS}
-    keys |= {name: shapes | {"description": keys[name]["description"]} for name in SHAPES}
-    row["properties"] = keys | {"pair": schema_of(Pair, tables) | {"description": PAIR}}
-    row["required"] = [name for name in row["required"] if name not in PARTS]
-    whole = tables.pop("BearingFile")
-    sections = whole["properties"]
-    # As people write them: the bearing before its parts.
-    sections = {"format": sections["format"], "title": sections["title"], "bearing": sections["bearing"]} | sections
-    return whole | {"properties": sections, "$defs": tables}
 
 
 def bearing_sections(bearing: RollerBearing | Paired) -> dict[str, Any]:

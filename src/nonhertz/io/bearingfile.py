@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -19,7 +18,7 @@ from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.checks import one_of, whole
-from nonhertz.io.bearing_document import BearingFile, bearing_sections, of_fit, radius_across, read_document, schema
+from nonhertz.io.bearing_document import BearingFile, bearing_sections, of_fit, radius_across, read_document
 from nonhertz.io.casefile import Case
 from nonhertz.io.held import OF_BEARINGS, HeldCase, starting_text
 from nonhertz.io.mistakes import Mistake, case_error
@@ -39,12 +38,6 @@ _SECTIONS = {
     # In a file the speed beside a viscosity is that of the load.
     "life": {**LifeConditions.descriptions, "speed": BearingLoad.descriptions["speed"]},
 }
-
-
-@cache
-def bearing_schema() -> Mapping[str, Any]:
-    """Return the JSON schema of a bearing file, with the meaning and the unit of every key; made once, only read."""
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema()
 
 
 @dataclass(frozen=True, repr=False)

@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.io.held import HeldCase, starting_text
 from nonhertz.io.mistakes import Mistake, case_error
-from nonhertz.io.reading import read, schema_of_file
+from nonhertz.io.reading import read
 from nonhertz.io.sections import CaseDocument, Life, OverrolledDent, Solver, of_both, surroundings
 from nonhertz.io.title_block import TitleBlock
 from nonhertz.io.writing import document_of
@@ -34,15 +33,6 @@ _SECTIONS = {
     "load": tuple(Prescription.descriptions),
     "solver": tuple(Solver.descriptions),
 }
-
-
-@cache
-def schema() -> Mapping[str, Any]:
-    """Return the JSON schema of a case file, with the meaning and the unit of every key.
-
-    It is made once, since that takes longer than twenty cases to solve, and only read.
-    """
-    return schema_of_file(CaseDocument)
 
 
 @dataclass(frozen=True, repr=False)

@@ -66,6 +66,8 @@ class Table:
         Keys of which one is given in place of the other, the usual one first.
     likely : callable or None
         The class of what it makes if it gives no kind.
+    name : str
+        What it makes, if that is of a class.
     """
 
     word: str
@@ -75,6 +77,7 @@ class Table:
     meaning_of_kind: str = ""
     pairs: tuple[tuple[str, str], ...] = ()
     likely: Callable[[Mapping[str, Any]], type[Input]] | None = None
+    name: str = ""
 
     def of_kind(self, word: Any) -> Table:
         """Return what it is if its kind is a word; itself if that is none of its kinds."""
@@ -102,14 +105,23 @@ def table_of(cls: Any) -> Table:
 
 def _plain(cls: type[Input]) -> Table:
     """Return the table of an input of one kind."""
-    usual = {each.name: default_of(each) for each in dataclasses.fields(cls)}  # type: ignore[arg-type]
-    keys = {name: _key(name, each, usual[name], cls.inputs.get(name)) for name, each in cls.descriptions.items()}
+    usual = _usual(cls)
+    keys = {
+        name: _key(name, each, usual.get(name, MISSING), cls.inputs.get(name))
+        for name, each in cls.descriptions.items()
+    }
     if issubclass(cls, RollerBearing):
         # Its bodies stand beside it in a file, and a second row in it.
         keys = {name: key for name, key in keys.items() if name not in PARTS}
         keys["pair"] = Key(Part(PAIR, Pair, ""), None, (table_of(Pair),))
     pairs = tuple(tuple(sorted(pair, key=[*keys].index)) for pair in cls.instead.items())
-    return Table(cls.__name__, (cls.__doc__ or "").partition("\n")[0], keys, pairs=pairs)  # type: ignore[arg-type]
+    return Table(cls.__name__, (cls.__doc__ or "").partition("\n")[0], keys, pairs=pairs, name=cls.__name__)  # type: ignore[arg-type]
+
+
+def _usual(cls: type[Input]) -> dict[str, Any]:
+    """Return the defaults of an input's fields."""
+    usual = {each.name: default_of(each) for each in dataclasses.fields(cls)}  # type: ignore[arg-type]
+    return {name: value for name, value in usual.items() if value is not MISSING}
 
 
 def _key(name: str, each: Described, usual: Any, inner: Any) -> Key:
@@ -137,8 +149,10 @@ def profile_kinds() -> tuple[Table, ...]:
 
 def _profile_table(kind: str) -> Table:
     needed = needed_keys(kind)
+    # What is not given is that of the body.
     keys = {
-        name: Key(each.descriptions[name], MISSING if name in needed else None) for name, each in keys_of(kind).items()
+        name: Key(each.descriptions[name], MISSING if name in needed else _usual(each).get(name))
+        for name, each in keys_of(kind).items()
     }
     pairs = tuple((name, "drop") for name in needed if name in KINDS[kind].by_drop)
     return Table(kind, meaning_of(kind), keys, meaning_of_kind="kind of profile", pairs=pairs[:1])

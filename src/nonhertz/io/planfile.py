@@ -23,7 +23,7 @@ from nonhertz.io.mistakes import Mistake, TableError, case_error, in_order
 from nonhertz.io.origin import Origin
 from nonhertz.io.paths import FORM, Parameter, drops_first, parameter, parameters
 from nonhertz.io.plan_document import PlanDocument
-from nonhertz.io.reading import read, schema_of_file
+from nonhertz.io.reading import read
 from nonhertz.io.sampling import Sampling
 from nonhertz.io.spreads import Distribution, Spread, spread_in
 from nonhertz.io.writing import document_of
@@ -346,11 +346,6 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
 def starting_plan() -> str:
     """Return a commented plan to start from, with a table for each command."""
     return starting_text("starting_plan.toml")
-
-
-def plan_schema() -> dict[str, Any]:
-    """Return the JSON schema of a plan file, with the meaning of every key."""
-    return schema_of_file(PlanDocument)
 
 
 def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> tuple[Case, dict[str, Any]]:

@@ -19,7 +19,7 @@ from nonhertz.io.bounds import PROFILES
 from nonhertz.io.dimensions import BROKEN
 from nonhertz.io.measured import KIND, MeasuredProfile
 from nonhertz.io.mistakes import InFile, Mistake, TableError, missing
-from nonhertz.io.reading import Reading, Schema, Surroundings, schema_of_field
+from nonhertz.io.reading import Reading, Surroundings
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, ProfileKind, from_file, with_drop
 from nonhertz.model.profile.drop import AT_REMEDY, determined, off_the_middle, scaled_to_drop
 from nonhertz.model.profile.table import Interpolation
@@ -27,7 +27,6 @@ from nonhertz.model.profile.table import Interpolation
 _LIST_REMEDY = "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]"
 _FEWER_REMEDY = "add them up in one of kind 'tabulated'"
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
-_BY_DROP_SCHEMA = {"required": ["drop"]}
 _TABULATED = PARAMETERS["tabulated"]
 #: What the tables of each kind hold.
 KINDS: Final[dict[str, type[ProfileKind]]] = {**PARAMETERS, KIND: MeasuredProfile}
@@ -150,12 +149,6 @@ def needed_keys(kind: str) -> list[str]:
     """Return those of them that a table must have, if it gives no drop in place of one of them."""
     cls = KINDS[kind]
     return [name for name in cls.descriptions if name in cls.required - {*cls.of_body} and cls is not _TABULATED]
-
-
-def profile_schema() -> Schema:
-    """Return the JSON schema of what `read_profile` accepts."""
-    tables = {"anyOf": [_kind_schema(kind) for kind in KINDS]}
-    return {"anyOf": [tables, {"type": "array", "items": tables}]}
 
 
 def meaning_of(kind: str) -> str:
@@ -313,18 +306,3 @@ class _Parameters(Reading):
         has = "both bodies together have" if name == "radius" else "the body has"
         remedy = str(getattr(self.cls.descriptions[name], "remedy", ""))
         return remedy + (f", unless {has} one" if name in self.cls.of_body else "")
-
-
-def _kind_schema(kind: str) -> Schema:
-    needed = needed_keys(kind)
-    keys = {name: schema_of_field(each, name, {}) for name, each in keys_of(kind).items()}
-    sized = [name for name in needed if name in KINDS[kind].by_drop]
-    return {
-        "type": "object",
-        "title": kind,
-        "description": meaning_of(kind),
-        "properties": {"kind": {"const": kind}} | keys,
-        "required": ["kind", *(name for name in needed if name not in sized)],
-        **({"oneOf": [{"required": sized, "not": _BY_DROP_SCHEMA}, _BY_DROP_SCHEMA]} if sized else {}),
-        "additionalProperties": False,
-    }

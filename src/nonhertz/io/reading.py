@@ -1,4 +1,4 @@
-"""Reading inputs from the tables of files, by what their fields say, and the schemas of these tables.
+"""Reading inputs from the tables of files, by what their fields say.
 
 A file's mistakes are all found at once: every field is read, and those of its class's checks are made whose fields are
 good. Only then is the input made.
@@ -6,8 +6,6 @@ good. Only then is the input made.
 
 from __future__ import annotations
 
-import dataclasses
-import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +20,6 @@ from nonhertz.inputs.fields import (
     Input,
     Part,
     Parts,
-    default_of,
     given_beside,
     nearest,
     text_of,
@@ -295,51 +292,3 @@ class Reading:
     def _noun(self) -> str:
         found = _LAST_WORD.search(self.cls.__name__)
         return (found[0] if found else self.cls.__name__).lower()
-
-
-def schema_of_file(cls: type[Input]) -> Schema:
-    """Return the JSON schema of a kind of file, with those of its tables as definitions."""
-    tables: dict[str, Schema] = {}
-    schema_of(cls, tables)
-    whole = tables.pop(cls.__name__)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **whole, "$defs": tables}
-
-
-def schema_of(cls: type[Input], tables: dict[str, Schema]) -> Schema:
-    """Return the JSON schema of an input: a reference to that of its table, which is put into ``tables``."""
-    name = cls.__name__
-    if name not in tables:
-        tables[name] = {}  # so that it may refer to itself
-        word: Schema = {"kind": {"enum": list(cls.kinds), "description": cls.meaning_of_kind}} if cls.kinds else {}
-        # In one table what all kinds may have.
-        fields = {name: kind for kind in (*cls.kinds.values(), cls) for name in kind.descriptions}
-        tables[name] = {
-            "type": "object",
-            "title": name,
-            "description": (cls.__doc__ or "").partition("\n")[0],
-            "properties": word | {key: schema_of_field(kind, key, tables) for key, kind in fields.items()},
-            "required": sorted({*cls.required, *([] if cls in cls.kinds.values() else word)}),
-            "additionalProperties": False,
-        }
-    return {"$ref": f"#/$defs/{name}"}
-
-
-def schema_of_field(cls: type[Input], name: str, tables: dict[str, Schema]) -> Schema:
-    """Return the JSON schema of a field of an input."""
-    each = cls.descriptions[name]
-    inner = [schema_of(cls.inputs[name], tables)] if name in cls.inputs else []
-    if getattr(each, "of", None) is Profile:
-        from nonhertz.io.profiles import profile_schema
-
-        found = profile_schema()
-    elif isinstance(each, Parts):
-        found = each.schema() | {"items": schema_of(each.of, tables)}
-    elif isinstance(each, Part) and not each.named:
-        found = inner[0]
-    else:
-        found = {"anyOf": [each.schema(), *inner]} if inner else each.schema()
-    usual = next(default_of(field) for field in dataclasses.fields(cls) if field.name == name)  # type: ignore[arg-type]
-    if isinstance(each, Part) and each.named:
-        usual = next((word for word, known in each.named.items() if known == usual), usual)
-    plain = usual is None or (isinstance(usual, str | int | float) and usual != math.inf)
-    return found | {"description": text_of(each)} | ({"default": usual} if plain else {})

@@ -7,14 +7,19 @@ every key of a result is in it, and no other.
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
-from nonhertz.io.bearingfile import bearing_schema
+from nonhertz.inputs.fields import Part, Parts, text_of
+from nonhertz.io.bearing_document import BearingFile
 from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import schema as case_schema
-from nonhertz.io.planfile import plan_schema
+from nonhertz.io.keys import Key, Table, table_of
+from nonhertz.io.plan_document import PlanDocument
+from nonhertz.io.profiles import KINDS as KINDS_OF_PROFILES
 from nonhertz.io.results import NUMBERS
+from nonhertz.io.sections import CaseDocument
 from nonhertz.model.body import BODIES
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgeKind, Status
@@ -38,9 +43,58 @@ def schema_text(kind: str) -> str:
     return json.dumps(schema_of(kind), indent=2) + "\n"
 
 
+def _of_file(cls: Any) -> Schema:
+    """Return the JSON schema of a kind of file, with those of its tables as definitions."""
+    tables: dict[str, Schema] = {}
+    _of_table(table_of(cls), tables)
+    whole = tables.pop(cls.__name__)
+    return whole | {"$defs": tables}
+
+
+def _of_table(table: Table, tables: dict[str, Schema]) -> Schema:
+    """Return the reference to the JSON schema of a table, which is put into ``tables``."""
+    if table.name not in tables:
+        tables[table.name] = {}  # so that it may refer to itself
+        word = {"kind": {"enum": list(table.kinds), "description": table.meaning_of_kind}} if table.kinds else {}
+        keys = {name: _of_key(key, tables) for name, key in table.keys.items()}
+        has_usual = any(each.name == table.name for each in table.kinds.values())
+        needed = sorted([*table.required, *([] if has_usual else word)])
+        tables[table.name] = _table(word | keys, table.meaning) | {"title": table.name, "required": needed}
+    return {"$ref": f"#/$defs/{table.name}"}
+
+
+def _of_profile(table: Table) -> Schema:
+    """Return the JSON schema of a kind of profile."""
+    sized = [name for name in table.required if name in KINDS_OF_PROFILES[table.word].by_drop]
+    drop = {"required": ["drop"]}
+    properties = {"kind": {"const": table.word}} | {name: _of_key(key, {}) for name, key in table.keys.items()}
+    needed = ["kind", *(name for name in table.required if name not in sized)]
+    either = {"oneOf": [{"required": sized, "not": drop}, drop]} if sized else {}
+    return _table(properties, table.meaning) | {"title": table.word, "required": needed} | either
+
+
+def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
+    """Return the JSON schema of what a key holds."""
+    each, usual = key.each, key.usual
+    inner = [_of_table(one, tables) if one.name else _of_profile(one) for one in key.tables]
+    if isinstance(each, Parts):
+        found = each.schema() | {"items": inner[0]}
+    elif key.several:
+        found = {"anyOf": [{"anyOf": inner}, {"type": "array", "items": {"anyOf": inner}}]}
+    elif isinstance(each, Part) and not each.named:
+        found = inner[0]
+    else:
+        found = {"anyOf": [each.schema(), *inner]} if inner else each.schema()
+    if isinstance(each, Part) and each.named:
+        usual = next((word for word, known in each.named.items() if known == usual), usual)
+    # TOML has neither null nor, to all programs, infinity.
+    plain = isinstance(usual, str | int | float) and usual != math.inf
+    return found | {"description": text_of(each)} | ({"default": usual} if plain else {})
+
+
 def result_schema() -> Schema:
     """Return the JSON schema of ``result.json``, which is what ``nonhertz solve --json`` prints."""
-    case = case_schema()
+    case = _of_file(CaseDocument)
     numbers = {name: _described(_NUMBER_OR_NULL, QUANTITIES[name].label, QUANTITIES[name].unit) for name in NUMBERS}
     columns = {name: _described(_list(_NUMBER_OR_NULL), f"{name} of each strip", unit) for name, unit in ALONG.items()}
     errors = dict.fromkeys(("approach", "load", "max_pressure", "moment", "tilt"), _NUMBER_OR_NULL)
@@ -67,16 +121,16 @@ def result_schema() -> Schema:
         **columns,
         "edges": _described(_list(_NUMBER), "edges of the strips", "mm"),
         "element_half_width": _described(_list(_NUMBER), "half-width of the element's own pressure", "mm"),
-        "case": {key: value for key, value in case.items() if key not in {"$defs", "$schema"}},
+        "case": {key: value for key, value in case.items() if key != "$defs"},
     }
     return _table(properties, "A solved contact.") | {"$defs": case["$defs"]}
 
 
 #: What there are schemas of, and the functions that return them.
 KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
-    "case": case_schema,
-    "bearing": bearing_schema,
-    "plan": plan_schema,
+    "case": partial(_of_file, CaseDocument),
+    "bearing": partial(_of_file, BearingFile),
+    "plan": partial(_of_file, PlanDocument),
     "result": result_schema,
 }
 

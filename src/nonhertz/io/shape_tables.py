@@ -12,7 +12,7 @@ from nonhertz.bearing.shapes import Curve, Deviations, RingShape, Waves
 from nonhertz.errors import InputError
 from nonhertz.inputs.fields import Input, Word, described
 from nonhertz.io.mistakes import InFile, Mistake, Place, TableError
-from nonhertz.io.reading import Schema, Surroundings, read, schema_of
+from nonhertz.io.reading import Surroundings, read
 from nonhertz.io.ring_shapes import read_ring_shape
 from nonhertz.io.writing import document_of
 
@@ -85,12 +85,6 @@ def shape_tables(name: str, shape: Any) -> Any:
         condition = "be made by fourier_shape or tabulated_shape to go into a bearing file"
         raise InputError(name, shape, condition, "solve such a bearing in Python")
     return tables[0] if len(tables) == 1 else tables
-
-
-def shape_schema(tables: dict[str, Schema]) -> Schema:
-    """Return the schema of what `read_shape` reads."""
-    kinds = [schema_of(each, tables) for each in (Waves, Deviations, ShapeFile)]
-    return {"anyOf": [*kinds, {"type": "array", "items": {"anyOf": kinds}}]}
 
 
 def _read_one(value: Any, file: Surroundings, place: Place) -> RingShape:
