@@ -156,6 +156,7 @@ MODULES = {"nonhertz.profile": nh.profile} | {
         "io.casefile",
         "io.force_tables",
         "io.bearingfile",
+        "io.held",
         "life",
         "maps",
         "measured",

@@ -220,7 +220,7 @@ RESULTS = {
     "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "Interrupted", "NonhertzError",
     *(f"profile.{name}" for name in (
         "Arcs", "Conical", "Flipped", "Logarithmic", "Profile", "Scaled", "Shifted", "Straight", "Sum", "Tabulated",
-        "TaperedEnds", "UniformPressure",
+        "ProfileKind", "TaperedEnds", "UniformPressure",
     )),
 }  # fmt: skip
 
@@ -258,8 +258,8 @@ WRITES = {
     "ContactMap.to_csv",
     "ContactMap.to_mat",
 }
-#: Asked by the solver, of positions that it has checked.
-CHECKED = {"Body.relief_at", "Body.curvature_at", "Contact.separation_at", "Contact.curvature_at"}
+#: Asked by the solver, of positions that it has checked, and of bearings that have been solved.
+CHECKED = {"BearingCase.rated", "Body.relief_at", "Body.curvature_at", "Contact.separation_at", "Contact.curvature_at"}
 
 
 def test_every_method_that_takes_arguments_is_in_the_table(table):

@@ -71,7 +71,7 @@ class Held:
     def __repr__(self) -> str:
         return short_repr(self)
 
-    def held_in(self, origin: Origin) -> Self:
+    def _held_in(self, origin: Origin) -> Self:
         """Note what the file held from which it has just been read, and return it."""
         object.__setattr__(self, "origin", origin)
         return self
@@ -106,7 +106,7 @@ class Held:
         document: dict[str, Any] = _moved(self.document, self.path.parent, folder)
         return document
 
-    def written(self, folder: Path) -> dict[str, Any]:
+    def _written(self, folder: Path) -> dict[str, Any]:
         """Return the document that `write` writes into a folder; raises as that does."""
         return self.own_document
 
@@ -135,7 +135,7 @@ class Held:
         if not isinstance(path, str | Path):
             raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
         path = Path(path)
-        text = as_toml(self.written(path.parent))
+        text = as_toml(self._written(path.parent))
         if len(text) > LARGEST_CASE:
             condition = f"fit into a case file of at most {LARGEST_CASE / 1e6:g} MB"
             raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
@@ -208,7 +208,7 @@ class HeldCase(Held):
         except TableError as error:
             raise case_error(in_order(error.mistakes, document)) from None
         title = given.pop("title") or legible(path.stem)
-        return cls(title=title, path=path, **given).held_in(Origin(document, text, notes, folder))
+        return cls(title=title, path=path, **given)._held_in(Origin(document, text, notes, folder))
 
 
 def _moved(value: Any, old: Path, new: Path) -> Any:

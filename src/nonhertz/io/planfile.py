@@ -232,7 +232,7 @@ class Plan(Held):
             mistakes.append(Mistake((error.field,), error))
         if mistakes:
             raise case_error(mistakes)
-        return plan.changed(over=getattr(found, table)).held_in(Origin(document, text, (), path.parent))
+        return plan.changed(over=getattr(found, table))._held_in(Origin(document, text, (), path.parent))
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""
@@ -240,7 +240,7 @@ class Plan(Held):
         rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}
         return {"case": seen_from(self.path.parent, self.case.path).as_posix()} | rest
 
-    def written(self, folder: Path) -> dict[str, Any]:
+    def _written(self, folder: Path) -> dict[str, Any]:
         """Return its document with all tables of its file, and the way to its case from a folder."""
         return self.document_in(folder)
 
