@@ -45,7 +45,7 @@ dist dist-tests: $(READY)
 	$(BIN)/python tests/distributions.py $(PYTHONS) $(if $(filter dist-tests,$@),--tests)
 
 # Whether the tests notice small mistakes in the sources; survivors are listed in out/mutants. Takes two hours on two
-# cores, of some rooms less: make mutants MUTANTS="--rooms measured io".
+# cores, of some rooms less: make mutants MUTANTS="--rooms measured files".
 mutants: $(READY)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group mutants
 	$(BIN)/nonhertz warm

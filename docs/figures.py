@@ -30,8 +30,8 @@ from matplotlib.ticker import NullFormatter
 
 import nonhertz as nh
 from nonhertz.cli import main as nonhertz
-from nonhertz.io.casefile import Case, read_case
-from nonhertz.io.traces import read_trace
+from nonhertz.files.casefile import Case, read_case
+from nonhertz.files.traces import read_trace
 from nonhertz.plot import bearing_figures, figures, life_figure, measured_figure, save, stress_figures
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.style import (

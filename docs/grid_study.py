@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import PchipInterpolator
 
 import nonhertz as nh
-from nonhertz.io.casefile import read_case
+from nonhertz.files.casefile import read_case
 from nonhertz.model.profile import Profile
 from nonhertz.strip import grid
 

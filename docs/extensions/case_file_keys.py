@@ -10,6 +10,10 @@ from typing import TYPE_CHECKING
 from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
+from nonhertz.files.bearing_document import BearingFile
+from nonhertz.files.keys import Key, Table, profile_kinds, table_of, unit_of
+from nonhertz.files.profiles import Changes
+from nonhertz.files.sections import CaseDocument
 from nonhertz.inputs.fields import (
     Count,
     Custom,
@@ -23,10 +27,6 @@ from nonhertz.inputs.fields import (
     Words,
     text_of,
 )
-from nonhertz.io.bearing_document import BearingFile
-from nonhertz.io.keys import Key, Table, profile_kinds, table_of, unit_of
-from nonhertz.io.profiles import Changes
-from nonhertz.io.sections import CaseDocument
 
 if TYPE_CHECKING:
     from docutils import nodes

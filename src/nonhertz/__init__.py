@@ -18,8 +18,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from nonhertz import bearing as bearing
+    from nonhertz import files as files
     from nonhertz import hertz as hertz
-    from nonhertz import io as io
     from nonhertz import life as life
     from nonhertz import maps as maps
     from nonhertz import measured as measured
@@ -36,14 +36,14 @@ if TYPE_CHECKING:
     from nonhertz.errors import InputError as InputError
     from nonhertz.errors import Interrupted as Interrupted
     from nonhertz.errors import NonhertzError as NonhertzError
-    from nonhertz.io.bearingfile import BearingCase as BearingCase
-    from nonhertz.io.bearingfile import read_bearing as read_bearing
-    from nonhertz.io.casefile import Case as Case
-    from nonhertz.io.casefile import read_case as read_case
-    from nonhertz.io.planfile import Plan as Plan
-    from nonhertz.io.planfile import read_plan as read_plan
-    from nonhertz.io.resultfile import Result as Result
-    from nonhertz.io.resultfile import read_result as read_result
+    from nonhertz.files.bearingfile import BearingCase as BearingCase
+    from nonhertz.files.bearingfile import read_bearing as read_bearing
+    from nonhertz.files.casefile import Case as Case
+    from nonhertz.files.casefile import read_case as read_case
+    from nonhertz.files.planfile import Plan as Plan
+    from nonhertz.files.planfile import read_plan as read_plan
+    from nonhertz.files.resultfile import Result as Result
+    from nonhertz.files.resultfile import read_result as read_result
     from nonhertz.maps.value import ContactMap as ContactMap
     from nonhertz.maps.verb import contact_map
     from nonhertz.model import profile as profile
@@ -80,9 +80,9 @@ __version__ = "0.1.0"
 # milliseconds and the command line answers `--help` without loading a compiler.
 _HOMES = {
     "AccuracyWarning": "nonhertz.errors",
-    "BearingCase": "nonhertz.io.bearingfile",
+    "BearingCase": "nonhertz.files.bearingfile",
     "Body": "nonhertz.model.body",
-    "Case": "nonhertz.io.casefile",
+    "Case": "nonhertz.files.casefile",
     "Chamfer": "nonhertz.model.corner",
     "Comparison": "nonhertz.comparison",
     "Contact": "nonhertz.model.contact",
@@ -97,10 +97,10 @@ _HOMES = {
     "Material": "nonhertz.model.material",
     "NonhertzError": "nonhertz.errors",
     "PARABOLIC": "nonhertz.strip.element",
-    "Plan": "nonhertz.io.planfile",
+    "Plan": "nonhertz.files.planfile",
     "Plate": "nonhertz.model.body",
     "Portion": "nonhertz.solver.portions",
-    "Result": "nonhertz.io.resultfile",
+    "Result": "nonhertz.files.resultfile",
     "Ring": "nonhertz.model.body",
     "Roller": "nonhertz.model.body",
     "SEMI_ELLIPTIC": "nonhertz.strip.element",
@@ -111,10 +111,10 @@ _HOMES = {
     "TabulatedDiameter": "nonhertz.model.body",
     "ContactMap": "nonhertz.maps.value",
     "compare": "nonhertz.comparison",
-    "read_bearing": "nonhertz.io.bearingfile",
-    "read_case": "nonhertz.io.casefile",
-    "read_plan": "nonhertz.io.planfile",
-    "read_result": "nonhertz.io.resultfile",
+    "read_bearing": "nonhertz.files.bearingfile",
+    "read_case": "nonhertz.files.casefile",
+    "read_plan": "nonhertz.files.planfile",
+    "read_result": "nonhertz.files.resultfile",
     "solve": "nonhertz.solver.one",
     "solve_many": "nonhertz.solver.many",
     "sweep": "nonhertz.study.sweeps",
@@ -126,7 +126,7 @@ _MODULES = {
     "bearing": "nonhertz.bearing",
     "design": "nonhertz.study.design",
     "hertz": "nonhertz.hertz",
-    "io": "nonhertz.io",
+    "files": "nonhertz.files",
     "life": "nonhertz.life",
     "maps": "nonhertz.maps",
     "measured": "nonhertz.measured",

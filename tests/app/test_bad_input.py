@@ -9,7 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.casefile import Case, placed
+from nonhertz.files.casefile import Case, placed
 
 A = "[body.a]\ndiameter = 20.0\nlength = 20.0\n"
 B = "[body.b]\n"

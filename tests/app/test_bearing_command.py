@@ -19,12 +19,12 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonhertz as nh
 import nonhertz.cli.bearing
-import nonhertz.io.bearing_results
+import nonhertz.files.bearing_results
 from nonhertz.bearing import BearingSolution
 from nonhertz.cli import main
-from nonhertz.io.bearing_results import UNITS
-from nonhertz.io.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
-from nonhertz.io.held import as_toml
+from nonhertz.files.bearing_results import UNITS
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
+from nonhertz.files.held import as_toml
 from nonhertz.show.bearing import load_zones, roller_rows, summary_rows
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))
@@ -295,7 +295,7 @@ def test_nothing_is_left_behind_when_writing_fails(
     folder: Path, leaves_nothing_behind: Callable[[object, str, list[str]], None]
 ) -> None:
     leaves_nothing_behind(nonhertz.cli.bearing, "_draw", ["bearing", "sliced.toml"])
-    leaves_nothing_behind(nonhertz.io.bearing_results, "rollers_table", ["bearing", "sliced.toml"])
+    leaves_nothing_behind(nonhertz.files.bearing_results, "rollers_table", ["bearing", "sliced.toml"])
 
 
 def test_an_out_that_is_a_file_is_refused_before_anything_is_solved(folder, capsys, monkeypatch):

@@ -29,7 +29,7 @@ import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
 from nonhertz.cli.printing import print_table
-from nonhertz.io.casefile import TEMPLATES, starting_case
+from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.result.solution import Solution
 
 CASE = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")

@@ -17,9 +17,9 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.bearingfile import read_bearing
-from nonhertz.io.casefile import Case, read_case
-from nonhertz.io.held import holds_plan, meant_as
+from nonhertz.files.bearingfile import read_bearing
+from nonhertz.files.casefile import Case, read_case
+from nonhertz.files.held import holds_plan, meant_as
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"

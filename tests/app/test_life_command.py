@@ -17,7 +17,7 @@ import nonhertz as nh
 import nonhertz.plot
 import nonhertz.show.analysis
 from nonhertz.cli import main
-from nonhertz.io.casefile import read_case
+from nonhertz.files.casefile import read_case
 from nonhertz.life import LoadCase, assess, ioannides_harris, solve_spectrum
 from nonhertz.result.numerals import digits
 

@@ -13,7 +13,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.nodes import read_nodes
+from nonhertz.files.nodes import read_nodes
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASE = str(EXAMPLES / "roller-15x20.toml")

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.casefile import read_case
+from nonhertz.files.casefile import read_case
 
 RADIUS = 900.0
 FILES = {"profile.csv", "profile.json", "profile.toml", "profile-steps.svg", "profile-steps.png"}
@@ -124,7 +124,7 @@ def test_a_missing_file_is_told(tmp_path, monkeypatch, capsys):
 
 @pytest.mark.slow
 def test_a_figure_has_a_panel_for_each_step(file):
-    from nonhertz.io.traces import read_trace
+    from nonhertz.files.traces import read_trace
     from nonhertz.plot import measured_figure
 
     measured = nh.measured.prepare(read_trace(file, height_unit="um"))

@@ -15,8 +15,8 @@ from few_rollers import PAIR, SIX, changed
 import nonhertz as nh
 import nonhertz.report.figures
 from nonhertz.cli import main
-from nonhertz.io.bearingfile import BearingCase, read_bearing
-from nonhertz.io.held import parsed
+from nonhertz.files.bearingfile import BearingCase, read_bearing
+from nonhertz.files.held import parsed
 from nonhertz.report import MARK, BearingResults, compose, rendered_bearings, settled_bearings
 from nonhertz.report.assumptions import Verdict
 from nonhertz.report.bearing.assumptions import bearing_assumptions

@@ -12,7 +12,7 @@ import nonhertz.report.figures
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
-from nonhertz.io.casefile import read_case
+from nonhertz.files.casefile import read_case
 from nonhertz.report import MARK
 
 CASE = """

@@ -13,8 +13,8 @@ from matplotlib.figure import Figure
 
 from nonhertz import plot
 from nonhertz.cli import main
-from nonhertz.io.bearingfile import read_bearing
-from nonhertz.io.casefile import read_case
+from nonhertz.files.bearingfile import read_bearing
+from nonhertz.files.casefile import read_case
 from nonhertz.plot.units import rewrite_units
 from nonhertz.report import compose
 from nonhertz.result.reading import read_in

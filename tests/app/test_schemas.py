@@ -15,10 +15,10 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.bearingfile import starting_bearing
-from nonhertz.io.casefile import starting_case
-from nonhertz.io.held import meant_as
-from nonhertz.io.schemas import KINDS, schema_of
+from nonhertz.files.bearingfile import starting_bearing
+from nonhertz.files.casefile import starting_case
+from nonhertz.files.held import meant_as
+from nonhertz.files.schemas import KINDS, schema_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FILES = sorted(EXAMPLES.glob("*.toml"))

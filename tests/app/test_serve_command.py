@@ -9,7 +9,7 @@ import pytest
 
 from nonhertz.cli import main
 from nonhertz.cli.serve import starting_document
-from nonhertz.io.casefile import read_case, starting_case
+from nonhertz.files.casefile import read_case, starting_case
 from nonhertz.show.analysis import solved
 from nonhertz.web import limits
 from nonhertz.web.server import serving

@@ -10,8 +10,8 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.changes import changes_in
-from nonhertz.io.planfile import read_design
+from nonhertz.files.changes import changes_in
+from nonhertz.files.planfile import read_design
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASE = str(EXAMPLES / "crowned-roller.toml")

@@ -12,7 +12,7 @@ import pytest
 import nonhertz as nh
 import nonhertz.solver.one
 from nonhertz.cli import main
-from nonhertz.io.several import HEAD, Attempt, objects
+from nonhertz.files.several import HEAD, Attempt, objects
 from nonhertz.result.numerals import digits
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

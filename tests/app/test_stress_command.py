@@ -16,7 +16,7 @@ import nonhertz.plot
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
-from nonhertz.io.casefile import read_case
+from nonhertz.files.casefile import read_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PLANES = ("axial-plane", "cross-section")

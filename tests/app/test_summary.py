@@ -11,7 +11,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli.summary import print_summary
-from nonhertz.io.results import UNITS, as_json
+from nonhertz.files.results import UNITS, as_json
 from nonhertz.result.solution import Solution
 from nonhertz.show.summary import summary_rows
 

@@ -13,7 +13,7 @@ from test_bad_input import MISTAKES
 
 import nonhertz as nh
 from nonhertz.cli import main
-from nonhertz.io.casefile import Case, starting_case
+from nonhertz.files.casefile import Case, starting_case
 from nonhertz.strength import assess
 from nonhertz.subsurface import extremes
 from nonhertz.web import limits

@@ -23,8 +23,8 @@ from serving import raw, running
 import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.cli.serve import starting_document
-from nonhertz.io.bearingfile import BEARING_TEMPLATES, BearingCase, starting_bearing
-from nonhertz.io.casefile import starting_case
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, starting_bearing
+from nonhertz.files.casefile import starting_case
 from nonhertz.web import limits
 from nonhertz.web.form.fields import FormField
 from nonhertz.web.form.form import form

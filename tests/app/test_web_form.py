@@ -14,13 +14,13 @@ from form_reading import Inputs, document_in, parts_of, set_at, value_of
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
+from nonhertz.files.casefile import TEMPLATES as TEMPLATES_OF_CASES
+from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.mistakes import path_of
+from nonhertz.files.schemas import schema_of
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import in_unit
-from nonhertz.io.bearingfile import BEARING_TEMPLATES, starting_bearing
-from nonhertz.io.casefile import TEMPLATES as TEMPLATES_OF_CASES
-from nonhertz.io.casefile import Case, starting_case
-from nonhertz.io.mistakes import path_of
-from nonhertz.io.schemas import schema_of
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.materials import MATERIALS
 from nonhertz.solver.one import solve

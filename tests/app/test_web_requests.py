@@ -17,7 +17,7 @@ from numpy.testing import assert_allclose
 from serving import raw, running
 
 import nonhertz as nh
-from nonhertz.io.casefile import TEMPLATES, read_case, starting_case
+from nonhertz.files.casefile import TEMPLATES, read_case, starting_case
 from nonhertz.web import limits
 from nonhertz.web.server import app, intake, serving, workers
 from nonhertz.web.server.guard import HEADERS

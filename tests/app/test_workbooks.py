@@ -15,8 +15,8 @@ import pytest
 import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.errors import InputError
-from nonhertz.io.several import HEAD
-from nonhertz.io.workbooks import MOST_ROWS, refuse_too_many, write_workbook
+from nonhertz.files.several import HEAD
+from nonhertz.files.workbooks import MOST_ROWS, refuse_too_many, write_workbook
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 DIGITS = 1e-15  # openpyxl writes sixteen

@@ -16,7 +16,7 @@ from desk import Desk
 from few_rollers import SIX, changed
 from numpy.testing import assert_allclose
 
-from nonhertz.io.bearingfile import BearingCase, starting_bearing
+from nonhertz.files.bearingfile import BearingCase, starting_bearing
 
 pytestmark = pytest.mark.browser
 

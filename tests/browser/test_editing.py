@@ -14,7 +14,7 @@ from desk import Desk, packed
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-from nonhertz.io.casefile import Case, starting_case
+from nonhertz.files.casefile import Case, starting_case
 
 pytestmark = pytest.mark.browser
 

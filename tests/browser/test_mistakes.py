@@ -13,7 +13,7 @@ from desk import Desk, packed
 from numpy.testing import assert_allclose
 
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, starting_case
+from nonhertz.files.casefile import Case, starting_case
 
 pytestmark = pytest.mark.browser
 

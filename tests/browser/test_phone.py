@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from nonhertz.io.bearingfile import starting_bearing
-from nonhertz.io.casefile import read_case, starting_case
+from nonhertz.files.bearingfile import starting_bearing
+from nonhertz.files.casefile import read_case, starting_case
 from nonhertz.report import TitleBlock, compose
 
 pytestmark = pytest.mark.browser
@@ -26,7 +26,7 @@ WIDTHS = """() => [...document.querySelectorAll(".sheet")].map((each) => [each.s
 @pytest.fixture(scope="module")
 def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with reports of a contact, of two compared, and of a bearing."""
-    from nonhertz.io.bearingfile import read_bearing
+    from nonhertz.files.bearingfile import read_bearing
 
     folder = tmp_path_factory.mktemp("reports")
     (folder / "a-case-with-a-rather-long-name.toml").write_text(starting_case(), encoding="utf-8")

@@ -10,7 +10,7 @@ import pytest
 from desk import Desk, packed
 from numpy.testing import assert_allclose
 
-from nonhertz.io.casefile import starting_case
+from nonhertz.files.casefile import starting_case
 
 pytestmark = pytest.mark.browser
 

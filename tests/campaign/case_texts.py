@@ -13,9 +13,9 @@ from pathlib import Path
 from peak import peak_memory
 
 from nonhertz.errors import CaseError
-from nonhertz.io.bounds import MISTAKES
-from nonhertz.io.casefile import Case, read_case, starting_case
-from nonhertz.io.held import parsed
+from nonhertz.files.bounds import MISTAKES
+from nonhertz.files.casefile import Case, read_case, starting_case
+from nonhertz.files.held import parsed
 
 SEED = 20261
 MANY = 0.01

@@ -10,7 +10,7 @@ from urllib.parse import urlencode
 
 from case_texts import FILES, NUMBERS, WORDS, Mutator, sound_texts
 
-from nonhertz.io.measured import MeasuredProfile
+from nonhertz.files.measured import MeasuredProfile
 from nonhertz.web.form.form import form
 
 JSON, TOML, BINARY = "application/json", "application/toml", "application/octet-stream"

@@ -12,8 +12,8 @@ from case_texts import EXAMPLES, FILES, Mutator, is_sentence
 from extent import extent
 
 from nonhertz.errors import CaseError
-from nonhertz.io.bearingfile import read_bearing, starting_bearing
-from nonhertz.io.bounds import MISTAKES
+from nonhertz.files.bearingfile import read_bearing, starting_bearing
+from nonhertz.files.bounds import MISTAKES
 
 CASES = extent(30_000, 600)
 SLOWEST = 2.0

@@ -12,7 +12,7 @@ import pytest
 from case_texts import FILES, read_all, sound_texts
 from extent import extent
 
-from nonhertz.io.casefile import read_case
+from nonhertz.files.casefile import read_case
 
 CASES, PORTION, PROCESSES = extent(100_000, 2_000), 1_000, 2
 SLOWEST = 2.0

@@ -19,8 +19,8 @@ from hypothesis import strategies as st
 from peak import peak_memory
 
 from nonhertz.errors import InputError
-from nonhertz.io.traces import LARGEST_FILE, read_trace
-from nonhertz.io.traces.line import MOST_POINTS
+from nonhertz.files.traces import LARGEST_FILE, read_trace
+from nonhertz.files.traces.line import MOST_POINTS
 from nonhertz.measured import Trace, prepare
 
 FILES = extent(100_000, 2_000)

@@ -26,7 +26,7 @@ from case_texts import is_sentence
 from extent import extent
 from page_requests import PATHS, Requests
 
-from nonhertz.io.casefile import starting_case
+from nonhertz.files.casefile import starting_case
 from nonhertz.web.form.fields import FormField
 from nonhertz.web.form.form import form
 from nonhertz.web.server.units import HEADER

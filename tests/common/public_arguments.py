@@ -15,9 +15,9 @@ import numpy as np
 
 import nonhertz as nh
 from nonhertz import bearing, hertz, life, measured, profile, strength, subsurface
-from nonhertz.io.results import as_json
-from nonhertz.io.sections import Life
-from nonhertz.io.title_block import TitleBlock
+from nonhertz.files.results import as_json
+from nonhertz.files.sections import Life
+from nonhertz.files.title_block import TitleBlock
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "crowned-roller.toml"
 BEARING = EXAMPLE.with_name("nu206.toml")

@@ -6,7 +6,7 @@ import re
 import pytest
 
 from golden import BEARING_TEMPLATES, EXAMPLES, RUNS, TEMPLATES, compact, kept, machine, ran
-from nonhertz.io import bearingfile, casefile
+from nonhertz.files import bearingfile, casefile
 
 SAME, ELSEWHERE = 1e-12, 1e-9
 # Parts of command and name, and how far a number may be off on the same machine and elsewhere. The first were measured

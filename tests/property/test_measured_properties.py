@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from nonhertz.errors import InputError
-from nonhertz.io.traces import read_trace
+from nonhertz.files.traces import read_trace
 from nonhertz.measured import Trace, prepare
 
 Y = np.linspace(-5.0, 5.0, 2001)

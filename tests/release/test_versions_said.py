@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import read_case, starting_case
+from nonhertz.files.bounds import FORMAT
+from nonhertz.files.casefile import read_case, starting_case
 
 ROOT = Path(__file__).resolve().parents[2]
 VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]

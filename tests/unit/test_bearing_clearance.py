@@ -10,7 +10,7 @@ from scipy.integrate import solve_bvp
 import nonhertz as nh
 from nonhertz.bearing.clearance import EXPANSION
 from nonhertz.bearing.thick_rings import ThickRing
-from nonhertz.io.bearing_results import as_object
+from nonhertz.files.bearing_results import as_object
 from nonhertz.show.bearing import summary_rows
 
 STEEL = nh.Material(modulus=207e3, poisson=0.3)

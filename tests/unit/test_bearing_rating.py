@@ -9,8 +9,8 @@ import pytest
 import nonhertz as nh
 from nonhertz.bearing import life_factor, reliability_factor
 from nonhertz.bearing.laminae import lamina_life, mean_over_rollers
-from nonhertz.io.bearing_results import as_object
-from nonhertz.io.bearingfile import BearingCase
+from nonhertz.files.bearing_results import as_object
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.show.bearing import life_rows
 from nonhertz.verify.known_bearings import LIFE_FACTORS, LIMITS
 

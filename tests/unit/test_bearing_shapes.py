@@ -8,7 +8,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bearing import fourier_shape, tabulated_shape
-from nonhertz.io.ring_shapes import read_ring_shape
+from nonhertz.files.ring_shapes import read_ring_shape
 
 ROW = nh.bearing.CylindricalRollerBearing(
     roller=nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000)),

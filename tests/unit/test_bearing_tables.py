@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz.bearing import equilibrium
-from nonhertz.io import force_tables
+from nonhertz.files import force_tables
 
 B = nh.bearing
 # Bodies without ends cost little, and ends are not the subject.

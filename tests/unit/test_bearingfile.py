@@ -14,10 +14,10 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import nonhertz as nh
-from nonhertz.io.bearingfile import BearingCase, read_bearing, starting_bearing
-from nonhertz.io.casefile import read_case
-from nonhertz.io.held import parsed
-from nonhertz.io.schemas import schema_of
+from nonhertz.files.bearingfile import BearingCase, read_bearing, starting_bearing
+from nonhertz.files.casefile import read_case
+from nonhertz.files.held import parsed
+from nonhertz.files.schemas import schema_of
 
 KINDS = nh.bearing.RollerBearing.kinds
 ROLLER = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(radius=1200))

@@ -13,10 +13,10 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io import reading
-from nonhertz.io.bounds import KEYS, LARGEST_CASE, LOADS, MISTAKES, NESTING, PROFILES, has_long_key
-from nonhertz.io.casefile import read_case
-from nonhertz.io.held import parsed
+from nonhertz.files import reading
+from nonhertz.files.bounds import KEYS, LARGEST_CASE, LOADS, MISTAKES, NESTING, PROFILES, has_long_key
+from nonhertz.files.casefile import read_case
+from nonhertz.files.held import parsed
 from nonhertz.model.profile import table
 from nonhertz.model.profile.table import LARGEST_FILE, from_file
 
@@ -43,7 +43,7 @@ def sentence_of(statement: str) -> str:
         "resource.setrlimit(resource.RLIMIT_AS, (2 * 10**9, 2 * 10**9))\n"
         "from pathlib import Path\n"
         "from nonhertz.errors import NonhertzError\n"
-        "from nonhertz.io.casefile import read_case\n"
+        "from nonhertz.files.casefile import read_case\n"
         "from nonhertz.model.profile.table import from_file\n"
         f"try:\n    {statement}\nexcept NonhertzError as error:\n    print(error)\n"
     )

@@ -17,8 +17,8 @@ from hypothesis import strategies as st
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, read_case, starting_case
-from nonhertz.io.schemas import schema_of
+from nonhertz.files.casefile import Case, read_case, starting_case
+from nonhertz.files.schemas import schema_of
 from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.model.profile import CATALOGUE

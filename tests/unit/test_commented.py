@@ -5,10 +5,10 @@ import tomllib
 
 import pytest
 
-from nonhertz.io.bearingfile import BEARING_TEMPLATES, starting_bearing
-from nonhertz.io.casefile import TEMPLATES, starting_case
-from nonhertz.io.commented import as_toml_like
-from nonhertz.io.held import as_toml
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
+from nonhertz.files.casefile import TEMPLATES, starting_case
+from nonhertz.files.commented import as_toml_like
+from nonhertz.files.held import as_toml
 
 TEXTS = [starting_case(name) for name in (None, *TEMPLATES)]
 TEXTS += [starting_bearing(name) for name in (None, *BEARING_TEMPLATES)]

@@ -16,7 +16,7 @@ from nonhertz import plot
 from nonhertz.comparison import ComparedQuantity
 from nonhertz.comparison.reasons import carried, stretches
 from nonhertz.comparison.value import differences, excess_of_fourth_moment
-from nonhertz.io.comparisons import as_json, as_object, as_table
+from nonhertz.files.comparisons import as_json, as_object, as_table
 from nonhertz.result.ends import away_from_ends
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgeKind

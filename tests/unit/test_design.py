@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.free_forms import FreeForm, free_form_in
+from nonhertz.files.free_forms import FreeForm, free_form_in
 from nonhertz.study.design import best, checked, front
 from nonhertz.study.objective import refuse_unlimited
 

@@ -6,7 +6,7 @@ import math
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.writing import document_of
+from nonhertz.files.writing import document_of
 from nonhertz.model.materials import LIBRARY, listed_as
 
 

@@ -12,11 +12,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
-from nonhertz.io.casefile import read_case
-from nonhertz.io.measured import PREPARING, READING, MeasuredProfile, checked
-from nonhertz.io.mistakes import TableError
-from nonhertz.io.profiles import read_profile
-from nonhertz.io.traces import read_trace
+from nonhertz.files.casefile import read_case
+from nonhertz.files.measured import PREPARING, READING, MeasuredProfile, checked
+from nonhertz.files.mistakes import TableError
+from nonhertz.files.profiles import read_profile
+from nonhertz.files.traces import read_trace
 from nonhertz.measured import prepare
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
+from nonhertz.files.results import UNITS
 from nonhertz.inputs.fields import Input, Quantities, Quantity
-from nonhertz.io.results import UNITS
 from nonhertz.model.profile import PARAMETERS
 from nonhertz.strip.element import Element
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.bearing_document import BearingFile
-from nonhertz.io.paths import drops_first, parameter, parameters
-from nonhertz.io.sections import CaseDocument
+from nonhertz.files.bearing_document import BearingFile
+from nonhertz.files.paths import drops_first, parameter, parameters
+from nonhertz.files.sections import CaseDocument
 
 CASE = {
     "body": {

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.casefile import starting_case
-from nonhertz.io.held import holds_plan
-from nonhertz.io.planfile import Plan, read_any, read_design, read_plan, starting_plan
-from nonhertz.io.spreads import Distribution
+from nonhertz.files.casefile import starting_case
+from nonhertz.files.held import holds_plan
+from nonhertz.files.planfile import Plan, read_any, read_design, read_plan, starting_plan
+from nonhertz.files.spreads import Distribution
 
 
 @pytest.fixture

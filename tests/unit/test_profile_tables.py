@@ -12,9 +12,9 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case
-from nonhertz.io.profiles import needed_keys
-from nonhertz.io.schemas import schema_of
+from nonhertz.files.casefile import Case
+from nonhertz.files.profiles import needed_keys
+from nonhertz.files.schemas import schema_of
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.report.inputs import inputs
 

@@ -16,8 +16,8 @@ from matplotlib.figure import Figure
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, read_case
-from nonhertz.io.held import parsed
+from nonhertz.files.casefile import Case, read_case
+from nonhertz.files.held import parsed
 from nonhertz.report import CaseResults, compose, examined, rendered, settled, steps
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import differing_inputs, lives, results
@@ -444,7 +444,7 @@ def test_what_the_solver_refuses_is_named_by_its_file() -> None:
 
 
 def test_files_that_are_too_large_are_left_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("nonhertz.io.origin.MOST_ATTACHED", 10)
+    monkeypatch.setattr("nonhertz.files.origin.MOST_ATTACHED", 10)
     (tmp_path / "points").mkdir()
     (tmp_path / "points/a.csv").write_text(POINTS, encoding="utf-8")
     (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")

@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.bearingfile import BearingCase, starting_bearing
-from nonhertz.io.held import parsed
+from nonhertz.files.bearingfile import BearingCase, starting_bearing
+from nonhertz.files.held import parsed
 from nonhertz.report import settled, settled_bearings
 from nonhertz.report.basis import basis
 from nonhertz.report.bearing.basis import bearing_basis

@@ -7,9 +7,9 @@ import pytest
 from scipy import stats
 
 import nonhertz as nh
-from nonhertz.io.paths import Parameter
-from nonhertz.io.sampling import METHODS, Sampling
-from nonhertz.io.spreads import Distribution, bounds_in, spread_in
+from nonhertz.files.paths import Parameter
+from nonhertz.files.sampling import METHODS, Sampling
+from nonhertz.files.spreads import Distribution, bounds_in, spread_in
 
 LOAD = Parameter("load.load", ("load", "load"), "N")
 STRIPS = Parameter("solver.strips", ("solver", "strips"), "", whole=True)

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.planfile import Plan
+from nonhertz.files.planfile import Plan
 from nonhertz.study import Sampling, Sweep
 from nonhertz.study.crew import LostError, Processes
 from nonhertz.study.rows import Row, Work
@@ -238,9 +238,9 @@ def test_rows_are_written_to_the_last_bit(tmp_path):
 
 
 def test_a_bearing_is_swept_too():
-    from nonhertz.io.bearingfile import starting_bearing
-    from nonhertz.io.held import parsed
-    from nonhertz.io.planfile import case_or_bearing_in
+    from nonhertz.files.bearingfile import starting_bearing
+    from nonhertz.files.held import parsed
+    from nonhertz.files.planfile import case_or_bearing_in
 
     text = starting_bearing()
     case = case_or_bearing_in(parsed(text, "bearing"), Path("bearing.toml"), text)

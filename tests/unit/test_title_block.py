@@ -9,9 +9,9 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.io.bearingfile import starting_bearing
-from nonhertz.io.casefile import starting_case
-from nonhertz.io.title_block import TitleBlock
+from nonhertz.files.bearingfile import starting_bearing
+from nonhertz.files.casefile import starting_case
+from nonhertz.files.title_block import TitleBlock
 from nonhertz.web.form.form import form
 
 TABLE = '\n[report]\nproject = "Gearbox"\n'

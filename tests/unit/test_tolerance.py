@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.forms import deviation, with_form
-from nonhertz.io.planfile import Plan
-from nonhertz.io.sampling import Sampling
-from nonhertz.io.spreads import Distribution
+from nonhertz.files.forms import deviation, with_form
+from nonhertz.files.planfile import Plan
+from nonhertz.files.sampling import Sampling
+from nonhertz.files.spreads import Distribution
 from nonhertz.study.store import FILE
 from nonhertz.study.tolerances import quantile, sobol_indices
 

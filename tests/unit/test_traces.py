@@ -17,8 +17,8 @@ import x3pio
 from numpy.testing import assert_allclose, assert_array_equal
 
 from nonhertz.errors import InputError
-from nonhertz.io.traces import LARGEST_FILE, read_trace
-from nonhertz.io.traces.line import MOST_POINTS
+from nonhertz.files.traces import LARGEST_FILE, read_trace
+from nonhertz.files.traces.line import MOST_POINTS
 from nonhertz.measured import prepare
 
 Y = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 1.25])
@@ -553,7 +553,7 @@ def test_a_damaged_file_ends_in_one_sentence(name):
 
 def test_a_zip_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch):
     """By what it declares, so that nothing is unpacked to find out."""
-    monkeypatch.setattr("nonhertz.io.traces.x3p._LARGEST_UNPACKED", 2_000_000)
+    monkeypatch.setattr("nonhertz.files.traces.x3p._LARGEST_UNPACKED", 2_000_000)
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("main.xml", b"0" * 2_000_001)
@@ -586,7 +586,7 @@ def test_a_bomb_of_elements_is_refused_before_there_is_a_tree_of_them():
 
 
 def test_an_x3p_of_too_many_points_is_refused_by_its_description(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr("nonhertz.io.traces.x3p.MOST_POINTS", 5)
+    monkeypatch.setattr("nonhertz.files.traces.x3p.MOST_POINTS", 5)
     with pytest.raises(InputError, match="must hold no more than 5 points"):
         read_trace(x3p())
 
@@ -603,7 +603,7 @@ def test_what_is_no_file_is_refused(tmp_path: Path):
 
 
 def test_an_empty_or_too_large_file_is_refused_in_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr("nonhertz.io.traces.LARGEST_FILE", 10)
+    monkeypatch.setattr("nonhertz.files.traces.LARGEST_FILE", 10)
     for content, reason in ((b"", "not be empty"), (b"0 1\n" * 3, "be no larger than 0 MB")):
         path = tmp_path / "roller.txt"
         path.write_bytes(content)

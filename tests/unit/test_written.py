@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.io.bearingfile import BearingCase, starting_bearing
-from nonhertz.io.bounds import FORMAT
-from nonhertz.io.casefile import Case, read_case, starting_case
-from nonhertz.io.held import as_toml
-from nonhertz.io.results import as_json, as_object
-from nonhertz.io.sections import Life, OverrolledDent
+from nonhertz.files.bearingfile import BearingCase, starting_bearing
+from nonhertz.files.bounds import FORMAT
+from nonhertz.files.casefile import Case, read_case, starting_case
+from nonhertz.files.held import as_toml
+from nonhertz.files.results import as_json, as_object
+from nonhertz.files.sections import Life, OverrolledDent
 from nonhertz.life import LoadCase
 from nonhertz.model.profile import CATALOGUE, Profile
 

@@ -15,9 +15,9 @@ from nonhertz.cli import FINE, NOT_CONVERGED
 from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.io.bearing_results import as_json, as_object, comparison_files, comparison_object, files
-from nonhertz.io.bearingfile import BearingCase, placed
-from nonhertz.io.folder import write_files
+from nonhertz.files.bearing_results import as_json, as_object, comparison_files, comparison_object, files
+from nonhertz.files.bearingfile import BearingCase, placed
+from nonhertz.files.folder import write_files
 from nonhertz.result.reading import chosen
 from nonhertz.show.bearing import (
     OF_LARGEST,

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import CaseError, ConvergenceError, InputError
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
-from nonhertz.io.held import holds_plan, opened
-from nonhertz.io.planfile import DESIGN, Plan, case_or_bearing_in, design_in
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.held import holds_plan, opened
+from nonhertz.files.planfile import DESIGN, Plan, case_or_bearing_in, design_in
 
 _UNITS = {
     **dict.fromkeys(("load", "radial", "axial"), "N"),

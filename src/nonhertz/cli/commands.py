@@ -138,7 +138,7 @@ def solve(
         Print one JSON object with all numbers instead of the summary, or a list of them.
     """
     from nonhertz.cli.solve import is_table, report_one, report_several
-    from nonhertz.io.changes import changes_in
+    from nonhertz.files.changes import changes_in
 
     _show_in(units)
     if not more and not (out is not None and is_table(out)):
@@ -176,9 +176,9 @@ def bearing(
         Print one JSON object with all numbers instead of the tables.
     """
     from nonhertz.cli.bearing import print_contact, report_bearing, report_comparison
-    from nonhertz.io.bearingfile import read_bearing
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.files.bearingfile import read_bearing
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.folder import refuse_unwritable
 
     _show_in(units)
     if contact is not None and (compare or as_json or out is not None):
@@ -220,10 +220,10 @@ def compare(
         Print one JSON object with all numbers instead of the table.
     """
     from nonhertz.cli.compare import compared, comparison_written, print_comparison
-    from nonhertz.io.casefile import read_case
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.comparisons import as_json as json_text
-    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.files.casefile import read_case
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.comparisons import as_json as json_text
+    from nonhertz.files.folder import refuse_unwritable
 
     _show_in(units)
     problem = read_case(case, changes_in(changes))
@@ -276,9 +276,9 @@ def stress(
     """
     from nonhertz.cli.solve import solved_or_not
     from nonhertz.cli.stress import checked_body, report_stresses
-    from nonhertz.io.casefile import read_case
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.files.casefile import read_case
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.folder import refuse_unwritable
 
     _show_in(units)
     name = checked_body(station, body)
@@ -325,10 +325,10 @@ def life(
         Print one JSON object instead of the table.
     """
     from nonhertz.cli.life import check_models, report_lives
-    from nonhertz.io.casefile import read_case
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.io.held import named
+    from nonhertz.files.casefile import read_case
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.folder import refuse_unwritable
+    from nonhertz.files.held import named
 
     _show_in(units)
     check_models(model)
@@ -382,8 +382,8 @@ def report(
         Date in the head of the report.
     """
     from nonhertz.cli.report import composed, read_cases, target, title_block, write
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.folder import refuse_unwritable
 
     _show_in(units)
     if not cases:
@@ -468,8 +468,8 @@ def profile(
         Print one JSON object instead of the tables.
     """
     from nonhertz.cli import profile as of_profile
-    from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.io.prepared import as_json as json_text
+    from nonhertz.files.folder import refuse_unwritable
+    from nonhertz.files.prepared import as_json as json_text
 
     _show_in(units)
     if out is not None:
@@ -531,9 +531,9 @@ def contact_map(
     """
     from nonhertz.cli.map import as_json as json_text
     from nonhertz.cli.map import made, print_map, requested, write
-    from nonhertz.io.casefile import read_case
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.files.casefile import read_case
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.folder import refuse_unwritable
 
     _show_in(units)
     problem = read_case(case, changes_in(changes))
@@ -579,10 +579,10 @@ def nodes(
     """
     from nonhertz.cli.nodes import report_nodes, target
     from nonhertz.cli.solve import solved_or_not
-    from nonhertz.io.casefile import read_case
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.io.nodes import read_nodes
+    from nonhertz.files.casefile import read_case
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.folder import refuse_unwritable
+    from nonhertz.files.nodes import read_nodes
 
     _show_in(units)
     path = target(out, nodes)
@@ -632,8 +632,8 @@ def design(
     """
     from nonhertz.cli.design import as_json as json_text
     from nonhertz.cli.design import designed, directory_for, print_design, written
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.folder import refuse_unwritable
 
     _show_in(units)
     directory = directory_for(plan) if out is None else out
@@ -699,8 +699,8 @@ def sweep_plan(
     """
     from nonhertz.cli.sweep import as_json as json_text
     from nonhertz.cli.sweep import directory_for, planned, print_sweep, swept, written
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.workbooks import refuse_missing_writer
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.workbooks import refuse_missing_writer
 
     _show_in(units)
     if excel:
@@ -763,8 +763,8 @@ def study_tolerance(
     from nonhertz.cli.sweep import directory_for, planned
     from nonhertz.cli.tolerance import as_json as json_text
     from nonhertz.cli.tolerance import print_tolerance, studied, written
-    from nonhertz.io.changes import changes_in
-    from nonhertz.io.workbooks import refuse_missing_writer
+    from nonhertz.files.changes import changes_in
+    from nonhertz.files.workbooks import refuse_missing_writer
 
     _show_in(units)
     if excel:
@@ -790,7 +790,7 @@ def check(file: Path, /, *, changes: Changes = ()) -> int:
         The file.
     """
     from nonhertz.cli.check import checked
-    from nonhertz.io.changes import changes_in
+    from nonhertz.files.changes import changes_in
 
     try:
         fine = checked(file, changes_in(changes))
@@ -851,10 +851,10 @@ def new(
         Write a plan instead, for sweep, tolerance and design.
     """
     from nonhertz.cli.options import named_as
-    from nonhertz.io.bearingfile import starting_bearing
-    from nonhertz.io.casefile import starting_case
-    from nonhertz.io.held import write_new
-    from nonhertz.io.planfile import starting_plan
+    from nonhertz.files.bearingfile import starting_bearing
+    from nonhertz.files.casefile import starting_case
+    from nonhertz.files.held import write_new
+    from nonhertz.files.planfile import starting_plan
 
     if plan and template is not None:
         raise InputError("--template", template, "not be given with --plan", "leave one out")
@@ -883,8 +883,8 @@ def schema(kind: str, /, *, out: Path | None = None) -> int:
     out : Path
         The file to write it to instead; an existing one is replaced.
     """
-    from nonhertz.io.folder import write_files
-    from nonhertz.io.schemas import KINDS, schema_text
+    from nonhertz.files.folder import write_files
+    from nonhertz.files.schemas import KINDS, schema_text
 
     if kind not in KINDS:
         raise InputError("KIND", kind, "be a kind of file that has a schema", f"choose from {', '.join(KINDS)}")
@@ -979,7 +979,7 @@ def verify(
         Print a JSON list of all checks instead of the tables.
     """
     from nonhertz.cli.verify import Progress, print_section
-    from nonhertz.io.folder import refuse_unwritable
+    from nonhertz.files.folder import refuse_unwritable
     from nonhertz.verify import chosen, sections
     from nonhertz.verify.page import as_json as json_text
     from nonhertz.verify.page import summary, tally, write_page

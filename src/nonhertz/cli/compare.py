@@ -13,7 +13,7 @@ from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.verify import Progress
 from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
 from nonhertz.errors import InputError
-from nonhertz.io.casefile import Case, placed
+from nonhertz.files.casefile import Case, placed
 from nonhertz.result.numerals import digits
 from nonhertz.result.reading import chosen
 
@@ -48,8 +48,8 @@ def compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
 
 def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[Path, ...]:
     """Write a comparison with its figure, and return the files."""
-    from nonhertz.io.comparisons import files
-    from nonhertz.io.folder import write_files
+    from nonhertz.files.comparisons import files
+    from nonhertz.files.folder import write_files
     from nonhertz.plot import comparison, save
 
     return write_files(

@@ -16,10 +16,10 @@ from rich.text import Text
 
 from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table, words
+from nonhertz.files.folder import write_files
+from nonhertz.files.held import as_toml
+from nonhertz.files.planfile import read_design
 from nonhertz.inputs.files import legible
-from nonhertz.io.folder import write_files
-from nonhertz.io.held import as_toml
-from nonhertz.io.planfile import read_design
 from nonhertz.result.numerals import csv_text
 from nonhertz.show.studies import BAND_COLUMNS, START_COLUMNS, band_rows, design_rows, start_rows
 from nonhertz.study.design import Design, best

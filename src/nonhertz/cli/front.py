@@ -13,9 +13,9 @@ from rich.text import Text
 from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import InputError
-from nonhertz.io.folder import write_files
-from nonhertz.io.held import as_toml
-from nonhertz.io.planfile import read_design
+from nonhertz.files.folder import write_files
+from nonhertz.files.held import as_toml
+from nonhertz.files.planfile import read_design
 from nonhertz.result.numerals import csv_text, digits
 from nonhertz.result.reading import chosen
 from nonhertz.study.design import Front, front

@@ -16,10 +16,10 @@ from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.solve import spectrum_or_not
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
-from nonhertz.io.casefile import Case
-from nonhertz.io.held import named
-from nonhertz.io.lives import Assessment
-from nonhertz.io.lives import as_json as as_json_text
+from nonhertz.files.casefile import Case
+from nonhertz.files.held import named
+from nonhertz.files.lives import Assessment
+from nonhertz.files.lives import as_json as as_json_text
 from nonhertz.life import MODELS
 from nonhertz.result.reading import chosen
 from nonhertz.show.analysis import assessed, models_for
@@ -79,8 +79,8 @@ def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_j
 
 
 def _lives_written(directory: Path, found: Assessment, other: Assessment | None) -> tuple[Path, ...]:
-    from nonhertz.io.folder import write_files
-    from nonhertz.io.lives import files
+    from nonhertz.files.folder import write_files
+    from nonhertz.files.lives import files
     from nonhertz.plot import dent_figure, life_figure, save
 
     def draw(folder: Path) -> None:

@@ -13,9 +13,9 @@ from rich.text import Text
 
 from nonhertz.cli.printing import console, words
 from nonhertz.errors import InputError
-from nonhertz.io.casefile import Case
-from nonhertz.io.folder import write_files
-from nonhertz.io.ranges import number_in, range_in
+from nonhertz.files.casefile import Case
+from nonhertz.files.folder import write_files
+from nonhertz.files.ranges import number_in, range_in
 from nonhertz.maps import ContactMap, MapPoint, contact_map
 from nonhertz.maps.value import ROWS, TILTS
 from nonhertz.strip.element import SEMI_ELLIPTIC

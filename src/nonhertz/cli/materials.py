@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from nonhertz.cli.printing import console, print_table, words
-from nonhertz.io.materials import as_object
+from nonhertz.files.materials import as_object
 from nonhertz.model.materials import LIBRARY, Listed, listed_as
 from nonhertz.result.numerals import given
 from nonhertz.result.reading import chosen

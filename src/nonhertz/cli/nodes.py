@@ -9,10 +9,10 @@ from rich.text import Text
 
 from nonhertz.cli.printing import console, words
 from nonhertz.errors import InputError
+from nonhertz.files.folder import write_files
+from nonhertz.files.nodes import Nodes, as_object, as_table
+from nonhertz.files.results import key_by_key
 from nonhertz.inputs.files import legible
-from nonhertz.io.folder import write_files
-from nonhertz.io.nodes import Nodes, as_object, as_table
-from nonhertz.io.results import key_by_key
 from nonhertz.result.nodes import NodalLoads
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution

@@ -13,10 +13,10 @@ from rich.text import Text
 
 from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import InputError
+from nonhertz.files.folder import write_files
+from nonhertz.files.measured import checked, measured_from, trace_from
+from nonhertz.files.prepared import files
 from nonhertz.inputs.checks import one_of
-from nonhertz.io.folder import write_files
-from nonhertz.io.measured import checked, measured_from, trace_from
-from nonhertz.io.prepared import files
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
 from nonhertz.result.numerals import digits, unit_of_dimension, with_error

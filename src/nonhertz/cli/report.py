@@ -8,12 +8,12 @@ from typing import Any
 
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
-from nonhertz.io.folder import write_files
-from nonhertz.io.held import named
-from nonhertz.io.planfile import read_any
-from nonhertz.io.title_block import TitleBlock
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.folder import write_files
+from nonhertz.files.held import named
+from nonhertz.files.planfile import read_any
+from nonhertz.files.title_block import TitleBlock
 from nonhertz.report import (
     MARK,
     BearingResults,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from nonhertz.io.casefile import Case, starting_case
-from nonhertz.io.held import meant_as, opened, parsed
+from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.held import meant_as, opened, parsed
 
 
 class Start(NamedTuple):
@@ -43,7 +43,7 @@ def starting_document(path: Path | None) -> Start:
     if path is None:
         text = starting_case()
         return Start(parsed(text, "case.toml"), (), text)
-    from nonhertz.io.bearingfile import BearingCase
+    from nonhertz.files.bearingfile import BearingCase
     from nonhertz.web.form.inlining import inlined, inlined_bearing
     from nonhertz.web.limits import slow, slow_bearing
 
@@ -56,7 +56,7 @@ def starting_document(path: Path | None) -> Start:
 
 
 def _refuse(document: dict[str, Any], slow: list[Any]) -> None:
-    from nonhertz.io.mistakes import case_error
+    from nonhertz.files.mistakes import case_error
     from nonhertz.web.limits import unfit
 
     too_much = unfit(document) + slow

@@ -13,8 +13,8 @@ from nonhertz.errors import CaseError, ConvergenceError
 from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
-    from nonhertz.io.casefile import Case
-    from nonhertz.io.several import Attempt
+    from nonhertz.files.casefile import Case
+    from nonhertz.files.several import Attempt
     from nonhertz.result.solution import Solution
     from nonhertz.show.analysis import Spectrum
 
@@ -41,8 +41,8 @@ def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
 
 def results_written(directory: Path, solution: Solution, case: Case) -> tuple[Path, ...]:
     """Write a solution with its figures, and return the files."""
-    from nonhertz.io.folder import write_files
-    from nonhertz.io.results import files
+    from nonhertz.files.folder import write_files
+    from nonhertz.files.results import files
     from nonhertz.plot import figures, save
 
     def draw(folder: Path) -> None:
@@ -54,8 +54,8 @@ def results_written(directory: Path, solution: Solution, case: Case) -> tuple[Pa
 
 def report_one(path: Path, changes: Mapping[str, Any], out: Path | None, as_json: bool) -> int:
     """Solve a case, write and print the result; return the exit code."""
-    from nonhertz.io.casefile import read_case
-    from nonhertz.io.results import as_json as json_text
+    from nonhertz.files.casefile import read_case
+    from nonhertz.files.results import as_json as json_text
 
     case = read_case(path, changes)
     solution, complaint = solved_or_not(case)
@@ -75,9 +75,9 @@ def report_one(path: Path, changes: Mapping[str, Any], out: Path | None, as_json
 
 def report_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None, as_json: bool) -> int:
     """Solve cases one by one, write and print all results; return the exit code, the worst of all."""
-    from nonhertz.io.folder import refuse_unwritable
-    from nonhertz.io.several import objects
-    from nonhertz.io.workbooks import refuse_missing_writer
+    from nonhertz.files.folder import refuse_unwritable
+    from nonhertz.files.several import objects
+    from nonhertz.files.workbooks import refuse_missing_writer
 
     if out is not None:
         refuse_unwritable(out.parent if is_table(out) else out)
@@ -113,8 +113,8 @@ def is_workbook(out: Path) -> bool:
 
 def attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
     """Return a case that was solved, or why it was not."""
-    from nonhertz.io.casefile import read_case
-    from nonhertz.io.several import Attempt
+    from nonhertz.files.casefile import read_case
+    from nonhertz.files.several import Attempt
 
     case = None
     try:
@@ -127,9 +127,9 @@ def attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
 
 def _several_written(directory: Path, found: Sequence[Attempt]) -> tuple[Path, ...]:
     """Write each result into a folder of its own, and the table of all, or the table alone; return the files."""
-    from nonhertz.io.folder import write_files
-    from nonhertz.io.several import HEAD, folders, rows
-    from nonhertz.io.workbooks import INPUTS, inputs_table, write_workbook
+    from nonhertz.files.folder import write_files
+    from nonhertz.files.several import HEAD, folders, rows
+    from nonhertz.files.workbooks import INPUTS, inputs_table, write_workbook
     from nonhertz.result.numerals import csv_text
 
     if is_workbook(directory):

@@ -11,7 +11,7 @@ from rich.text import Text
 from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
-from nonhertz.io.stresses import all_warnings
+from nonhertz.files.stresses import all_warnings
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution
@@ -57,7 +57,7 @@ def report_stresses(
     solution: Solution, title: str, station: float | None, body: BodyName, out: Path | None, as_json: bool
 ) -> None:
     """Find the largest stresses, write them if requested, and print them."""
-    from nonhertz.io.stresses import as_json as json_text
+    from nonhertz.files.stresses import as_json as json_text
 
     progress = Progress(_SEARCHES if out is None else _SEARCHES + 1)
     try:
@@ -81,8 +81,8 @@ def report_stresses(
 def _stresses_written(
     directory: Path, solution: Solution, found: tuple[Extremes, Extremes], text: str, title: str
 ) -> tuple[Path, ...]:
-    from nonhertz.io.folder import write_files
-    from nonhertz.io.stresses import files
+    from nonhertz.files.folder import write_files
+    from nonhertz.files.stresses import files
     from nonhertz.plot import save, stress_figures, stress_planes
 
     planes = stress_planes(solution, found[1])

@@ -14,7 +14,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.show.summary import OVERVIEW_COLUMNS, overview_rows, summary_rows
 
 if TYPE_CHECKING:
-    from nonhertz.io.several import Attempt
+    from nonhertz.files.several import Attempt
 
 _TEXT = (0, 1, len(OVERVIEW_COLUMNS) - 1)
 _TITLE = 30  # columns at least for a title, which may be broken

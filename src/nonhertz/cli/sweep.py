@@ -15,9 +15,9 @@ from rich.text import Text
 from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table, words
 from nonhertz.errors import InputError
+from nonhertz.files.held import holds_plan, opened
+from nonhertz.files.planfile import Plan, case_or_bearing_in
 from nonhertz.inputs.files import legible
-from nonhertz.io.held import holds_plan, opened
-from nonhertz.io.planfile import Plan, case_or_bearing_in
 from nonhertz.result.reading import chosen
 from nonhertz.show.studies import SWEEP_COLUMNS, failure_rows, sweep_rows, varied_rows
 from nonhertz.study.sweeps import Progress, Sweep, sweep

@@ -14,7 +14,7 @@ from rich.text import Text
 from nonhertz.cli.options import named_as
 from nonhertz.cli.printing import console, print_table, words
 from nonhertz.cli.sweep import progress
-from nonhertz.io.planfile import Plan
+from nonhertz.files.planfile import Plan
 from nonhertz.result.reading import chosen
 from nonhertz.show.studies import (
     INDEX_COLUMNS,

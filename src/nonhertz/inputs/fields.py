@@ -2,8 +2,8 @@
 
 An input is a frozen dataclass made with `described` from `Input`, its fields annotated such as
 ``length: Annotated[float, Quantity("mm", "length along the axis", positive, "give it in mm")]``. From these come its
-checks and its docstring in Python, and in `nonhertz.io` reading, writing and the schema of files. What concerns several
-fields is a method marked with `together`, which names them, so that a reader can run it where other fields are wrong.
+checks and its docstring in Python, and in `nonhertz.files` reading, writing and the schema of files. What concerns
+several fields is a method marked with `together`, which names them, so that a reader can run it where others are wrong.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ figures into inline SVG (`drawing`), and files into links that contain them (`do
 sheet only lay them out.
 """
 
-from nonhertz.io.title_block import TitleBlock as TitleBlock
+from nonhertz.files.title_block import TitleBlock as TitleBlock
 from nonhertz.report.bearing.page import rendered_bearings as rendered_bearings
 from nonhertz.report.bearing.results import BearingResults as BearingResults
 from nonhertz.report.bearing.results import settled_bearings as settled_bearings

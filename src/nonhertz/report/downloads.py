@@ -6,11 +6,11 @@ import base64
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
-from nonhertz.io.lives import as_json as lives_as_json
-from nonhertz.io.results import as_json, as_table
-from nonhertz.io.stresses import as_json as stresses_as_json
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.lives import as_json as lives_as_json
+from nonhertz.files.results import as_json, as_table
+from nonhertz.files.stresses import as_json as stresses_as_json
 from nonhertz.report.results import CaseResults
 
 _KINDS = {".toml": "application/toml", ".json": "application/json", ".csv": "text/csv"}

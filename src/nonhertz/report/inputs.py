@@ -10,13 +10,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from nonhertz.files.casefile import Case
+from nonhertz.files.keys import Key, Table, profile_kinds, table_of, unit_of
+from nonhertz.files.measured import KIND as MEASURED
+from nonhertz.files.profiles import profile_tables
+from nonhertz.files.sections import Life, Solver
+from nonhertz.files.writing import profile_tables as written_profiles
 from nonhertz.inputs.fields import text_of
-from nonhertz.io.casefile import Case
-from nonhertz.io.keys import Key, Table, profile_kinds, table_of, unit_of
-from nonhertz.io.measured import KIND as MEASURED
-from nonhertz.io.profiles import profile_tables
-from nonhertz.io.sections import Life, Solver
-from nonhertz.io.writing import profile_tables as written_profiles
 from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.corner import Chamfer

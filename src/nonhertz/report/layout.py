@@ -11,7 +11,7 @@ from importlib import metadata, resources
 from typing import TYPE_CHECKING, Any
 
 from nonhertz import __version__
-from nonhertz.io.title_block import TitleBlock
+from nonhertz.files.title_block import TitleBlock
 from nonhertz.report.figures import ReportFigure
 from nonhertz.report.measurements import Measurement
 from nonhertz.result.reading import SI, chosen, in_letters

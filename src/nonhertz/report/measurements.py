@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
-from nonhertz.io.measured import KIND, checked, measured_from, trace_from
-from nonhertz.io.origin import body_tables
-from nonhertz.io.profiles import profile_tables
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.measured import KIND, checked, measured_from, trace_from
+from nonhertz.files.origin import body_tables
+from nonhertz.files.profiles import profile_tables
 from nonhertz.measured import Measured
 
 

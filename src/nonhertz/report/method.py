@@ -10,8 +10,8 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from nonhertz.io.origin import body_tables
-from nonhertz.io.profiles import profile_tables
+from nonhertz.files.origin import body_tables
+from nonhertz.files.profiles import profile_tables
 from nonhertz.life import MODELS
 from nonhertz.model.body import Body
 from nonhertz.model.profile import CATALOGUE

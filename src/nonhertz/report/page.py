@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from nonhertz.errors import InputError
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
-from nonhertz.io.title_block import TitleBlock
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.title_block import TitleBlock
 from nonhertz.report.assumptions import assumptions
 from nonhertz.report.basis import basis
 from nonhertz.report.bearing.page import rendered_bearings

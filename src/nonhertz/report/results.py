@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from nonhertz.errors import CaseError, ConvergenceError
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.held import named
+from nonhertz.files.lives import Assessment
+from nonhertz.files.sections import Life
+from nonhertz.files.stresses import all_warnings
 from nonhertz.inputs.files import legible
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
-from nonhertz.io.held import named
-from nonhertz.io.lives import Assessment
-from nonhertz.io.sections import Life
-from nonhertz.io.stresses import all_warnings
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
     Announce,

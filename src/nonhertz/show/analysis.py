@@ -13,9 +13,9 @@ from dataclasses import replace
 import numpy as np
 
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.io.casefile import Case, placed
-from nonhertz.io.lives import Assessment
-from nonhertz.io.sections import OverrolledDent
+from nonhertz.files.casefile import Case, placed
+from nonhertz.files.lives import Assessment
+from nonhertz.files.sections import OverrolledDent
 from nonhertz.life import Model, VolumeModel, overrolled, solve_spectrum
 from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName

@@ -13,7 +13,7 @@ from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBe
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
-from nonhertz.io.bearingfile import BearingCase
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.numerals import digits, given, in_column, sized, sized_list, unit_for
 from nonhertz.show.summary import Row
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from nonhertz.io.lives import Assessment
+from nonhertz.files.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.model.body import BODIES
 from nonhertz.result.numerals import digits

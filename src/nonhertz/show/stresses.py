@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nonhertz.io.stresses import poisson, there
+from nonhertz.files.stresses import poisson, there
 from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes

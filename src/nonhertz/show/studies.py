@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.io.spreads import Distribution, Spread
+from nonhertz.files.spreads import Distribution, Spread
 from nonhertz.result.numerals import digits, error_words, given, sized, unit_for, unit_of_dimension
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.summary import Row

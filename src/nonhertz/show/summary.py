@@ -14,7 +14,7 @@ from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
 if TYPE_CHECKING:
-    from nonhertz.io.several import Attempt
+    from nonhertz.files.several import Attempt
 
 Row = tuple[str, str, str]
 _OVERVIEW = ("load", "max_pressure", "approach", "max_half_width", "contact_length")

@@ -6,8 +6,8 @@ how its results are distributed when dimensions are, and returns a `Tolerance`.
 `HalfWidthAt`, `PressureNorm`, `PowerIntegral`, or `damage` by a model of fatigue.
 """
 
-from nonhertz.io.sampling import Sampling as Sampling
-from nonhertz.io.spreads import Distribution as Distribution
+from nonhertz.files.sampling import Sampling as Sampling
+from nonhertz.files.spreads import Distribution as Distribution
 from nonhertz.result.gradient import Gradient as Gradient
 from nonhertz.result.measures import HalfWidthAt as HalfWidthAt
 from nonhertz.result.measures import Measure as Measure

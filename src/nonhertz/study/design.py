@@ -25,11 +25,11 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.files.casefile import Case
+from nonhertz.files.free_forms import free_form_in
+from nonhertz.files.planfile import Template, read_design
+from nonhertz.files.spreads import bounds_in
 from nonhertz.inputs.checks import callback, listed, one_of, thread_count, whole
-from nonhertz.io.casefile import Case
-from nonhertz.io.free_forms import free_form_in
-from nonhertz.io.planfile import Template, read_design
-from nonhertz.io.spreads import bounds_in
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import WHOLE
 from nonhertz.result.brief import plain_text

@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
-from nonhertz.io.casefile import Case
-from nonhertz.io.free_forms import FreeForm, half_length
-from nonhertz.io.paths import drops_first
-from nonhertz.io.planfile import Template
+from nonhertz.files.casefile import Case
+from nonhertz.files.free_forms import FreeForm, half_length
+from nonhertz.files.paths import drops_first
+from nonhertz.files.planfile import Template
 from nonhertz.life import LoadCase, Model
 from nonhertz.result.gradient import Gradient
 from nonhertz.result.maximum import counted, singular_y
@@ -379,8 +379,8 @@ def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:
     InputError
         If there is no such quantity, or the text is not a limit.
     """
+    from nonhertz.files.ranges import number_in
     from nonhertz.inputs.fields import nearest
-    from nonhertz.io.ranges import number_in
     from nonhertz.result.quantities import QUANTITIES
 
     found = []

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import AccuracyWarning, NonhertzError
-from nonhertz.io.spreads import Distribution
+from nonhertz.files.spreads import Distribution
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.studies import histogram, profile_band, study_lines, study_map, tornado
 from nonhertz.plot.style import sheet_style

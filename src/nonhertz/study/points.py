@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.io.planfile import Plan
-from nonhertz.io.sampling import Sampling
-from nonhertz.io.spreads import Distribution
+from nonhertz.files.planfile import Plan
+from nonhertz.files.sampling import Sampling
+from nonhertz.files.spreads import Distribution
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.intp]

@@ -13,9 +13,9 @@ import numpy as np
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError, NonhertzError
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
 from nonhertz.inputs.fields import nearest
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
 from nonhertz.life import Life, assess
 from nonhertz.life.assessment import Spectrum
 from nonhertz.life.spectrum import solve_spectrum

@@ -20,9 +20,9 @@ import numpy as np
 
 from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case, placed
-from nonhertz.io.planfile import LOAD, Template
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case, placed
+from nonhertz.files.planfile import LOAD, Template
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES, Quantity

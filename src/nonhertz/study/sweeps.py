@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 
 from nonhertz import __version__
 from nonhertz.errors import InputError, Interrupted
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.folder import refuse_unwritable, write_files
+from nonhertz.files.planfile import Plan, read_plan
+from nonhertz.files.sampling import Sampling
+from nonhertz.files.spreads import Distribution
+from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_too_many, write_workbook
 from nonhertz.inputs.checks import callback, thread_count
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
-from nonhertz.io.folder import refuse_unwritable, write_files
-from nonhertz.io.planfile import Plan, read_plan
-from nonhertz.io.sampling import Sampling
-from nonhertz.io.spreads import Distribution
-from nonhertz.io.workbooks import INPUTS, inputs_table, refuse_too_many, write_workbook
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import library
 from nonhertz.result.numerals import digits

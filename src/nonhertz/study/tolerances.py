@@ -29,12 +29,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.planfile import Plan
+from nonhertz.files.sampling import SALTELLI, Sampling
+from nonhertz.files.spreads import Distribution
 from nonhertz.inputs.checks import numbers
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.casefile import Case
-from nonhertz.io.planfile import Plan
-from nonhertz.io.sampling import SALTELLI, Sampling
-from nonhertz.io.spreads import Distribution
 from nonhertz.result.brief import plain_text
 from nonhertz.result.numerals import digits
 from nonhertz.study.sweeps import Progress, Sweep, planned, sweep

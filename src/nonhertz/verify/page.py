@@ -12,8 +12,8 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from nonhertz import __version__
-from nonhertz.io.folder import write_files
-from nonhertz.io.results import plain
+from nonhertz.files.folder import write_files
+from nonhertz.files.results import plain
 from nonhertz.verify.claim import Check, Section
 
 #: Headings of what `row` returns.
@@ -80,7 +80,7 @@ def as_markdown(found: Sequence[Section], command: str) -> str:
 
 
 def write_page(directory: str | Path, found: Sequence[Section], command: str) -> tuple[Path, ...]:
-    """Write the page and the checks (JSON) into a directory; see `as_markdown` and `nonhertz.io.folder.write_files`."""
+    """Write the page and the checks (JSON) into a directory, as `write_files` does; see `as_markdown`."""
     return write_files(directory, {PAGE: as_markdown(found, command), CHECKS: as_json(found) + "\n"})
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from nonhertz.errors import InputError
-from nonhertz.io.held import OF_BEARINGS
-from nonhertz.io.mistakes import Mistake, Place
+from nonhertz.files.held import OF_BEARINGS
+from nonhertz.files.mistakes import Mistake, Place
 
 DOCUMENT_BYTES: Final = 256 * 1024
 UPLOAD_BYTES: Final = 2 * 1024 * 1024

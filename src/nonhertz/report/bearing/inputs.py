@@ -10,10 +10,10 @@ from nonhertz.bearing.clearance import Housing, Mounting, Shaft
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.ribs import Rib
 from nonhertz.bearing.verb import BearingSolver
+from nonhertz.files.bearing_document import BearingLifeConditions
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.keys import Key, table_of, unit_of
 from nonhertz.inputs.fields import text_of
-from nonhertz.io.bearing_document import BearingLifeConditions
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.keys import Key, table_of, unit_of
 from nonhertz.report.inputs import Entry, InputGroup, as_written, body_group, shown
 
 _BODIES = {"roller": "Rollers", "inner": "Inner ring", "outer": "Outer ring"}

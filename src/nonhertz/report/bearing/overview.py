@@ -12,7 +12,7 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.io.bearingfile import BearingCase
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.materials import MATERIALS
 from nonhertz.report.bearing.results import BearingResults

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import PurePosixPath
 from typing import Any
 
-from nonhertz.io.bearing_results import as_json, as_object, comparison_files, rollers_table
-from nonhertz.io.title_block import TitleBlock
+from nonhertz.files.bearing_results import as_json, as_object, comparison_files, rollers_table
+from nonhertz.files.title_block import TitleBlock
 from nonhertz.report.bearing.assumptions import bearing_assumptions
 from nonhertz.report.bearing.basis import bearing_basis
 from nonhertz.report.bearing.differences import bearing_differences

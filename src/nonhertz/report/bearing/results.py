@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.io.bearingfile import BearingCase, placed
-from nonhertz.io.held import named
+from nonhertz.files.bearingfile import BearingCase, placed
+from nonhertz.files.held import named
 from nonhertz.report.results import labels
 from nonhertz.show.analysis import Announce, in_silence
 

@@ -13,14 +13,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, replace
 from typing import Any, Final, Literal
 
+from nonhertz.files.bearing_document import BearingFile
+from nonhertz.files.bounds import FORMAT
+from nonhertz.files.keys import Key, Table, table_of
+from nonhertz.files.mistakes import Place, TableError, path_of
+from nonhertz.files.profiles import profile_tables
+from nonhertz.files.reading import read
+from nonhertz.files.sections import CaseDocument
 from nonhertz.inputs.fields import Count, Flag, OneOrTwo, Part, Quantities, Word, text_of
-from nonhertz.io.bearing_document import BearingFile
-from nonhertz.io.bounds import FORMAT
-from nonhertz.io.keys import Key, Table, table_of
-from nonhertz.io.mistakes import Place, TableError, path_of
-from nonhertz.io.profiles import profile_tables
-from nonhertz.io.reading import read
-from nonhertz.io.sections import CaseDocument
 from nonhertz.model.body import Body
 from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_in
 from nonhertz.web.form.inputs import ABSENT, input_for, label_of, stray

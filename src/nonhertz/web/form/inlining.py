@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from nonhertz.io.held import OF_BEARINGS
-from nonhertz.io.mistakes import path_of
-from nonhertz.io.profiles import Changes, profile_tables, read_profile
+from nonhertz.files.held import OF_BEARINGS
+from nonhertz.files.mistakes import path_of
+from nonhertz.files.profiles import Changes, profile_tables, read_profile
 from nonhertz.model.profile import Tabulated
 from nonhertz.web.limits import POINTS
 

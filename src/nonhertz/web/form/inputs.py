@@ -8,6 +8,8 @@ from dataclasses import MISSING, replace
 from typing import Any, Final
 
 from nonhertz.errors import InputError
+from nonhertz.files.keys import Key
+from nonhertz.files.mistakes import Place, path_of
 from nonhertz.inputs.fields import (
     Count,
     Custom,
@@ -22,8 +24,6 @@ from nonhertz.inputs.fields import (
     text_of,
 )
 from nonhertz.inputs.units import in_unit
-from nonhertz.io.keys import Key
-from nonhertz.io.mistakes import Place, path_of
 from nonhertz.result.reading import chosen
 from nonhertz.web.form.fields import FormField, Option, Slider, number_or_words, options_of, text_in
 from nonhertz.web.form.ranges import Range

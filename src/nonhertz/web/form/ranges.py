@@ -15,12 +15,12 @@ from typing import Any, Final
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
+from nonhertz.files.bearing_document import radius_across, read_document
+from nonhertz.files.held import OF_BEARINGS
+from nonhertz.files.mistakes import TableError
+from nonhertz.files.reading import Surroundings, read
+from nonhertz.files.sections import Bodies, surroundings
 from nonhertz.hertz import half_space_line_compression, line_contact
-from nonhertz.io.bearing_document import radius_across, read_document
-from nonhertz.io.held import OF_BEARINGS
-from nonhertz.io.mistakes import TableError
-from nonhertz.io.reading import Surroundings, read
-from nonhertz.io.sections import Bodies, surroundings
 from nonhertz.model.contact import Contact
 
 SLIDER_STEPS: Final = 1000

@@ -17,9 +17,9 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
-from nonhertz.io.bearingfile import starting_bearing
-from nonhertz.io.casefile import TEMPLATES, starting_case
-from nonhertz.io.held import meant_as, parsed
+from nonhertz.files.bearingfile import starting_bearing
+from nonhertz.files.casefile import TEMPLATES, starting_case
+from nonhertz.files.held import meant_as, parsed
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.reading import US
 from nonhertz.web.form.fields import is_number

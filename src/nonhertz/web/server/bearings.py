@@ -16,8 +16,8 @@ from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
 from nonhertz.bearing.frames import RINGS
-from nonhertz.io.bearingfile import BEARING_TEMPLATES, starting_bearing
-from nonhertz.io.held import parsed
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
+from nonhertz.files.held import parsed
 from nonhertz.web.limits import DOCUMENT_BYTES, LIVE_SECONDS, PATIENT_SECONDS, STRIPS_SECONDS
 from nonhertz.web.server.awaiting import while_awaited
 from nonhertz.web.server.documents import as_attachment, document_in, text_in

@@ -8,7 +8,7 @@ from typing import Any
 import anyio
 from starlette.requests import ClientDisconnect, Request
 
-from nonhertz.io.bounds import NESTING, deeper
+from nonhertz.files.bounds import NESTING, deeper
 from nonhertz.web.limits import BODY_SECONDS
 
 

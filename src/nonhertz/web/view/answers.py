@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError, NonhertzError
-from nonhertz.io.casefile import Case
-from nonhertz.io.reading import read
-from nonhertz.io.results import plain
-from nonhertz.io.sections import surroundings
+from nonhertz.files.casefile import Case
+from nonhertz.files.reading import read
+from nonhertz.files.results import plain
+from nonhertz.files.sections import surroundings
 from nonhertz.model.body import Body
 from nonhertz.plot.contact_area import outlines
 from nonhertz.plot.surfaces import distances, drawn_range

@@ -11,10 +11,10 @@ from typing import Any, Final, Literal
 
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError
-from nonhertz.io.bearing_results import files
-from nonhertz.io.bearingfile import BearingCase, placed, starting_bearing
-from nonhertz.io.held import parsed
-from nonhertz.io.mistakes import case_error
+from nonhertz.files.bearing_results import files
+from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
+from nonhertz.files.held import parsed
+from nonhertz.files.mistakes import case_error
 from nonhertz.result.reading import chosen
 from nonhertz.web.limits import slow_bearing, unfit
 from nonhertz.web.view.bearings import bearing_answer, nothing_drawn

@@ -13,9 +13,9 @@ from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
-from nonhertz.io.bearing_document import PARTS
-from nonhertz.io.bearingfile import BearingCase
-from nonhertz.io.results import plain
+from nonhertz.files.bearing_document import PARTS
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.results import plain
 from nonhertz.result.reading import chosen, in_letters
 from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import (

@@ -7,8 +7,8 @@ import time
 from typing import Any, Final
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.io.casefile import Case
-from nonhertz.io.paths import Parameter, parameter, parameters
+from nonhertz.files.casefile import Case
+from nonhertz.files.paths import Parameter, parameter, parameters
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
 from nonhertz.web.limits import CURVE_SECONDS

@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 
 from nonhertz.errors import CaseError
-from nonhertz.io.casefile import Case, starting_case
-from nonhertz.io.commented import as_toml_like
-from nonhertz.io.held import parsed
-from nonhertz.io.mistakes import Mistake, case_error
-from nonhertz.io.results import as_json, as_table
+from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.commented import as_toml_like
+from nonhertz.files.held import parsed
+from nonhertz.files.mistakes import Mistake, case_error
+from nonhertz.files.results import as_json, as_table
 from nonhertz.model.body import BodyName
 from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution

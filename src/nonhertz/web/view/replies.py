@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from starlette.responses import Response
 
 from nonhertz.errors import CaseError
-from nonhertz.io.mistakes import Mistake, path_of
-from nonhertz.io.results import plain
+from nonhertz.files.mistakes import Mistake, path_of
+from nonhertz.files.results import plain
 from nonhertz.result.reading import chosen, in_letters
 
 _UNHEARD = (403, 408, 413, 415, 431)
@@ -26,7 +26,7 @@ def as_bytes(value: Any) -> bytes:
 
 
 def numbers(values: NDArray[np.float64]) -> Any:
-    """Return an array as lists, with null for non-finite numbers: a faster `nonhertz.io.results.plain`."""
+    """Return an array as lists, with null for non-finite numbers: a faster `nonhertz.files.results.plain`."""
     return values.tolist() if np.isfinite(values).all() else plain(values)
 
 

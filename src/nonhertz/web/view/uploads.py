@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.io.measured import checked, measured_from, trace_from
+from nonhertz.files.measured import checked, measured_from, trace_from
 from nonhertz.measured import Measured, StepResult, Trace
 from nonhertz.measured.corners import positions
 from nonhertz.measured.trace import FEWEST_POINTS

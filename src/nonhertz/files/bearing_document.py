@@ -1,0 +1,256 @@
+"""The sections of a bearing file: what each holds, how they go together, and a bearing as what they hold.
+
+The bodies of a bearing, which are fields of its class, stand beside ``[bearing]`` as sections of their own, and a
+second row like the first within it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Annotated, Any
+
+from nonhertz.bearing.assessed import LifeConditions
+from nonhertz.bearing.bearings import InnerRing, OuterRing, Pair, Paired, RollerBearing, Rollers, paired
+from nonhertz.bearing.clearance import Mounting
+from nonhertz.bearing.lubrication import LEAST_RATIO, reference_viscosity
+from nonhertz.bearing.prescribed import BearingLoad, one_state
+from nonhertz.bearing.spectrum import LoadCase
+from nonhertz.bearing.verb import BearingSolver
+from nonhertz.errors import InputError
+from nonhertz.files.bounds import FORMAT, LOADS
+from nonhertz.files.mistakes import Mistake, TableError
+from nonhertz.files.reading import Reading, Surroundings, read, section
+from nonhertz.files.sections import FORMAT_FIELD, combined_radius, line, of_both, sampled
+from nonhertz.files.shape_tables import read_shape, shape_tables
+from nonhertz.files.title_block import TitleBlock
+from nonhertz.files.writing import document_of
+from nonhertz.inputs.fields import Input, Part, Parts, Word, default_of, described, together
+from nonhertz.life.spectrum import at_most_whole
+
+PARTS = ("roller", "inner", "outer")
+SHAPES = ("inner_shape", "outer_shape")
+PAIR = "a second row like the first, and how it lies"
+_SPECTRUM = "write each load under a heading [[life.spectrum]]"
+
+
+@described(kw_only=True)
+class BearingLifeConditions(LifeConditions):
+    """How long the bearing lasts; its speed is that of the load."""
+
+    spectrum: Annotated[
+        tuple[LoadCase, ...],
+        Parts(
+            "loads with their shares of the revolutions, in place of [load], whose speed they have if they give none; "
+            "what their shares leave of the revolutions is without load",
+            LoadCase,
+            LOADS,
+            _SPECTRUM,
+        ),
+    ] = ()
+
+    @together("spectrum")
+    def _check_shares(self) -> None:
+        remedy = "give shares of the revolutions; for what is left, nothing is loaded"
+        at_most_whole("spectrum.share", [case.share for case in self.spectrum], remedy)
+
+
+@described(kw_only=True)
+class BearingFile(Input):
+    """A bearing file."""
+
+    format: Annotated[int, FORMAT_FIELD] = FORMAT
+    title: Annotated[
+        str, Word("what the bearing is called in tables and figures", "write a short name", condition=line)
+    ] = ""
+    # What a section depends on comes before it.
+    roller: Rollers
+    inner: InnerRing
+    outer: OuterRing
+    bearing: Annotated[
+        RollerBearing | Paired,
+        Part("the bearing but for its rollers and rings", object, ""),
+    ]
+    load: Annotated[BearingLoad, Part("what loads the inner ring, or moves it", BearingLoad, "")]
+    fit: Annotated[
+        Mounting | None,
+        Part(
+            "fits and temperatures: `clearance` is then that of the bearing before it is mounted, and it is solved "
+            "with what is left; speed is the load's",
+            Mounting,
+            "",
+        ),
+    ] = None
+    solver: Annotated[BearingSolver, Part("how it is solved", BearingSolver, "")] = BearingSolver()
+    life: Annotated[BearingLifeConditions, Part("how long the bearing lasts", BearingLifeConditions, "")] = (
+        BearingLifeConditions()
+    )
+    report: Annotated[TitleBlock, Part("what the head of a report says", TitleBlock, "")] = TitleBlock()
+
+    @together("bearing")
+    def _check_contacts(self) -> None:
+        ring = "inner"
+        try:
+            for ring, contact in zip(("inner", "outer"), self.bearing.rows[0].bearing.contacts, strict=True):  # noqa: B007
+                contact.curvature(sampled(contact.interval))
+        except InputError as error:
+            found = of_both(error)
+            body, _, rest = found.field.partition(".")
+            place = f"{'roller' if body == 'a' else ring}.{rest}"
+            raise InputError(place, found.value, found.condition, found.remedy) from None
+
+    @together("bearing", "load")
+    def _check_load(self) -> None:
+        try:
+            one_state(self.bearing, self.load)
+        except InputError as error:
+            raise error.within("load") from None
+
+    @together("bearing", "load", "fit")
+    def _check_fit(self) -> None:
+        if self.fit is not None:
+            try:
+                self.fit.mounted(self.bearing, self.load.speed)
+            except InputError as error:
+                raise of_fit(error) from None
+
+    @together("solver", "life")
+    def _check_edges(self) -> None:
+        if self.life.edge_stress == "pressure" and self.solver.method != "strips":
+            condition, remedy = "be 'standard' or 'none' for slices", "solve by strips for pressures"
+            raise InputError("life.edge_stress", "pressure", condition, remedy)
+
+    @together("bearing", "life")
+    def _check_spectrum(self) -> None:
+        mistakes = []
+        for position, case in enumerate(self.life.spectrum, start=1):
+            try:
+                one_state(self.bearing, case)
+            except InputError as error:
+                mistakes.append(Mistake(("life", "spectrum", position, error.field), error))
+        if mistakes:
+            raise TableError(mistakes)
+
+    @together("load", "life")
+    def _check_oil(self) -> None:
+        speeds = {case.speed or self.load.speed for case in self.life.spectrum} or {self.load.speed}
+        if self.life.viscosity is not None and not all(speeds):
+            condition, remedy = "be given with a speed above zero", "give load.speed too, in 1/min"
+            raise InputError("life.viscosity", self.life.viscosity, condition, remedy)
+
+    @together("bearing", "load", "life")
+    def _check_viscosity(self) -> None:
+        viscosity, pitch = self.life.viscosity, self.bearing.rows[0].bearing.pitch
+        speeds = {case.speed or self.load.speed for case in self.life.spectrum} or {self.load.speed}
+        for speed in sorted(speeds):
+            least = LEAST_RATIO * reference_viscosity(speed, pitch) if speed else 0.0
+            if viscosity is not None and viscosity < least:
+                condition = f"be at least {least:.3g} mm^2/s at this speed, below which ISO 281 has no factor"
+                raise InputError("life.viscosity", viscosity, condition, "use a thicker oil, or leave it out")
+
+
+def read_document(document: dict[str, Any], file: Surroundings) -> BearingFile:
+    """Return what a document holds.
+
+    Raises
+    ------
+    TableError
+        With all mistakes.
+    """
+    found = _FileReading(BearingFile, document, file, ()).made()
+    assert isinstance(found, BearingFile)
+    return found
+
+
+class _FileReading(Reading):
+    """A bearing file that is being read."""
+
+    def way_out(self, name: str) -> str:
+        """Return what to do where a section is missing."""
+        return "write it under a heading [bearing]" if name == "bearing" else super().way_out(name)
+
+    def value(self, name: str, given: Any) -> Any:
+        """Return the value of a section."""
+        if name != "bearing":
+            return super().value(name, given)
+        table, mistakes, pair = dict(section(given, (name,))), [], None
+        if "pair" in table:
+            try:
+                pair = read(Pair, table.pop("pair"), self.file, (name, "pair"))
+            except TableError as error:
+                mistakes += [mistake.within(("pair",)) for mistake in error.mistakes]
+        parts = {part: self.values.get(part) for part in PARTS}
+        row = _RowReading(RollerBearing, table, self.file, (name,), beside=parts, known=("pair",))
+        try:
+            made: Any = row.made()
+        except TableError as error:
+            for mistake in error.mistakes:
+                beside = mistake.place and mistake.place[0] in PARTS and mistake.place[0] not in table
+                (self.mistakes if beside else mistakes).append(mistake)
+            raise TableError(mistakes) from None
+        if mistakes:
+            raise TableError(mistakes)
+        return made if pair is None else paired(made, pair.arrangement, pair.distance, clearance=pair.clearance)
+
+
+class _RowReading(Reading):
+    """A row of rollers that is being read."""
+
+    def value(self, name: str, given: Any) -> Any:
+        """Return the value of a field."""
+        if name in SHAPES:
+            return read_shape(given, name, self.file, (*self.place, name))
+        return super().value(name, given)
+
+
+def radius_across(document: dict[str, Any]) -> Any:
+    """Return the combined radius of roller and inner raceway [mm], which profiles for a design load may take.
+
+    None where both are cones or barrels: their radii across the contact are not those of the diameters in the file.
+    """
+    bearing = document.get("bearing")
+    kind = bearing.get("kind") if isinstance(bearing, dict) else None
+    if kind == "tapered" or kind == "spherical":  # noqa: PLR1714  (a list is in no set)
+        return None
+    return combined_radius(document.get("roller"), document.get("inner"))
+
+
+def of_fit(error: InputError) -> InputError:
+    """Return an error about a fit as one about ``[fit]``."""
+    if error.field == "bearing":
+        condition = "be left out: fits are those of cylindrical, needle, tapered and spherical bearings"
+        return InputError("fit", None, condition, "remove the table")
+    if error.field == "clearance":
+        left = f"{1e3 * error.value:.4g} um" if isinstance(error.value, float) else error.value
+        condition = f"leave a clearance that can be, but {left} must {error.condition}"
+        return InputError("fit", None, condition, "check interferences and temperatures")
+    return error.within("fit")
+
+
+def bearing_sections(bearing: RollerBearing | Paired) -> dict[str, Any]:
+    """Return the sections of a bearing and of its parts.
+
+    Raises
+    ------
+    InputError
+        If no bearing file can hold it: a profile, diameter or shape of a raceway of a user-defined class, or rows that
+        are not two equal ones.
+    """
+    row = bearing.rows[0].bearing
+    if type(row) not in RollerBearing.kinds.values():
+        condition = "be of a kind that a bearing file knows"
+        raise InputError("bearing", type(row).__name__, condition, "solve such a bearing in Python")
+    shapes = {name: shape_tables(name, shape) for name in SHAPES if (shape := getattr(row, name)) is not None}
+    table = {
+        each.name: document_of(value, name=each.name)
+        for each in fields(row)
+        if each.name not in (*PARTS, *SHAPES) and (value := getattr(row, each.name)) != default_of(each)
+    }
+    word = next(word for word, kind in row.kinds.items() if kind is type(row))
+    pair = {"pair": document_of(Pair.of(bearing))} if isinstance(bearing, Paired) else {}
+    found: dict[str, Any] = {"bearing": {"kind": word} | table | shapes | pair}
+    for name in PARTS:
+        try:
+            found[name] = document_of(getattr(row, name), name=name)
+        except InputError as error:
+            raise error.within(name) from None
+    return found

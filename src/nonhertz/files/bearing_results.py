@@ -1,0 +1,228 @@
+"""A loaded bearing as text and as files: one JSON object, a table of rollers, and one of lines of contact."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from nonhertz.bearing.bearings import TaperedRollerBearing
+from nonhertz.bearing.clearance import Mounting
+from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import LAMINAE, standard_slices
+from nonhertz.files.bounds import FORMAT
+from nonhertz.files.results import key_by_key, plain
+from nonhertz.result.numerals import csv_text
+
+if TYPE_CHECKING:
+    from nonhertz.bearing.assessed import BearingLife
+    from nonhertz.files.bearingfile import BearingCase
+
+_FORCE, _MOMENT = "N", "N mm"
+_OF_FIT = {
+    **dict.fromkeys(("mounted_pressure", "pressure", "seat_stress", "raceway_stress"), "MPa"),
+    "loosening_speed": "1/min",
+}
+#: Units of the numbers in a result; dimensionless ones are left out.
+UNITS: dict[str, Any] = {
+    "angle": "rad",
+    "load": _FORCE,
+    "moment": _MOMENT,
+    "approach": "mm",
+    "tilt": "rad",
+    "contact_angle": "rad",
+    "rib_load": _FORCE,
+    "rib_loads": _FORCE,
+    "max_pressure": "MPa",
+    "max_pressure_y": "mm",
+    "roller_load": [_FORCE, _FORCE, _MOMENT],
+    "displacement": ["mm", "mm", "mm", "rad", "rad"],
+    "force": [_FORCE, _FORCE, _FORCE, _MOMENT, _MOMENT],
+    "stiffness": [
+        [f"{force}/{motion}" for motion in ("mm",) * 3 + ("rad",) * 2] for force in ("N",) * 3 + ("N mm",) * 2
+    ],
+    "edge_stiffness": "N/mm",
+    "x": "mm",
+    "operating_clearance": {
+        **dict.fromkeys(
+            ("unmounted", "inner_fit", "outer_fit", "temperatures", "speed", "clearance", "axial", "expansion"), "mm"
+        ),
+        **dict.fromkeys(RINGS, _OF_FIT),
+    },
+    "life": {
+        "rating": dict.fromkeys(("dynamic", "static", "inner", "outer", "fatigue_limit"), _FORCE),
+        "equivalent_load": _FORCE,
+        "static_load": _FORCE,
+        **dict.fromkeys(("basic", "reference", "modified"), "10^6 revolutions"),
+    },
+}
+_OF_CLEARANCE = ("unmounted", "inner_fit", "outer_fit", "temperatures", "speed", "clearance")
+_OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
+
+
+def as_object(
+    solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, warnings: Sequence[str]
+) -> dict[str, Any]:
+    """Return a loaded bearing as plain numbers, text, lists and dictionaries, with the case it belongs to.
+
+    `nonhertz.files.resultfile.read_result` reads it back.
+
+    Numbers are unrounded; a non-finite one, such as the life of a bearing without load, is None, since JSON has no
+    infinity.
+    """
+    bearing = solution.bearing.rows[0].bearing
+    pressures = solution.method == "strips"
+    return {
+        "format": FORMAT,
+        "title": case.title,
+        "method": solution.method,
+        "models": {name: getattr(bearing, name).model for name in ("roller", *RINGS)},
+        "operating_clearance": _clearance(case),
+        "row": [k for k, row in enumerate(solution.bearing.rows, start=1) for _ in range(row.bearing.rollers)],
+        "x": [row.x for row in solution.bearing.rows for _ in range(row.bearing.rollers)],
+        "angle": plain(solution.angle),
+        **{name: plain(getattr(solution, name)) for name in _OF_CONTACTS},
+        "rib_load": plain(solution.rib_load),
+        "rib_loads": plain(solution.rib_loads),
+        "max_pressure": plain(solution.max_pressure) if pressures else None,
+        "max_pressure_y": plain(solution.max_pressure_y) if pressures else None,
+        "roller_load": plain(solution.roller_load),
+        "displacement": plain(solution.displacement),
+        "force": plain(solution.force),
+        "stiffness": plain(solution.stiffness),
+        "edge_rollers": plain(solution.edge_rollers),
+        "edge_stiffness": plain(solution.edge_stiffness),
+        "residual": plain(solution.residual),
+        "steps": solution.steps,
+        "life": None if life is None else _life(life),
+        "life_reason": reason,
+        "warnings": list(warnings),
+        "units": UNITS,
+        "case": case.own_document,
+    }
+
+
+def _clearance(case: BearingCase) -> dict[str, Any] | None:
+    """Return what is left of the clearance of a row, and what took it; None without fits."""
+    found = case.operating_clearance
+    if found is None:
+        return None
+    row = case.bearing.rows[0].bearing
+    numbers = {name: plain(getattr(found, name)) for name in _OF_CLEARANCE}
+    axial = {"axial": plain(found.axial(row.nominal_angle))} if isinstance(row, TaperedRollerBearing) else {}
+    fits = {ring: {name: plain(value) for name, value in vars(getattr(found, ring)).items()} for ring in RINGS}
+    return numbers | axial | {"expansion": Mounting(**case.fit).expansion(case.bearing)} | fits
+
+
+def as_json(entries: dict[str, Any]) -> str:
+    """Return an object as JSON text, one of its keys per line."""
+    return key_by_key(entries)
+
+
+def _life(found: BearingLife) -> dict[str, Any]:
+    rating = {name: plain(value) for name, value in dataclasses.asdict(found.rating).items()}
+    names = [each.name for each in dataclasses.fields(found) if each.name not in {"rating", "no_reference", "parts"}]
+    parts = [{"share": plain(share)} | _life(part) for part, share in found.parts]
+    numbers = {name: plain(getattr(found, name)) for name in names}
+    return {"rating": rating, **numbers, "no_reference": found.no_reference, "parts": parts}
+
+
+def rollers_table(solution: BearingSolution) -> str:
+    """Return the rollers as CSV with a header of names and units; cells without a number are empty."""
+    names = [*_OF_CONTACTS, *(("max_pressure", "max_pressure_y") if solution.method == "strips" else ())]
+    head = ["roller", "row", "angle [rad]", *(f"{name}_{ring} [{UNITS[name]}]" for name in names for ring in RINGS)]
+    columns = [getattr(solution, name)[:, k] for name in names for k in range(len(RINGS))]
+    rows = [k for k, row in enumerate(solution.bearing.rows, start=1) for _ in range(row.bearing.rollers)]
+    cells = zip(range(solution.angle.size), rows, solution.angle, *columns, *solution.rib_load.T, strict=True)
+    ribs = [f"rib_load_{ring} [N]" for ring in RINGS]
+    return csv_text([*head, *ribs], (map(_cell, each) for each in cells))
+
+
+def lines_table(solution: BearingSolution, laminae: int) -> str:
+    """Return line load and pressure along all loaded contacts as CSV with a header of names and units.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        The loaded bearing.
+    laminae : int
+        Number of slices, where it was solved by them; they have no pressure.
+    """
+    if solution.method == "strips":
+        head = ["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"]
+        return csv_text([*head, "centre_pressure [MPa]", "half_width [mm]"], _strips(solution))
+    return csv_text(["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"], _slices(solution, laminae))
+
+
+def _strips(solution: BearingSolution) -> Iterator[Iterable[Any]]:
+    for j in range(solution.angle.size):
+        for ring in RINGS:
+            contact = solution.contact(j, ring)
+            if contact is not None:
+                columns = (
+                    contact.y, contact.strip_width, contact.line_load, contact.centre_pressure, contact.half_width
+                )  # fmt: skip
+                for numbers in zip(*(column.tolist() for column in columns), strict=True):
+                    yield j, ring, *numbers
+
+
+def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
+    first = 0
+    for row in solution.bearing.rows:
+        slices = standard_slices(row.bearing, laminae)
+        width = float(slices.y[1] - slices.y[0])
+        for j in range(first, first + row.bearing.rollers):
+            for k, ring in enumerate(RINGS):
+                if solution.load[j, k] > 0.0:
+                    loads = slices.loads(solution.approach[j, k : k + 1], solution.tilt[j, k : k + 1])[0]
+                    for y, load in zip(slices.y.tolist(), loads.tolist(), strict=True):
+                        yield j, ring, y, width, load / width
+        first += row.bearing.rollers
+
+
+def files(
+    solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, warnings: Sequence[str]
+) -> dict[str, str]:
+    """Return the texts of result.json, rollers.csv and lines.csv, by file name."""
+    return {
+        "result.json": as_json(as_object(solution, case, life, reason, warnings)) + "\n",
+        "rollers.csv": rollers_table(solution),
+        "lines.csv": lines_table(solution, int(case.solver.get("laminae", LAMINAE))),
+    }
+
+
+def comparison_object(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, Any]:
+    """Return both methods' loads and motions, and how far slices are from strips, as plain numbers."""
+    names = ("load", "moment", "displacement", "force")
+    return {
+        "title": title,
+        "angle": plain(strips.angle),
+        **{each.method: {name: plain(getattr(each, name)) for name in names} for each in (strips, slices)},
+        "differences": {name: plain(getattr(slices, name) - getattr(strips, name)) for name in names},
+        "units": {name: UNITS[name] for name in ("angle", *names)},
+    }
+
+
+def comparison_table(strips: BearingSolution, slices: BearingSolution) -> str:
+    """Return both methods' loads as CSV with a header of names and units."""
+    head = [
+        "roller",
+        "angle [rad]",
+        *(f"load_{ring}_{method} [N]" for ring in RINGS for method in ("strips", "slices")),
+    ]
+    columns = [each.load[:, k] for k in range(len(RINGS)) for each in (strips, slices)]
+    cells = zip(range(strips.angle.size), strips.angle, *columns, strict=True)
+    return csv_text(head, (map(_cell, each) for each in cells))
+
+
+def comparison_files(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, str]:
+    """Return the texts of comparison.json and comparison.csv, by file name."""
+    return {
+        "comparison.json": as_json(comparison_object(strips, slices, title)) + "\n",
+        "comparison.csv": comparison_table(strips, slices),
+    }
+
+
+def _cell(value: Any) -> Any:
+    return value if isinstance(value, int) else plain(value)

@@ -1,0 +1,372 @@
+"""Bearing files: from TOML to a bearing and what loads it.
+
+All mistakes in a file are found at once and raised together, in the wording of the Python classes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from nonhertz.bearing.assessed import LifeConditions
+from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.clearance import Mounting
+from nonhertz.bearing.prescribed import BearingLoad
+from nonhertz.bearing.spectrum import LoadCase
+from nonhertz.bearing.verb import BearingSolver
+from nonhertz.errors import CaseError, InputError
+from nonhertz.files.bearing_document import BearingFile, bearing_sections, of_fit, radius_across, read_document
+from nonhertz.files.casefile import Case
+from nonhertz.files.held import OF_BEARINGS, HeldCase, starting_text
+from nonhertz.files.mistakes import Mistake, case_error
+from nonhertz.files.reading import Surroundings, place_of
+from nonhertz.files.title_block import TitleBlock
+from nonhertz.files.writing import document_of
+from nonhertz.inputs.checks import one_of, whole
+
+if TYPE_CHECKING:
+    from nonhertz.bearing.assessed import BearingLife
+    from nonhertz.bearing.clearance import OperatingClearance
+    from nonhertz.bearing.solution import BearingSolution
+
+_SECTIONS = {
+    "fit": Mounting.descriptions,
+    "load": BearingLoad.descriptions,
+    "solver": BearingSolver.descriptions,
+    # In a file the speed beside a viscosity is that of the load.
+    "life": {**LifeConditions.descriptions, "speed": BearingLoad.descriptions["speed"]},
+}
+
+
+@dataclass(frozen=True, repr=False)
+class BearingCase(HeldCase):
+    """A bearing, what loads it, how that is solved, and how its life is assessed.
+
+    Attributes
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    prescribed : dict
+        Forces or displacements, moment or tilt, and speed: keywords for `nonhertz.bearing.solve`.
+    solver : dict
+        Method and number of slices: keywords for `nonhertz.bearing.solve`; strips where left out.
+    life : dict
+        Viscosity, contamination, reliability and so on: keywords for `nonhertz.bearing.assess`.
+    spectrum : tuple of LoadCase
+        The loads under which life is assessed, in place of what is prescribed; empty if there are none.
+    fit : dict
+        Seats and temperatures: keywords for `nonhertz.bearing.operating_clearance` but for the speed, which is that of
+        ``prescribed``. The clearance of ``bearing`` is then the one before it is mounted.
+    title, path, title_block, origin
+        As of `HeldCase`.
+
+    Raises
+    ------
+    InputError
+        If a part is of the wrong kind.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "nu206.toml")
+    ...     _ = path.write_text(starting_bearing())
+    ...     case = read_bearing(path)
+    >>> case.bearing.rollers, case.prescribed["radial"]
+    (13, 10000.0)
+    >>> case.solve().load[0].round(-1)
+    array([3810., 3810.])
+    """
+
+    bearing: RollerBearing | Paired
+    prescribed: dict[str, Any] = field(default_factory=dict)
+    solver: dict[str, Any] = field(default_factory=dict)
+    life: dict[str, Any] = field(default_factory=dict)
+    path: Path = field(default=Path("bearing.toml"), compare=False, kw_only=True)
+    spectrum: tuple[LoadCase, ...] = field(default=(), kw_only=True)
+    fit: dict[str, Any] = field(default_factory=dict, kw_only=True)
+
+    parts: ClassVar = {"title_block": TitleBlock}
+    keywords: ClassVar = {"prescribed" if name == "load" else name: known for name, known in _SECTIONS.items()}
+    contents: ClassVar = BearingFile
+    kind: ClassVar = "bearing"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bearing, RollerBearing | Paired):
+            remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
+            raise InputError("bearing", self.bearing, "be a bearing", remedy)
+        super().__post_init__()
+        if not (isinstance(self.spectrum, tuple) and all(isinstance(each, LoadCase) for each in self.spectrum)):
+            remedy = "make them with nonhertz.bearing.LoadCase, and leave the tuple empty for one load"
+            raise InputError("spectrum", self.spectrum, "be a tuple of load cases", remedy)
+        if self.fit and not {"shaft", "housing"} <= set(self.fit):
+            remedy = "make them with nonhertz.bearing.Shaft and Housing"
+            raise InputError("fit", self.fit, "hold shaft and housing", remedy)
+
+    @staticmethod
+    def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
+        """Return the title and the fields of a bearing in a document."""
+        found = read_document(document, Surroundings(folder, radius_across(document)))
+        load, life = found.load, found.life
+        loads = document["life"]["spectrum"] if life.spectrum else []
+        conditions = {name: value for name in LifeConditions.descriptions if (value := getattr(life, name)) is not None}
+        speed = {} if life.viscosity is None else {"speed": load.speed if "speed" in document["load"] else None}
+        return {
+            "title": found.title,
+            "bearing": found.bearing,
+            "prescribed": {name: getattr(load, name) for name in BearingLoad.descriptions if name in document["load"]},
+            "solver": dict(vars(found.solver)),
+            "life": conditions | speed,
+            "fit": {} if found.fit is None else {name: getattr(found.fit, name) for name in document["fit"]},
+            "spectrum": tuple(
+                case if "speed" in table else replace(case, speed=load.speed)
+                for case, table in zip(life.spectrum, loads, strict=True)
+            ),
+            "title_block": found.report,
+        }
+
+    def sections(self) -> dict[str, Any]:
+        """Return the sections of its file."""
+        life = {name: value for name, value in self.life.items() if name != "speed"}
+        life |= {"spectrum": document_of(self.spectrum)} if self.spectrum else {}
+        given = {"load": self.prescribed, "fit": self.fit, "solver": self.solver, "life": life}
+        found = document_of(given | {"report": self.title_block}, defaults=False)
+        needed = {name: each for name, each in found.items() if each or name in {"load", "solver"}}
+        return bearing_sections(self.bearing) | needed
+
+    @property
+    def operating_clearance(self) -> OperatingClearance | None:
+        """What fits, temperatures and speed leave of the clearance of a row, and what each takes; None without fits.
+
+        Raises
+        ------
+        CaseError
+            If such a bearing has no fits, or a seat does not fit its rings.
+        """
+        if not self.fit:
+            return None
+        try:
+            return Mounting(**self.fit).operating(self.bearing.rows[0].bearing, self._inner_speed)
+        except InputError as error:
+            raise placed(error, "fit") from None
+
+    @property
+    def mounted(self) -> RollerBearing | Paired:
+        """The bearing with the clearance that it is solved with.
+
+        Raises
+        ------
+        CaseError
+            As `nonhertz.bearing.operating_clearance` does, or if what is left is no clearance that a bearing can have.
+        """
+        if not self.fit:
+            return self.bearing
+        try:
+            return Mounting(**self.fit).mounted(self.bearing, self._inner_speed)
+        except InputError as error:
+            raise placed(error, "fit") from None
+
+    @property
+    def _turning(self) -> str:
+        return str(self.life.get("turning", "inner"))
+
+    @property
+    def _inner_speed(self) -> float:
+        """The speed at which the inner ring and the shaft widen [1/min]."""
+        return float(self.prescribed.get("speed") or 0.0) if self._turning == "inner" else 0.0
+
+    def solve(self, method: str | None = None) -> BearingSolution:
+        """Return the loaded bearing, as `nonhertz.bearing.solve` does.
+
+        Parameters
+        ----------
+        method : {"strips", "slices"}, optional
+            In place of that of the file.
+
+        Raises
+        ------
+        CaseError
+            If the bearing or its loads are refused; the sentence names the key in the file.
+        ConvergenceError
+            If no balance is found.
+        """
+        from nonhertz.bearing.verb import solve
+
+        chosen: dict[str, Any] = {} if method is None else {"method": method}
+        bearing = self.mounted
+        try:
+            return solve(bearing, **self.prescribed, turning=self._turning, **self.solver | chosen)
+        except InputError as error:
+            raise placed(error) from None
+
+    def assess(self, solution: BearingSolution) -> BearingLife:
+        """Return how long the bearing lasts, as `nonhertz.bearing.assess` does, under the spectrum if there is one.
+
+        Raises
+        ------
+        CaseError
+            If something that the file says about life is refused; the sentence names its key.
+        ConvergenceError
+            If no balance is found under a load of the spectrum.
+        InputError
+            If such a bearing has no rating.
+        """
+        from nonhertz.bearing.assessed import assess
+        from nonhertz.bearing.spectrum import solve_spectrum
+
+        try:
+            if not self.spectrum:
+                return assess(solution, **self.life)
+            speeds = {"speed": [case.speed for case in self.spectrum]} if "viscosity" in self.life else {}
+            pairs = solve_spectrum(self.mounted, self.spectrum, turning=self._turning, **self.solver)
+            return assess(pairs, **self.life | speeds)
+        except InputError as error:
+            if error.field in {*_SECTIONS["life"], "viscosity_ratio"}:
+                raise placed(error, "life") from None
+            raise
+
+    def rated(self, solution: BearingSolution) -> tuple[BearingLife | None, str]:
+        """Return what `assess` does, or None and the reason why such a bearing has no rating.
+
+        Raises
+        ------
+        CaseError
+            If something that the file says about life is refused.
+        """
+        try:
+            return self.assess(solution), ""
+        except InputError as error:
+            if error.field in {"bearing", "solution"}:
+                return None, f"the bearing must {error.condition}"
+            raise placed(error, "life") from None
+
+    def contact_case(self, solution: BearingSolution, roller: int, ring: str = "inner") -> Case:
+        """Return the contact of a roller with a ring as a case of its own, with the load and tilt that it has there.
+
+        Its bodies are those of the bearing, cut along their common generator, with y along the roller. What else acts
+        on the roller, such as ribs, speed, raceways that are not round and the other ring, is in load and tilt. Solved,
+        it is `BearingSolution.contact`.
+
+        Parameters
+        ----------
+        solution : BearingSolution
+            This bearing, solved by strips or by slices, whose load and tilt are then those of slices.
+        roller : int
+            Its number, from 0.
+        ring : {"inner", "outer"}
+            Which ring; of thrust bearings the washer of the shaft or of the housing.
+
+        Raises
+        ------
+        InputError
+            If there is no such contact, or it bears no load.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = Path(folder, "nu206.toml")
+        ...     _ = path.write_text(starting_bearing())
+        ...     bearing = read_bearing(path)
+        >>> case = bearing.contact_case(bearing.solve("slices"), 0, "outer")
+        >>> case.title, round(case.prescribed["load"], -1)
+        ('NU 206, roller 0 on the outer ring, by slices', 3720.0)
+        """
+        from nonhertz.bearing.frames import RINGS
+        from nonhertz.bearing.solution import BearingSolution
+
+        if not isinstance(solution, BearingSolution):
+            remedy = "give what BearingCase.solve returns"
+            raise InputError("solution", solution, "be a solved bearing", remedy)
+        roller = whole("roller", roller, 0, solution.angle.size - 1, "count from 0")
+        one_of("ring", ring, RINGS, "name one of both")
+        side = RINGS.index(ring)
+        load, tilt = float(solution.load[roller, side]), float(solution.tilt[roller, side])
+        if not load > 0.0:
+            condition = f"be a roller that the {ring} ring loads"
+            raise InputError("roller", roller, condition, "choose one within the load zone")
+        numbers = range(len(solution.bearing.rows))
+        row = next(number for number in numbers if roller < solution.rollers_of(number).stop)
+        method = "" if solution.method == "strips" else f", by {solution.method}"
+        return Case(
+            contact=solution.bearing.rows[row].bearing.contacts[side],
+            prescribed={"load": load, "tilt": tilt},
+            title=f"{self.title}, roller {roller} on the {ring} ring{method}".removeprefix(", "),
+            path=Path(f"{self.path.stem}-{roller}-{ring}.toml"),
+            title_block=self.title_block,
+        )
+
+
+def read_bearing(path: str | Path, changes: Mapping[str, Any] | None = None) -> BearingCase:
+    """Return the bearing in a file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; see docs/reference/bearing-file.md.
+    changes : mapping of str to object, optional
+        Values in place of those in the file, by dotted path, such as ``{"load.radial": "5 kN"}``; None takes a key out.
+        The title names them.
+
+    Returns
+    -------
+    BearingCase
+        The bearing and what loads it.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the file, one sentence each.
+    InputError
+        If ``path`` is not the name of a file, or ``changes`` not a mapping.
+    """
+    return BearingCase.read(path, changes)
+
+
+#: Bearings whose files `starting_bearing` returns, by name, in words.
+BEARING_TEMPLATES = {
+    "cylindrical": "cylindrical roller bearing",
+    "needle": "needle roller bearing",
+    "tapered-pair": "pair of tapered roller bearings",
+    "spherical": "spherical roller bearing",
+    "thrust": "cylindrical roller thrust bearing",
+}
+
+
+def starting_bearing(template: str | None = None) -> str:
+    """Return a commented bearing file to start from.
+
+    Parameters
+    ----------
+    template : str, optional
+        One of `BEARING_TEMPLATES`, each an example of a kind of bearing; one with all that a bearing file may hold if
+        left out.
+
+    Raises
+    ------
+    InputError
+        If there is no such template.
+    """
+    return starting_text("starting_bearing.toml", template, BEARING_TEMPLATES, "templates/bearings")
+
+
+def placed(error: InputError, *sections: str) -> CaseError:
+    """Return an error of `nonhertz.bearing` as one about the bearing file, with the field named as in the file.
+
+    An error about something that is in no file, such as the approach of a contact, comes from the loads.
+    """
+    field = error.field.partition(".")[0]
+    if sections == ("fit",):
+        error = of_fit(error)
+    elif section := next((each for each in sections or ("load", "solver") if field in _SECTIONS[each]), ""):
+        error = error.within(section)
+    elif field == "viscosity_ratio":
+        error = InputError("life.viscosity", error.value, error.condition, error.remedy)
+    elif field not in OF_BEARINGS:
+        if not any(field in kind.descriptions for kind in RollerBearing.kinds.values()) and field != "pair":
+            sentence = f"load must leave every contact of the rollers within the model: {error}"
+            return CaseError([sentence], ["load"])
+        error = error.within("bearing")
+    return case_error([Mistake(place_of(error.field), error, absent=error.value is None)])

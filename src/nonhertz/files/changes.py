@@ -1,0 +1,117 @@
+"""Values in place of those in a case file or a bearing file, by dotted path, as ``--set load.load=5kN`` gives them."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from nonhertz.errors import CaseError, InputError
+from nonhertz.inputs.fields import Input
+from nonhertz.inputs.files import legible
+
+_LONGEST = 60  # characters of a value in a title
+_OPTION = "--set"
+
+
+def changes_in(words: Sequence[str]) -> dict[str, Any]:
+    """Return what words such as ``load.load=5kN`` put into a file, by path.
+
+    A value is read as in the file, except that text needs no quotes; without a value, the key is taken out.
+
+    Raises
+    ------
+    InputError
+        If a word has no path, or two have the same.
+
+    Examples
+    --------
+    >>> changes_in(["load.load=5kN", "solver.strips=41", "load.tilt="])
+    {'load.load': '5kN', 'solver.strips': 41, 'load.tilt': None}
+    """
+    found: dict[str, Any] = {}
+    for word in words:
+        path, equals, value = (part.strip() for part in word.partition("="))
+        if not path or not equals:
+            remedy = "write path and value, such as --set load.load=5kN"
+            raise InputError(_OPTION, word, "have an equals sign between path and value", remedy)
+        if path in found:
+            raise InputError(_OPTION, word, "set each path once", f"leave one of the values of {path} out")
+        found[path] = _value(value) if value else None
+    return found
+
+
+def changed(
+    document: dict[str, Any],
+    text: str | None,
+    changes: Mapping[str, Any],
+    kind: type[Input],
+    name: str,
+) -> tuple[dict[str, Any], str | None]:
+    """Return a document with other values, whose title names them, and its text.
+
+    Parameters
+    ----------
+    document : dict
+        What a case file or a bearing file holds; it need not be free of mistakes.
+    text : str or None
+        What it was parsed from.
+    changes : mapping
+        Values by path; None takes a key out.
+    kind : type
+        The class of what such a file holds.
+    name : str
+        The title where the document has none.
+
+    Raises
+    ------
+    InputError
+        If ``changes`` is no such mapping.
+    CaseError
+        With every path that leads to no value of such a file.
+    """
+    if not isinstance(changes, Mapping):
+        raise InputError("changes", changes, "be a dictionary", 'map paths to values, such as {"load.load": "5 kN"}')
+    if not changes:
+        return document, text
+    # Imported here: they import this module.
+    from nonhertz.files.held import as_toml
+    from nonhertz.files.paths import drops_first, parameter, parameters
+
+    whole, mistakes = document, []
+    for path, value in drops_first(changes):
+        try:
+            found = parameter(path, parameters(whole, kind))
+        except InputError as error:
+            mistakes.append((f"{error.field} must {error.condition}: {error.remedy}.", error.field))
+        else:
+            whole = found.removed(whole) if value is None else found.put(whole, value)
+    if mistakes:
+        raise CaseError(*zip(*mistakes, strict=True))
+    what = ", ".join(_sentence(*change) for change in changes.items())
+    title = document.get("title") or name
+    if isinstance(title, str):
+        whole = {"title": f"{title} ({what})"} | {key: value for key, value in whole.items() if key != "title"}
+    try:
+        return whole, f"# Set in place of what the file held: {what}\n" + as_toml(whole)
+    except (TypeError, ValueError):
+        remedy = "give numbers, text, or lists and dictionaries of them"
+        raise InputError("changes", dict(changes), "hold what a TOML file can", remedy) from None
+
+
+def _value(text: str) -> Any:
+    """Return a value as it is written in TOML, or else the text."""
+    try:
+        found = tomllib.loads(f"value = {text}")
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError):
+        return text
+    return found["value"] if set(found) == {"value"} else text
+
+
+def _sentence(path: str, value: Any) -> str:
+    if value is None:
+        return f"without {path}"
+    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=str)
+    shown = text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
+    return f"{path} = {legible(shown)}"

@@ -1,0 +1,73 @@
+"""A changed document as the text of its file, with the comments and the order that the file had."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from typing import Any
+
+from nonhertz.files.bounds import has_long_key
+from nonhertz.files.held import as_toml
+
+
+def as_toml_like(document: dict[str, Any], text: str) -> str:
+    r"""Return a document as TOML, written into a text that held another version of it.
+
+    Lines whose values are the same stay as they are. Where the text is none of TOML, or the changes do not fit into it,
+    the document is written anew.
+
+    Examples
+    --------
+    >>> print(as_toml_like({"load": {"load": "25 kN"}}, '[load]\nload = "20 kN" # of the catalogue\n'), end="")
+    [load]
+    load = "25 kN" # of the catalogue
+    """
+    if "#" not in text or has_long_key(text):
+        return as_toml(document)
+    import tomlkit
+    from tomlkit.exceptions import TOMLKitError
+
+    try:
+        whole = tomlkit.parse(text)
+        _write_into(whole, document)
+        found = tomlkit.dumps(whole)
+        return found if tomllib.loads(found) == document else as_toml(document)
+    except (TOMLKitError, ValueError, KeyError, IndexError, TypeError, AttributeError, RecursionError):
+        return as_toml(document)
+
+
+def _write_into(table: Any, values: Mapping[str, Any], *, within: bool = False) -> None:
+    """Make a table of a file hold other values; ``within`` another, what is new is written on one line."""
+    for name in [name for name in table if name not in values]:
+        del table[name]
+    for name, value in values.items():
+        old = table.get(name)
+        if isinstance(value, dict) and isinstance(old, dict):
+            _write_into(old, value, within=True)
+        elif _are_tables(value) and _are_tables(old):
+            for entry, each in zip(old, value, strict=False):
+                _write_into(entry, each, within=True)
+            for _ in old[len(value) :]:
+                del old[-1]
+            for each in value[len(old) :]:
+                old.append(each)
+        elif isinstance(old, bool) or isinstance(value, bool) or old != value:
+            table[name] = _on_one_line(value) if within else value
+
+
+def _on_one_line(value: Any) -> Any:
+    import tomlkit
+
+    if isinstance(value, dict):
+        table = tomlkit.inline_table()
+        table.update({name: _on_one_line(each) for name, each in value.items()})
+        return table
+    if isinstance(value, list):
+        row = tomlkit.array()
+        row.extend(map(_on_one_line, value))
+        return row.multiline(_are_tables(value) and len(value) > 1)
+    return value
+
+
+def _are_tables(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and all(isinstance(each, dict) for each in value)

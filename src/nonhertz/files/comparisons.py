@@ -1,0 +1,102 @@
+"""A comparison of strips and plane grid as text and as files."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
+from nonhertz.files.results import key_by_key, plain
+from nonhertz.result.numerals import csv_text
+from nonhertz.result.solution import Solution
+
+#: Units of the numbers in a comparison; quantities carry their own, and dimensionless numbers are left out.
+UNITS: dict[str, Any] = {
+    "seconds": "s",
+    "stretches": {"low": "mm", "high": "mm", "at": "mm", "unexplained_at": "mm"},
+    "stations": {"y": "mm"},
+    "strips": {"y": "mm", "strip_width": "mm", "centre_pressure": "MPa", "half_width": "mm"},
+    "patch": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", "line_load": "N/mm"},
+}
+_COLUMNS = ("element", "y [mm]", "strip_width [mm]", "centre_pressure [MPa]", "patch_pressure [MPa]", "difference")
+
+
+def as_object(found: Comparison, title: str) -> dict[str, Any]:
+    """Return a comparison as plain numbers, text, lists and dictionaries; a number that is not finite is None."""
+    patch = found.patch
+    seconds = found.seconds
+    return {
+        "title": title,
+        "cells": list(patch.cells),
+        "quantities": [_quantity(each) for each in found.quantities],
+        "stretches": [_stretch(each) for each in found.stretches],
+        "seconds": {
+            "semi_elliptic": plain(seconds.semi_elliptic),
+            "parabolic": plain(seconds.parabolic),
+            "patch": plain(seconds.patch),
+            "runs": seconds.runs,
+        },
+        "stations": [{"y": plain(each.y), "reason": each.reason} for each in found.stations],
+        "warnings": list(found.warnings),
+        "units": UNITS,
+        "semi_elliptic": _strips(found, found.semi_elliptic),
+        "parabolic": _strips(found, found.parabolic),
+        "patch": {name: plain(getattr(patch, name)) for name in UNITS["patch"]},
+    }
+
+
+def as_json(found: Comparison, title: str) -> str:
+    """Return `as_object` as JSON text, one key per line."""
+    return key_by_key(as_object(found, title))
+
+
+def as_table(found: Comparison) -> str:
+    """Return all strips, and the plane grid at their centres, as CSV with a header of names and units."""
+    rows = []
+    for solution in found.strips:
+        of_patch = np.interp(solution.y, found.patch.y, found.patch.centre_pressure)
+        columns = (solution.y, solution.strip_width, solution.centre_pressure, of_patch, found.along(solution))
+        rows += [[solution.element.name, *row] for row in zip(*map(plain, columns), strict=True)]
+    return csv_text(_COLUMNS, rows)
+
+
+def files(found: Comparison, title: str) -> dict[str, str]:
+    """Return the texts of comparison.json and comparison.csv, by file name."""
+    return {"comparison.json": as_json(found, title) + "\n", "comparison.csv": as_table(found)}
+
+
+def _quantity(each: ComparedQuantity) -> dict[str, Any]:
+    semi, parabolic = each.differences
+    return {
+        "name": each.name,
+        "unit": each.unit,
+        "patch": plain(each.patch),
+        "semi_elliptic": plain(each.semi_elliptic),
+        "parabolic": plain(each.parabolic),
+        "absolute": each.absolute,
+        "differences": {"semi_elliptic": plain(semi), "parabolic": plain(parabolic)},
+        "remark": each.remark,
+    }
+
+
+def _stretch(each: Stretch) -> dict[str, Any]:
+    return {
+        "element": each.element,
+        "low": plain(each.low),
+        "high": plain(each.high),
+        "largest": plain(each.largest),
+        "at": plain(each.at),
+        "reasons": [{"sentence": reason.sentence, "size": plain(reason.size)} for reason in each.reasons],
+        "explained": each.explained,
+        "unexplained": plain(each.unexplained),
+        "unexplained_at": plain(each.unexplained_at),
+    }
+
+
+def _strips(found: Comparison, solution: Solution) -> dict[str, Any]:
+    return {
+        "strips": solution.strips,
+        **{name: plain(getattr(solution, name)) for name in UNITS["strips"]},
+        "difference": plain(found.along(solution)),
+    }

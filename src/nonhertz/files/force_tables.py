@@ -1,0 +1,96 @@
+"""Tables of forces against displacement as CSV, for other programs.
+
+Units are those of the package: mm, rad, N, N mm. Forces are those that hold the inner ring where it is; the bearing
+pushes the shaft with their opposite.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bearing.section import MOTIONS
+from nonhertz.bearing.tables import FORCES, UNITS_OF_FORCES, UNITS_OF_MOTIONS, ForceTable
+from nonhertz.errors import InputError
+from nonhertz.files.folder import write_files
+from nonhertz.result.numerals import as_csv
+
+__all__ = ["as_csv_text", "write"]
+
+Array = NDArray[np.float64]
+
+
+def write(path: str | Path, table: ForceTable) -> Path:
+    """Write a table into a file, whole or not at all.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file, ``.csv``; one of the same name is overwritten.
+    table : ForceTable
+        From `nonhertz.bearing.table`.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    InputError
+        If the arguments are invalid, or the directory cannot be written to.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
+    >>> found = nh.bearing.table(row, y=[0, 0.01, 0.02], z=[-0.01, 0, 0.01], method="slices")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write(folder + "/nu206.csv", found).name
+    'nu206.csv'
+    """
+    text, remedy = as_csv_text(table), "name a .csv file"
+    if not isinstance(path, str | Path):
+        raise InputError("path", path, "be the name of a file to write", remedy)
+    file = Path(path)
+    if file.suffix.lower() != ".csv" or file.is_dir():
+        raise InputError("path", str(path), "be a file ending in .csv", remedy)
+    try:
+        return write_files(file.parent, {file.name: text})[0]
+    except InputError as error:
+        raise InputError("path", str(path), error.condition, error.remedy) from None
+
+
+def as_csv_text(table: ForceTable) -> str:
+    """Return a table as CSV in the long format: a line for each state, the last motion changing first.
+
+    Columns are named with their units in the first line: the five motions, the fixed ones included, forces and
+    moments, their 25 derivatives as ``force_y_by_x [N/mm]``, and ``converged``, 1 or 0; where a state has not
+    converged, forces are ``nan``.
+
+    Parameters
+    ----------
+    table : ForceTable
+        From `nonhertz.bearing.table`.
+
+    Raises
+    ------
+    InputError
+        If it is no table.
+    """
+    if not isinstance(table, ForceTable):
+        raise InputError("table", table, "be a ForceTable", "make one with nonhertz.bearing.table")
+    columns: dict[str, Array] = {}
+    for k, (name, unit) in enumerate(zip(MOTIONS, UNITS_OF_MOTIONS, strict=True)):
+        columns[f"{name} [{unit}]"] = table.displacement[..., k]
+    for k, (name, unit) in enumerate(zip(FORCES, UNITS_OF_FORCES, strict=True)):
+        columns[f"{name} [{unit}]"] = table.force[..., k]
+    for j, (force, unit) in enumerate(zip(FORCES, UNITS_OF_FORCES, strict=True)):
+        for k, (motion, by) in enumerate(zip(MOTIONS, UNITS_OF_MOTIONS, strict=True)):
+            columns[f"{force}_by_{motion} [{unit}/{by}]"] = table.stiffness[..., j, k]
+    return as_csv(columns | {"converged": table.converged.astype(float)})

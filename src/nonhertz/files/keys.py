@@ -1,0 +1,158 @@
+"""What may stand in the tables of files, key by key: what forms, reports and the reference of files are made from.
+
+All of it is what the fields of inputs say of themselves. Only where a bearing's file is divided otherwise than its
+classes are is it said here.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, field, replace
+from functools import cache
+from typing import Any, Final
+
+from nonhertz.bearing.bearings import Pair, RollerBearing
+from nonhertz.bearing.shapes import Deviations, Waves
+from nonhertz.files.bearing_document import PAIR, PARTS, SHAPES
+from nonhertz.files.profiles import KINDS, keys_of, meaning_of, needed_keys
+from nonhertz.files.shape_tables import ShapeFile
+from nonhertz.inputs.fields import Described, Input, Part, Parts, default_of
+from nonhertz.model.profile import Profile
+
+#: Of a bearing's file as people write it: the bearing before its parts, and a second row after all that the first has.
+_ORDER: Final = {"format": -3, "title": -2, "bearing": -1, "pair": 1}
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a table.
+
+    Attributes
+    ----------
+    each : Described
+        What it holds.
+    usual : object
+        Its default, `dataclasses.MISSING` if it must be given.
+    tables : tuple of Table
+        Those that may stand in it.
+    several : bool
+        Whether a list of them may.
+    """
+
+    each: Described
+    usual: Any = MISSING
+    tables: tuple[Table, ...] = ()
+    several: bool = False
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of a file.
+
+    Attributes
+    ----------
+    word : str
+        Its kind if that tells it from others in the same place, else what it is.
+    meaning : str
+        What it holds.
+    keys : mapping of str to Key
+        By name; where it has kinds, those of all.
+    kinds : mapping of str to Table
+        By the word that its key ``kind`` holds.
+    meaning_of_kind : str
+        What that word decides.
+    pairs : tuple of pairs of str
+        Keys of which one is given in place of the other, the usual one first.
+    likely : callable or None
+        The class of what it makes if it gives no kind.
+    name : str
+        What it makes, if that is of a class.
+    """
+
+    word: str
+    meaning: str
+    keys: Mapping[str, Key]
+    kinds: Mapping[str, Table] = field(default_factory=dict)
+    meaning_of_kind: str = ""
+    pairs: tuple[tuple[str, str], ...] = ()
+    likely: Callable[[Mapping[str, Any]], type[Input]] | None = None
+    name: str = ""
+
+    def of_kind(self, word: Any) -> Table:
+        """Return what it is if its kind is a word; itself if that is none of its kinds."""
+        return self.kinds.get(word, self) if isinstance(word, str) else self
+
+    @property
+    def required(self) -> list[str]:
+        """Names of the keys that must be given."""
+        return [name for name, key in self.keys.items() if key.usual is MISSING]
+
+
+@cache
+def table_of(cls: Any) -> Table:
+    """Return the table of an input, by its class."""
+    own = _plain(cls)
+    kinds = {word: replace(_plain(kind), word=word) for word, kind in cls.kinds.items()}
+    every = {name: key for each in (*kinds.values(), own) for name, key in each.keys.items()}
+    # What one kind needs others do not.
+    every = {
+        name: key if name in own.keys or key.usual is not MISSING else replace(key, usual=None)
+        for name, key in sorted(every.items(), key=lambda each: _ORDER.get(each[0], 0))
+    }
+    return replace(own, keys=every, kinds=kinds, meaning_of_kind=cls.meaning_of_kind)
+
+
+def _plain(cls: type[Input]) -> Table:
+    """Return the table of an input of one kind."""
+    usual = _usual(cls)
+    keys = {
+        name: _key(name, each, usual.get(name, MISSING), cls.inputs.get(name))
+        for name, each in cls.descriptions.items()
+    }
+    if issubclass(cls, RollerBearing):
+        # Its bodies stand beside it in a file, and a second row in it.
+        keys = {name: key for name, key in keys.items() if name not in PARTS}
+        keys["pair"] = Key(Part(PAIR, Pair, ""), None, (table_of(Pair),))
+    pairs = tuple(tuple(sorted(pair, key=[*keys].index)) for pair in cls.instead.items())
+    return Table(cls.__name__, (cls.__doc__ or "").partition("\n")[0], keys, pairs=pairs, name=cls.__name__)  # type: ignore[arg-type]
+
+
+def _usual(cls: type[Input]) -> dict[str, Any]:
+    """Return the defaults of an input's fields."""
+    usual = {each.name: default_of(each) for each in dataclasses.fields(cls)}  # type: ignore[arg-type]
+    return {name: value for name, value in usual.items() if value is not MISSING}
+
+
+def _key(name: str, each: Described, usual: Any, inner: Any) -> Key:
+    if getattr(each, "of", None) is Profile:
+        return Key(each, None, profile_kinds(), several=True)
+    if name in SHAPES:
+        shapes = {"waves": Waves, "deviations": Deviations, "file": ShapeFile}
+        return Key(each, None, tuple(replace(table_of(cls), word=word) for word, cls in shapes.items()), several=True)
+    if isinstance(each, Parts):
+        return Key(each, usual, (table_of(each.of),), several=True)
+    likely = getattr(each, "likely", None)
+    return Key(each, usual, () if inner is None else (replace(table_of(inner), likely=likely),))
+
+
+def unit_of(key: Key) -> str:
+    """Return the unit of the number or the numbers that a key holds; empty if they have none, or it holds others."""
+    return str(getattr(getattr(key.each, "each", key.each), "unit", ""))
+
+
+@cache
+def profile_kinds() -> tuple[Table, ...]:
+    """Return the tables of all kinds of profile."""
+    return tuple(_profile_table(kind) for kind in KINDS)
+
+
+def _profile_table(kind: str) -> Table:
+    needed = needed_keys(kind)
+    # What is not given is that of the body.
+    keys = {
+        name: Key(each.descriptions[name], MISSING if name in needed else _usual(each).get(name))
+        for name, each in keys_of(kind).items()
+    }
+    pairs = tuple((name, "drop") for name in needed if name in KINDS[kind].by_drop)
+    return Table(kind, meaning_of(kind), keys, meaning_of_kind="kind of profile", pairs=pairs[:1])

@@ -1,0 +1,126 @@
+"""Mistakes in a file, each with its place: sentences in the form of `InputError`, as a Python call gets them."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from nonhertz.errors import CaseError, InputError
+from nonhertz.files.bounds import MISTAKES
+
+Place = tuple[str | int, ...]
+
+_LONGEST_KEY = 60
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+
+
+class InFile(str):
+    """A place inside a file that a key names; not a key itself."""
+
+    __slots__ = ()
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """One thing that is wrong, at a place in the file.
+
+    Parameters
+    ----------
+    place : tuple of str and int
+        Keys from the outside in; positions in lists count from 1.
+    error : InputError
+        The error. Its field name is replaced by the place.
+    absent : bool
+        Whether there is no value to show, because the key is missing.
+    """
+
+    place: Place
+    error: InputError
+    absent: bool = False
+
+    def within(self, place: Place) -> Mistake:
+        """Return the same mistake with its place inside ``place``."""
+        return Mistake((*place, *self.place), self.error, self.absent)
+
+    @property
+    def sentence(self) -> str:
+        """What the user reads."""
+        path = path_of(self.place)
+        if self.absent:
+            return f"{path} must {self.error.condition}: {self.error.remedy}."
+        return str(InputError(path, self.error.value, self.error.condition, self.error.remedy))
+
+
+class TableError(ValueError):
+    """Several mistakes in one part of a file, raised by a validator that found more than one."""
+
+    def __init__(self, mistakes: Iterable[Mistake]) -> None:
+        self.mistakes = tuple(mistakes)
+        super().__init__(self.mistakes)
+
+    def __str__(self) -> str:
+        return f"{len(self.mistakes)} mistakes"
+
+
+def case_error(mistakes: Iterable[Mistake]) -> CaseError:
+    """Return one error for several mistakes, each with its key; beyond the limit they are only counted."""
+    found = tuple(mistakes)
+    listed, rest = found[:MISTAKES], len(found) - MISTAKES
+    sentences, places = [mistake.sentence for mistake in listed], [path_of(mistake.place) for mistake in listed]
+    if rest > 0:
+        sentences.append(f"There are {rest} more mistakes." if rest > 1 else "There is one more mistake.")
+        places.append("")
+    return CaseError(sentences, places)
+
+
+def path_of(place: Place) -> str:
+    """Return a place as a readable path.
+
+    Examples
+    --------
+    >>> path_of(("body", "a", "profile", 1, "radius"))
+    'body.a.profile[1].radius'
+    """
+    path = ""
+    for part in place:
+        if isinstance(part, int):
+            path += f"[{part}]"
+        elif isinstance(part, InFile):
+            path += f", {part}"
+        else:
+            shown = part if len(part) <= _LONGEST_KEY else part[: _LONGEST_KEY - 3] + "..."
+            path += ("." if path else "") + (shown if _BARE_KEY.fullmatch(shown) else json.dumps(shown))
+    return path
+
+
+def in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mistake]:
+    """Return mistakes in the order of their places in the file; missing keys come after those present."""
+    # Each table is numbered once: searching it for every key would take quadratic time.
+    numbered: dict[int, dict[str, int]] = {}
+
+    def position(mistake: Mistake) -> tuple[int, ...]:
+        positions: list[int] = []
+        value: Any = document
+        for part in mistake.place:
+            if isinstance(value, dict) and part in value:
+                if id(value) not in numbered:
+                    numbered[id(value)] = {key: number for number, key in enumerate(value)}
+                positions.append(numbered[id(value)][str(part)])
+                value = value[part]
+            elif isinstance(value, list) and isinstance(part, int):
+                positions.append(part)
+                value = value[part - 1]
+            else:
+                return (*positions, sys.maxsize)
+        return tuple(positions)
+
+    return sorted(mistakes, key=position)
+
+
+def missing(place: Place, remedy: str) -> Mistake:
+    """Return the mistake of leaving out a required key."""
+    return Mistake(place, InputError("", None, "be given", remedy), absent=True)

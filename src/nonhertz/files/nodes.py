@@ -1,0 +1,149 @@
+"""Nodes of a finite element mesh: from a file of their coordinates, and back with pressures and forces."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.files.results import plain
+from nonhertz.files.traces.text import decoded, value_in
+from nonhertz.inputs.fields import nearest
+from nonhertz.inputs.files import content, legible
+from nonhertz.inputs.units import in_unit
+from nonhertz.result.nodes import NodalLoads
+from nonhertz.result.numerals import csv_text
+from nonhertz.result.solution import Solution
+
+Array = NDArray[np.float64]
+
+LARGEST = 200_000_000  # bytes
+_HEADED = re.compile(r"(?P<name>[^\[(]*?)\s*(?:[\[(]\s*(?P<unit>[^\])]*?)\s*[\])])?")
+_EXAMPLE = "write a first line such as 'node; x [mm]; y [mm]'"
+_NEEDED = ("x", "y")
+_RESULTS = ("pressure [MPa]", "force [N]")
+
+
+@dataclass(frozen=True, eq=False)
+class Nodes:
+    """The nodes in a file.
+
+    Attributes
+    ----------
+    head : tuple of str
+        Names of its columns, as written.
+    cells : list of list of str
+        Its cells, as written.
+    x, y : ndarray
+        Where the nodes are [mm].
+    """
+
+    head: tuple[str, ...]
+    cells: list[list[str]]
+    x: Array
+    y: Array
+
+
+def read_nodes(path: Path) -> Nodes:
+    """Return the nodes in a file of text in columns, separated by semicolons, tabs, commas or blanks.
+
+    The first line names the columns; x and y are needed, with a unit of length in brackets, or in mm.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, has no such columns, or a line of it has no such numbers.
+    """
+    try:
+        lines, _ = decoded(content(path, LARGEST), legible(path.name))
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise InputError("NODES", str(path), f"be a readable file ({reason})", "check path and permissions") from None
+    written = [(number, line) for number, line in enumerate(lines, start=1) if line.strip()]
+    if not written:
+        raise InputError("NODES", str(path), "hold nodes", _EXAMPLE)
+    separator = next((each for each in (";", "\t", ",") if each in written[0][1]), None)
+    head = _split(written[0][1], separator)
+    columns = {name: _column(name, head, path) for name in _NEEDED}
+    cells = []
+    numbers = np.empty((len(written) - 1, len(_NEEDED)))
+    for row, (number, line) in enumerate(written[1:]):
+        found = _split(line, separator)
+        if len(found) != len(head):
+            condition = f"have as many columns in line {number} as in its head, {len(head)}, not {len(found)}"
+            raise InputError("NODES", str(path), condition, "complete the line, or take it out")
+        cells.append(found)
+        for place, (name, (column, factor)) in enumerate(columns.items()):
+            numbers[row, place] = factor * _number(found[column], separator, f"{name} in line {number}", path)
+    if not cells:
+        raise InputError("NODES", str(path), "hold nodes below its head", "write a line for each node")
+    return Nodes(tuple(head), cells, numbers[:, 0], numbers[:, 1])
+
+
+def as_table(nodes: Nodes, found: NodalLoads) -> str:
+    """Return the file of the nodes as CSV, with pressure and force at each."""
+    rows = (
+        [*cells, pressure, "" if math.isnan(force) else force]
+        for cells, pressure, force in zip(nodes.cells, found.pressure.tolist(), found.force.tolist(), strict=True)
+    )
+    return csv_text((*nodes.head, *_RESULTS), rows)
+
+
+def as_object(solution: Solution, found: NodalLoads, title: str) -> dict[str, Any]:
+    """Return pressures and forces at nodes, and their sums, as plain numbers, text and lists."""
+    numbers = {name: plain(getattr(found, name)) for name in ("x", "y", "pressure", "force", "area")}
+    return {
+        "title": title,
+        "status": solution.status.label,
+        "load": plain(solution.load),
+        "force_sum": plain(np.sum(found.force)),
+        "outside": plain(found.outside),
+        "interpolated_load": plain(found.interpolated_load),
+        "max_pressure": plain(solution.max_pressure),
+        "warnings": list(solution.warnings),
+        "units": {
+            **dict.fromkeys(("load", "force_sum", "outside", "interpolated_load", "force"), "N"),
+            **dict.fromkeys(("max_pressure", "pressure"), "MPa"),
+            **dict.fromkeys(("x", "y"), "mm"),
+            "area": "mm^2",
+        },
+        **numbers,
+    }
+
+
+def _split(line: str, separator: str | None) -> list[str]:
+    # A head between blanks may have blanks before its units.
+    cells = re.sub(r"\s+([\[(])", r"\1", line).split() if separator is None else line.split(separator)
+    return [cell.strip().strip('"').strip() for cell in cells]
+
+
+def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:
+    """Return the position of a column, and the factor of its unit to mm."""
+    matches = [_HEADED.fullmatch(cell) for cell in head]
+    names = ["" if match is None else match["name"].lower() for match in matches]
+    if names.count(name) != 1:
+        alike = nearest(name, [each for each in names if each]) if name not in names else None
+        shown = ", ".join(repr(each) for each in names[:6])
+        condition = f"have one column {name} in its head, which has {shown}"
+        raise InputError("NODES", str(path), condition, f"rename '{alike}'" if alike and alike != name else _EXAMPLE)
+    position = names.index(name)
+    match = matches[position]
+    unit = None if match is None else match["unit"]
+    return position, float(in_unit(f"unit of {name}", f"1 {unit}", "mm")) if unit else 1.0
+
+
+def _number(cell: str, separator: str | None, what: str, path: Path) -> float:
+    # Where commas separate nothing, they are decimal commas.
+    value = value_in(cell if separator == "," else cell.replace(",", "."))
+    if value is None or not math.isfinite(value):
+        raise InputError(
+            "NODES", str(path), f"have a number as {what}, not {cell!r}", "correct it, or take the line out"
+        )
+    return value

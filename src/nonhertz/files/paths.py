@@ -1,0 +1,214 @@
+"""Single values of a case file or a bearing file, named by dotted paths such as ``body.a.profile.drop``.
+
+Which paths there are follows from the fields of inputs and from what the document holds: the kind of a profile decides
+which keys it can have. Where a list has several tables, as a profile that is a sum, the position is part of the path,
+``body.a.profile[2].radius``; it may be left out where only one of them can have the key.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from nonhertz.errors import InputError
+from nonhertz.files.keys import Key, Table, table_of
+from nonhertz.files.mistakes import path_of
+from nonhertz.files.origin import body_tables
+from nonhertz.inputs.fields import Described, Part, Parts, nearest
+from nonhertz.model.profile import PARAMETERS
+
+Keys = tuple[str | int, ...]
+#: Path, keys, and unit and wholeness of a single value.
+Leaf = tuple[str, Keys, tuple[str | None, bool]]
+
+#: The unit of a profile as a whole, whose values are random forms added to it.
+FORM = "form"
+#: Keys of tables that say what a table is; unless they are a choice of words, they are not to be varied on their own.
+_NAMES = ("kind", "format", "title")
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One value of a document, whether it is there or could be.
+
+    Attributes
+    ----------
+    path : str
+        Its dotted path.
+    keys : tuple of str and int
+        The same in parts; positions in lists count from 1.
+    unit : str or None
+        Base unit of a number, ``""`` of one without a unit; None of a word or a switch; `FORM` of a profile as a whole.
+    whole : bool
+        Whether it must be a whole number.
+    """
+
+    path: str
+    keys: Keys
+    unit: str | None
+    whole: bool = False
+
+    def value_in(self, document: Mapping[str, Any]) -> Any:
+        """Return the value in a document; None if it has none."""
+        value: Any = document
+        for key in self.keys:
+            value = _entry(value, key)
+        return value
+
+    def put(self, document: Mapping[str, Any], value: Any) -> dict[str, Any]:
+        """Return a document with another value; tables that are missing are made.
+
+        The drop of a profile takes the place of the parameter that it determines.
+        """
+        if self.keys[-1] == "drop":
+            siblings = self._by_drop(document)
+            if siblings and all(each.value_in(document) is not None for each in siblings):
+                document = siblings[0].removed(document)
+        changed: dict[str, Any] = _with(document, self.keys, value)
+        return changed
+
+    def drop_beside(self, document: Mapping[str, Any]) -> str:
+        """Return the path of the drop that a document gives in place of this value; empty if it gives none."""
+        others = [each for each in self._by_drop(document) if each.keys != self.keys]
+        drop = self._beside("drop")
+        determined = len(others) < len(self._by_drop(document)) and drop.value_in(document) is not None
+        return drop.path if determined and all(each.value_in(document) is not None for each in others) else ""
+
+    def _beside(self, name: str) -> Parameter:
+        return Parameter(f"{self.path.rpartition('.')[0]}.{name}", (*self.keys[:-1], name), None)
+
+    def _by_drop(self, document: Mapping[str, Any]) -> list[Parameter]:
+        """Return the parameters of a profile of which its drop determines the first that is not given."""
+        kind = self._beside("kind").value_in(document)
+        return [self._beside(name) for name in (PARAMETERS[kind].by_drop if kind in PARAMETERS else ())]
+
+    def removed(self, document: Mapping[str, Any]) -> dict[str, Any]:
+        """Return a document without the value; one that has none stays as it is."""
+        *place, last = self.keys
+        table: Any = document
+        for key in place:
+            table = _entry(table, key)
+        if not isinstance(table, Mapping) or last not in table:
+            return dict(document)
+        rest: dict[str, Any] = _with(document, tuple(place), {key: table[key] for key in table if key != last})
+        return rest
+
+
+def parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
+    """Return all that can be varied in a document, by path.
+
+    Parameters
+    ----------
+    document : mapping
+        What a case file or a bearing file holds.
+    kind : type
+        The class of what it holds, `CaseDocument` or `BearingFile`.
+    """
+    found: dict[str, Parameter] = {}
+    for path, keys, leaf in _in_tables(document, (table_of(kind),), (), ()):
+        found.setdefault(path, Parameter(path, keys, *leaf))
+    for place, _ in body_tables(document):
+        path = f"{place}.profile"
+        found[path] = Parameter(path, tuple(path.split(".")), FORM)
+    return found
+
+
+def drops_first(values: Mapping[str, Any]) -> list[tuple[str, Any]]:
+    """Return values by path in the order in which to put them: none takes the place of another."""
+    return sorted(values.items(), key=lambda each: not str(each[0]).endswith(".drop"))
+
+
+def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
+    """Return the parameter of a path.
+
+    Raises
+    ------
+    InputError
+        If there is none; the nearest is named.
+    """
+    if not isinstance(path, str):
+        raise InputError("path", path, "be a dotted path", "write it as in the file, such as 'load.load'")
+    if path in known:
+        return known[path]
+    last = path.rpartition(".")[2]
+    # The right key in the wrong table is likelier than a table that is spelled like another.
+    alike = [each for each in known if each.rpartition(".")[2] == last]
+    match = nearest(path, alike) or (alike[0] if alike else nearest(path, known))
+    remedy = f"the nearest is '{match}'" if match else "write it as in the file, such as 'load.load'"
+    raise InputError(path, path, "be a path to a value of the file", remedy)
+
+
+def _in_tables(value: Any, tables: Sequence[Table], keys: Keys, short: Keys) -> Iterator[Leaf]:
+    """Yield path, keys, unit and wholeness of all that a value, one of these tables, holds or could hold.
+
+    ``short`` are the keys without positions that say nothing.
+    """
+    if any(table.kinds for table in tables):
+        yield path_of((*short, "kind")), (*keys, "kind"), (None, False)
+    for name, key in {name: key for table in tables for name, key in table.keys.items()}.items():
+        yield from _at_key(_entry(value, name), key, (*keys, name), (*short, name))
+
+
+def _at_key(value: Any, key: Key, keys: Keys, short: Keys) -> Iterator[Leaf]:
+    """Yield what a key holds or could hold."""
+    leaf = None if key.several else _leaf(key.each)
+    if leaf is not None and keys[-1] not in _NAMES:
+        yield path_of(short), keys, leaf
+        if short != keys:
+            yield path_of(keys), keys, leaf
+    if isinstance(value, list) and key.several:
+        yield from _in_entries(value, key.tables, keys, short)
+    elif (isinstance(value, dict) or value is None) and not isinstance(key.each, Parts):
+        yield from _in_tables(value, _of_its_kind(value, key.tables), keys, short)
+
+
+def _in_entries(value: list[Any], tables: Sequence[Table], keys: Keys, short: Keys) -> Iterator[Leaf]:
+    """Yield what the tables of a list hold; without their position where it is the only one with such a key."""
+    found = [
+        each
+        for position, entry in enumerate(value, start=1)
+        if isinstance(entry, dict)
+        for each in _in_tables(entry, _of_its_kind(entry, tables), (*keys, position), (*short, position))
+    ]
+    tails = Counter(inner[len(keys) + 1 :] for _, inner, _ in found)
+    for _, inner, leaf in found:
+        tail = inner[len(keys) + 1 :]
+        if tails[tail] == 1:
+            yield path_of((*short, *tail)), inner, leaf
+    yield from found
+
+
+def _of_its_kind(value: Any, tables: Sequence[Table]) -> Sequence[Table]:
+    """Return those of several tables that a value may be, profiles by their kind."""
+    return [each for each in tables if not each.meaning_of_kind or each.kinds or each.word == _entry(value, "kind")]
+
+
+def _leaf(each: Described) -> tuple[str | None, bool] | None:
+    """Return unit and wholeness of a single value; None for a table or a list."""
+    schema: dict[str, Any] = {} if isinstance(each, Part) and not each.named else each.schema()
+    if "unit" in schema:
+        return schema["unit"], False
+    alternatives = schema.get("anyOf", [schema])
+    kinds = {one.get("type") for one in alternatives}
+    if "number" in kinds or "integer" in kinds:
+        return "", "number" not in kinds
+    is_word = kinds & {"string", "boolean"} or any("enum" in one for one in alternatives)
+    return (None, False) if is_word else None
+
+
+def _entry(value: Any, key: str | int) -> Any:
+    if isinstance(key, int):
+        return value[key - 1] if isinstance(value, list) and key <= len(value) else None
+    return value.get(key) if isinstance(value, Mapping) else None
+
+
+def _with(value: Any, keys: Keys, entry: Any) -> Any:
+    if not keys:
+        return entry
+    key, *rest = keys
+    inner = _with(_entry(value, key), tuple(rest), entry)
+    if isinstance(key, int):
+        return [*value[: key - 1], inner, *value[key:]]
+    return {**(value or {}), key: inner}

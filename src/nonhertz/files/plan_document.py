@@ -1,0 +1,138 @@
+"""A plan file and its sections."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import field
+from typing import Annotated, Any
+
+from nonhertz.errors import InputError
+from nonhertz.files.bounds import FORMAT, LOADS
+from nonhertz.files.sampling import Sampling
+from nonhertz.files.sections import FORMAT_FIELD, line
+from nonhertz.inputs.fields import Count, Custom, Input, Part, Parts, Quantity, Word, described
+from nonhertz.life import MODELS, LoadCase
+
+_REMEDY = "write a line for each path, such as \"load.load\" = '5 kN : 40 kN : 8'"
+_VARIED: dict[str, Any] = {
+    "type": "object",
+    "additionalProperties": {"anyOf": [{"type": "string"}, {"type": "array", "minItems": 1}, {"type": "object"}]},
+}
+_TEXTS = {"type": "array", "items": {"type": "string"}}
+
+
+def flat(tables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield paths and values of tables in tables: TOML makes them of dotted keys without quotes.
+
+    Examples
+    --------
+    >>> list(flat({"load": {"tilt": "0 : 1 mrad : 3"}, "load.load": [1.0]}))
+    [('load.tilt', '0 : 1 mrad : 3'), ('load.load', [1.0])]
+    """
+    for key, value in tables.items():
+        if isinstance(value, dict):
+            yield from ((f"{key}.{below}", entry) for below, entry in flat(value))
+        else:
+            yield key, value
+
+
+def _by_path(name: str, value: Any, remedy: str) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise InputError(name, value, "be a table", remedy)
+    return dict(flat(value))
+
+
+def _as_given(name: str, value: Any, remedy: str) -> Any:
+    return value
+
+
+@described(kw_only=True)
+class DesignLoad(Input):
+    """One load of a design."""
+
+    load: Annotated[float, LoadCase.descriptions["load"]]
+    tilt: Annotated[float, LoadCase.descriptions["tilt"]] = 0.0
+    share: Annotated[float | None, Quantity("", "its share of the revolutions; all equal if no load has one")] = None
+
+
+@described(kw_only=True)
+class DesignGoal(Input):
+    """What a design is best for."""
+
+    goal: Annotated[
+        str | None,
+        Word(
+            "'pressure': the least largest pressure; 'life': the longest life; pressure if left out",
+            "name one of them",
+            ("pressure", "life"),
+        ),
+    ] = None
+    model: Annotated[
+        str | None,
+        Word(
+            "name of the fatigue model of lives; 'lundberg-palmgren' if left out",
+            "name one of them",
+            tuple(MODELS),
+        ),
+    ] = None
+    starts: Annotated[
+        int | None, Count("number of searches, 5 if left out", 1, math.inf, "give the number of searches")
+    ] = None
+    loads: Annotated[
+        tuple[DesignLoad, ...],
+        Parts("the loads; those of the case if left out", DesignLoad, LOADS, "write each under [[design.loads]]"),
+    ] = ()
+    where: Annotated[
+        Mapping[str, Any],
+        Custom("what must hold under every load, such as approach = 'at most 30 um'", _by_path, _VARIED, _REMEDY),
+    ] = field(default_factory=dict)
+
+    @property
+    def cases(self) -> tuple[LoadCase, ...]:
+        """The loads with their shares."""
+        even = 1.0 / max(1, len(self.loads))
+        unsaid = all(each.share is None for each in self.loads)
+        return tuple(
+            LoadCase(load=each.load, tilt=each.tilt, share=even if unsaid else (each.share or 0.0))
+            for each in self.loads
+        )
+
+
+@described(kw_only=True)
+class PlanDocument(Input):
+    """A plan file."""
+
+    format: Annotated[int, FORMAT_FIELD] = FORMAT
+    title: Annotated[
+        str, Word("what the study is called in tables and figures", "write a short name", condition=line)
+    ] = ""
+    case: Annotated[
+        str,
+        Word(
+            "the case file or bearing file that is varied, relative to the plan", "write a short name", condition=line
+        ),
+    ]
+    over: Annotated[
+        Mapping[str, Any],
+        Custom(
+            "of a sweep: what each path of the case runs over; all combinations are rows", _by_path, _VARIED, _REMEDY
+        ),
+    ] = field(default_factory=dict)
+    vary: Annotated[
+        Mapping[str, Any],
+        Custom("of a design: lowest and highest value of each path that it may choose", _by_path, _VARIED, _REMEDY),
+    ] = field(default_factory=dict)
+    design: Annotated[DesignGoal, Part("what the design is best for", DesignGoal, "give a table")] = field(
+        default_factory=DesignGoal
+    )
+    tolerance: Annotated[
+        Mapping[str, Any],
+        Custom("of a tolerance study: the distribution of each path of the case", _by_path, _VARIED, _REMEDY),
+    ] = field(default_factory=dict)
+    samples: Annotated[Sampling, Part("how samples are drawn from distributions", Sampling, "give a table")] = (
+        Sampling()
+    )
+    quantities: Annotated[
+        Any, Custom("the numbers that a row holds; the usual ones if left out", _as_given, _TEXTS)
+    ] = ()

@@ -1,0 +1,389 @@
+"""Plan files: a case or a bearing, and what of it is varied.
+
+All mistakes in a file are found at once and raised together.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, ClassVar
+
+from nonhertz.errors import AccuracyWarning, CaseError, InputError
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.forms import with_form
+from nonhertz.files.held import Held, holds_plan, meant_as, named, opened, starting_text
+from nonhertz.files.mistakes import Mistake, TableError, case_error, in_order
+from nonhertz.files.origin import Origin
+from nonhertz.files.paths import FORM, Parameter, drops_first, parameter, parameters
+from nonhertz.files.plan_document import PlanDocument
+from nonhertz.files.reading import read
+from nonhertz.files.sampling import Sampling
+from nonhertz.files.spreads import Distribution, Spread, spread_in
+from nonhertz.files.writing import document_of
+from nonhertz.inputs.checks import listed, one_of
+from nonhertz.inputs.files import legible, seen_from
+from nonhertz.life import model
+from nonhertz.result.numerals import digits
+
+#: The tables of a plan that say what is varied: in a sweep, and within tolerances.
+LOAD = "load.load"
+TABLES = ("over", "tolerance")
+DESIGN = "vary"
+_WAY_OUT = "change these values, or what the case holds beside them"
+TRIED = 50  # values of a list that are tried before the work starts
+
+
+@dataclass(frozen=True)
+class Template:
+    """The document of a case file or a bearing file, from which cases with other values are made.
+
+    Attributes
+    ----------
+    document : dict
+        What the file holds.
+    path : Path
+        Where it is; the names of other files are relative to it.
+    is_bearing : bool
+        Whether it holds a bearing rather than a single contact.
+    forms : mapping
+        The random forms of profiles, by path.
+    """
+
+    document: dict[str, Any]
+    path: Path
+    is_bearing: bool
+    forms: Mapping[str, Distribution] = field(default_factory=dict)
+
+    @cached_property
+    def known(self) -> Mapping[str, Parameter]:
+        """All values that it holds or could hold, by path."""
+        return parameters(self.document, (BearingCase if self.is_bearing else Case).contents)
+
+    def put(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the document with other values, by path."""
+        document = self.document
+        for path, value in drops_first(values):
+            parameter = self.known[path]
+            if parameter.unit == FORM:
+                value = with_form(document, parameter.keys, self.forms[path], value)  # noqa: PLW2901
+            document = parameter.put(document, value)
+        return document
+
+    def varied(self, path: str, given: Any) -> Parameter:
+        """Return the parameter of a path that is varied.
+
+        Raises
+        ------
+        InputError
+            If there is none, or the case gives the drop of a profile in its place.
+        """
+        found = parameter(path, self.known)
+        drop = found.drop_beside(self.document)
+        if drop:
+            condition = f"not be varied beside {drop}, which the case gives in its place"
+            raise InputError(path, given, condition, "vary it, or take it out of the case")
+        return found
+
+    def case(self, values: Mapping[str, Any]) -> Case | BearingCase:
+        """Return the case with other values, by path; notes on its files are not repeated.
+
+        Raises
+        ------
+        CaseError
+            If a file could not hold them.
+        """
+        return self.of_document(self.put(values))
+
+    def is_unloaded(self, values: Mapping[str, Any]) -> bool:
+        """Return whether the load is among the values, and zero: what no file may hold, but rows may come down to."""
+        return not self.is_bearing and values.get(LOAD) == 0.0
+
+    def of_document(self, document: dict[str, Any]) -> Case | BearingCase:
+        """Return the case of a document that has been made of this one.
+
+        Raises
+        ------
+        CaseError
+            If a file could not hold it.
+        """
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", AccuracyWarning)
+            return (BearingCase if self.is_bearing else Case).of(document, self.path)
+
+
+@dataclass(frozen=True, repr=False)
+class Plan(Held):
+    """A case or a bearing, and what of it is varied.
+
+    Parameters
+    ----------
+    case : Case or BearingCase
+        What is varied.
+    over : mapping
+        What each path of its file runs over, such as ``{"load.load": "5 kN : 40 kN : 8"}``: a range, a list or an array
+        of values, or a distribution to draw samples from. All combinations are rows, the last path changing fastest;
+        samples of all distributions are drawn together and come last.
+    samples : Sampling
+        How samples are drawn.
+    quantities : tuple of str
+        Names of the numbers that a row holds; the usual ones if empty.
+    title, path, origin
+        As of `Held`; the title of the case if there is none.
+
+    Raises
+    ------
+    InputError
+        If a path leads nowhere, or what it runs over is empty, not in its unit, or more than the case allows.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from nonhertz.files.casefile import starting_case
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "case.toml")
+    ...     _ = path.write_text(starting_case())
+    ...     case = read_any(path)
+    >>> plan = Plan(case, over={"load.load": "5 kN : 40 kN : 8", "load.tilt": [0.0, "0.5 mrad"]})
+    >>> plan.spreads["load.tilt"]
+    (0.0, 0.0005)
+    """
+
+    case: Case | BearingCase
+    over: Mapping[str, Any] = field(default_factory=dict)
+    samples: Sampling = field(default_factory=Sampling)
+    quantities: tuple[str, ...] = ()
+    path: Path = field(default=Path("plan.toml"), compare=False, kw_only=True)
+
+    kind: ClassVar = "plan"
+    parts: ClassVar = {"samples": Sampling}
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.case, Case | BearingCase):
+            remedy = "read one with nonhertz.read_case or nonhertz.read_bearing"
+            raise InputError("case", self.case, "be a case or a bearing case", remedy)
+        if not isinstance(self.over, Mapping) or not all(isinstance(path, str) for path in self.over):
+            raise InputError("over", self.over, "be a dictionary", "map paths to what they run over")
+        remedy = "give a list of names, such as ['max_pressure']"
+        names = tuple(listed("quantities", self.quantities, "be names", remedy))
+        if not all(isinstance(each, str) for each in names):
+            raise InputError("quantities", self.quantities, "be names", remedy)
+        object.__setattr__(self, "quantities", names)
+        super().__post_init__()
+        object.__setattr__(self, "title", self.title or self.case.title)
+        template = Template(self.case.document, self.case.path, isinstance(self.case, BearingCase))
+        object.__setattr__(self, "template", template)
+        spreads = {path: self.tried(path, given) for path, given in self.over.items()}
+        object.__setattr__(self, "spreads", spreads)
+        forms = {path: each for path, each in spreads.items() if isinstance(each, Distribution) and each.kind == "form"}
+        object.__setattr__(self, "template", replace(template, forms=forms))
+
+    #: What each path runs over: values in its base unit, or a distribution.
+    spreads: Mapping[str, Spread] = field(init=False, repr=False, compare=False)
+    #: The case's file, with other values wherever a row has them.
+    template: Template = field(init=False, repr=False, compare=False)
+
+    @classmethod
+    def of(
+        cls,
+        document: dict[str, Any],
+        path: Path,
+        text: str | None = None,
+        changes: Mapping[str, Any] | None = None,
+        table: str = "over",
+    ) -> Plan:
+        """Return the plan in a document that has already been parsed.
+
+        All of its tables are read, whichever says what is varied. ``changes`` are values in place of those in the file
+        of its case.
+
+        Raises
+        ------
+        CaseError
+            With every mistake in the document.
+        """
+        kind = meant_as(document)
+        if kind and not holds_plan(document):
+            remedy = f"begin with one from 'nonhertz new --plan', and name the {kind} file in it"
+            raise CaseError([f"{path} must be a plan, and holds a {kind}: {remedy}."], [""])
+        try:
+            found = read(PlanDocument, document)
+        except TableError as error:
+            raise case_error(in_order(error.mistakes, document)) from None
+        file = path.parent / found.case
+        with named(file):
+            case = read_any(file, changes)
+        bare, mistakes = Plan(case), []
+        for section in TABLES:
+            for varied, given in getattr(found, section).items():
+                try:
+                    bare.tried(varied, given)
+                except InputError as error:
+                    here = InputError(varied, given, error.condition, error.remedy)
+                    mistakes.append(Mistake((section, *varied.split(".")), here))
+        try:
+            title = found.title or legible(path.stem)
+            plan = Plan(case, {}, found.samples, found.quantities, title=title, path=path)
+        except InputError as error:
+            mistakes.append(Mistake((error.field,), error))
+        if mistakes:
+            raise case_error(mistakes)
+        return plan.changed(over=getattr(found, table))._held_in(Origin(document, text, (), path.parent))
+
+    def sections(self) -> dict[str, Any]:
+        """Return the sections of its file."""
+        parts = {"over": self.over, "samples": self.samples, "quantities": self.quantities}
+        rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}
+        return {"case": seen_from(self.path.parent, self.case.path).as_posix()} | rest
+
+    def _written(self, folder: Path) -> dict[str, Any]:
+        """Return its document with all tables of its file, and the way to its case from a folder."""
+        return self.document_in(folder)
+
+    def changed(
+        self,
+        *,
+        over: Mapping[str, Any] | None = None,
+        samples: Sampling | None = None,
+        quantities: tuple[str, ...] | None = None,
+    ) -> Plan:
+        """Return the plan with other parts; those that are None stay.
+
+        Raises
+        ------
+        InputError
+            As the class does.
+        """
+        given = {"over": over, "samples": samples, "quantities": quantities}
+        changes: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
+        return replace(self, **changes) if changes else self
+
+    def tried(self, path: str, given: Any) -> Spread:
+        """Return what a path runs over, if the case allows its ends.
+
+        Raises
+        ------
+        InputError
+            As the class does.
+        """
+        which = self.template.varied(path, given)
+        spread = spread_in(which, given, self.template.document)
+        template = replace(self.template, forms={path: spread} if isinstance(spread, Distribution) else {})
+        for value in _extremes(spread):
+            if self.template.is_unloaded({path: value}):
+                continue
+            try:
+                template.case({path: value})
+            except InputError as error:  # of a form
+                raise InputError(path, given, f"have a {error.field} to {error.condition}", error.remedy) from None
+            except CaseError as error:
+                shown = value if isinstance(value, str | bool) else f"{digits(float(value))} {which.unit}".rstrip()
+                condition = f"stay within what the case allows (at {shown}: {error.mistakes[0].rstrip('.')})"
+                raise InputError(path, given, condition, _WAY_OUT) from None
+        return spread
+
+
+def _extremes(spread: Spread) -> Iterator[Any]:
+    """Yield the values of a spread that are tried before the work starts."""
+    if isinstance(spread, Distribution):
+        yield from spread.ends
+    elif len(spread) <= TRIED or any(isinstance(value, str) for value in spread):
+        yield from spread
+    else:
+        yield from (min(spread), max(spread))
+
+
+def read_any(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case | BearingCase:
+    """Return the case or the bearing in a file, whichever it holds, with other values by path.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the file.
+    """
+    return case_or_bearing_in(*opened(path, "case", "bearing"), changes)
+
+
+def case_or_bearing_in(
+    document: dict[str, Any], path: Path, text: str, changes: Mapping[str, Any] | None = None
+) -> Case | BearingCase:
+    """Return the case or the bearing in a document that has been parsed from a text, with other values by path.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the document.
+    """
+    kind = BearingCase if meant_as(document) == "bearing" else Case
+    return kind.of(document, path, text, changes=changes)
+
+
+def read_plan(path: str | Path, table: str = "over") -> Plan:
+    """Return the plan in a file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; see docs/reference/plan-file.md.
+    table : {"over", "tolerance"}
+        Which of its tables says what is varied: that of sweeps or that of tolerances.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the file, one sentence each; those of the case it names, with that file's name.
+    InputError
+        If ``path`` is not the name of a file.
+    """
+    one_of("table", table, TABLES, "name the one that is meant")
+    return Plan.of(*opened(path, "plan"), table=table)
+
+
+def starting_plan() -> str:
+    """Return a commented plan to start from, with a table for each command."""
+    return starting_text("starting_plan.toml")
+
+
+def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> tuple[Case, dict[str, Any]]:
+    """Return the case of a plan and what it says about a design: keywords for `nonhertz.design.best`.
+
+    ``changes`` are values in place of those in the file of its case, by path.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the file.
+    InputError
+        If ``path`` is not the name of a file.
+    """
+    return design_in(*opened(path, "plan"), changes)
+
+
+def design_in(
+    document: dict[str, Any], path: Path, text: str | None = None, changes: Mapping[str, Any] | None = None
+) -> tuple[Case, dict[str, Any]]:
+    """Return the case of a plan in a document and what it says about a design.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the document.
+    """
+    # All that is wrong with the rest of the plan is said, too.
+    case = Plan.of(document, path, text, changes=changes).case
+    if not isinstance(case, Case):
+        raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
+    found = read(PlanDocument, document)
+    given: dict[str, Any] = {"vary": found.vary, "where": found.design.where}
+    for name in ("goal", "starts"):
+        if getattr(found.design, name) is not None:
+            given[name] = getattr(found.design, name)
+    if found.design.model is not None:
+        given["model"] = model(found.design.model)
+    if found.design.loads:
+        given["loads"] = found.design.cases
+    return case, given

@@ -1,0 +1,294 @@
+"""Reading inputs from the tables of files, by what their fields say.
+
+A file's mistakes are all found at once: every field is read, and those of its class's checks are made whose fields are
+good. Only then is the input made.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, TypeVar
+
+from nonhertz.errors import InputError
+from nonhertz.files.dimensions import dimensions
+from nonhertz.files.mistakes import Mistake, Place, TableError, missing, path_of
+from nonhertz.files.writing import document_of
+from nonhertz.inputs.fields import (
+    Described,
+    EntriesError,
+    Input,
+    Part,
+    Parts,
+    given_beside,
+    nearest,
+    text_of,
+    unknown,
+)
+from nonhertz.model.profile import Profile
+
+AnyInput = TypeVar("AnyInput", bound=Input)
+Schema = dict[str, Any]
+_KEY = re.compile(r"([^.\[\]]+)|\[(\d+)\]")  # of a field's name, or its position among several
+_LAST_WORD = re.compile(r"[A-Z][a-z]*$")
+#: The class of an input whose table gives no kind, by its values.
+Likely = Callable[[Mapping[str, Any]], type[Input]]
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """What a table needs to know of its file.
+
+    Attributes
+    ----------
+    folder : Path or None
+        Directory that the names of files are relative to; None where no file may be read.
+    radius : object
+        Combined radius of both bodies across the contact [mm], for profiles; None or `BROKEN` where there is none.
+    """
+
+    folder: Path | None = None
+    radius: Any = None
+
+
+def read(
+    cls: type[AnyInput],
+    table: Any,
+    file: Surroundings = Surroundings(),
+    place: Place = (),
+    likely: Likely | None = None,
+) -> AnyInput:
+    """Return the input in a table.
+
+    Parameters
+    ----------
+    cls : type
+        Its class; where that has kinds, what it is of where its kind is not known.
+    table : object
+        What the file holds.
+    file : Surroundings
+        What else the file says.
+    place : tuple
+        Where the table is, for the ways out.
+    likely : callable, optional
+        What it is of where its table gives no kind; ``cls`` if left out.
+
+    Raises
+    ------
+    TableError
+        With all mistakes, their places relative to the table.
+    """
+    return Reading(cls, section(table, place), file, place, likely=likely).made()  # type: ignore[return-value]
+
+
+def place_of(field: str) -> Place:
+    """Return the place that a field's name is.
+
+    Examples
+    --------
+    >>> place_of("life.spectrum[2].axial")
+    ('life', 'spectrum', 2, 'axial')
+    """
+    return tuple(int(number) if number else key for key, number in _KEY.findall(field))
+
+
+def section(table: Any, place: Place) -> dict[str, Any]:
+    """Return what should be a table.
+
+    Raises
+    ------
+    TableError
+        If it is none.
+    """
+    if isinstance(table, dict):
+        return table
+    heading = f"[{path_of(place)}]" if place and isinstance(place[-1], str) else f"[[{path_of(place[:-1])}]]"
+    raise TableError([Mistake((), InputError("", table, "be a section", f"write it under a heading {heading}"))])
+
+
+class Reading:
+    """A table that is being read: the values that are good, and the fields that are not.
+
+    Parameters
+    ----------
+    cls, table, file, place, likely
+        As of `read`.
+    beside : mapping
+        Fields that stand elsewhere in the file, and have been read; None for those that are wrong.
+    known : sequence of str
+        Keys of the table that are no fields.
+    """
+
+    def __init__(
+        self,
+        cls: type[Input],
+        table: dict[str, Any],
+        file: Surroundings,
+        place: Place,
+        *,
+        likely: Likely | None = None,
+        beside: Mapping[str, Any] = MappingProxyType({}),
+        known: Sequence[str] = (),
+    ) -> None:
+        self.cls, self.table, self.file, self.place, self.likely = cls, table, file, place, likely
+        self.values = {name: value for name, value in beside.items() if value is not None}
+        self.wrong = {name for name, value in beside.items() if value is None}
+        self.mistakes: list[Mistake] = []
+        every = {name: kind for kind in (*cls.kinds.values(), cls) for name in kind.descriptions}
+        keys = [*(["kind"] if cls.kinds else []), *(name for name in every if name not in beside), *known]
+        strange = [name for name in table if name not in keys]
+        self.mistakes += (Mistake((name,), unknown(name, table[name], "key", name, keys)) for name in strange)
+        # Someone who writes "lenght" has not forgotten the length.
+        self.wrong |= {match for name in strange if (match := nearest(name, keys))}
+        self.named = self._named()
+        #: Its fields, each with a class that has it.
+        self.fields = every if self.named is None else dict.fromkeys(self.named.descriptions, self.named)
+        foreign = [name for name in table if name in every and name not in self.fields]
+        self.mistakes += (Mistake((name,), self._foreign(name)) for name in foreign)
+
+    def made(self) -> Input:
+        """Return the input.
+
+        Raises
+        ------
+        TableError
+            With all mistakes.
+        """
+        self.take_fields()
+        word = self.table.get("kind")
+        given = "kind" in self.table and bool(self.cls.kinds)
+        made = self.named if given or self.named is None else (self.likely or self.cls.likely)(self.values)
+        # Of an unknown kind there is no telling what goes together.
+        if made is not None and (not given or (isinstance(word, str) and word in self.cls.kinds)):
+            self.check_together(made)
+        if self.mistakes or self.wrong or made is None:
+            raise TableError(self.mistakes)
+        return made(**self.values)
+
+    def take_fields(self) -> None:
+        """Read every field that is given."""
+        # What profiles leave out they take from their body, which is read before.
+        for name in sorted(self.fields, key=lambda each: getattr(self._described(each), "of", None) is Profile):
+            if name in self.values:
+                continue
+            if name not in self.table:
+                self.absent(name)
+                continue
+            try:
+                self.values[name] = self.value(name, self.table[name])
+            except TableError as error:
+                self.mistakes += (mistake.within((name,)) for mistake in error.mistakes)
+                self.wrong.add(name)
+            except InputError as error:
+                for each in error.errors if isinstance(error, EntriesError) else (error,):
+                    self.note(each if place_of(each.field)[0] == name else each.within(name))
+
+    def absent(self, name: str) -> None:
+        """Note a field that is not given, if it must be."""
+        if name in (self.named or self.cls).required and name not in self.wrong:
+            self.mistakes.append(missing((name,), self.way_out(name)))
+            self.wrong.add(name)
+
+    def value(self, name: str, given: Any) -> Any:
+        """Return the value of a field."""
+        each, inner = self._described(name), self.fields[name].inputs.get(name)
+        if isinstance(each, Parts):
+            return self._several(name, each, given)
+        if getattr(each, "of", None) is Profile:
+            from nonhertz.files.profiles import read_profile  # which reads its tables with this module
+
+            body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
+            return read_profile(given, dimensions(body, self.file.radius), self.file.folder)
+        if isinstance(each, Part) and each.named and not isinstance(given, dict | str):
+            raise InputError(name, given, "be a name or a table", each.remedy)
+        part = isinstance(each, Part) and not (each.named and isinstance(given, str))
+        if inner and (isinstance(given, dict) or part):
+            given = read(inner, given, self.file, (*self.place, name), getattr(each, "likely", None))
+        return each.take(name, given)
+
+    def _described(self, name: str) -> Described:
+        return self.fields[name].descriptions[name]
+
+    def check_together(self, made: type[Input]) -> None:
+        """Make those checks whose fields are good."""
+        for error in given_beside(made, self.table):
+            if error.field not in self.wrong:
+                self.note(error)
+        trial = made.unchecked(**self.values)
+        for check, names in made.checks_together:
+            if not names & self.wrong:
+                try:
+                    check(trial)
+                except InputError as error:
+                    self.note(error)
+                except TableError as error:
+                    self.mistakes += error.mistakes
+                    self.wrong |= {str(mistake.place[0]) for mistake in error.mistakes}
+
+    def note(self, error: InputError) -> None:
+        """Note a mistake in a field, whose value counts no more."""
+        first, *rest = place_of(error.field)
+        name, given = str(first), self.table.get(str(first))
+        # Text is shown as it was written, and what is missing not at all: TOML has no null.
+        shown = given if isinstance(given, str) and not rest else error.value
+        shown = document_of(shown) if isinstance(shown, Input) else shown
+        place = (name, *rest)
+        here = InputError(path_of(place), shown, error.condition, error.remedy)
+        self.mistakes.append(Mistake(place, here, absent=shown is None))
+        self.wrong.add(name)
+
+    def way_out(self, name: str) -> str:
+        """Return what to do where a field is missing."""
+        inner = self.fields[name].inputs.get(name)
+        if inner is None:
+            return f"give {text_of(self._described(name))}"
+        needed = [each for each in sorted(inner.required) if each in inner.inputs]
+        headings = [f"[{path_of((*self.place, name, each))}]" for each in needed]
+        return "write it under a heading " + (" and ".join(headings) or f"[{path_of((*self.place, name))}]")
+
+    def _several(self, name: str, each: Parts, given: Any) -> Any:
+        if not isinstance(given, list) or not given:
+            raise InputError(name, given, "be a list of tables", each.remedy)
+        if len(given) > each.most:
+            raise InputError(name, given, f"have at most {each.most} tables", each.remedy)
+        found: list[Any] = []
+        mistakes: list[Mistake] = []
+        for position, entry in enumerate(given, start=1):
+            try:
+                found.append(read(each.of, entry, self.file, (*self.place, name, position)))
+            except TableError as error:
+                mistakes += [mistake.within((position,)) for mistake in error.mistakes]
+        if mistakes:
+            raise TableError(mistakes)
+        return each.take(name, found)
+
+    def _named(self) -> type[Input] | None:
+        """Return the class by its word, or that of tables without one; None if it cannot be known."""
+        usual = self.cls if not self.cls.kinds or self.cls in self.cls.kinds.values() else None
+        if not self.cls.kinds:
+            return self.cls
+        if "kind" not in self.table:
+            if usual is None and "kind" not in self.wrong:
+                self.mistakes.append(missing(("kind",), f"give {self.cls.meaning_of_kind}"))
+            return usual
+        word = self.table["kind"]
+        if isinstance(word, str) and word in self.cls.kinds:
+            return self.cls.kinds[word]
+        what = f"kind of {self._noun}"
+        self.mistakes.append(Mistake(("kind",), unknown("kind", word, what, word, self.cls.kinds)))
+        return usual
+
+    def _foreign(self, name: str) -> InputError:
+        """Return the error for a field that other kinds have."""
+        *others, last = [word for word, kind in self.cls.kinds.items() if name in kind.descriptions]
+        words = f"{', '.join(others)} and {last}" if others else last
+        condition = f"not be given for a {self.table['kind']} {self._noun}"
+        return InputError(name, self.table[name], condition, f"leave it out, it belongs to {words} {self._noun}s")
+
+    @property
+    def _noun(self) -> str:
+        found = _LAST_WORD.search(self.cls.__name__)
+        return (found[0] if found else self.cls.__name__).lower()

@@ -1,0 +1,207 @@
+"""Result files: from ``result.json``, of a contact or a bearing, back to the case and its solution."""
+
+from __future__ import annotations
+
+import errno
+import json
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import CaseError, InputError
+from nonhertz.files import bearing_results
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.bounds import FORMAT
+from nonhertz.files.casefile import Case
+from nonhertz.files.held import meant_as
+from nonhertz.files.results import as_json
+from nonhertz.inputs.files import content
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.strip.element import ELEMENTS
+
+LARGEST_RESULT = 200_000_000  # bytes
+_WAY_OUT = "give a result.json that 'nonhertz solve', 'nonhertz bearing' or a page wrote"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Result:
+    """What a result file holds.
+
+    Attributes
+    ----------
+    case : Case or BearingCase
+        What was solved; ``case.solve()`` solves it again.
+    solution : Solution or BearingSolution
+        The solution, to the digits it was written with.
+
+    Examples
+    --------
+    >>> import json
+    >>> import tempfile
+    >>> from nonhertz.files.casefile import read_case, starting_case
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "case.toml")
+    ...     _ = path.write_text(starting_case())
+    ...     case = read_case(path)
+    >>> text = Result(case, case.solve()).to_json()
+    >>> json.loads(text)["status"]
+    'converged'
+    """
+
+    case: Case | BearingCase
+    solution: Solution | BearingSolution
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.case.title!r}, {self.solution!r})"
+
+    def to_json(self) -> str:
+        """Return the text of a result file, which is what ``solve --json`` and ``bearing --json`` print.
+
+        The case is part of it, which a solution alone does not know: which of its numbers were prescribed.
+
+        Raises
+        ------
+        InputError
+            If the case has something that no file can hold; see `Held.write`.
+        """
+        match self.case, self.solution:
+            case Case() as case, Solution() as solution:
+                return as_json(solution, case)
+            case BearingCase() as bearing, BearingSolution() as loaded:
+                given = bearing_results.as_object(loaded, bearing, *bearing.rated(loaded), loaded.warnings)
+                return bearing_results.as_json(given)
+        remedy = "give what the solve method of the case returned"
+        raise InputError("solution", type(self.solution).__name__, "be that of the case", remedy)
+
+
+def read_result(path: str | Path) -> Result:
+    """Return the case and the solution in a result file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A ``result.json``, or what ``nonhertz solve --json`` or ``nonhertz bearing --json`` printed.
+
+    Returns
+    -------
+    Result
+        Case and solution as stored; nothing is solved again.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is not a result file, or comes from a later release.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from nonhertz.files.casefile import read_case, starting_case
+    >>> from nonhertz.files.folder import write_files
+    >>> from nonhertz.files.results import files
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder, "case.toml")
+    ...     _ = path.write_text(starting_case())
+    ...     case = read_case(path)
+    ...     solution = case.solve()
+    ...     _ = write_files(folder, files(solution, case))
+    ...     found = read_result(Path(folder, "result.json"))
+    >>> found.case == case, found.solution.approach == solution.approach
+    (True, True)
+    """
+    if not isinstance(path, str | Path):
+        raise InputError("path", path, "be the name of a result file", "give a string or a Path")
+    path = Path(path)
+    found = _object(path)
+    if found.get("format") != FORMAT:
+        shown = found.get("format")
+        condition = f"hold a result of format {FORMAT}" + (f", not {shown!r}" if shown is not None else "")
+        raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
+    try:
+        if meant_as(found["case"]) == "bearing":
+            bearing = BearingCase.of(found["case"], path, files=False)
+            return Result(bearing, _bearing_solution(found, bearing))
+        case = Case.of(found["case"], path, files=False)
+        return Result(case, _solution(found, case))
+    except CaseError as error:
+        raise InputError("path", str(path), f"hold a case ({error.mistakes[0]})", _WAY_OUT) from None
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        reason = f"{type(error).__name__}: {error}"[:80]
+        raise InputError("path", str(path), f"hold a complete solution ({reason})", _WAY_OUT) from None
+
+
+def _object(path: Path) -> dict[str, Any]:
+    try:
+        found = json.loads(content(path, LARGEST_RESULT))
+    except (OSError, ValueError, RecursionError) as error:
+        too_large = getattr(error, "errno", None) == errno.EFBIG
+        reason = getattr(error, "strerror", None) or ("larger than any result" if too_large else "not JSON")
+        raise InputError("path", str(path), f"be a result file ({reason.lower()})", _WAY_OUT) from None
+    if not isinstance(found, dict):
+        raise InputError("path", str(path), "hold one JSON object", _WAY_OUT)
+    return found
+
+
+def _solution(found: dict[str, Any], case: Case) -> Solution:
+    low, high = found["edge_pressure"]
+    return Solution(
+        contact=case.contact,
+        element=ELEMENTS[found["element"]],
+        status=Status[_member(found["status"])],
+        approach=float(found["approach"]),
+        tilt=float(found["tilt"]),
+        load=float(found["load"]),
+        moment=float(found["moment"]),
+        stiffness=np.array(found["stiffness"], dtype=float).reshape(2, 2),
+        edges=_array(found["edges"]),
+        line_load=_array(found["line_load"]),
+        element_half_width=_array(found["element_half_width"]),
+        gap=_array(found["gap"]),
+        contact_y=tuple((float(first), float(last)) for first, last in found["contact_y"]),
+        edge_pressure=(_edge(low), _edge(high)),
+        singular_ends=tuple(SingularEnd(each["y"], EdgeKind[_member(each["kind"])]) for each in found["singular_ends"]),
+        peaks_at_corner=bool(found["peaks_at_corner"]),
+        iterations=int(found["iterations"]),
+        error_estimate=ErrorEstimate(**{name: _number(value) for name, value in found["error_estimate"].items()}),
+        warnings=tuple(map(str, found["warnings"])),
+    )
+
+
+def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSolution:
+    bearing = case.mounted
+    count = sum(row.bearing.rollers for row in bearing.rows)
+    shapes: dict[str, tuple[int, ...]] = {
+        **dict.fromkeys(("load", "moment", "approach", "tilt", "contact_angle"), (count, 2)),
+        **{"angle": (count,), "rib_loads": (count, -1), "roller_load": (count, 3), "displacement": (5,), "force": (5,)},
+        **{"stiffness": (5, 5), "edge_rollers": (-1,), "edge_stiffness": (3,)},
+    }
+    # Null becomes NaN: the stiffness at the edge of the load zone where no roller stands there.
+    arrays: dict[str, Any] = {name: np.array(found[name], float).reshape(shape) for name, shape in shapes.items()}
+    return BearingSolution(
+        bearing=bearing,
+        method=str(found["method"]),
+        residual=float(found["residual"]),
+        steps=int(found["steps"]),
+        **arrays | {"edge_rollers": arrays["edge_rollers"].astype(np.int64)},
+    )
+
+
+def _edge(found: dict[str, Any]) -> EdgePressure:
+    kept = {name: value for name, value in found.items() if name not in {"kind", "converges"}}
+    return EdgePressure(kind=EdgeKind[_member(found["kind"])], **kept)
+
+
+def _member(label: str) -> str:
+    return label.upper().replace("-", "_")
+
+
+def _number(value: float | None) -> float:
+    """Return a number, infinite where null was written: JSON has no infinity."""
+    return math.inf if value is None else float(value)
+
+
+def _array(values: list[float | None]) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    return np.array([_number(value) for value in values])

@@ -1,0 +1,136 @@
+"""A solution as text and as files: one JSON object, one table, and whatever figures the caller draws."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nonhertz.files.bounds import FORMAT
+from nonhertz.model.body import BODIES
+from nonhertz.result.numerals import csv_text
+from nonhertz.result.quantities import ALONG, QUANTITIES
+from nonhertz.result.solution import EdgePressure, Solution
+
+if TYPE_CHECKING:
+    from nonhertz.files.casefile import Case
+
+#: Quantities that are written as single numbers; the stiffness is written as a matrix.
+NUMBERS = tuple(name for name in QUANTITIES if "_by_" not in name)
+
+#: Units of the numbers in a result; dimensionless ones are left out.
+UNITS: dict[str, Any] = {
+    **{name: QUANTITIES[name].unit for name in NUMBERS},
+    "contact_y": "mm",
+    "edge_pressure": {
+        "y": "mm",
+        "pressure": "MPa",
+        "strip_width": "mm",
+        "strength": "MPa mm^exponent",
+        "correction": "mm^-correction_exponent",
+    },
+    "singular_ends": {"y": "mm"},
+    "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
+    **ALONG,
+    "edges": "mm",
+    "element_half_width": "mm",
+}
+
+
+def as_object(solution: Solution, case: Case) -> dict[str, Any]:
+    """Return a solution as plain numbers, text, lists and dictionaries, with the case it belongs to.
+
+    `nonhertz.files.resultfile.read_result` reads it back.
+
+    Numbers are unrounded; a non-finite one, such as the error estimate of a maximum pressure at a corner of the
+    profile, is None, since JSON has no infinity.
+    """
+    return {
+        "format": FORMAT,
+        "title": case.title,
+        "status": solution.status.label,
+        "element": solution.element.name,
+        "models": {name: getattr(solution.contact, name).model for name in BODIES},
+        **{name: plain(QUANTITIES[name].get(solution)) for name in NUMBERS},
+        "contact_y": plain(solution.contact_y),
+        "edge_pressure": [_edge_object(edge) for edge in solution.edge_pressure],
+        "singular_ends": [{"y": plain(end.y), "kind": end.kind.label} for end in solution.singular_ends],
+        "stiffness": plain(solution.stiffness),
+        "peaks_at_corner": solution.peaks_at_corner,
+        "iterations": int(solution.iterations),
+        "strips": solution.strips,
+        "error_estimate": {name: plain(value) for name, value in vars(solution.error_estimate).items()},
+        "warnings": list(solution.warnings),
+        "units": UNITS,
+        **{name: plain(column) for name, column in solution.table().items()},
+        "edges": plain(solution.edges),
+        "element_half_width": plain(solution.element_half_width),
+        "case": case.own_document,
+    }
+
+
+def plain(value: Any) -> Any:
+    """Return a number, or numbers nested in arrays, lists and tuples, in a form that JSON can represent.
+
+    Examples
+    --------
+    >>> plain(np.array([1.0, np.inf])), plain(None)
+    ([1.0, None], None)
+    """
+    if value is None:
+        return None
+    if isinstance(value, np.ndarray):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [plain(entry) for entry in value]
+    number = float(value)
+    return number if math.isfinite(number) else None
+
+
+def as_json(solution: Solution, case: Case) -> str:
+    """Return `as_object` as JSON text, one key per line."""
+    return key_by_key(as_object(solution, case))
+
+
+def key_by_key(entries: dict[str, Any]) -> str:
+    """Return an object as JSON text, one of its keys per line.
+
+    Examples
+    --------
+    >>> print(key_by_key({"load": 1.0, "y": [0.0, 1.0]}))
+    {
+      "load": 1.0,
+      "y": [0.0, 1.0]
+    }
+    """
+    lines = (f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in entries.items())
+    return "{\n" + ",\n".join(lines) + "\n}"
+
+
+def as_table(solution: Solution) -> str:
+    """Return the strips as CSV with a header of names and units."""
+    columns = (column.tolist() for column in solution.table().values())
+    return csv_text((f"{name} [{unit}]" for name, unit in ALONG.items()), zip(*columns, strict=True))
+
+
+def files(solution: Solution, case: Case) -> dict[str, str]:
+    """Return the texts of result.json and table.csv, by file name."""
+    return {"result.json": as_json(solution, case) + "\n", "table.csv": as_table(solution)}
+
+
+def _edge_object(edge: EdgePressure) -> dict[str, Any]:
+    return {
+        "y": plain(edge.y),
+        "kind": edge.kind.label,
+        "pressure": plain(edge.pressure),
+        "strip_width": plain(edge.strip_width),
+        "image_weight": plain(edge.image_weight),
+        "exponent": plain(edge.exponent),
+        "strength": plain(edge.strength),
+        "correction": plain(edge.correction),
+        "correction_exponent": plain(edge.correction_exponent),
+        "convention": edge.convention,
+        "converges": edge.converges,
+    }

@@ -1,0 +1,345 @@
+"""The sections of a case file that are no inputs of Python by themselves, and the file as a whole."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.files.bounds import FORMAT, LOADS, MISTAKES
+from nonhertz.files.dimensions import BROKEN
+from nonhertz.files.mistakes import TableError
+from nonhertz.files.reading import Surroundings, read
+from nonhertz.files.title_block import TitleBlock
+from nonhertz.inputs.checks import one_line, positive, text
+from nonhertz.inputs.fields import (
+    Count,
+    Custom,
+    Input,
+    Part,
+    Parts,
+    Quantity,
+    Word,
+    Words,
+    described,
+    together,
+)
+from nonhertz.life import MODELS, LoadCase, Model, model
+from nonhertz.life.capacity import ANGLE_REMEDY, contact_angle_at_most
+from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
+from nonhertz.life.spectrum import WHOLE
+from nonhertz.model.body import BODIES, Body, BodyName, convex
+from nonhertz.model.contact import Contact
+from nonhertz.model.prescription import Prescription
+from nonhertz.patch import Dent
+from nonhertz.solver.one import FEWEST_STRIPS, MOST_STRIPS, refuse_accuracy
+from nonhertz.strip.element import ELEMENTS
+
+_FAR_AWAY = 1e3  # mm; how far out an unbounded contact is checked before it is solved
+
+
+@described(kw_only=True)
+class Bodies(Input):
+    """The two bodies."""
+
+    a: Annotated[Body, Part("one body", Body, "give its table")]
+    b: Annotated[Body, Part("the other body", Body, "give its table")]
+
+    @together("a", "b")
+    def _check_contact(self) -> None:
+        try:
+            contact = Contact(self.a, self.b)
+            contact.curvature(sampled(contact.interval))
+        except InputError as error:
+            raise of_both(error) from None
+
+
+def of_both(error: InputError) -> InputError:
+    """Return an error about both bodies as one in the key of the body that has to change."""
+    if error.field != "diameter" or not isinstance(error.value, tuple):
+        return error.within("a" if error.field == "length" else "b")
+    diameters = dict(zip(BODIES, error.value, strict=True))
+    concave = [name for name, diameter in diameters.items() if diameter is not None and not convex(diameter)]
+    if not concave:
+        remedy = "the bodies are both flat, so give the diameter of one of them in mm"
+        return InputError("a.diameter", None, "be given", remedy)
+    name, other = concave[0], "b" if concave[0] == "a" else "a"
+    against = f"body.{other}, which is flat" if diameters[other] is None else f"body.{other}.diameter"
+    if isinstance(diameters[other], float):
+        against += f" = {diameters[other]}"
+    return InputError(f"{name}.diameter", diameters[name], f"{error.condition} with {against}", error.remedy)
+
+
+def surroundings(document: Any, folder: Path | None) -> Surroundings:
+    """Return what the tables of a document need to know of it while they are read, whether it is valid or not.
+
+    Parameters
+    ----------
+    document : object
+        The whole document.
+    folder : Path or None
+        Directory that the names of files are relative to; None where no file may be read.
+    """
+    bodies = document.get("body") if isinstance(document, dict) else None
+    given = bodies if isinstance(bodies, dict) else {}
+    return Surroundings(folder, combined_radius(given.get("a"), given.get("b")))
+
+
+def combined_radius(*bodies: Any) -> Any:
+    """Return the combined radius across the contact [mm] at the middles of two bodies, None if they have none.
+
+    It is found before the bodies are read one after the other, since the profile of one may depend on both.
+    """
+    curvature = 0.0
+    for body in bodies:
+        if not isinstance(body, dict):
+            return BROKEN
+        try:
+            given = {name: body[name] for name in ("diameter",) if name in body}
+            curvature += float(read(Body, given, likely=lambda _: Body).curvature(0.0))
+        except (InputError, TableError):
+            return BROKEN
+    return 1.0 / curvature if curvature > 0.0 else None
+
+
+def sampled(interval: tuple[float, float]) -> NDArray[np.float64]:
+    """Return positions at which to check a contact; the solver checks again at its own strips."""
+    low, high = (min(max(end, -_FAR_AWAY), _FAR_AWAY) for end in interval)
+    return np.linspace(low, high, 1001)
+
+
+@described(kw_only=True)
+class Solver(Input):
+    """How it is solved."""
+
+    element: Annotated[
+        str, Word("strip element: 'semi-elliptic' or 'parabolic'", "choose one of them", tuple(ELEMENTS))
+    ] = "semi-elliptic"
+    strips: Annotated[
+        int | str,
+        Count(
+            "how many strips, equally wide",
+            FEWEST_STRIPS,
+            MOST_STRIPS,
+            "leave it out for an automatic grid",
+            {"auto": "an automatic grid, as fine as the accuracy asks for"},
+        ),
+    ] = "auto"
+    accuracy: Annotated[
+        float | None,
+        Quantity("", "relative error wanted of approach or load on the automatic grid; 1e-4 if left out"),
+    ] = None
+
+    @together("strips", "accuracy")
+    def _check_accuracy(self) -> None:
+        refuse_accuracy(self.strips, self.accuracy)
+
+    @property
+    def keywords(self) -> dict[str, Any]:
+        """The keywords of `nonhertz.solve`."""
+        return vars(self) | {"element": ELEMENTS[self.element]}
+
+
+@described(kw_only=True)
+class OverrolledDent(Input):
+    """A dent in the raceway that is rolled over."""
+
+    depth: Annotated[float, Dent.descriptions["depth"]]
+    diameter: Annotated[float, Dent.descriptions["diameter"]]
+    shoulder: Annotated[float, Dent.descriptions["shoulder"]] = 0.0
+    shoulder_diameter: Annotated[float | None, Dent.descriptions["shoulder_diameter"]] = None
+    y: Annotated[float, Dent.descriptions["y"]] = 0.0
+    body: Annotated[
+        BodyName, Word("the body that has it, 'a' or 'b'", "name the body whose raceway has the dent", BODIES)
+    ] = "b"
+    dents: Annotated[
+        int, Count("how many lie around the raceway at that y", 1, math.inf, "give the number of dents")
+    ] = 1
+    per_area: Annotated[
+        float | None,
+        Quantity(
+            "",
+            "in their place, how many lie on a square millimetre",
+            positive,
+            "give a positive number, or leave it out",
+        ),
+    ] = None
+    raceway_diameter: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "diameter of the raceway, that of the body if left out",
+            positive,
+            "give a positive number, or leave it out",
+        ),
+    ] = None
+
+    @together("diameter", "depth", "shoulder", "shoulder_diameter", "y")
+    def _check_shape(self) -> None:
+        _ = self.dent
+
+    @property
+    def dent(self) -> Dent:
+        """The dent itself."""
+        names = ("depth", "diameter", "shoulder", "shoulder_diameter", "y")
+        return Dent(**{name: getattr(self, name) for name in names})
+
+    @property
+    def number(self) -> dict[str, Any]:
+        """How many there are: keywords of `nonhertz.life.Overrolled.relative_life`."""
+        density = {"dents": self.dents} if self.per_area is None else {"per_area": self.per_area}
+        return density | ({} if self.raceway_diameter is None else {"raceway_diameter": self.raceway_diameter})
+
+
+def _of_model(model_name: str) -> Any:
+    """Return the check of a parameter by the model that has it."""
+
+    def check(name: str, value: Any, remedy: str) -> None:
+        model(model_name, **{name: value})
+
+    return check
+
+
+@described(kw_only=True)
+class Life(Input):
+    """How long the bodies last."""
+
+    rollers: Annotated[
+        int | None,
+        Count(
+            "number of rollers in the bearing, for absolute lives",
+            1,
+            math.inf,
+            "give the number of rollers in the bearing",
+        ),
+    ] = None
+    contact_angle: Annotated[
+        float | None,
+        Quantity(
+            "rad",
+            "contact angle of the bearing, for absolute lives of tapered rollers",
+            contact_angle_at_most,
+            ANGLE_REMEDY,
+        ),
+    ] = None
+    models: Annotated[
+        tuple[str, ...],
+        Words("names of the fatigue models; all of them if left out", "fatigue model", tuple(MODELS), MISTAKES),
+    ] = ()
+    slope: Annotated[
+        float | None,
+        Quantity("", "Weibull's slope e of the volume models, 9/8 if left out", _of_model("lundberg-palmgren")),
+    ] = None
+    fatigue_limit: Annotated[
+        float | None,
+        Quantity("MPa", "fatigue limit of ioannides-harris, 360 if left out", _of_model("ioannides-harris")),
+    ] = None
+    laminae: Annotated[
+        int | None,
+        Count("number of laminae of iso-16281, 60 if left out", FEWEST, MOST, "give the number of slices, 60 say"),
+    ] = None
+    edge_stress: Annotated[
+        str | None,
+        Word(
+            "edges of iso-16281: 'pressure' as solved, 'standard' or 'none'",
+            "use 'pressure' for what was solved",
+            EDGE_STRESS,
+        ),
+    ] = None
+    line_loads: Annotated[
+        str | None,
+        Word(
+            "line loads of iso-16281: those of the 'solution' or of the 'standard'",
+            "use 'solution' for what was solved",
+            LINE_LOADS,
+        ),
+    ] = None
+    spectrum: Annotated[
+        tuple[LoadCase, ...],
+        Parts(
+            "loads with their shares of the revolutions, in place of [load]",
+            LoadCase,
+            LOADS,
+            "write each load under a heading [[life.spectrum]]",
+        ),
+    ] = ()
+    dent: Annotated[
+        OverrolledDent | None, Part("a dent that is rolled over", OverrolledDent, "give its depth and diameter")
+    ] = None
+
+    @together("spectrum")
+    def _check_shares(self) -> None:
+        total = math.fsum(case.share for case in self.spectrum)
+        if self.spectrum and abs(total - 1.0) > WHOLE:
+            remedy = "give all loads with their shares of the revolutions"
+            raise InputError("spectrum.share", round(total, 6), "add up to 1", remedy)
+
+    @together("spectrum", "dent")
+    def _check_dent(self) -> None:
+        if self.dent is not None and self.spectrum:
+            raise InputError("dent", "with a spectrum", "be under one load", "leave out the spectrum, or the dent")
+
+    @property
+    def steps(self) -> int:
+        """How many steps an assessment announces: both bodies under each load, and the dent."""
+        return 2 * max(1, len(self.spectrum)) + (self.dent is not None)
+
+    def made_models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
+        """Return models by name, each with the parameters that are given and that it takes.
+
+        Parameters
+        ----------
+        names : iterable of str
+            Names in place of ``models``.
+
+        Raises
+        ------
+        InputError
+            If a name is not that of a model.
+        """
+        names = tuple(names) or self.models or tuple(MODELS)
+        given = {name: value for name, value in vars(self).items() if value is not None}
+        taken = {name: inspect.signature(MODELS[name]).parameters if name in MODELS else {} for name in names}
+        return tuple(model(name, **{key: given[key] for key in taken[name] if key in given}) for name in names)
+
+
+def line(name: str, value: Any, remedy: str) -> None:
+    """Refuse anything that is not one line of text."""
+    text(name, value, "put it in quotes")
+    one_line(name, value, remedy)
+
+
+def _format(name: str, value: Any, remedy: str) -> int:
+    if value != FORMAT or isinstance(value, bool):
+        raise InputError(name, value, f"be {FORMAT}, the newest format this release reads", remedy)
+    return FORMAT
+
+
+#: The format of a file, as all kinds of files say it.
+FORMAT_FIELD = Custom(
+    "format of the file; older files that leave it out are read",
+    _format,
+    {"const": FORMAT},
+    "use the release of nonhertz that wrote it, or a later one",
+)
+
+
+@described(kw_only=True)
+class CaseDocument(Input):
+    """A case file."""
+
+    format: Annotated[int, FORMAT_FIELD] = FORMAT
+    title: Annotated[
+        str, Word("what the case is called in tables and figures", "write a short name", condition=line)
+    ] = ""
+    body: Annotated[Bodies, Part("the two bodies", Bodies, "give both")]
+    load: Annotated[Prescription, Part("what presses them together", Prescription, "give it")]
+    solver: Annotated[Solver, Part("how it is solved", Solver, "give a table")] = Solver()
+    life: Annotated[Life, Part("how long the bodies last", Life, "give a table")] = Life()
+    report: Annotated[TitleBlock, Part("what the head of a report says", TitleBlock, "give a table")] = TitleBlock()

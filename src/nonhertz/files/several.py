@@ -1,0 +1,105 @@
+"""Several cases solved by one command, as JSON and as one table; a case that fails is a row with its reason."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from nonhertz.files.results import as_object, plain
+from nonhertz.inputs.files import legible
+from nonhertz.result.quantities import QUANTITIES
+
+if TYPE_CHECKING:
+    from nonhertz.files.casefile import Case
+    from nonhertz.result.solution import Solution
+
+#: Head of the table, with units.
+HEAD = (
+    *("case", "title", "status"),
+    *(f"{name} [{quantity.unit}]" for name, quantity in QUANTITIES.items()),
+    *("warnings", "complaint"),
+)
+_NOT_SOLVED = "not-solved"
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """A case that was solved, or why it was not.
+
+    Attributes
+    ----------
+    path : Path
+        Its file.
+    case : Case or None
+        None if the file has mistakes.
+    solution : Solution or None
+        The state in which the solver stopped; None if the case was refused.
+    complaints : tuple of str
+        Why there is no converged solution, one sentence each; empty if there is one.
+    """
+
+    path: Path
+    case: Case | None = None
+    solution: Solution | None = None
+    complaints: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """Its file, as it was given."""
+        return legible(str(self.path))
+
+    @property
+    def title(self) -> str:
+        """The title of the case; empty if its file could not be read."""
+        return "" if self.case is None else self.case.title
+
+    @property
+    def status(self) -> str:
+        """How the solve ended, as files write it."""
+        return _NOT_SOLVED if self.solution is None else self.solution.status.label
+
+
+def folders(attempts: Sequence[Attempt]) -> list[str]:
+    """Return a name of its own for the folder of each case: that of its file, with a number where two have the same.
+
+    Examples
+    --------
+    >>> folders([Attempt(Path(name)) for name in ("a.toml", "b/A.toml", "a-2.toml", "...toml")])
+    ['a', 'A-2', 'a-2-2', 'case']
+    """
+    found: list[str] = []
+    taken: set[str] = set()
+    for each in attempts:
+        # A name of dots alone would lead out of the directory.
+        stem = legible(each.path.stem) if each.path.stem.strip(". ") else "case"
+        name, number = stem, 1
+        # Some file systems do not tell capitals from small letters.
+        while name.lower() in taken:
+            number += 1
+            name = f"{stem}-{number}"
+        taken.add(name.lower())
+        found.append(name)
+    return found
+
+
+def objects(attempts: Sequence[Attempt]) -> list[dict[str, Any]]:
+    """Return an object for each case: its file, complaints, and the result or None."""
+    return [
+        {
+            "file": each.name,
+            "complaints": list(each.complaints),
+            "result": None if each.solution is None or each.case is None else as_object(each.solution, each.case),
+        }
+        for each in attempts
+    ]
+
+
+def rows(attempts: Sequence[Attempt]) -> Iterator[list[Any]]:
+    """Yield the cells of a row of the table for each case; those without a number are None."""
+    for each in attempts:
+        solution = each.solution
+        numbers = [None if solution is None else plain(quantity.get(solution)) for quantity in QUANTITIES.values()]
+        warnings = () if solution is None else solution.warnings
+        yield [each.name, each.title, each.status, *numbers, " ".join(warnings), " ".join(each.complaints)]

@@ -1,0 +1,325 @@
+"""What a parameter runs over: values one after the other, or a distribution to draw from.
+
+In a file and on the command line each is a text or a list:
+
+    "0 : 40 kN : 41"            evenly from lowest to highest
+    ["5 kN", "15 kN"]           these; also "5 kN, 15 kN"
+    "uniform(10 um, 20 um)"     lowest, highest
+    "triangular(0, 2 um, 9 um)" lowest, likeliest, highest
+    "normal(80 mm, 5 um)"       mean, standard deviation; perhaps "... within 79.99 mm : 80.01 mm"
+
+Of a profile, whose path is that of the list, such as ``body.a.profile``:
+
+    "form(0.5 um, 2 mm)"        a random deviation added to it: root mean square, correlation length
+
+In a distribution the word ``nominal`` stands for the value that the case has.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nonhertz.errors import InputError
+from nonhertz.files.paths import FORM, Parameter
+from nonhertz.files.ranges import MOST_VALUES, number_in, range_in
+from nonhertz.inputs.checks import finite, numbers, one_of, positive
+from nonhertz.inputs.units import begins_with_digits, in_unit
+
+Array = NDArray[np.float64]
+
+_EXAMPLES = {
+    "mm": "10um:20um", "N": "5kN:40kN", "rad": "-1mrad:1mrad", "MPa": "200GPa:210GPa", "N mm": "0:5Nm", "": "0.2:0.4",
+    "1/min": "0:1500rpm",
+}  # fmt: skip
+#: Kinds of distribution, with what their numbers are.
+DISTRIBUTIONS = {
+    "normal": ("mean", "standard deviation"),
+    "uniform": ("lowest", "highest"),
+    "triangular": ("lowest", "likeliest", "highest"),
+    "form": ("root mean square", "correlation length"),
+}
+_CALL = re.compile(r"\s*([a-z]+)\s*\(([^()]*)\)\s*(?:within\s+(.*))?", re.DOTALL)
+_NOMINAL = "nominal"
+_SHARE_REMEDY = "give shares of all values"
+FARTHEST = 6.0  # standard deviations at which a normal distribution is tried: one sample in 10^9 is beyond
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """How a number is distributed.
+
+    Parameters
+    ----------
+    kind : {"normal", "uniform", "triangular", "form"}
+    numbers : tuple of float
+        Mean and standard deviation; lowest and highest; lowest, likeliest and highest; or, of the random form of a
+        profile, root mean square and correlation length [mm]: its values say which form, from 0 to 1.
+    within : tuple of float, optional
+        Of a normal distribution, the lowest and the highest value that pass; the rest is sorted out.
+
+    Raises
+    ------
+    InputError
+        If the kind is unknown, or the numbers do not ascend or are not positive where they must be.
+
+    Examples
+    --------
+    >>> Distribution("uniform", (10.0, 20.0)).quantile([0.0, 0.25, 1.0])
+    array([10. , 12.5, 20. ])
+    """
+
+    kind: str
+    numbers: tuple[float, ...]
+    within: tuple[float, float] | None = None
+
+    def __post_init__(self) -> None:
+        one_of("kind", self.kind, tuple(DISTRIBUTIONS), "choose one of them")
+        names = DISTRIBUTIONS[self.kind]
+        if not isinstance(self.numbers, tuple) or len(self.numbers) != len(names):
+            raise InputError("numbers", self.numbers, f"be {len(names)} numbers", f"give {' and '.join(names)}")
+        for name, number in zip(names, self.numbers, strict=True):
+            finite(name, number, "give a number")
+        if self.kind == "normal":
+            if not self.numbers[1] > 0.0:
+                remedy = "give one above zero, or leave the parameter out"
+                raise InputError("standard deviation", self.numbers[1], "be above zero", remedy)
+        elif self.kind == "form":
+            for name, number in zip(names, self.numbers, strict=True):
+                positive(name, number, "give one above zero in mm")
+        elif not (self.numbers[0] < self.numbers[-1] and list(self.numbers) == sorted(self.numbers)):
+            raise InputError("numbers", self.numbers, "ascend", f"give {' and '.join(names)}")
+        if self.within is not None:
+            self._check_within()
+
+    def _check_within(self) -> None:
+        if not isinstance(self.within, tuple) or len(self.within) != 2:
+            raise InputError("within", self.within, "be two numbers", "give lowest and highest")
+        for number in self.within:
+            finite("within", number, "give lowest and highest")
+        low, high = self.within
+        if self.kind != "normal":
+            raise InputError("within", self.within, "be given only of a normal distribution", "leave it out")
+        mean, deviation = self.numbers
+        if not (low < high and low < mean + FARTHEST * deviation and high > mean - FARTHEST * deviation):
+            remedy = "give lowest and highest within a few standard deviations of the mean"
+            raise InputError("within", self.within, "ascend and hold part of the distribution", remedy)
+
+    def quantile(self, share: ArrayLike) -> Array:
+        """Return the values below which shares of all values lie.
+
+        Parameters
+        ----------
+        share : array_like
+            From 0 to 1.
+
+        Raises
+        ------
+        InputError
+            If a share lies outside.
+        """
+        u = numbers("share", share, _SHARE_REMEDY)
+        if not np.all((u >= 0.0) & (u <= 1.0)):
+            raise InputError("share", share, "lie between 0 and 1", _SHARE_REMEDY)
+        if self.kind == "form":
+            return u
+        if self.kind == "normal":
+            return self._normal(u)
+        if self.kind == "uniform":
+            low, high = self.numbers
+            return np.asarray(low + (high - low) * u)
+        low, mode, high = self.numbers
+        rising = np.sqrt(u * (high - low) * (mode - low))
+        falling = np.sqrt((1.0 - u) * (high - low) * (high - mode))
+        return np.asarray(np.where(u * (high - low) < mode - low, low + rising, high - falling))
+
+    def _normal(self, u: Array) -> Array:
+        from scipy.special import ndtr, ndtri
+
+        mean, deviation = self.numbers
+        if self.within is None:
+            return np.asarray(mean + deviation * ndtri(u))
+        low, high = ((end - mean) / deviation for end in self.within)
+        # Counted from the nearer tail, whose shares are the more accurate ones.
+        if low > 0.0:
+            z = -ndtri(ndtr(-low) + u * (ndtr(-high) - ndtr(-low)))
+        else:
+            z = ndtri(ndtr(low) + u * (ndtr(high) - ndtr(low)))
+        return np.asarray(np.clip(mean + deviation * z, *self.within))
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Lowest and highest value; of a normal distribution without limits, where one sample in 10^9 lies beyond."""
+        if self.kind == "form":
+            return 0.25, 0.75
+        if self.kind != "normal":
+            return self.numbers[0], self.numbers[-1]
+        mean, deviation = self.numbers
+        low, high = self.within or (-np.inf, np.inf)
+        return float(max(low, mean - FARTHEST * deviation)), float(min(high, mean + FARTHEST * deviation))
+
+
+#: Values one after the other, or a distribution.
+Spread = tuple[Any, ...] | Distribution
+
+
+def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> Spread:
+    """Return what a parameter runs over: values in its base unit, or a distribution.
+
+    Parameters
+    ----------
+    parameter : Parameter
+        What is varied.
+    given : object
+        A text or a list as above, an array of numbers, or a `Distribution`.
+    document : mapping
+        The file, for what is nominal.
+
+    Raises
+    ------
+    InputError
+        If it is neither, or empty.
+    """
+    if isinstance(given, Distribution):
+        _refuse_form(parameter, given.kind)
+        if parameter.unit is None:
+            remedy = "write a list of words, such as ['one', 'other']"
+            raise InputError(parameter.path, given, "be a list, since it is no number", remedy)
+        return given
+    if isinstance(given, np.ndarray):
+        given = given.tolist()
+    if isinstance(given, str):
+        called = _CALL.fullmatch(given)
+        if called is not None:
+            return _distribution(parameter, given, called, document)
+        _refuse_form(parameter, None)
+        if ":" in given and parameter.unit is not None:
+            return _evenly(parameter, given)
+        # Of words a text is always a list; none of theirs has a comma.
+        return tuple(_written(parameter, word.strip()) for word in given.split(","))
+    _refuse_form(parameter, None)
+    if not isinstance(given, list | tuple) or not given:
+        remedy = "write a list, a range such as '0 : 40 kN : 41', or a distribution such as 'normal(80 mm, 5 um)'"
+        raise InputError(parameter.path, given, "hold values", remedy)
+    if len(given) > MOST_VALUES:
+        remedy = "write fewer, or a distribution to draw from"
+        raise InputError(parameter.path, f"{len(given)} values", f"have {MOST_VALUES} values at most", remedy)
+    return tuple(_entry(parameter, each) for each in given)
+
+
+def value_in(parameter: Parameter, given: Any) -> Any:
+    """Return a single value in the base unit; a word or a switch as it is, for the file's own checks."""
+    is_word = isinstance(given, bool) or (isinstance(given, str) and not begins_with_digits(given))
+    if parameter.unit is None or is_word:
+        return given
+    value = in_unit(parameter.path, given, parameter.unit)
+    finite(parameter.path, value, "give a number")
+    return int(value) if parameter.whole and value == int(value) else value
+
+
+def bounds_in(parameter: Parameter, given: Any) -> tuple[float, float]:
+    """Return the lowest and the highest value that a parameter may take.
+
+    Raises
+    ------
+    InputError
+        If it is no range.
+    """
+    if parameter.unit is None or parameter.whole:
+        raise InputError(parameter.path, given, "be a number that can change gradually", "sweep over its values")
+    if isinstance(given, str):
+        low, high, count = range_in(parameter.path, given, parameter.unit, _example(parameter))
+        if count is not None:
+            raise InputError(parameter.path, given, "be a range without a number of values", "leave the number out")
+        return low, high
+    if not isinstance(given, Sequence) or len(given) != 2:
+        remedy = f"write lowest and highest, such as '{_example(parameter)}'"
+        raise InputError(parameter.path, given, "be a range", remedy)
+    low, high = (_entry(parameter, each) for each in given)
+    if not low < high:
+        raise InputError(parameter.path, given, "ascend", "give lowest and highest")
+    return float(low), float(high)
+
+
+def _entry(parameter: Parameter, given: Any) -> Any:
+    """Return an entry of a list, in which zero needs no unit in quotes either."""
+    return _written(parameter, given) if isinstance(given, str) and parameter.unit else value_in(parameter, given)
+
+
+def _written(parameter: Parameter, word: str) -> Any:
+    """Return a single value that is written without quotes of its own."""
+    if parameter.unit is None:
+        return {"true": True, "false": False}.get(word, word)
+    if not begins_with_digits(word):
+        return value_in(parameter, word)
+    value = number_in(parameter.path, word, parameter.unit)
+    return int(value) if parameter.whole and value == int(value) else value
+
+
+def _refuse_form(parameter: Parameter, kind: str | None) -> None:
+    """Refuse a random form of anything but a profile, and anything but a form of a profile as a whole."""
+    if (kind == "form") != (parameter.unit == FORM):
+        if kind == "form":
+            condition, remedy = "be the form of a profile", "give it the path of the profile, such as 'body.a.profile'"
+        else:
+            condition, remedy = "be a random form", "write form(0.5 um, 2 mm), or the path of one of its keys"
+        raise InputError(parameter.path, kind or "values", condition, remedy)
+
+
+def _evenly(parameter: Parameter, text: str) -> tuple[float, ...]:
+    assert parameter.unit is not None
+    example = _example(parameter)
+    low, high, count = range_in(parameter.path, text, parameter.unit, example)
+    if count is None:
+        raise InputError(parameter.path, text, "say how many values", f"append them, such as {example}:21")
+    values = np.linspace(low, high, count).tolist()
+    if parameter.whole and any(value != int(value) for value in values):
+        remedy = "choose a number of values that divides the range, or write a list"
+        raise InputError(parameter.path, text, "step through whole numbers", remedy)
+    return tuple(int(value) if parameter.whole else value for value in values)
+
+
+def _example(parameter: Parameter) -> str:
+    return _EXAMPLES.get(parameter.unit or "", f"1 {parameter.unit}:2 {parameter.unit}")
+
+
+def _distribution(parameter: Parameter, text: str, called: re.Match[str], document: Mapping[str, Any]) -> Distribution:
+    """Return the distribution that a text such as ``"normal(80 mm, 5 um)"`` stands for."""
+    kind, inside, limits = called.groups()
+    _refuse_form(parameter, kind)
+    if parameter.unit is None or parameter.whole:
+        raise InputError(parameter.path, text, "be a list, since it is no number that changes gradually", "write one")
+    if kind not in DISTRIBUTIONS:
+        raise InputError(parameter.path, text, f"be one of {', '.join(DISTRIBUTIONS)}", "choose one of them")
+    names = DISTRIBUTIONS[kind]
+    parts = inside.split(",")
+    if len(parts) != len(names):
+        remedy = f"write {kind}({', '.join(names)})"
+        raise InputError(parameter.path, text, f"have {len(names)} numbers", remedy)
+    given_numbers = tuple(
+        number_in(parameter.path, part, "mm") if kind == "form" else _number(parameter, part, document)
+        for part in parts
+    )
+    within = None if limits is None else range_in(parameter.path, limits, parameter.unit, _example(parameter))[:2]
+    try:
+        return Distribution(kind, given_numbers, within)
+    except InputError as error:
+        named = "have numbers that" if error.field == "numbers" else f"have a {error.field} that must"
+        raise InputError(parameter.path, text, f"{named} {error.condition}", error.remedy) from None
+
+
+def _number(parameter: Parameter, text: str, document: Mapping[str, Any]) -> float:
+    assert parameter.unit is not None
+    if text.strip() != _NOMINAL:
+        return number_in(parameter.path, text, parameter.unit)
+    value = parameter.value_in(document)
+    number = in_unit(parameter.path, value, parameter.unit) if value is not None else None
+    if not isinstance(number, float):
+        remedy = "give the number itself"
+        raise InputError(parameter.path, text.strip(), "stand for a number that the case gives", remedy)
+    return number
