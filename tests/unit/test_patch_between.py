@@ -8,6 +8,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.patch.between import between, centres_of_parts, interpolation
+from nonhertz.patch.cascade import refined
 from nonhertz.patch.nearness import scan
 
 PLATES = nh.Contact(nh.Plate(), nh.Plate())
@@ -50,6 +51,14 @@ def test_interpolation_is_exact_for_polynomials(nodes):
     np.testing.assert_allclose(found[within], polynomial(places)[within], rtol=1e-12, atol=0.0)
 
 
+def test_a_pressure_is_linear_between_the_centres_of_a_coarser_grid():
+    coarse = np.random.default_rng(1).uniform(1.0, 2.0, 5)
+    centres, finer = ((np.arange(n) + 0.5) / n for n in (5, 15))
+    expected = np.interp(finer, centres, coarse)[1:-1]
+    np.testing.assert_allclose(refined(coarse[:, None], (15, 1))[1:-1, 0], expected, rtol=1e-12)
+    np.testing.assert_allclose(refined(coarse[None], (1, 15))[0, 1:-1], expected, rtol=1e-12)
+
+
 def test_there_is_nothing_between_the_cells_of_a_smooth_gap():
     solution = solve(ball)
     unseen = between(solution, ball)
@@ -71,6 +80,14 @@ def test_a_spike_between_centres_is_warned_of(at):
     # Parts of a cell lie at most an eighth of its side off the spike, which is down by a third there.
     np.testing.assert_allclose((unseen.x, unseen.y), at, rtol=0.0, atol=0.15 * SIDE)
     assert 0.2 < unseen.overlap / 0.01 < 1.1
+
+
+def test_a_spike_beside_the_contact_overlaps_by_what_the_clearance_leaves_of_it():
+    solution, at = solve(ball), (0.54375, 0.03125)  # the middle of a part of a cell
+    unseen = between(solution, lambda x, y: ball(x, y) - 0.02 * np.exp(-((x - at[0]) ** 2 + (y - at[1]) ** 2) / 3e-6))
+    across, along = (np.maximum(1.0 - np.abs(axis) / SIDE, 0.0) for axis in (solution.x - at[0], solution.y - at[1]))
+    assert (unseen.x, unseen.y) == pytest.approx(at)
+    assert unseen.overlap == pytest.approx(0.02 - across @ solution.gap @ along, rel=1e-6)
 
 
 def test_a_pin_between_centres_is_warned_of():

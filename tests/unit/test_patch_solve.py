@@ -521,6 +521,8 @@ def test_where_the_kernel_keeps_no_such_file_the_system_is_asked(monkeypatch):
     monkeypatch.setattr("pathlib.Path.open", missing)
     total = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     assert resources.available_memory() == total
+    monkeypatch.setattr("sys.platform", "win32")  # which does not say
+    assert resources.available_memory() == 8 * 2**30
     monkeypatch.undo()
     assert 0.0 < resources.available_memory() <= total
 
