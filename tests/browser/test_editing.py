@@ -169,6 +169,14 @@ def test_a_tilt_that_is_a_result_has_no_handles(desk: Desk) -> None:
     assert handle_of(desk, "left").count() == handle_of(desk, "right").count() == 0
 
 
+def test_a_table_that_holds_nothing_any_more_is_left_out(desk: Desk) -> None:
+    desk.page.locator("details[data-details='body.a'] > summary").click()
+    desk.write("body.a.chamfer.length", "1")
+    assert len(desk.mistakes) == 1
+    desk.write("body.a.chamfer.length", "")
+    assert desk.mistakes == []
+
+
 def test_arrow_keys_move_a_slider(desk: Desk) -> None:
     slider = desk.slider("load.tilt")
     slider.focus()

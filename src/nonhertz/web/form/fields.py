@@ -117,6 +117,8 @@ class FormGroup:
         Whether it is an entry of a list, which can be removed.
     additions : tuple of Option
         What can be added to it.
+    optional : bool
+        Whether it is left out where all of its keys are.
     """
 
     path: str
@@ -127,6 +129,7 @@ class FormGroup:
     base: str = ""
     removable: bool = False
     additions: tuple[Option, ...] = ()
+    optional: bool = False
 
     @property
     def label(self) -> str:

@@ -120,7 +120,8 @@ class _Maker:
             if value is not ABSENT and not isinstance(value, dict):
                 return replace(stray(value, place), help=text_of(each))
             held = value if isinstance(value, dict) else {}
-            return self.group(table, held, place, label_of(place), there=value is not ABSENT)
+            group = self.group(table, held, place, label_of(place), there=value is not ABSENT)
+            return replace(group, optional=key.usual is not MISSING)
         if key.tables and name not in MOSTLY_NUMBERS:
             return self._value_or_table(key, value, place)
         made = input_for(key, value, place, self._range(place))

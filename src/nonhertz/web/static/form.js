@@ -92,7 +92,7 @@ export class Form {
   /** @param {Control} control @param {number} since */
   take(control, since) {
     if (this.reshaped) this.refreshSoon();
-    this.document = withValue(this.document, control.name, said(control));
+    this.document = withoutEmpty(withValue(this.document, control.name, said(control)), control);
     this.listener.edited(this.document, since);
   }
 
@@ -178,6 +178,18 @@ export class Form {
     }
     this.listener.drawn();
   }
+}
+
+/** The case without the tables around a field that may be left out and hold nothing any more. */
+function withoutEmpty(document, control) {
+  let found = document;
+  const outwards = (group) => group?.parentElement?.closest("fieldset");
+  for (let group = control.closest("fieldset"); group?.matches("[data-optional]"); group = outwards(group)) {
+    const table = valueAt(found, group.dataset.group);
+    if (!table || Object.keys(table).length) break;
+    found = withValue(found, group.dataset.group, undefined);
+  }
+  return found;
 }
 
 /** The case after a choice that changes which keys there are; the option lists its edits. */
