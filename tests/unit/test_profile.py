@@ -544,3 +544,11 @@ def test_parameters_take_text_with_units_and_an_unknown_one_names_the_nearest():
     assert crown("4 m", centre="100 um") == crown(4000.0, 0.1)
     with pytest.raises(TypeError, match="radus = 4000 must be a known field of crown: the nearest is 'radius'"):
         crown(radus=4000)
+
+
+@pytest.mark.parametrize(
+    ("of", "given"), [(crown, "(radius: float, centre: float = 0.0)"), (Body, "length: float | None")]
+)
+def test_signatures_show_types_without_what_describes_them(of, given):
+    assert given in str(inspect.signature(of))
+    assert "Quantity" not in str(inspect.signature(of))

@@ -561,6 +561,7 @@ def described(**options: Any) -> Callable[[type[AnyClass]], type[AnyClass]]:
         cls.checks_together = tuple((each, each.together) for name, each in together if getattr(cls, name) is each)
         cls.__doc__ = _with_parameters(cls)
         cls.__init__ = _naming_the_nearest(cls)
+        cls.__init__.__signature__ = plain_signature(cls.__init__, bare)
         return cls
 
     return made
@@ -653,6 +654,13 @@ def _words_of(kind: Any) -> str:
         for each in kinds
     ]
     return " or ".join(dict.fromkeys(names))
+
+
+def plain_signature(function: Callable[..., Any], hints: Mapping[str, Any]) -> inspect.Signature:
+    """Return the signature of a function with these types, which do not say what describes its parameters."""
+    signature = inspect.signature(function)
+    plain = [each.replace(annotation=hints.get(each.name, each.annotation)) for each in signature.parameters.values()]
+    return signature.replace(parameters=plain, return_annotation=hints.get("return", signature.return_annotation))
 
 
 def _naming_the_nearest(cls: type[Any]) -> Callable[..., None]:

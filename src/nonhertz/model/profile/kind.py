@@ -12,7 +12,7 @@ import inspect
 from collections.abc import Callable
 from typing import Any, ClassVar, Final, ParamSpec, get_type_hints
 
-from nonhertz.inputs.fields import Input, described
+from nonhertz.inputs.fields import Input, described, plain_signature
 from nonhertz.model.profile.base import Profile
 
 P = ParamSpec("P")
@@ -64,7 +64,7 @@ def kind(
             return function(**parameters).called(word, **parameters)  # type: ignore[call-arg]
 
         profile.__doc__ = cls.__doc__
-        profile.__signature__ = _plain_signature(function)  # type: ignore[attr-defined]
+        profile.__signature__ = plain_signature(function, get_type_hints(function))  # type: ignore[attr-defined]
         CATALOGUE[word], PARAMETERS[word] = profile, cls
         return profile
 
@@ -84,10 +84,3 @@ def _class_of(function: Callable[..., Profile]) -> type[ProfileKind]:
 def _check_of(check: Callable[..., None]) -> tuple[Callable[[Any], None], frozenset[str]]:
     names = tuple(inspect.signature(check).parameters)
     return (lambda given: check(*(getattr(given, name) for name in names))), frozenset(names)
-
-
-def _plain_signature(function: Callable[..., Profile]) -> inspect.Signature:
-    """Return a signature without what describes the parameters."""
-    hints, signature = get_type_hints(function), inspect.signature(function)
-    plain = [each.replace(annotation=hints[each.name]) for each in signature.parameters.values()]
-    return signature.replace(parameters=plain, return_annotation=Profile)
