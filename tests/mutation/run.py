@@ -50,7 +50,7 @@ SLOWED = 6.0  # by other programs: waited for so many times as long as the proce
 COMPILING_TIME = 240.0  # s, added to the time of the tests before a compiled mutant is taken to hang
 LOADED = ("numpy", "scipy.linalg", "scipy.optimize", "scipy.special", "numba", "pint", "matplotlib.figure")
 
-ROOMS = "strip bodies subsurface life solver result patch maps measured bearing study io".split()  # noqa: SIM905
+ROOMS = "strip bodies subsurface life solver result patch maps measured bearing study files".split()  # noqa: SIM905
 # Where tests are; those of page, report and figures are left out.
 TESTS = "unit", "property", "convergence", "validation", "app", "golden"
 ELSEWHERE = ("web", "report", "plot", "docs", "gallery", "examples", "verify", "serve", "streams", "machine_code")
