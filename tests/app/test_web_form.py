@@ -412,8 +412,20 @@ def test_ranges_keep_still_while_their_value_is_dragged():
         for load in ({"load": 100.0}, {"load": "60 kN", "tilt": "2 mrad"})
     ]
     assert ranges[0] == ranges[1]
-    broken = {field.path: field.slider for field in form({"body": {"a": {"diameter": "x"}}}).fields}
-    assert broken["load.load"].range == RANGES["load"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        {"diameter": "x"},
+        {"diameter": 20.0, "length": 20.0, "profile": [{"kind": "crown", "radius": -0.062}]},
+        {"kind": "plate"},
+    ],
+    ids=["a mistake", "no body beside its middle", "flat"],
+)
+def test_ranges_are_the_usual_ones_where_the_geometry_gives_none(body):
+    fields = {field.path: field.slider for field in form({"body": {"a": body, "b": {"kind": "plate"}}}).fields}
+    assert fields["load.load"].range == RANGES["load"]
 
 
 def test_a_form_of_a_bearing_is_the_document_again():

@@ -174,6 +174,8 @@ def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range]:
 def _of_contact(contact: Contact) -> dict[str, Range]:
     """Return the ranges of a contact."""
     most, length = _most_load(contact), contact.interval[1] - contact.interval[0]
+    if not 0.0 < most < math.inf:
+        return {}
     found = {"load": _upwards(most, _USUAL)}
     if not math.isfinite(length):
         return found
@@ -192,6 +194,8 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range]:
     """Return the ranges of a bearing."""
     row = rows.rows[0].bearing
     most = min(map(_most_load, row.contacts))
+    if not 0.0 < most < math.inf:
+        return {}
     number, pitch, length = row.rollers * len(rows.rows), row.pitch, row.roller_length
     inclined = row.nominal_angle
     # Of as many rollers under a radial load the most loaded one bears a fifth (ISO 76).
@@ -232,13 +236,19 @@ def _of_relief(length: float) -> dict[str, Range]:
 def _most_load(contact: Contact) -> float:
     """Return the load [N] under which the pressure in the middle is `MOST_PRESSURE`.
 
-    That of a line or, where the bodies are so curved along the axis that it is less, of a point.
+    That of a line or, where the bodies are so curved along the axis that it is less, of a point; zero where there is no
+    body around the middle.
     """
     low, high = contact.interval
     middle = 0.5 * (low + high) if math.isfinite(high - low) else 0.0
-    radius, compliance = 1.0 / float(contact.curvature(middle)), contact.compliance
+    curvature, compliance = float(contact.curvature(middle)), contact.compliance
+    if not 0.0 < curvature < math.inf:
+        return 0.0
+    radius = 1.0 / curvature
     step = 0.1 * min(radius, high - low)
     before, at, after = contact.separation([middle - step, middle, middle + step])
+    if not math.isfinite(before + at + after):
+        return 0.0
     bend = max(float(before + after - 2.0 * at) / step**2, 1e-12)
     line = math.pi**2 * compliance * radius * MOST_PRESSURE**2 * (high - low)
     return min(line, math.pi**5 * (radius / bend) * compliance**2 * MOST_PRESSURE**3 / 6.0)
