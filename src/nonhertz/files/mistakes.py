@@ -5,14 +5,15 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.files.bounds import MISTAKES
 
 Place = tuple[str | int, ...]
+Read = TypeVar("Read")
 
 _LONGEST_KEY = 60
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
@@ -64,6 +65,26 @@ class TableError(ValueError):
 
     def __str__(self) -> str:
         return f"{len(self.mistakes)} mistakes"
+
+
+def one_by_one(entries: Iterable[Any], read: Callable[[int, Any], Read]) -> list[Read]:
+    """Return what is read of the entries of a list, each given with its number from 1.
+
+    Raises
+    ------
+    TableError
+        With the mistakes of all of them.
+    """
+    found: list[Read] = []
+    mistakes: list[Mistake] = []
+    for number, entry in enumerate(entries, start=1):
+        try:
+            found.append(read(number, entry))
+        except TableError as error:
+            mistakes += (mistake.within((number,)) for mistake in error.mistakes)
+    if mistakes:
+        raise TableError(mistakes)
+    return found
 
 
 def case_error(mistakes: Iterable[Mistake]) -> CaseError:

@@ -16,7 +16,7 @@ from nonhertz.errors import InputError
 from nonhertz.files.bounds import PROFILES
 from nonhertz.files.dimensions import BROKEN
 from nonhertz.files.measured import KIND, MeasuredProfile
-from nonhertz.files.mistakes import InFile, Mistake, TableError, missing
+from nonhertz.files.mistakes import InFile, Mistake, TableError, missing, one_by_one
 from nonhertz.files.reading import Reading, Surroundings
 from nonhertz.inputs.checks import text
 from nonhertz.inputs.fields import Flag, Input, Quantity, Word, described, together, unknown
@@ -120,16 +120,7 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
         raise InputError("profile", value, "be a list of tables", _LIST_REMEDY)
     if len(value) > PROFILES:
         raise InputError("profile", value, f"have at most {PROFILES} profiles", _FEWER_REMEDY)
-    total: Profile = CATALOGUE["straight"]()
-    mistakes: list[Mistake] = []
-    for position, table in enumerate(value, start=1):
-        try:
-            total += _read_table(table, body, folder)
-        except TableError as found:
-            mistakes += (mistake.within((position,)) for mistake in found.mistakes)
-    if mistakes:
-        raise TableError(mistakes)
-    return total
+    return sum(one_by_one(value, lambda _, table: _read_table(table, body, folder)), CATALOGUE["straight"]())
 
 
 def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:

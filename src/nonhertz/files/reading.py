@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 
 from nonhertz.errors import InputError
 from nonhertz.files.dimensions import dimensions
-from nonhertz.files.mistakes import Mistake, Place, TableError, missing, path_of
+from nonhertz.files.mistakes import Mistake, Place, TableError, missing, one_by_one, path_of
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.fields import (
     Described,
@@ -254,15 +254,8 @@ class Reading:
             raise InputError(name, given, "be a list of tables", each.remedy)
         if len(given) > each.most:
             raise InputError(name, given, f"have at most {each.most} tables", each.remedy)
-        found: list[Any] = []
-        mistakes: list[Mistake] = []
-        for position, entry in enumerate(given, start=1):
-            try:
-                found.append(read(each.of, entry, self.file, (*self.place, name, position)))
-            except TableError as error:
-                mistakes += [mistake.within((position,)) for mistake in error.mistakes]
-        if mistakes:
-            raise TableError(mistakes)
+        place = (*self.place, name)
+        found: list[Any] = one_by_one(given, lambda number, entry: read(each.of, entry, self.file, (*place, number)))
         return each.take(name, found)
 
     def _named(self) -> type[Input] | None:

@@ -10,31 +10,27 @@ from typing import Annotated, Any
 
 from nonhertz.bearing.shapes import Curve, Deviations, RingShape, Waves
 from nonhertz.errors import InputError
-from nonhertz.files.mistakes import InFile, Mistake, Place, TableError
+from nonhertz.files.mistakes import InFile, Mistake, Place, TableError, one_by_one
 from nonhertz.files.reading import Surroundings, read
 from nonhertz.files.ring_shapes import read_ring_shape
 from nonhertz.files.writing import document_of
+from nonhertz.inputs.checks import text
 from nonhertz.inputs.fields import Input, Word, described
 
 MOST_SHAPES = 100
 _REMEDY = "write { terms = [{ waves = 2, amplitude = '5 um' }] }, { angle = [..], deviation = [..] } or { file = '..' }"
 
 
-def _text(name: str, value: object, remedy: str) -> None:
-    if not isinstance(value, str):
-        raise InputError(name, value, "be text", remedy)
-
-
 @described()
 class ShapeFile(Input):
     """A ring's shape from a file of two columns, angle and deviation."""
 
-    file: Annotated[str, Word("the file, relative to the bearing file", "put it in quotes", condition=_text)]
+    file: Annotated[str, Word("the file, relative to the bearing file", "put it in quotes", condition=text)]
     angle_unit: Annotated[
-        str | None, Word("'deg' or 'rad', if the file does not say", "write 'deg' or 'rad'", condition=_text)
+        str | None, Word("'deg' or 'rad', if the file does not say", "write 'deg' or 'rad'", condition=text)
     ] = None
     deviation_unit: Annotated[
-        str | None, Word("unit of the deviations, if the file does not say", "write 'um' or 'mm'", condition=_text)
+        str | None, Word("unit of the deviations, if the file does not say", "write 'um' or 'mm'", condition=text)
     ] = None
     curve: Annotated[Curve, Deviations.descriptions["curve"]] = "cubic"
 
@@ -60,16 +56,7 @@ def read_shape(value: Any, name: str, file: Surroundings, place: Place) -> RingS
         return _read_one(value, file, place)
     if not 0 < len(value) <= MOST_SHAPES:
         raise InputError(name, value, f"hold 1 to {MOST_SHAPES} shapes", "add up their waves or deviations")
-    shapes: list[RingShape] = []
-    mistakes: list[Mistake] = []
-    for position, each in enumerate(value, start=1):
-        try:
-            shapes.append(_read_one(each, file, (*place, position)))
-        except TableError as error:
-            mistakes += (mistake.within((position,)) for mistake in error.mistakes)
-    if mistakes:
-        raise TableError(mistakes)
-    return reduce(add, shapes)
+    return reduce(add, one_by_one(value, lambda number, each: _read_one(each, file, (*place, number))))
 
 
 def shape_tables(name: str, shape: Any) -> Any:

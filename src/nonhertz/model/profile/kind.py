@@ -29,7 +29,6 @@ class ProfileKind(Input):
         What is taken from the body, or from both bodies together, where a table in a file leaves it out.
     """
 
-    meaning_of_kind = "the shape of the relief, such as 'crown'"
     by_drop: ClassVar[tuple[str, ...]] = ()
     of_body: ClassVar[tuple[str, ...]] = ()
 
