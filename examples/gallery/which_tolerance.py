@@ -2,7 +2,7 @@
 Which tolerance matters?
 ========================
 
-The radius of a crown, its form, the load and the misalignment of a roller scatter. How much does the largest pressure,
+The radius of a crown, that of the corners, the load and the misalignment of a roller scatter. How much does the largest pressure,
 and which of them is worth tightening?
 """
 
@@ -13,7 +13,7 @@ import nonhertz as nh
 from nonhertz.plot.studies import histogram, tornado
 from nonhertz.plot.style import sheet_style
 
-roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=3000))
+roller = nh.Roller(diameter=20, length=20, corner_radius=0.5, profile=nh.profile.crown(radius=3000))
 case = nh.Case(
     nh.Contact(roller, nh.Ring(diameter=80, length=30)), {"load": 15e3}, {"strips": 61}, title="Roller 20 x 20"
 )
@@ -21,7 +21,7 @@ DISTRIBUTIONS = {
     "load.load": "normal(nominal, 0.5 kN)",
     "load.tilt": "normal(0, 0.25 mrad)",
     "body.a.profile.radius": "uniform(2600 mm, 3400 mm)",
-    "body.a.profile": "form(0.3 um, 4 mm)",
+    "body.a.corner_radius": "triangular(0.4 mm, 0.5 mm, 0.8 mm)",
 }
 found = nh.tolerance(case, over=DISTRIBUTIONS, samples=1500, quantities=("max_pressure",), workers=1)
 

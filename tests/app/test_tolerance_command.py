@@ -30,7 +30,7 @@ case = "roller.toml"
 quantities = ["max_pressure"]
 [tolerance]
 "load.load" = "normal(nominal, 1 kN)"
-"body.a.profile" = "form(0.5 um, 4 mm)"
+"body.a.profile.radius" = "uniform(3.9 m, 4.1 m)"
 [samples]
 count = 80
 """
@@ -47,7 +47,7 @@ def folder(tmp_path, monkeypatch) -> Path:
 @pytest.mark.slow
 def test_a_plan_is_studied(folder, capsys):
     assert main(["check", "plan.toml"]) == 0
-    assert capsys.readouterr().out == "plan.toml is fine: 'plan', a tolerance study over load.load, body.a.profile.\n"
+    assert capsys.readouterr().out == "plan.toml is fine: 'plan', a tolerance study over load.load, body.a.profile.radius.\n"
     assert main(["tolerance", "plan.toml"]) == 0
     out = capsys.readouterr().out
     assert out.startswith("plan\n80 rows; 40 independent samples\n")

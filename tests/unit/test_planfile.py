@@ -93,7 +93,7 @@ def test_the_plan_of_the_reference_is_one(tmp_path):
     path = tmp_path / "plan.toml"
     path.write_text(reference.partition("```toml\n")[2].partition("```")[0], encoding="utf-8")
     assert read_plan(path).spreads["load.tilt"] == (0.0, 0.5e-3, 1e-3)
-    assert len(read_plan(path, "tolerance").spreads) == 4
+    assert len(read_plan(path, "tolerance").spreads) == 3
     assert read_design(path)[1]["goal"] == "life"
 
 
@@ -104,15 +104,19 @@ def test_all_mistakes_are_listed_at_once(folder):
 load.tilt = []
 "body.a.length" = "normal(20 mm, 10 mm)"
 "body.b.material" = ["steel", "stele"]
+"body.a.material" = [5.0]
+"body.a.profile" = [[{ kind = "straight" }]]
 """
     with pytest.raises(nh.CaseError) as caught:
         read_plan(plan(folder, text))
     said = caught.value.mistakes
-    assert len(said) == 4
+    assert len(said) == 6
     for sentence, words in zip(
         sorted(said),
         (
             "over.body.a.length = 'normal(20 mm, 10 mm)' must stay within what the case allows (at -40.000 mm: ",
+            "over.body.a.material = [5.0] must be a word, or true or false",
+            "over.body.a.profile = [[{'kind': 'straight'}]] must be a word, or true or false",
             "over.body.b.material = ['steel', 'stele'] must stay within what the case allows (at stele: ",
             "over.load.laod = 'load.laod'",
             "over.load.tilt = [] must hold values",

@@ -1,4 +1,4 @@
-"""Tolerances: quantiles and indices of functions whose are known, and random forms."""
+"""Tolerances: quantiles and indices of functions whose are known."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.forms import deviation, with_form
 from nonhertz.files.planfile import Plan
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution
@@ -129,52 +128,6 @@ def test_rows_that_fail_are_left_out_of_quantiles_and_indices(tmp_path):
 def test_values_in_place_of_a_distribution_are_refused():
     with pytest.raises(nh.InputError, match="must be a distribution"):
         nh.tolerance(CASE, over={"load.load": "10 kN, 20 kN"})
-
-
-def test_a_random_form_has_its_root_mean_square_and_correlation():
-    lengths, count = 10.0, 121
-    forms = np.array([deviation(count, lengths, share) for share in np.random.default_rng(1).random(3000)])
-    assert np.mean(forms**2) == pytest.approx(1.0, rel=0.02)
-    # No straight line is left in it.
-    at = np.linspace(-1.0, 1.0, count)
-    np.testing.assert_allclose(forms @ at, 0.0, atol=1e-9)
-    np.testing.assert_allclose(forms.sum(axis=1), 0.0, atol=1e-9)
-    one, middle = 12, 60  # places in a correlation length
-    correlation = np.mean(forms[:, middle] * forms[:, middle + one]) / np.mean(forms[:, middle] ** 2)
-    assert correlation == pytest.approx(math.exp(-1.0), abs=0.15)
-    np.testing.assert_array_equal(deviation(count, lengths, 0.3), deviation(count, lengths, 0.3))
-    assert np.any(deviation(count, lengths, 0.3) != deviation(count, lengths, 0.4))
-
-
-def test_a_form_is_added_to_the_profile():
-    plan = Plan(CASE, over={"body.a.profile": "form(0.5 um, 4 mm)"})
-    case = plan.template.case({"body.a.profile": 0.3})
-    y = np.linspace(-10.0, 10.0, 31)
-    added = case.contact.a.relief(y) - ROLLER.relief(y)
-    np.testing.assert_allclose(added, 0.5e-3 * deviation(31, 5.0, 0.3), atol=1e-12)
-    found = nh.tolerance(plan, samples=30, quantities=("approach",))
-    assert np.ptp(found.sweep["approach"]) > 0.0
-
-
-@pytest.mark.parametrize(
-    ("path", "given", "what"),
-    [
-        ("body.a.profile", "form(0.5 um, 1 um)", "correlation length to be at least"),
-        ("body.a.profile", "normal(1 um, 1 um)", "be a random form"),
-        ("body.a.profile", [0.1], "be a random form"),
-        ("body.a.diameter", "form(1 um, 2 mm)", "be the form of a profile"),
-        ("body.b.profile", "form(1 um, 2 mm)", "be given for a random form"),
-        ("body.a.profile", "form(0, 2 mm)", "root mean square that must be positive"),
-    ],
-)
-def test_what_is_no_form_is_refused_in_one_sentence(path, given, what):
-    with pytest.raises(nh.InputError, match=what):
-        Plan(CASE, over={path: given})
-
-
-def test_a_form_needs_a_body_with_a_length():
-    with pytest.raises(nh.InputError, match=r"body\.b\.length = None must be given for a random form"):
-        with_form({"body": {"b": {}}}, ("body", "b", "profile"), Distribution("form", (1e-3, 2.0)), 0.5)
 
 
 @pytest.mark.slow

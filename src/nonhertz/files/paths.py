@@ -23,8 +23,6 @@ Keys = tuple[str | int, ...]
 #: Path, keys, and unit and wholeness of a single value.
 Leaf = tuple[str, Keys, tuple[str | None, bool]]
 
-#: The unit of a profile as a whole, whose values are random forms added to it.
-FORM = "form"
 #: Keys of tables that say what a table is; unless they are a choice of words, they are not to be varied on their own.
 _NAMES = ("kind", "format", "title")
 
@@ -40,7 +38,8 @@ class Parameter:
     keys : tuple of str and int
         The same in parts; positions in lists count from 1.
     unit : str or None
-        Base unit of a number, ``""`` of one without a unit; None of a word or a switch; `FORM` of a profile as a whole.
+        Base unit of a number, ``""`` of one without a unit; None of a word or a switch, and of a whole
+        profile.
     whole : bool
         Whether it must be a whole number.
     """
@@ -111,7 +110,7 @@ def parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
         found.setdefault(path, Parameter(path, keys, *leaf))
     for place, _ in body_tables(document):
         path = f"{place}.profile"
-        found[path] = Parameter(path, tuple(path.split(".")), FORM)
+        found[path] = Parameter(path, tuple(path.split(".")), None)
     return found
 
 

@@ -15,11 +15,10 @@ from typing import Any, ClassVar
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.forms import with_form
 from nonhertz.files.held import Held, holds_plan, meant_as, named, opened, starting_text
 from nonhertz.files.mistakes import Mistake, TableError, case_error, in_order
 from nonhertz.files.origin import Origin
-from nonhertz.files.paths import FORM, Parameter, drops_first, parameter, parameters
+from nonhertz.files.paths import Parameter, drops_first, parameter, parameters
 from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.reading import read
 from nonhertz.files.sampling import Sampling
@@ -50,14 +49,11 @@ class Template:
         Where it is; the names of other files are relative to it.
     is_bearing : bool
         Whether it holds a bearing rather than a single contact.
-    forms : mapping
-        The random forms of profiles, by path.
     """
 
     document: dict[str, Any]
     path: Path
     is_bearing: bool
-    forms: Mapping[str, Distribution] = field(default_factory=dict)
 
     @cached_property
     def known(self) -> Mapping[str, Parameter]:
@@ -68,10 +64,7 @@ class Template:
         """Return the document with other values, by path."""
         document = self.document
         for path, value in drops_first(values):
-            parameter = self.known[path]
-            if parameter.unit == FORM:
-                value = with_form(document, parameter.keys, self.forms[path], value)  # noqa: PLW2901
-            document = parameter.put(document, value)
+            document = self.known[path].put(document, value)
         return document
 
     def varied(self, path: str, given: Any) -> Parameter:
@@ -179,8 +172,6 @@ class Plan(Held):
         object.__setattr__(self, "template", template)
         spreads = {path: self.tried(path, given) for path, given in self.over.items()}
         object.__setattr__(self, "spreads", spreads)
-        forms = {path: each for path, each in spreads.items() if isinstance(each, Distribution) and each.kind == "form"}
-        object.__setattr__(self, "template", replace(template, forms=forms))
 
     #: What each path runs over: values in its base unit, or a distribution.
     spreads: Mapping[str, Spread] = field(init=False, repr=False, compare=False)
@@ -272,14 +263,11 @@ class Plan(Held):
         """
         which = self.template.varied(path, given)
         spread = spread_in(which, given, self.template.document)
-        template = replace(self.template, forms={path: spread} if isinstance(spread, Distribution) else {})
         for value in _extremes(spread):
             if self.template.is_unloaded({path: value}):
                 continue
             try:
-                template.case({path: value})
-            except InputError as error:  # of a form
-                raise InputError(path, given, f"have a {error.field} to {error.condition}", error.remedy) from None
+                self.template.case({path: value})
             except CaseError as error:
                 shown = value if isinstance(value, str | bool) else f"{digits(float(value))} {which.unit}".rstrip()
                 condition = f"stay within what the case allows (at {shown}: {error.mistakes[0].rstrip('.')})"

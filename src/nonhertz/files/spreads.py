@@ -8,10 +8,6 @@ In a file and on the command line each is a text or a list:
     "triangular(0, 2 um, 9 um)" lowest, likeliest, highest
     "normal(80 mm, 5 um)"       mean, standard deviation; perhaps "... within 79.99 mm : 80.01 mm"
 
-Of a profile, whose path is that of the list, such as ``body.a.profile``:
-
-    "form(0.5 um, 2 mm)"        a random deviation added to it: root mean square, correlation length
-
 In a distribution the word ``nominal`` stands for the value that the case has.
 """
 
@@ -26,9 +22,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.files.paths import FORM, Parameter
+from nonhertz.files.paths import Parameter
 from nonhertz.files.ranges import MOST_VALUES, number_in, range_in
-from nonhertz.inputs.checks import finite, numbers, one_of, positive
+from nonhertz.inputs.checks import finite, numbers, one_of
 from nonhertz.inputs.units import begins_with_digits, in_unit
 
 Array = NDArray[np.float64]
@@ -42,7 +38,6 @@ DISTRIBUTIONS = {
     "normal": ("mean", "standard deviation"),
     "uniform": ("lowest", "highest"),
     "triangular": ("lowest", "likeliest", "highest"),
-    "form": ("root mean square", "correlation length"),
 }
 _CALL = re.compile(r"\s*([a-z]+)\s*\(([^()]*)\)\s*(?:within\s+(.*))?", re.DOTALL)
 _NOMINAL = "nominal"
@@ -56,17 +51,16 @@ class Distribution:
 
     Parameters
     ----------
-    kind : {"normal", "uniform", "triangular", "form"}
+    kind : {"normal", "uniform", "triangular"}
     numbers : tuple of float
-        Mean and standard deviation; lowest and highest; lowest, likeliest and highest; or, of the random form of a
-        profile, root mean square and correlation length [mm]: its values say which form, from 0 to 1.
+        Mean and standard deviation; lowest and highest; or lowest, likeliest and highest.
     within : tuple of float, optional
         Of a normal distribution, the lowest and the highest value that pass; the rest is sorted out.
 
     Raises
     ------
     InputError
-        If the kind is unknown, or the numbers do not ascend or are not positive where they must be.
+        If the kind is unknown, or the numbers do not ascend, or the standard deviation is not above zero.
 
     Examples
     --------
@@ -89,9 +83,6 @@ class Distribution:
             if not self.numbers[1] > 0.0:
                 remedy = "give one above zero, or leave the parameter out"
                 raise InputError("standard deviation", self.numbers[1], "be above zero", remedy)
-        elif self.kind == "form":
-            for name, number in zip(names, self.numbers, strict=True):
-                positive(name, number, "give one above zero in mm")
         elif not (self.numbers[0] < self.numbers[-1] and list(self.numbers) == sorted(self.numbers)):
             raise InputError("numbers", self.numbers, "ascend", f"give {' and '.join(names)}")
         if self.within is not None:
@@ -126,8 +117,6 @@ class Distribution:
         u = numbers("share", share, _SHARE_REMEDY)
         if not np.all((u >= 0.0) & (u <= 1.0)):
             raise InputError("share", share, "lie between 0 and 1", _SHARE_REMEDY)
-        if self.kind == "form":
-            return u
         if self.kind == "normal":
             return self._normal(u)
         if self.kind == "uniform":
@@ -155,8 +144,6 @@ class Distribution:
     @property
     def ends(self) -> tuple[float, float]:
         """Lowest and highest value; of a normal distribution without limits, where one sample in 10^9 lies beyond."""
-        if self.kind == "form":
-            return 0.25, 0.75
         if self.kind != "normal":
             return self.numbers[0], self.numbers[-1]
         mean, deviation = self.numbers
@@ -186,7 +173,6 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
         If it is neither, or empty.
     """
     if isinstance(given, Distribution):
-        _refuse_form(parameter, given.kind)
         if parameter.unit is None:
             remedy = "write a list of words, such as ['one', 'other']"
             raise InputError(parameter.path, given, "be a list, since it is no number", remedy)
@@ -197,12 +183,10 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
         called = _CALL.fullmatch(given)
         if called is not None:
             return _distribution(parameter, given, called, document)
-        _refuse_form(parameter, None)
         if ":" in given and parameter.unit is not None:
             return _evenly(parameter, given)
         # Of words a text is always a list; none of theirs has a comma.
         return tuple(_written(parameter, word.strip()) for word in given.split(","))
-    _refuse_form(parameter, None)
     if not isinstance(given, list | tuple) or not given:
         remedy = "write a list, a range such as '0 : 40 kN : 41', or a distribution such as 'normal(80 mm, 5 um)'"
         raise InputError(parameter.path, given, "hold values", remedy)
@@ -214,9 +198,10 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
 
 def value_in(parameter: Parameter, given: Any) -> Any:
     """Return a single value in the base unit; a word or a switch as it is, for the file's own checks."""
-    is_word = isinstance(given, bool) or (isinstance(given, str) and not begins_with_digits(given))
-    if parameter.unit is None or is_word:
+    if isinstance(given, bool) or (isinstance(given, str) and (parameter.unit is None or not begins_with_digits(given))):
         return given
+    if parameter.unit is None:
+        raise InputError(parameter.path, given, "be a word, or true or false", "give the path of a single value")
     value = in_unit(parameter.path, given, parameter.unit)
     finite(parameter.path, value, "give a number")
     return int(value) if parameter.whole and value == int(value) else value
@@ -261,16 +246,6 @@ def _written(parameter: Parameter, word: str) -> Any:
     return int(value) if parameter.whole and value == int(value) else value
 
 
-def _refuse_form(parameter: Parameter, kind: str | None) -> None:
-    """Refuse a random form of anything but a profile, and anything but a form of a profile as a whole."""
-    if (kind == "form") != (parameter.unit == FORM):
-        if kind == "form":
-            condition, remedy = "be the form of a profile", "give it the path of the profile, such as 'body.a.profile'"
-        else:
-            condition, remedy = "be a random form", "write form(0.5 um, 2 mm), or the path of one of its keys"
-        raise InputError(parameter.path, kind or "values", condition, remedy)
-
-
 def _evenly(parameter: Parameter, text: str) -> tuple[float, ...]:
     assert parameter.unit is not None
     example = _example(parameter)
@@ -291,7 +266,6 @@ def _example(parameter: Parameter) -> str:
 def _distribution(parameter: Parameter, text: str, called: re.Match[str], document: Mapping[str, Any]) -> Distribution:
     """Return the distribution that a text such as ``"normal(80 mm, 5 um)"`` stands for."""
     kind, inside, limits = called.groups()
-    _refuse_form(parameter, kind)
     if parameter.unit is None or parameter.whole:
         raise InputError(parameter.path, text, "be a list, since it is no number that changes gradually", "write one")
     if kind not in DISTRIBUTIONS:
@@ -301,10 +275,7 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
     if len(parts) != len(names):
         remedy = f"write {kind}({', '.join(names)})"
         raise InputError(parameter.path, text, f"have {len(names)} numbers", remedy)
-    given_numbers = tuple(
-        number_in(parameter.path, part, "mm") if kind == "form" else _number(parameter, part, document)
-        for part in parts
-    )
+    given_numbers = tuple(_number(parameter, part, document) for part in parts)
     within = None if limits is None else range_in(parameter.path, limits, parameter.unit, _example(parameter))[:2]
     try:
         return Distribution(kind, given_numbers, within)
