@@ -2,8 +2,8 @@
 Which tolerance matters?
 ========================
 
-The radius of a crown, that of the corners, the load and the misalignment of a roller scatter. How much does the largest pressure,
-and which of them is worth tightening?
+The radius of a crown, that of the corners, the load and the misalignment of a roller scatter. How much does the largest
+pressure, and which of them is worth tightening?
 """
 
 import numpy as np

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.planfile import Plan
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution
 from nonhertz.study.store import FILE

@@ -198,7 +198,8 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
 
 def value_in(parameter: Parameter, given: Any) -> Any:
     """Return a single value in the base unit; a word or a switch as it is, for the file's own checks."""
-    if isinstance(given, bool) or (isinstance(given, str) and (parameter.unit is None or not begins_with_digits(given))):
+    is_word = isinstance(given, str) and (parameter.unit is None or not begins_with_digits(given))
+    if is_word or isinstance(given, bool):
         return given
     if parameter.unit is None:
         raise InputError(parameter.path, given, "be a word, or true or false", "give the path of a single value")
