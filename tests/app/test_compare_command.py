@@ -1,4 +1,4 @@
-"""``nonhertz compare`` as a user meets it: table, reasons, files, exit codes."""
+"""``nonhertz compare`` as a user meets it: table, files, exit codes."""
 
 from __future__ import annotations
 

@@ -206,7 +206,7 @@ def compare(
     """Solve a case file with strips of both elements and on a plane grid, and compare them.
 
     The plane grid assumes nothing about how the pressure is distributed across the contact. Where it and the strips
-    differ by more than 1 %, the reasons found in the solutions are printed. This takes a few seconds.
+    differ by more than 1 % is printed. This takes a few seconds.
 
     Parameters
     ----------

@@ -58,7 +58,7 @@ def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[
 
 
 def print_comparison(found: Comparison, title: str) -> None:
-    """Print results side by side, run times, where and why the methods differ, and warnings."""
+    """Print results side by side, run times, where the methods differ, and warnings."""
     printing = console()
     printing.print(Text(title, style="bold"))
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
@@ -84,7 +84,7 @@ def comparison_rows(found: Comparison) -> list[tuple[str, ...]]:
 
 
 def sentences(found: Comparison) -> list[str]:
-    """Return how times were taken, remarks on quantities, and every stretch with its reasons."""
+    """Return how times were taken, remarks on quantities, and every stretch that differs."""
     lines = [
         f"Times: one solve on the plane grid, the median of {found.seconds.runs} on strips; compilation is not counted."
     ]
@@ -130,9 +130,4 @@ def _time(seconds: float) -> str:
 
 def _sentence(each: Stretch) -> str:
     worst = _percent(each.largest) if math.isfinite(each.largest) else "the plane grid has no contact"
-    why = " ".join(map(str, each.reasons))
-    if not each.explained:
-        left = _percent(each.unexplained) if math.isfinite(each.unexplained) else "all of it"
-        what = f"{left} at {each.unexplained_at:.5g} mm" if each.reasons else "this"
-        why = f"{why} Unexplained: the solutions do not show why {what}; more cells or strips may.".strip()
-    return f"{each.element} strips, y = {each.low:.5g} to {each.high:.5g} mm ({worst} at {each.at:.5g} mm). {why}"
+    return f"{each.element} strips, y = {each.low:.5g} to {each.high:.5g} mm ({worst} at {each.at:.5g} mm)."

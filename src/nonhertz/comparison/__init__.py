@@ -1,13 +1,12 @@
-"""Strips and plane grid on one case: how much they differ, what each costs, and why they differ where they do.
+"""Strips and plane grid on one case: how much they differ, what each costs, and where they differ.
 
 The strips assume a semi-ellipse or a parabola for the pressure across the contact; the plane grid assumes nothing.
-Where both agree, the shape was right; where they do not, the reason is sought in the solutions themselves.
+Where both agree, the shape was right.
 """
 
 from nonhertz.comparison.methods import compare as compare
 from nonhertz.comparison.value import ComparedQuantity as ComparedQuantity
 from nonhertz.comparison.value import Comparison as Comparison
-from nonhertz.comparison.value import Reason as Reason
 from nonhertz.comparison.value import Seconds as Seconds
 from nonhertz.comparison.value import Station as Station
 from nonhertz.comparison.value import Stretch as Stretch

@@ -8,7 +8,6 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from nonhertz.comparison.quantities import quantities
-from nonhertz.comparison.reasons import stretches
 from nonhertz.comparison.stations import stations
 from nonhertz.comparison.value import Comparison, Seconds
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
@@ -109,7 +108,6 @@ def compare(
         patch=patch,
         seconds=Seconds(of_semi, of_parabola, of_patch, RUNS),
         quantities=quantities(semi, parabola, patch),
-        stretches=stretches(semi, parabola, patch),
         stations=stations(semi, patch),
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +17,7 @@ from nonhertz.result.solution import Solution
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-FEWEST_ACROSS, MOST_CHANGE = 12, 0.1
+NOTABLE = 0.01  # relative difference of pressures along the line
 
 
 @dataclass(frozen=True)
@@ -73,33 +74,8 @@ class Seconds:
 
 
 @dataclass(frozen=True)
-class Reason:
-    """Why strips and plane grid differ, and how large a difference that can explain.
-
-    Attributes
-    ----------
-    sentence : str
-        The reason, without a full stop.
-    size : float
-        The largest difference it can cause, relative to the plane grid; infinite if it can be any difference.
-    """
-
-    sentence: str
-    size: float
-
-    def __str__(self) -> str:
-        size = f"{percent(self.size)} at most" if math.isfinite(self.size) else "any difference"
-        return f"{self.sentence}: {size}."
-
-
-def percent(relative: float) -> str:
-    """Return a fraction in per cent, to two digits or as a whole number."""
-    return f"{100.0 * relative:.0f} %" if relative >= 0.995 else f"{100.0 * relative:.2g} %"
-
-
-@dataclass(frozen=True)
 class Stretch:
-    """A piece of the centre line on which strips differ from the plane grid by more than 1 %.
+    """A piece of the centre line on which strips differ from the plane grid by more than `NOTABLE`.
 
     Attributes
     ----------
@@ -111,12 +87,6 @@ class Stretch:
         The largest difference there, relative to the plane grid; infinite where the plane grid has no contact.
     at : float
         Centre of the strip that has it [mm].
-    reasons : tuple of Reason
-        The reasons found, with sizes at ``at``, or at ``unexplained_at`` if something is left unexplained.
-    unexplained : float
-        The most by which a difference exceeds the sum of its reasons' sizes at the same strip; zero if none does.
-    unexplained_at : float
-        Centre of that strip [mm], or ``at``.
     """
 
     element: str
@@ -124,14 +94,6 @@ class Stretch:
     high: float
     largest: float
     at: float
-    reasons: tuple[Reason, ...]
-    unexplained: float
-    unexplained_at: float
-
-    @property
-    def explained(self) -> bool:
-        """Whether the reasons together are at least as large as the difference, at every strip."""
-        return self.unexplained == 0.0
 
 
 @dataclass(frozen=True)
@@ -164,8 +126,6 @@ class Comparison:
         Run time of each.
     quantities : tuple of ComparedQuantity
         Results side by side.
-    stretches : tuple of Stretch
-        Where along the line they differ by more than 1 %, and why; those of semi-elliptic strips first.
     stations : tuple of three Station
         Where to look across the contact.
     """
@@ -175,7 +135,6 @@ class Comparison:
     patch: PatchSolution
     seconds: Seconds
     quantities: tuple[ComparedQuantity, ...]
-    stretches: tuple[Stretch, ...]
     stations: tuple[Station, ...]
 
     @property
@@ -192,6 +151,11 @@ class Comparison:
     def warnings(self) -> tuple[str, ...]:
         """Warnings of the semi-elliptic strips and of the plane grid."""
         return (*self.semi_elliptic.warnings, *(f"On the plane grid: {each}" for each in self.patch.warnings))
+
+    @property
+    def stretches(self) -> tuple[Stretch, ...]:
+        """Where along the line strips differ from the plane grid by over 1 %; those of semi-elliptic strips first."""
+        return tuple(each for solution in self.strips for each in _stretches(solution, self.along(solution)))
 
     def quantity(self, name: str) -> ComparedQuantity:
         """Return the first quantity whose name starts with ``name``.
@@ -238,6 +202,16 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
     return relative
 
 
+def _stretches(solution: Solution, relative: Array) -> Iterator[Stretch]:
+    """Yield the strips that differ, together where less than the largest half-width apart."""
+    differ = np.flatnonzero(np.abs(np.nan_to_num(relative, nan=0.0)) > NOTABLE)
+    apart = solution.edges[differ[1:]] - solution.edges[differ[:-1] + 1] > solution.max_half_width
+    for strips in np.split(differ, np.flatnonzero(apart) + 1) if differ.size else ():
+        worst = strips[np.abs(relative[strips]).argmax()]
+        low, high = solution.edges[strips[0]], solution.edges[strips[-1] + 1]
+        yield Stretch(solution.element.name, *map(float, (low, high, relative[worst], solution.y[worst])))
+
+
 def _well_inside(patch: PatchSolution, y: Array) -> Flags:
     rows = np.pad(patch.footprint.any(axis=0), 1)
     inside = rows[:-2] & rows[1:-1] & rows[2:]
@@ -245,43 +219,3 @@ def _well_inside(patch: PatchSolution, y: Array) -> Flags:
     covered: Flags = (cell >= 0) & (cell < patch.y.size)
     covered[covered] = inside[cell[covered]]
     return covered
-
-
-def excess_of_fourth_moment(patch: PatchSolution) -> Array:
-    """Return how far the pressure across is from a semi-ellipse, by its fourth moment; see `excess_of_moments`."""
-    return excess_of_moments(patch)[0]
-
-
-def excess_of_moments(patch: PatchSolution) -> tuple[Array, Array]:
-    """Return how far the pressure across is from a semi-ellipse, by its fourth moment and by its peak.
-
-    A semi-ellipse of any load and width has <x^4> = 2 <x^2>^2, a rectangle 1.8 and a triangle 2.4. On x = 0 its
-    pressure is q / (pi sqrt(<x^2>)).
-
-    Parameters
-    ----------
-    patch : PatchSolution
-        The plane grid.
-
-    Returns
-    -------
-    tuple of ndarray, shape (ny,)
-        <x^4> / (2 <x^2>^2) - 1 about the middle, and the pressure on x = 0 over that of the semi-ellipse, less 1; NaN
-        with fewer than `FEWEST_ACROSS` cells in contact, or where the half-width changes by more than `MOST_CHANGE` of
-        itself from cell to cell: a cell then averages over semi-ellipses of different widths, which does not give a
-        semi-ellipse.
-    """
-    pressure, load, width = patch.pressure, patch.pressure.sum(axis=0), patch.half_width
-    fourth_excess, peak_excess = np.full(patch.y.size, np.nan), np.full(patch.y.size, np.nan)
-    steps = np.abs(np.diff(width))
-    change = np.maximum(np.append(steps, 0.0), np.insert(steps, 0, 0.0))
-    wide = (patch.footprint.sum(axis=0) >= FEWEST_ACROSS) & (change < MOST_CHANGE * width)
-    share = pressure[:, wide] / load[wide]
-    away = patch.x[:, None] - patch.x @ share
-    # Each cell's pressure is uniform, so its moments about its own middle are included.
-    cell = patch.dx**2 / 12.0
-    second = np.sum(share * away**2, axis=0) + cell
-    fourth = np.sum(share * (away**4 + 6.0 * cell * away**2), axis=0) + patch.dx**4 / 80.0
-    fourth_excess[wide] = fourth / (2.0 * second**2) - 1.0
-    peak_excess[wide] = patch.centre_pressure[wide] / (patch.line_load[wide] / (np.pi * np.sqrt(second))) - 1.0
-    return fourth_excess, peak_excess

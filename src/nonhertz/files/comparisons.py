@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
+from nonhertz.comparison import ComparedQuantity, Comparison
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
@@ -14,7 +14,7 @@ from nonhertz.result.solution import Solution
 #: Units of the numbers in a comparison; quantities carry their own, and dimensionless numbers are left out.
 UNITS: dict[str, Any] = {
     "seconds": "s",
-    "stretches": {"low": "mm", "high": "mm", "at": "mm", "unexplained_at": "mm"},
+    "stretches": {"low": "mm", "high": "mm", "at": "mm"},
     "stations": {"y": "mm"},
     "strips": {"y": "mm", "strip_width": "mm", "centre_pressure": "MPa", "half_width": "mm"},
     "patch": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", "line_load": "N/mm"},
@@ -30,7 +30,10 @@ def as_object(found: Comparison, title: str) -> dict[str, Any]:
         "title": title,
         "cells": list(patch.cells),
         "quantities": [_quantity(each) for each in found.quantities],
-        "stretches": [_stretch(each) for each in found.stretches],
+        "stretches": [
+            {name: value if name == "element" else plain(value) for name, value in vars(each).items()}
+            for each in found.stretches
+        ],
         "seconds": {
             "semi_elliptic": plain(seconds.semi_elliptic),
             "parabolic": plain(seconds.parabolic),
@@ -77,20 +80,6 @@ def _quantity(each: ComparedQuantity) -> dict[str, Any]:
         "absolute": each.absolute,
         "differences": {"semi_elliptic": plain(semi), "parabolic": plain(parabolic)},
         "remark": each.remark,
-    }
-
-
-def _stretch(each: Stretch) -> dict[str, Any]:
-    return {
-        "element": each.element,
-        "low": plain(each.low),
-        "high": plain(each.high),
-        "largest": plain(each.largest),
-        "at": plain(each.at),
-        "reasons": [{"sentence": reason.sentence, "size": plain(reason.size)} for reason in each.reasons],
-        "explained": each.explained,
-        "unexplained": plain(each.unexplained),
-        "unexplained_at": plain(each.unexplained_at),
     }
 
 

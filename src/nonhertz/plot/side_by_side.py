@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.comparison import Comparison, Station
+from nonhertz.comparison.value import NOTABLE
 from nonhertz.plot.axial import (
     AXIAL_LABEL,
     Alignment,
@@ -45,7 +46,6 @@ Array = NDArray[np.float64]
 HEAD, TALL, GAP, SLIM, BETWEEN, LOW, BOTTOM, MARGIN, APART = 0.52, 2.0, 0.22, 0.95, 0.92, 1.55, 0.5, 0.15, 0.42
 BEYOND = 1.6  # upper end of the axis over the largest pressure away from singular ends
 ROOM = 1.12
-NOTABLE = 1.0  # per cent: greater differences need a reason
 FAINTEST, LARGEST = 0.1, 100.0  # per cent, between which the axis of differences is logarithmic
 CROWDED = 0.025  # of the drawn range: stations closer together have their letters on opposite sides
 MARKS: dict[str, tuple[str, str, Any]] = {
@@ -148,7 +148,7 @@ def _top(found: Comparison) -> float:
 def draw_differences(found: Comparison, axes: Axes) -> None:
     """Draw the difference of each strip from the plane grid [%], and shade the band below 1 %."""
     axes.set_yscale("symlog", linthresh=FAINTEST, linscale=0.6)
-    axes.axhspan(-NOTABLE, NOTABLE, facecolor=PALE, edgecolor="none", zorder=0.5)
+    axes.axhspan(-100.0 * NOTABLE, 100.0 * NOTABLE, facecolor=PALE, edgecolor="none", zorder=0.5)
     axes.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
     for solution in found.strips:
         marker, colour, _ = MARKS[solution.element.name]

@@ -1,7 +1,7 @@
 """What the result rests on: each assumption with its criterion, this case's number, and whether it holds.
 
-The limits are those at which the solver warns, and for errors the difference above which a comparison of methods gives
-reasons. Where no input shows whether an assumption holds, it is marked as not judged.
+The limits are those at which the solver warns, and for errors the difference above which a comparison of methods names
+the place. Where no input shows whether an assumption holds, it is marked as not judged.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.ends import ends
-from nonhertz.comparison.reasons import NOTABLE
+from nonhertz.comparison.value import NOTABLE
 from nonhertz.report.results import CaseResults
 from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.ends import leaves_stress

@@ -15,7 +15,7 @@ from nonhertz.bearing.equilibrium import TOLERANCE
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bodies.ends import ends
-from nonhertz.comparison.reasons import NOTABLE
+from nonhertz.comparison.value import NOTABLE
 from nonhertz.report.assumptions import (
     ENDS,
     SURFACES,
