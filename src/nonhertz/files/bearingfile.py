@@ -308,7 +308,7 @@ def read_bearing(path: str | Path, changes: Mapping[str, Any] | None = None) -> 
         A TOML file; see docs/reference/bearing-file.md.
     changes : mapping of str to object, optional
         Values in place of those in the file, by dotted path, such as ``{"load.radial": "5 kN"}``; None takes a key out.
-        The title names them.
+        The text names them.
 
     Returns
     -------

@@ -146,7 +146,7 @@ def read_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Cas
         A TOML file; see docs/reference/case-file.md.
     changes : mapping of str to object, optional
         Values in place of those in the file, by dotted path, such as ``{"load.load": "5 kN"}``; None takes a key out.
-        The title names them.
+        The text names them.
 
     Returns
     -------

@@ -11,7 +11,7 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.inputs.fields import Input
 from nonhertz.inputs.files import legible
 
-_LONGEST = 60  # characters of a value in a title
+_LONGEST = 60  # characters of a value in the comment
 _OPTION = "--set"
 
 
@@ -47,9 +47,8 @@ def changed(
     text: str | None,
     changes: Mapping[str, Any],
     kind: type[Input],
-    name: str,
 ) -> tuple[dict[str, Any], str | None]:
-    """Return a document with other values, whose title names them, and its text.
+    """Return a document with other values, and its text, whose first line names them.
 
     Parameters
     ----------
@@ -61,8 +60,6 @@ def changed(
         Values by path; None takes a key out.
     kind : type
         The class of what such a file holds.
-    name : str
-        The title where the document has none.
 
     Raises
     ------
@@ -90,9 +87,6 @@ def changed(
     if mistakes:
         raise CaseError(*zip(*mistakes, strict=True))
     what = ", ".join(_sentence(*change) for change in changes.items())
-    title = document.get("title") or name
-    if isinstance(title, str):
-        whole = {"title": f"{title} ({what})"} | {key: value for key, value in whole.items() if key != "title"}
     try:
         return whole, f"# Set in place of what the file held: {what}\n" + as_toml(whole)
     except (TypeError, ValueError):

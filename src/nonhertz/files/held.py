@@ -193,7 +193,7 @@ class HeldCase(Held):
         files : bool
             Whether it may name files; False for an untrusted document, which must not make us read any.
         changes : mapping of str to object, optional
-            Values in place of those in the document, by dotted path; None takes a key out. The title names them.
+            Values in place of those in the document, by dotted path; None takes a key out. The text names them.
 
         Raises
         ------
@@ -201,7 +201,7 @@ class HeldCase(Held):
             With every mistake in the document, one sentence each.
         """
         if changes is not None:
-            document, text = changed(document, text, changes, cls.contents, legible(path.stem))
+            document, text = changed(document, text, changes, cls.contents)
         folder = path.parent if files else None
         try:
             given, notes = with_notes(lambda: cls.given_in(document, folder))
