@@ -4,14 +4,16 @@
 
 First the tests run once, and it is written down which of them runs which line; files of tests that have not changed
 since are spared that the next time. Then each mutant, which is one change of one module, meets tests that run its line,
-one of each test function first, then others of their files, a few seconds in all; where none runs it, it survives at
-once. A line of a compiled function is not seen, nor one that runs at the import: it counts as run where Python's code
-uses what it belongs to. The mutants and their order depend on the sources and the seed alone.
+one of each test function first, then others of their files, a few seconds in all; what survives these meets half a
+minute more of them, and what no test runs survives at once. A line of a compiled function is not seen, nor one that
+runs at the import: it counts as run where Python's code uses what it belongs to. The mutants and their order depend on
+the sources and the seed alone.
 
 In the folder given by ``--out`` are, afterwards, ``mutants.jsonl`` with a line for each mutant, ``survivors.md`` and
 which tests run which lines. A survivor that means the same as the original, or hardly anything else, is explained in
 ``explained.toml`` beside this file, under its key. The exit status is 1 where of a room a smaller share was caught or
-is explained than ``shares.toml`` says, or less than nine in ten where it says nothing.
+is explained than ``shares.toml`` says, or less than nine in ten where it says nothing; nothing is begun where a test
+fails on the sources as they are.
 """
 
 from __future__ import annotations
@@ -44,10 +46,11 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 SOURCES = ROOT / "src" / "nonhertz"
 ENOUGH, NOISE = 0.9, 0.02  # of those that ran, where no share is recorded; and below one that is
-LONGEST_ROUND = 12.0  # s, of all tests that a mutant meets; one alone may take longer
-FINDING_OUT = 30.0, 900.0  # s, for a test and a file of them on the sources as they are
+ROUNDS = 12.0, 30.0  # s, of all tests that a mutant meets, and that a survivor meets after them; one may take longer
+FINDING_OUT = 60.0, 900.0  # s, for a test and a file of them on the sources as they are
 SLOWED = 6.0  # by other programs: waited for so many times as long as the processor is needed
-COMPILING_TIME = 240.0  # s, added to the time of the tests before a compiled mutant is taken to hang
+COMPILING_TIME = {"subsurface": 40.0, "bodies": 40.0}  # s, added before a compiled mutant is taken to hang
+MOST_COMPILING = 160.0  # in other rooms
 LOADED = ("numpy", "scipy.linalg", "scipy.optimize", "scipy.special", "numba", "pint", "matplotlib.figure")
 
 ROOMS = "strip bodies subsurface life solver result patch maps measured bearing study files".split()  # noqa: SIM905
@@ -91,8 +94,8 @@ class Survey:
                 found[line] |= self.seconds.keys() & set(names)
         return found
 
-    def of(self, mutant: Mutant) -> list[str]:
-        """Return the tests that a mutant meets, file by file."""
+    def of(self, mutant: Mutant) -> list[list[str]]:
+        """Return the tests that a mutant meets, and those that it meets if it survives them, file by file."""
         places, tests = {(mutant.path, line) for line in range(mutant.statement, mutant.last + 1)}, set()
         if mutant.names:
             places, names = set(), [*mutant.names]
@@ -112,17 +115,18 @@ class Survey:
             function = test.partition("-" if "/golden/" in test else "[")[0]  # a command's tests differ as functions do
             ranked.append((of_function[function] + (test in beside), self.seconds[test], test))
             of_function[function] += 1
-        total, of_file = 0.0, defaultdict(list)
-        for *_, seconds, test in sorted(ranked):
-            if not of_file or total + seconds <= LONGEST_ROUND:
-                of_file[test.partition("::")[0]].append(test)
-                total += seconds
-        # The quickest file first, and its fixtures made once.
-        return [
-            test
-            for file in sorted(of_file, key=lambda file: sum(self.seconds[test] for test in of_file[file]))
-            for test in of_file[file]
-        ]
+        left, rounds = [test for *_, test in sorted(ranked)], []
+        for longest in ROUNDS if left else ():
+            total, of_file = 0.0, defaultdict(list)
+            for test in left:
+                if not of_file or total + self.seconds[test] <= longest:
+                    of_file[test.partition("::")[0]].append(test)
+                    total += self.seconds[test]
+            # The quickest file first, and its fixtures made once.
+            quickest = sorted(of_file.values(), key=lambda those: sum(self.seconds[test] for test in those))
+            rounds.append([test for those in quickest for test in those])
+            left = [test for test in left if test not in rounds[-1]]
+        return rounds
 
 
 def users(tree: ast.AST, user: str = "", compiled: bool = False) -> Iterator[tuple[str, int, str]]:
@@ -161,6 +165,7 @@ class Campaign:
         self.end = time.monotonic() + seconds
         self.scratch = Path(tempfile.mkdtemp(prefix="mutants-"))
         self.explained = explanations()
+        self.seconds: dict[str, float] = {}
         # Each uses one core, the workers share the machine. Numba is set as by the package, since it is loaded before.
         os.environ |= dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
         os.environ["NUMBA_SLP_VECTORIZE"] = "1"
@@ -179,9 +184,14 @@ class Campaign:
         ]
         sources = hashlib.sha256(b"".join(file.read_bytes() for file in sorted(SOURCES.rglob("*.py")))).hexdigest()
         with ThreadPoolExecutor(self.workers) as pool:
-            for done in as_completed([pool.submit(self._surveyed, file, sources) for file in files]):
-                print(done.result(), end="", flush=True)
-        return Survey(folder)
+            try:
+                for done in as_completed([pool.submit(self._surveyed, file, sources) for file in files]):
+                    print(done.result(), end="", flush=True)
+            finally:
+                pool.shutdown(cancel_futures=True)
+        survey = Survey(folder)
+        self.seconds = survey.seconds
+        return survey
 
     def _surveyed(self, file: Path, sources: str) -> str:
         stem = self.out / "survey" / f"{file.parent.name}-{file.stem}"
@@ -195,35 +205,36 @@ class Campaign:
         names = {selection.WRITTEN: str(written), selection.LINES: str(data), selection.LONGEST: str(FINDING_OUT[0])}
         code = self._pytest(names, FINDING_OUT[1], ["-m", "not campaign", str(file)])
         ended = lines(written)
-        failed = {each["test"] for each in ended if each["outcome"] != "passed"}
-        seconds = {each["test"]: each["seconds"] for each in ended if each["test"] not in failed}
+        failed = [each["test"] for each in ended if each["outcome"] == "failed"]
+        if failed or code in (2, 3, 4):  # it cannot be imported, pytest itself fails, or it is not there
+            sys.exit(f"{failed[0] if failed else file} fails on the sources as they are: mend that first.")
+        left_out = {each["test"] for each in ended if each["outcome"] != "passed"}
+        seconds = {each["test"]: each["seconds"] for each in ended if each["test"] not in left_out}
         known.write_text(json.dumps({"state": state, "seconds": seconds}), encoding="utf-8")
-        told = f"{len(seconds)} tests in {sum(seconds.values()):.0f} s; {len(failed)} left out"
-        told += "; pytest could not read it" if code not in (0, 1, 5, None) else ""
+        told = f"{len(seconds)} tests in {sum(seconds.values()):.0f} s; {len(left_out)} left out"
         return f"{stem.name}: {told} ({time.monotonic() - begun:.0f} s)\n"
 
-    def fate(self, room: str, mutant: Mutant, tests: list[str]) -> dict[str, Any]:
+    def fate(self, room: str, mutant: Mutant, rounds: list[list[str]]) -> dict[str, Any]:
         """Return what became of a mutant."""
         begun = time.monotonic()
         if mutant.key in self.explained:
             status, by = "explained", self.explained[mutant.key]
-        elif not tests:
+        elif not rounds:
             status, by = "survived", "no test runs this line"
         elif begun >= self.end:
             status, by = "not run", ""
         else:
-            status, by = self._tried(mutant, tests)
+            status, by = self._tried(room, mutant, rounds)
         return {
             "key": mutant.key, "room": room, "line": mutant.line, "compiled": mutant.compiled, "status": status,
             "by": by, "seconds": round(time.monotonic() - begun, 1),
         }  # fmt: skip
 
-    def _tried(self, mutant: Mutant, tests: list[str]) -> tuple[str, str]:
+    def _tried(self, room: str, mutant: Mutant, rounds: list[list[str]]) -> tuple[str, str]:
         with tempfile.TemporaryDirectory(dir=self.scratch, ignore_cleanup_errors=True) as name:
             folder = Path(name)
             original, written = SOURCES / mutant.path, folder / "results.jsonl"
             (folder / "changed.py").write_text(mutant.applied(original.read_text(encoding="utf-8")), encoding="utf-8")
-            (folder / "tests.json").write_text(json.dumps(tests), encoding="utf-8")
             module = ".".join(("nonhertz", *Path(mutant.path).with_suffix("").parts)).removesuffix(".__init__")
             names = {
                 MODULE: module, FILE: str(original), TEXT: str(folder / "changed.py"),
@@ -234,16 +245,23 @@ class Campaign:
                 with contextlib.suppress(FileNotFoundError):
                     code = SOURCES / "__pycache__" / "machine-code"
                     shutil.copytree(code, folder / "cache" / "nonhertz", copy_function=os.link)
-            limit = 20.0 + 4.0 * max(LONGEST_ROUND, FINDING_OUT[0]) + (COMPILING_TIME if mutant.compiled else 0.0)
-            files = dict.fromkeys(str(ROOT / test.partition("::")[0]) for test in tests)
-            code = self._pytest(names, limit, ["--exitfirst", *files])
-            if code == 0:
-                return "survived", f"{len(tests)} tests"
-            failed = [each["test"] for each in lines(written) if each["outcome"] == "failed"]
-            return "caught", failed[0] if failed else f"time-out of {limit:.0f} s" if code is None else "the import"
+            for tests in filter(None, rounds):
+                (folder / "tests.json").write_text(json.dumps(tests), encoding="utf-8")
+                limit = 20.0 + 4.0 * sum(self.seconds[test] for test in tests)
+                limit += COMPILING_TIME.get(room, MOST_COMPILING) if mutant.compiled else 0.0
+                files = dict.fromkeys(str(ROOT / test.partition("::")[0]) for test in tests)
+                status = self._pytest(names, limit, ["--exitfirst", *files])
+                if status in (None, 3, 4, 5):
+                    return "not run", f"{SLOWED * limit:.0f} s did not do" if status is None else "tests not found"
+                if status in (-signal.SIGXCPU, -signal.SIGKILL):
+                    return "caught", f"time-out of {limit:.0f} s"
+                if status:
+                    failed = [each["test"] for each in lines(written) if each["outcome"] == "failed"]
+                    return "caught", failed[0] if failed else "the import"
+            return "survived", f"{sum(map(len, rounds))} tests"
 
     def _pytest(self, names: dict[str, str], limit: float, arguments: list[str]) -> int | None:
-        """Return the exit status of the tests, None past the limit of seconds."""
+        """Return the exit status of the tests, None where other programs left too little of the processor."""
         options = ["-c", str(ROOT / "pyproject.toml"), "--rootdir", str(ROOT), "-o", "addopts=", "--hypothesis-seed=0"]
         options += ["-p", "no:cacheprovider", "-p", "no:xdist", "-q", "--tb=no", "--no-header", *arguments]
         folder = Path(tempfile.mkdtemp(dir=self.scratch))
@@ -251,7 +269,7 @@ class Campaign:
         process.start()
         try:
             process.join(SLOWED * limit)
-            return None if process.exitcode in (None, -signal.SIGXCPU, -signal.SIGKILL) else process.exitcode
+            return process.exitcode
         finally:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid or 0, signal.SIGKILL)  # and all that it has started

@@ -14,9 +14,10 @@ from typing import Any
 import pytest
 import sitecustomize
 
-PROCESSOR = "seconds of processor"
+PROCESSOR, OUTCOME = "seconds of processor", "outcome"
 CHOSEN, WRITTEN, LINES, LONGEST = "MUTATION_TESTS", "MUTATION_RESULTS", "MUTATION_LINES", "MUTATION_LONGEST_TEST"
 tracers: list[Any] = []
+late: list[bool] = []
 
 
 class TooLongError(BaseException):
@@ -72,8 +73,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def pytest_runtest_logreport(report: Any) -> None:
     """Write a line for every test that ran, and for what failed before it could."""
     if report.when == "call" or report.outcome != "passed":
-        seconds = dict(report.user_properties).get(PROCESSOR, 0.0)
-        line = json.dumps({"test": report.nodeid, "outcome": report.outcome, "seconds": seconds})
+        known = dict(report.user_properties)
+        outcome = known.get(OUTCOME, report.outcome)
+        line = json.dumps({"test": report.nodeid, "outcome": outcome, "seconds": known.get(PROCESSOR, 0.0)})
         with Path(os.environ[WRITTEN]).open("a", encoding="utf-8") as file:
             file.write(line + "\n")
 
@@ -95,15 +97,19 @@ def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
 def _limited(item: pytest.Item) -> Iterator[None]:
     """Raise in what takes more processor time than it may, and note the time, which other programs do not lengthen."""
     begun = time.process_time()
+    late.clear()
     signal.signal(signal.SIGPROF, _end)
     signal.setitimer(signal.ITIMER_PROF, float(os.environ.get(LONGEST, "0")))
     try:
         return (yield)
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
+        if late:  # whatever became of the error where it was raised, in a compiler for instance
+            item.user_properties.append((OUTCOME, "too long"))
         before = dict(item.user_properties).get(PROCESSOR, 0.0)
         item.user_properties.append((PROCESSOR, before + time.process_time() - begun))
 
 
 def _end(number: int, frame: object) -> None:
+    late.append(True)
     raise TooLongError
