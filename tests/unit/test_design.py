@@ -12,7 +12,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.files.free_forms import FreeForm, free_form_in
 from nonhertz.study.design import best, checked, front
-from nonhertz.study.objective import refuse_unlimited
+from nonhertz.study.objective import Variable, refuse_unlimited
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -227,6 +227,7 @@ BY_ITS_DROP = nh.Case.of(
         ({"loads": LOADS[:1]}, "have shares that add up to 1"),
         ({"where": {"aproach": "at most 1 um"}}, "the nearest is 'approach'"),
         ({"where": {"approach": "1 um"}}, "begin with 'at most' or 'at least'"),
+        ({"where": {"approach": "at most 0 um"}}, "must not be zero"),
         ({"goal": "life", "model": nh.life.ioannides_harris()}, "fatigue_limit"),
         ({"starts": 0}, "starts = 0 must be"),
         ({"case": nh.Case(CASE.contact, {"approach": 0.01})}, "have a load"),
@@ -236,6 +237,11 @@ def test_what_cannot_be_designed_is_refused_in_one_sentence(given, what):
     with pytest.raises(nh.InputError, match=what) as caught:
         best(**{"case": CASE, "vary": RADIUS, "workers": 1} | given)
     assert len(str(caught.value).splitlines()) == 1
+
+
+def test_a_wide_range_is_searched_in_its_logarithm():
+    assert Variable("drop", 2e-3, 0.2).value(0.5) == pytest.approx(0.02)
+    assert Variable("diameter", 15.0, 25.0).value(0.5) == 20.0
 
 
 def test_limits_are_read_with_their_units():

@@ -78,14 +78,14 @@ def thin():
 
 
 def test_points_without_material_are_refused_or_nan(thin):
-    # Wall, bore, wall opposite, beyond the diameter; beside the bore, and beside the roller.
-    x, z = np.array([0.0, 0.0, 0.0, 0.0, 8.5, 10.5]), np.array([1.9, 2.1, 19.0, 20.1, 10.0, 10.0])
+    # Wall, bore, wall opposite, beyond the diameter; beside the bore, beside the roller, and below its far side.
+    x, z = np.array([0.0, 0.0, 0.0, 0.0, 8.5, 10.5, 8.0]), np.array([1.9, 2.1, 19.0, 20.1, 10.0, 10.0, 17.0])
     field = stress(thin, x, 1.0, z)
-    held = np.array([True, False, True, False, True, False])
+    held = np.array([True, False, True, False, True, False, False])
     np.testing.assert_array_equal(np.isfinite(field.stress).all(axis=1), held)
     np.testing.assert_array_equal(np.isfinite(field.principal).all(axis=1), held)
     assert field.warnings == (
-        "At 3 of 6 points body a has no material, in its bore or beyond its surface: NaN is given there.",
+        "At 4 of 7 points body a has no material, in its bore or beyond its surface: NaN is given there.",
     )
     assert np.isnan(passage(thin, 1.0, [1.0, 3.0]).von_mises).tolist() == [False, True]
     for body, words in (("a", "whose wall is 2 mm thick"), ("b", "which is 2 mm thick")):

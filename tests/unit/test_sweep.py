@@ -17,6 +17,7 @@ import nonhertz as nh
 from nonhertz.files.planfile import Plan
 from nonhertz.study import Sampling, Sweep
 from nonhertz.study.crew import LostError, Processes
+from nonhertz.study.pictures import scaled, sweep_figures
 from nonhertz.study.rows import Row, Work
 from nonhertz.study.store import FILE, Store
 
@@ -251,6 +252,27 @@ def test_a_bearing_is_swept_too():
         assert found["max_load"][number, 0] == alone.load.max()
         assert found["reference"][number, 0] == case.assess(alone).reference
     assert found["solver.method"].ravel().tolist() == ["slices", "slices"]
+
+
+@pytest.mark.parametrize(
+    ("over", "below", "lines"),
+    [
+        ({"load.tilt": [0.0, 2e-4], "load.load": [20e3]}, "load.tilt [mrad]", 1),
+        ({"load.load": [5e3, 20e3], "load.tilt": [0.0, 2e-4, 4e-4]}, "load.tilt [mrad]", ["5 kN", "20 kN"]),
+        ({"load.load": [5e3, 20e3], "body.a.side_faces": ["none", "free"]}, "load.load [kN]", ["none", "free"]),
+    ],
+)
+def test_a_picture_has_a_line_for_each_of_few_values_or_words(over, below, lines):
+    found = nh.sweep(replace(CASE, solver={"strips": 11}), over=over, quantities=("load_by_approach",), workers=1)
+    (axes,) = sweep_figures(found)["sweep"].axes
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (below, "D load / d approach [N/um]")
+    legend = axes.get_legend()
+    assert lines == ([text.get_text() for text in legend.get_texts()] if legend else len(axes.lines))
+
+
+def test_small_lengths_are_shown_in_micrometres():
+    assert scaled("drop", "mm", np.array([0.01, 0.02]))[1] == "drop [um]"
+    assert scaled("length", "mm", np.array([10.0]))[1] == "length [mm]"
 
 
 def test_unknown_quantities_are_refused_with_the_nearest():
