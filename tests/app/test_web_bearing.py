@@ -223,12 +223,23 @@ def test_a_load_at_the_end_of_its_slider_is_what_steel_bears():
     assert 2500.0 < max(middle) < 4000.0
 
 
-def test_another_kind_of_bearing_asks_for_what_it_needs():
+def test_another_kind_of_bearing_begins_with_one_that_can_be_solved():
+    (kind,) = (field for field in form(PAIR, "bearing").fields if field.path == "bearing.kind")
+    assert [option.value for option in kind.options] == list(nh.bearing.RollerBearing.kinds)
+    for option in kind.options:
+        made = copy.deepcopy(PAIR)
+        for path, value in option.edits:
+            made = changed(made, path, value)
+        made = {name: value for name, value in made.items() if value is not None}
+        found = answer(made)
+        assert found["ok"], (option.value, found["mistakes"])
+        assert made["bearing"]["kind"] == option.value
+
+
+def test_a_needle_bearing_is_made_of_a_cylindrical_one_as_it_is():
     (kind,) = (field for field in form(FEW, "bearing").fields if field.path == "bearing.kind")
-    (option,) = (option for option in kind.options if option.value == "tapered")
-    assert ("bearing.contact_angle", 0.25) in option.edits
-    (option,) = (option for option in kind.options if option.value == "thrust")
-    assert ("bearing.clearance", None) in option.edits
+    (option,) = (option for option in kind.options if option.value == "needle")
+    assert option.edits == [("bearing.kind", "needle")]
 
 
 # Mistakes

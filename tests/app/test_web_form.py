@@ -23,6 +23,8 @@ from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import in_unit
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.materials import MATERIALS
+from nonhertz.result.reading import chosen as chosen_units
+from nonhertz.result.reading import read_in
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import ELEMENTS
 from nonhertz.web.form.form import form
@@ -202,9 +204,10 @@ def test_a_profile_has_the_fields_of_its_kind(kind):
     document = {"body": {"a": {"profile": [{"kind": kind}]}}}
     shown = {each["name"] for each in Inputs(form_of(document)).fields}
     wanted = {path_of(("body", "a", "profile", 1, name)) for name in kinds()[kind]["properties"]}
-    # One of a size and a drop is shown, as one of load and approach.
+    # One of a size and a drop is shown, as one of load and approach, and the place of a drop with that.
     # The page reads no files.
-    aside = ({"body.a.profile[1].drop"} if "oneOf" in kinds()[kind] else set()) | {"body.a.profile[1].file"}
+    aside = {"drop"} if "oneOf" in kinds()[kind] else set()
+    aside = {f"body.a.profile[1].{name}" for name in aside | {"file", "at"}}
     assert {name for name in shown if name.startswith("body.a.profile[1].")} == wanted - aside
 
 
@@ -428,6 +431,39 @@ def test_ranges_are_the_usual_ones_where_the_geometry_gives_none(body):
     assert fields["load.load"].range == RANGES["load"]
 
 
+@pytest.mark.parametrize("name", ["cylindrical", "needle", "tapered"])
+def test_sliders_of_a_body_stay_on_it(name):
+    document = tomllib.loads(starting_case(name))
+    document["body"]["a"]["profile"][0]["drop"] = "10 um"
+    sliders = {field.path: field.slider for field in form(document).fields if field.slider}
+    assert "body.a.effective_length" not in sliders, "a body with corners has none"
+    for key in ("profile[1].at", "corner_radius"):
+        for value in (sliders[f"body.a.{key}"].range.low, sliders[f"body.a.{key}"].range.high):
+            made = copy.deepcopy(document)
+            set_at(made, f"body.a.{key}", value)
+            answer = json.loads(jobs.solve(made, False, "a"))
+            assert answer["ok"], (key, value, answer["mistakes"])
+
+
+def test_a_table_that_needs_several_keys_is_given_as_a_whole():
+    (switch,) = (field for field in form(STARTING).fields if field.path == "body.a.chamfer")
+    made = copy.deepcopy(STARTING)
+    ((path, value),) = switch.options[1].edits
+    set_at(made, path, value)
+    assert json.loads(jobs.solve(made, False, "a"))["ok"]
+    (switch,) = (each for each in form(made).fields if each.path == path and each.kind == "switch")
+    assert (switch.value, switch.options[0].edits) == ("given", [(path, None)])
+
+
+def test_sliders_end_at_round_numbers_in_us_units():
+    with read_in("us"):
+        sliders = {field.path: (field.unit, field.slider.range) for field in form(STARTING).fields if field.slider}
+        unit, ends = sliders["load.load"]
+        high = chosen_units().of(unit)[1] * ends.high
+    assert high == pytest.approx(float(f"{high:.2g}"), rel=1e-12)
+    assert 0.9 * 70e3 < ends.high <= 70e3
+
+
 def test_a_form_of_a_bearing_is_the_document_again():
     for name in (None, *BEARING_TEMPLATES):
         document = tomllib.loads(starting_bearing(name))
@@ -444,19 +480,13 @@ def test_every_key_of_a_bearing_is_in_its_form():
     document = {"roller": body, "inner": body, "outer": body, "load": load, "life": {"spectrum": [load]}}
     document |= {"fit": {"shaft": {"material": {}}, "housing": {"material": {}}}}
     rows = [{"kind": kind, "rib": {}, "inner_shape": shapes, "outer_shape": shapes} for kind in RollerBearing.kinds]
-    rows += [{"inner_shape": shape, "outer_shape": shape} for shape in shapes]
+    rows += [{"inner_shape": shape, "outer_shape": shape, "pair": {}} for shape in shapes]
     documents = [document | {"bearing": row} for row in rows] + [
         {"bearing": {}, "load": {}, "life": {"spectrum": [{}]}}
     ]
     shown = {each["name"] for each in documents for each in Inputs(form_of(each, "bearing")).fields}
     asked = set(keys_of(schema_of("bearing"), schema_of("bearing")["$defs"], ()))
-    optional = {
-        ("format",),
-        ("fit",),
-        ("solver",),
-        ("report",),
-        ("bearing", "pair"),
-    }  # tables that these documents leave out
+    optional = {("format",), ("fit",), ("solver",), ("report",), ("bearing", "pair")}  # tables themselves
     assert asked - {plain_path(name) for name in shown} - optional == set()
 
 

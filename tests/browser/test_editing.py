@@ -170,11 +170,21 @@ def test_a_tilt_that_is_a_result_has_no_handles(desk: Desk) -> None:
 
 
 def test_a_table_that_holds_nothing_any_more_is_left_out(desk: Desk) -> None:
+    desk.page.locator("details[data-details=''] > summary").click()
+    desk.write("report.author", "A. Author")
+    assert b"[report]" in desk.download("case.toml")
+    desk.write("report.author", "")
+    assert b"[report]" not in desk.download("case.toml")
+
+
+def test_a_chamfer_is_given_and_left_out_as_a_whole(desk: Desk) -> None:
     desk.page.locator("details[data-details='body.a'] > summary").click()
-    desk.write("body.a.chamfer.length", "1")
-    assert len(desk.mistakes) == 1
-    desk.write("body.a.chamfer.length", "")
-    assert desk.mistakes == []
+    for choice, fields in (("given", 1), ("none", 0)):
+        before = desk.answers
+        desk.page.locator('[data-group="body.a.chamfer"] select[data-structure]').select_option(choice)
+        desk.wait_for_answer(before)
+        assert desk.mistakes == []
+        assert desk.field("body.a.chamfer.length").count() == fields
 
 
 def test_arrow_keys_move_a_slider(desk: Desk) -> None:

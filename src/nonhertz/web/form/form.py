@@ -11,10 +11,13 @@ import json
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, replace
+from functools import cache
 from typing import Any, Final, Literal
 
 from nonhertz.files.bearing_document import BearingFile
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.bounds import FORMAT
+from nonhertz.files.held import parsed
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.mistakes import Place, TableError, path_of
 from nonhertz.files.profiles import profile_tables
@@ -24,7 +27,7 @@ from nonhertz.inputs.fields import Count, Flag, OneOrTwo, Part, Quantities, Word
 from nonhertz.model.body import Body
 from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_in
 from nonhertz.web.form.inputs import ABSENT, input_for, label_of, stray
-from nonhertz.web.form.ranges import ENDS, ONE, Range, ranges_of
+from nonhertz.web.form.ranges import ENDS, ONE, Range, of_body, ranges_of
 
 #: Keys that all kinds of profile have, kept when the kind is changed.
 COMMON: Final = ("shift", "scale", "flip")
@@ -42,6 +45,17 @@ MOSTLY_NUMBERS: Final = ("bore",)
 UNREAD: Final = "file"
 #: The most frequently changed keys come first; the rest in the order of their class.
 FIRST: Final = ("title", "kind", "load", "body", "bearing", "diameter", "length", "profile", "material")
+#: Keys that a table must not have beside others, and those that it must have only beside another.
+_NOT_BESIDE: Final = {
+    "effective_length": ("corner_radius", "chamfer"),
+    "corner_radius": ("effective_length", "chamfer"),
+    "chamfer": ("effective_length", "corner_radius"),
+    "scale": ("drop",),
+    "dent": ("spectrum",),
+}
+_ONLY_BESIDE: Final = {"at": "drop", "chamfer": "length"}
+#: Of a bearing file, what another kind of bearing leaves as it is.
+_OF_ALL_BEARINGS: Final = ("format", "solver", "report")
 #: What a kind of body needs; a diameter if it is not listed.
 _NEEDED: Final = {"roller": ("diameter", "length"), "plate": ()}
 
@@ -57,7 +71,7 @@ def form(document: dict[str, Any], file: Literal["case", "bearing"] = "case") ->
 class _Maker:
     """Makes the parts of a form, whose sliders have these ranges."""
 
-    def __init__(self, ranges: Mapping[str, Range]) -> None:
+    def __init__(self, ranges: Mapping[str, Range | None]) -> None:
         self.ranges = ranges
         #: What the profile of the body says of its size, in place of the usual start.
         self.sizes: Mapping[str, float] = {}
@@ -87,9 +101,10 @@ class _Maker:
         keys, ranges = named.keys, self.ranges
         if "profile" in keys:
             self.sizes = _sizes(given, named)
+            self.ranges = {**ranges, **of_body(given)}
         if {"load", "radius"} <= set(keys):
             # The radius of a profile for a design load is the one across the contact.
-            self.ranges = {**ranges, "radius": ranges["radius across"]}
+            self.ranges = {**ranges, "radius": ranges["across.radius"]}
         members: list[FormField | FormGroup] = [*self._kinds(table, given, place, others)]
         known = {*keys, *("kind" for _ in members)}
         members += self._switches(named, given, place)
@@ -116,16 +131,25 @@ class _Maker:
             return self._list(key, value, place)
         plain = isinstance(each, Part) and not each.named
         if key.tables and (plain or (name in MOSTLY_NUMBERS and isinstance(value, dict))):
-            table = replace(key.tables[0], meaning=text_of(each))
-            if value is not ABSENT and not isinstance(value, dict):
-                return replace(stray(value, place), help=text_of(each))
-            held = value if isinstance(value, dict) else {}
-            group = self.group(table, held, place, label_of(place), there=value is not ABSENT)
-            return replace(group, optional=key.usual is not MISSING)
+            return self._table(key, value, place)
         if key.tables and name not in MOSTLY_NUMBERS:
             return self._value_or_table(key, value, place)
         made = input_for(key, value, place, self._range(place))
         return replace(made, default=_usual_depth(given, within)) if name == "depth" else made
+
+    def _table(self, key: Key, value: Any, place: Place) -> FormGroup | FormField:
+        """Return the form of a table; one that needs some of its keys is given as a whole, or left out by a choice."""
+        path, legend, table = path_of(place), label_of(place), replace(key.tables[0], meaning=text_of(key.each))
+        there, optional = value is not ABSENT, key.usual is not MISSING
+        held = value if there else {}
+        if not isinstance(held, dict):
+            return replace(stray(value, place), help=table.meaning)
+        made = replace(self.group(table, held, place, legend, there=there), optional=optional)
+        if not optional or not table.required:
+            return made
+        options = (Option("none", "none", [(path, None)]), Option("given", "given", [(path, self._new(table, legend))]))
+        shape = _switch(path, legend, options, "given" if there else "none")
+        return replace(made, members=(shape, *(made.members if there else ())), folded=made.folded if there else ())
 
     def _kinds(
         self, table: Table, given: dict[str, Any], place: Place, others: tuple[Table, ...]
@@ -134,10 +158,12 @@ class _Maker:
         if not table.meaning_of_kind:
             return
         if table.kinds:
-            options = tuple(Option(word, word, self._changed(kind, given, place)) for word, kind in table.kinds.items())
+            now, kinds = table.of_kind(given.get("kind")), table.kinds
+            options = tuple(Option(word, word, self._changed(now, kind, given, place)) for word, kind in kinds.items())
         else:
             options = tuple(
-                Option(each.word, each.word, [(path_of(place), self._new(each, given))]) for each in _of_numbers(others)
+                Option(each.word, each.word, [(path_of(place), self._new(each, before=given))])
+                for each in _of_numbers(others)
             )
         value = given.get("kind", ABSENT)
         text = "" if value is ABSENT else text_in("choice", value)
@@ -149,8 +175,13 @@ class _Maker:
             options = (*options, Option(text, text))
         yield FormField(path, "kind", "choice", text, table.meaning_of_kind, options=options, structural=True)
 
-    def _changed(self, kind: Table, given: dict[str, Any], place: Place) -> Edits:
-        """Return the edits that make a table one of another kind: what that needs is added, what it lacks removed."""
+    def _changed(self, now: Table, kind: Table, given: dict[str, Any], place: Place) -> Edits:
+        """Return the edits that make a table one of another kind: what that needs is added, what it lacks removed.
+
+        Of a bearing whose parts are others, little could stay: these make an example of one.
+        """
+        if place == ("bearing",) and kind.keys.keys() != now.keys.keys():
+            return _examples()[kind.word]
         needed = _NEEDED.get(kind.word, ("diameter",)) if "diameter" in kind.keys else kind.required
         foreign = [name for name in given if name not in kind.keys and name != "kind"]
         foreign += ["diameter"] if kind.word == "plate" else []
@@ -160,22 +191,23 @@ class _Maker:
             (path_of((*place, name)), self._start(name, kind.keys[name])) for name in needed if name not in given
         ]
 
-    def _new(self, table: Table, before: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    def _new(self, table: Table, within: str = "", before: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """Return a table with all that must be given, and with what all profiles may have of the previous one."""
+        within = "across" if "load" in table.keys else within
         # Lists have to be given, unless a file replaces them.
         found = {
-            name: self._start(name, key, across="load" in table.keys)
+            name: self._start(name, key, within)
             for name, key in table.keys.items()
             if key.usual is MISSING or (table.meaning_of_kind and isinstance(key.each, Quantities))
         }
         kept = {name: value for name, value in (before or {}).items() if name in COMMON and table.meaning_of_kind}
         return ({"kind": table.word} if table.meaning_of_kind else {}) | found | kept
 
-    def _start(self, name: str, key: Key, *, across: bool = False) -> Any:
-        """Return the value of a key when it is added."""
+    def _start(self, name: str, key: Key, within: str = "") -> Any:
+        """Return the value of a key when it is added to a table."""
         each = key.each
         if key.tables and (key.several or isinstance(each, Part)):
-            return [self._new(key.tables[0])] if key.several else self._new(key.tables[0])
+            return [self._new(key.tables[0])] if key.several else self._new(key.tables[0], name)
         if isinstance(each, Quantities):
             return list(ENDS.get(name, ENDS["y"]))
         if isinstance(each, Word):
@@ -184,7 +216,7 @@ class _Maker:
             return False
         if isinstance(each, Count):
             return max(each.least, 1)
-        return self.ranges.get("radius across" if across and name == "radius" else name, ONE).start
+        return (self._range((within, name)) or ONE).start
 
     def _list(self, key: Key, value: Any, place: Place) -> FormGroup | FormField:
         """Return the form of a list of tables, or of a single table in place of a list of one."""
@@ -222,6 +254,10 @@ class _Maker:
         tabular = isinstance(value, dict)
         simple = next(iter(key.each.named)) if isinstance(key.each, Part) else self._start(name, key)
         several = {each: self._start(each, table.keys[each]) for each in table.required}
+        if isinstance(value, dict) and isinstance(value.get(name), list) and value[name]:
+            simple = value[name][len(value[name]) // 2]
+        elif name in several and value is not ABSENT:
+            several[name] = [value] * len(several[name])
         options = (
             Option("value", "name" if isinstance(simple, str) else "one number", [(path, simple)]),
             Option("table", " and ".join(several), [(path, several)]),
@@ -251,7 +287,7 @@ class _Maker:
             Option("value", words[0], [(path, first)]),
             Option("pair", words[1], [(path, value if is_pair else both)]),
         )
-        shape = _switch(path, f"{label_of(place)}:", options, "pair" if is_pair else "value")
+        shape = _switch(path, "given", options, "pair" if is_pair else "value")
         if not is_pair:
             return FormGroup(path, label_of(place), (shape, made))
         found = found and replace(found, low=-found.high)
@@ -263,7 +299,8 @@ class _Maker:
 
     def _range(self, place: Place) -> Range | None:
         """Return the range of the slider at a place, if there is one."""
-        return self.ranges.get(str(place[-1]))
+        last = str(place[-1])
+        return self.ranges.get(".".join(map(str, place[-2:])), self.ranges.get(last))
 
     def _switches(self, table: Table, given: dict[str, Any], place: Place) -> Iterator[FormField]:
         """Yield a choice for each pair of alternative keys."""
@@ -281,6 +318,14 @@ class _Maker:
             )
             chosen = next((name for name in pair if name in given), pair[0])
             yield _switch(path_of(place), " or ".join(option.label for option in options), options, chosen)
+
+
+@cache
+def _examples() -> dict[str, Edits]:
+    """Return by kind of bearing the edits that make an example of any other bearing."""
+    documents = [parsed(starting_bearing(name), name) for name in BEARING_TEMPLATES]
+    names = [name for name in BearingFile.descriptions if name not in _OF_ALL_BEARINGS]
+    return {each["bearing"]["kind"]: [(name, each.get(name)) for name in names] for each in documents}
 
 
 def _of_numbers(tables: tuple[Table, ...]) -> list[Table]:
@@ -315,11 +360,13 @@ def _sizes(given: dict[str, Any], body: Table) -> dict[str, float]:
 
 
 def _unchosen(table: Table, given: dict[str, Any]) -> set[str]:
-    """Return the keys to hide: the alternatives not chosen, those a plate must not have, and files."""
+    """Return the keys to hide: alternatives not chosen, what others rule out that are or are not given, and files."""
     aside = {UNREAD} - set(given)
     for pair in table.pairs:
         shown = [name for name in pair if name in given] or [pair[0]]
         aside |= {name for name in pair if name not in shown}
+    aside |= {name for name, others in _NOT_BESIDE.items() if name not in given and set(others) & set(given)}
+    aside |= {name for name, other in _ONLY_BESIDE.items() if not {name, other} & set(given)}
     if given.get("kind") == "plate" and "diameter" not in given:
         aside.add("diameter")
     return aside

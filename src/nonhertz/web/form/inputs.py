@@ -126,6 +126,7 @@ def _slider(made: FormField, value: Any, found: Range | None) -> Slider | None:
         return None
     if not isinstance(number, float) or not math.isfinite(number):  # a file may hold NaN
         return None
+    found = found.as_read(made.unit)
     found = found.mirrored() if found.scale == "log" and number < 0.0 < found.low else found
     return Slider(found, found.position(number))
 

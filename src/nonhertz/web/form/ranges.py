@@ -1,8 +1,9 @@
 """The slider range of each quantity, and the initial value of a key when it is added.
 
-What loads a contact or a bearing, and the relief of a profile, have ranges that follow from its geometry, up to where
-a drag leads nobody by mistake: loads up to a pressure that hardened steel just bears, tilts up to where a roller lifts
-off. They do not follow from the value of the quantity itself, so that they keep still while it is dragged.
+What loads a contact or a bearing, the relief of a profile and what is cut out of a body have ranges that follow from
+the geometry, up to where a drag leads nobody by mistake: loads up to a pressure that hardened steel just bears, tilts
+up to where a roller lifts off. They do not follow from the value of the quantity itself, so that they keep still while
+it is dragged.
 """
 
 from __future__ import annotations
@@ -21,7 +22,10 @@ from nonhertz.files.mistakes import TableError
 from nonhertz.files.reading import Surroundings, read
 from nonhertz.files.sections import Bodies, surroundings
 from nonhertz.hertz import half_space_line_compression, line_contact
+from nonhertz.inputs.units import in_unit
+from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
+from nonhertz.result.reading import chosen
 
 SLIDER_STEPS: Final = 1000
 MOST_PRESSURE: Final = 3500.0
@@ -30,8 +34,10 @@ _USUAL: Final = 0.3  # of the largest load: some 1900 MPa
 _AXIAL: Final = 0.25  # of the radial load, what ribs bear
 _DECADES: Final = 1e-3  # of the largest load, down to which a slider goes
 _MOST_DROP: Final = 0.01  # of the length: corners begin with a gentle slope
+_WITHIN: Final = 0.48  # of the length: some profiles have no end at the end of the body
 _TIGHT, _LOOSE = 1e-3, 3e-3  # of the pitch diameter: beyond the clearance groups of catalogues
 _FASTEST: Final = 1e6  # mm/min, pitch diameter times speed: beyond what rolling bearings do with oil
+_FITTING: Final = ("roller.diameter", "inner.diameter", "outer.diameter", "bearing.pitch_diameter")
 _STOPS: Final = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)
 _HALVES: Final = (1.0, 2.0, 2.5, 5.0, 10.0)  # on both sides of zero: a thousandth of the whole is round, too
 
@@ -59,6 +65,12 @@ class Range:
         """Return the range of values of the other sign."""
         return Range(-self.low, -self.high, self.scale, -self.start)
 
+    def as_read(self, unit: str) -> Range:
+        """Return the range, of a quantity in a unit, with ends that are round in the one in which it is read."""
+        factor = chosen().of(unit)[1]
+        low, high = (_two_figures(end * factor) / factor for end in (self.low, self.high))
+        return self if factor == 1.0 else Range(low, high, self.scale, self.start)
+
     def position(self, value: float) -> int:
         """Return the position of a value on the slider, from 0 to `SLIDER_STEPS`.
 
@@ -75,20 +87,28 @@ class Range:
         return round(SLIDER_STEPS * min(max((at - low) / (high - low), 0.0), 1.0))
 
 
+def _two_figures(value: float) -> float:
+    """Return the first two figures of a number."""
+    power = 10.0 ** (math.floor(math.log10(abs(value))) - 1) if value else 1.0
+    return math.trunc(round(value / power, 9)) * power
+
+
 LENGTH: Final = Range(0.5, 500.0, "log", 20.0)
 DIAMETER: Final = Range(1.0, 2000.0, "log", 20.0)
 STRENGTH: Final = Range(10.0, 5000.0, "log", 1500.0)
 TEMPERATURE: Final = Range(-40.0, 200.0, "linear", 20.0)
 ONE: Final = Range(0.0, 2.0, "linear", 1.0)
-#: By key, which denotes the same quantity throughout a file; except that the radius of a profile for a design load is
-#: the one across the contact. Where a geometry is known, its own ranges take the place of these.
+#: By key, which denotes the same quantity throughout a file, or by the last two; the radius of a profile for a design
+#: load is the one across the contact. Where a geometry is known, its own ranges take the place of these.
 RANGES: Final[dict[str, Range]] = {
+    "across.radius": Range(0.5, 1000.0, "log", 10.0),
     "amplitude": Range(1e-4, 0.1, "log", 0.005),
     "angle": Range(1e-4, 1.0, "log", 0.001),
     "approach": Range(1e-4, 1.0, "log", 0.02),
     "at": Range(0.25, 250.0, "log", 9.0),
     "blend_radius": Range(0.0, 20.0, "linear", 1.0),
     "case_depth": Range(0.05, 20.0, "log", 1.0),
+    "chamfer.length": Range(0.05, 10.0, "log", 0.5),
     "centre": Range(-20.0, 20.0, "linear", 0.0),
     "compliance": Range(1e-7, 1e-4, "log", 2.8e-6),
     "bore": Range(0.5, 500.0, "log", 8.0),
@@ -96,6 +116,8 @@ RANGES: Final[dict[str, Range]] = {
     "contamination": Range(0.0, 1.0, "linear", 0.5),
     "core_yield_strength": STRENGTH,
     "corner_radius": Range(0.05, 10.0, "log", 0.5),
+    "dent.depth": Range(1e-4, 0.1, "log", 0.003),
+    "dent.diameter": Range(0.01, 2.0, "log", 0.2),
     "depth": LENGTH,
     "diameter": DIAMETER,
     "distance": LENGTH,
@@ -124,7 +146,6 @@ RANGES: Final[dict[str, Range]] = {
     "pressure_limit": Range(10.0, 10000.0, "log", 4000.0),
     "profile_radius": DIAMETER,
     "radius": Range(10.0, 1e6, "log", 4000.0),
-    "radius across": Range(0.5, 1000.0, "log", 10.0),
     "reliability": Range(0.9, 0.9995, "linear", 0.9),
     "roller_temperature": TEMPERATURE,
     "scale": Range(0.0, 3.0, "linear", 1.0),
@@ -149,8 +170,10 @@ ENDS: Final[dict[str, list[float]]] = {
 }
 
 
-def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range]:
+def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]:
     """Return the ranges of the sliders of a document, by key: those of its geometry as far as that has no mistakes.
+
+    What has no slider has None.
 
     Parameters
     ----------
@@ -169,6 +192,28 @@ def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range]:
         return RANGES | _of_bearing(found.bearing)
     except (TableError, InputError):
         return RANGES
+
+
+def of_body(given: Mapping[str, Any]) -> dict[str, Range]:
+    """Return the ranges of what lies on a body or is cut out of it, as far as its length and diameter are known."""
+    length, diameter = (_size(name, given.get(name)) for name in ("length", "diameter"))
+    corner = Range(_DECADES * length, 0.25 * length, "log", 0.05 * length)
+    of_length = {
+        "at": Range(0.25 * length, _WITHIN * length, "linear", 0.45 * length),
+        "effective_length": Range(0.5 * length, length, "linear", 0.9 * length),
+        **dict.fromkeys(("corner_radius", "chamfer.length"), corner),
+    }
+    bore = {"bore": Range(0.1 * diameter, 0.9 * diameter, "linear", 0.5 * diameter)}
+    return (of_length if length else {}) | (bore if diameter else {})
+
+
+def _size(name: str, value: Any) -> float:
+    """Return the size of a dimension [mm]; zero where it is not a plain one."""
+    try:
+        size = in_unit(name, value, "mm")
+    except InputError:
+        return 0.0
+    return abs(size) if isinstance(size, float) and math.isfinite(size) else 0.0
 
 
 def _of_contact(contact: Contact) -> dict[str, Range]:
@@ -190,7 +235,7 @@ def _of_contact(contact: Contact) -> dict[str, Range]:
     }
 
 
-def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range]:
+def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range | None]:
     """Return the ranges of a bearing."""
     row = rows.rows[0].bearing
     most = min(map(_most_load, row.contacts))
@@ -212,12 +257,23 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range]:
         "axial_clearance": loose,
         "interference": _around(_TIGHT * pitch),
         "smoothing": Range(0.0, _stop(_TIGHT * pitch), "linear", 0.0),
+        **_of_seat("shaft", row.inner, 0.5, 0.8, 0.95),
+        **_of_seat("housing", row.outer, 1.05, 1.2, 1.6),
         "speed": Range(0.01 * _stop(_FASTEST / pitch), _stop(_FASTEST / pitch), "linear", 0.0),
         **_of_relief(length),
     }
-    # A bearing has no sliders for what it does not bear.
+    # A bearing has no sliders for what it does not bear, and none for diameters that have to fit each other.
     unborne = [name for name in ("radial", "axial", "moment") if not _bears(rows, name)]
-    return {name: each for name, each in found.items() if name not in unborne}
+    fitting = [] if row.inner.diameter is None else _FITTING
+    return found | dict.fromkeys((*unborne, *fitting))
+
+
+def _of_seat(name: str, ring: Body, *shares: float) -> dict[str, Range]:
+    """Return the range of the diameter of a ring's seat, by lowest, usual and highest share of that of its raceway."""
+    if not isinstance(ring.diameter, float):
+        return {}
+    low, usual, high = (float(f"{share * abs(ring.diameter):.4g}") for share in shares)
+    return {f"{name}.diameter": Range(low, high, "linear", usual)}
 
 
 def _bears(rows: RollerBearing | Paired, name: str) -> bool:

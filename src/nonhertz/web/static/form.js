@@ -152,18 +152,18 @@ export class Form {
     this.document = document;
     this.reshaped = false;
     this.form.innerHTML = html; // written by the program, which escapes whatever comes from a case
-    for (const [place, details] of this.form.querySelectorAll("details").entries()) {
-      if (unfolded.has(foldName(details, place))) details.open = true;
-    }
+    for (const details of this.form.querySelectorAll("details"))
+      details.open = unfolded.has(details.dataset.details);
     this.wire();
     const again = focus.map((selector) => this.form.querySelector(selector)).find((found) => found);
     if (again instanceof HTMLElement) again.focus({ preventScroll: true });
     if (again instanceof HTMLInputElement && again.type === "text" && marked) again.setSelectionRange(...marked);
   }
 
+  /** The groups whose further fields are shown. */
   unfolded() {
-    const all = [...this.form.querySelectorAll("details")];
-    return new Set(all.map((details, place) => (details.open ? foldName(details, place) : "")));
+    const open = /** @type {NodeListOf<HTMLElement>} */ (this.form.querySelectorAll("details[open]"));
+    return new Set([...open].map(({ dataset }) => dataset.details));
   }
 
   wire() {
@@ -210,12 +210,6 @@ function lengthened(document, path, entry) {
 function addition(button) {
   const choice = button.parentElement?.querySelector("select[data-additions]");
   return JSON.parse(button.dataset.value ?? choice?.selectedOptions[0].dataset.value ?? "{}");
-}
-
-/** A fold is identified by its group and its text, since its position changes with the form. */
-function foldName(details, place) {
-  const group = details.closest("[data-group]")?.getAttribute("data-group") ?? String(place);
-  return `${group}: ${details.querySelector("summary")?.textContent ?? place}`;
 }
 
 /** What is marked in the field with the focus, from where to where. @returns {[number, number] | null} */
