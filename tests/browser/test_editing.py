@@ -296,6 +296,27 @@ def test_undo_and_redo(desk: Desk) -> None:
     assert_allclose(desk.numbers["Largest pressure"], second, rtol=SAME)
 
 
+def test_an_edit_while_an_undo_waits_is_kept(desk: Desk) -> None:
+    tilt = desk.value("load.tilt")
+    desk.write("load.tilt", "0.0001")
+    desk.page.locator("#undo:enabled").wait_for()
+    waiting: list[Any] = []
+    desk.page.route("**/form", lambda route: waiting.append(route))  # noqa: PLW0108  (playwright counts its arguments)
+    before = desk.answers
+    with desk.page.expect_request("**/form"):
+        desk.page.locator("#undo").click()
+    with desk.page.expect_request("**/form"):
+        desk.type(desk.field("load.load"), "30 kN")
+    for route in waiting:
+        route.continue_()
+    desk.wait_for_answer(before)
+    desk.page.unroute("**/form")
+    assert_shows(desk, solution_of(load=30e3, tilt=tilt))
+    assert_allclose(desk.value("load.tilt"), tilt, rtol=SAME)
+    desk.press("#undo")
+    assert_shows(desk, solution_of(tilt=tilt))
+
+
 def test_stress_of_either_body_or_none(desk: Desk) -> None:
     of_a = desk.numbers["von Mises stress"]
     section = desk.page.locator('[data-figure="section"]')

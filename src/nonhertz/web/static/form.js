@@ -24,6 +24,8 @@ export class Form {
     this.document = document;
     this.listener = listener;
     this.asked = 0;
+    /** @type {object | null} */
+    this.before = null; // the case that the form is of, while that of another is awaited
     this.rest = 0;
     this.reshaped = false; // whether sliders have the ranges of another geometry
     this.form = /** @type {HTMLFormElement} */ (byId("case"));
@@ -92,8 +94,10 @@ export class Form {
   /** @param {Control} control @param {number} since */
   take(control, since) {
     if (this.reshaped) this.refreshSoon();
-    this.document = withoutEmpty(withValue(this.document, control.name, said(control)), control);
-    this.listener.edited(this.document, since);
+    const changed = withoutEmpty(withValue(this.document, control.name, said(control)), control);
+    if (this.before) return void this.open(changed, since); // an edit goes into the case that is to come
+    this.document = changed;
+    this.listener.edited(changed, since);
   }
 
   /**
@@ -139,8 +143,13 @@ export class Form {
   /** Show another case, or this one with other fields. @param {object} other */
   async open(other, since = performance.now()) {
     const number = (this.asked += 1);
+    this.before ??= this.document;
+    this.document = other;
     const html = await this.listener.fresh(other);
-    if (html === null || number !== this.asked) return false; // a later request wins
+    if (number !== this.asked) return false; // a later request wins
+    if (html === null) this.document = this.before;
+    this.before = null;
+    if (html === null) return false;
     this.put(other, html);
     this.listener.edited(this.document, since);
     return true;

@@ -1,0 +1,99 @@
+"""A bearing made on the page alone: by keyboard, and with a finger on a phone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from conftest import STARTING
+from desk import Desk
+
+pytestmark = pytest.mark.browser
+
+MOST_TABS = 300
+WIDTH = 390
+
+
+def tab_to(desk: Desk, selector: str) -> None:
+    """Go on with the tabulator until what is looked for has the focus."""
+    for _ in range(MOST_TABS):
+        desk.page.keyboard.press("Tab")
+        if desk.page.evaluate("selector => document.activeElement.matches(selector)", selector):
+            return
+    pytest.fail(f"the tabulator does not lead to {selector}")
+
+
+def in_form(path: str) -> str:
+    return f'#case [name="{path}"]'
+
+
+def assert_bears(desk: Desk, rollers: int) -> None:
+    desk.page.locator('[data-figure="polar"] .remark', has_text="by strips").wait_for()
+    assert desk.mistakes == []
+    assert desk.numbers["Loaded rollers"] == rollers
+    assert 500.0 < desk.numbers["Largest pressure"] < 4000.0
+    assert desk.page.locator("#rollers tbody tr").count() == rollers
+
+
+def test_by_keyboard_alone(desk: Desk) -> None:
+    keys = desk.page.keyboard
+    tab_to(desk, "a.other")
+    keys.press("Enter")
+    desk.page.wait_for_url("**/bearing*")
+    desk.settle(within=STARTING)
+    tab_to(desk, "#templates summary")
+    keys.press("Enter")
+    tab_to(desk, '[data-template="cylindrical"]')
+    before = desk.answers
+    keys.press("Enter")
+    desk.wait_for_answer(before)
+    tab_to(desk, in_form("bearing.kind"))
+    before = desk.answers
+    keys.type("thrust")
+    desk.wait_for_answer(before)
+    for path, text in (("bearing.rollers", "12"), ("load.axial", "15 kN")):
+        tab_to(desk, in_form(path))
+        before = desk.answers
+        keys.press("Control+A")
+        keys.type(text)
+        desk.wait_for_answer(before)
+    assert_bears(desk, 12)
+    desk.photograph("keyboard")
+    tab_to(desk, "#undo")
+    before = desk.answers
+    keys.press("Enter")
+    desk.wait_for_answer(before)
+    assert desk.shown("load.axial") != "15 kN"
+
+
+def test_with_a_finger(open_desk: Any) -> None:
+    desk = open_desk(viewport={"width": WIDTH, "height": 844}, has_touch=True)
+    tap = lambda selector: desk.page.locator(selector).tap()  # noqa: E731
+    tap("a.other")
+    desk.page.wait_for_url("**/bearing*")
+    desk.settle(within=STARTING)
+    tap("#templates summary")
+    desk.photograph("finger-new")
+    before = desk.answers
+    tap('[data-template="cylindrical"]')
+    desk.wait_for_answer(before)
+    desk.photograph("finger-results", whole=True)
+    tap("#editor > summary")
+    before = desk.answers
+    desk.field("bearing.kind").tap()
+    desk.field("bearing.kind").select_option("thrust")
+    desk.wait_for_answer(before)
+    for path, text in (("bearing.rollers", "12"), ("load.axial", "15 kN")):
+        before = desk.answers
+        desk.field(path).tap()
+        desk.page.keyboard.press("Control+A")
+        desk.page.keyboard.type(text)
+        desk.wait_for_answer(before)
+    desk.photograph("finger-form")
+    desk.photograph("finger", whole=True)
+    assert_bears(desk, 12)
+    assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= WIDTH
+    before = desk.answers
+    tap("#undo")
+    desk.wait_for_answer(before)
+    assert desk.shown("load.axial") != "15 kN"
