@@ -67,11 +67,26 @@ def test_a_file_whose_name_looks_like_a_change_is_a_file(
     assert json.loads(capsys.readouterr().out)["load"] == pytest.approx(5000.0)
 
 
-def test_a_key_can_be_taken_out_to_make_room_for_another(capsys: pytest.CaptureFixture[str]) -> None:
-    assert "load" in refused(capsys, "solve", CASE, "--set", "load.approach=20um")
-    assert main(["solve", CASE, "--set", "load.approach=20um", "--set", "load.load=", "--json"]) == 0
+@pytest.mark.parametrize("words", [("load.approach=20um",), ("load.approach=20um", "load.load=")])
+def test_a_key_makes_room_for_what_is_given_in_its_place(
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["solve", CASE, "--set", *words, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["approach"] == 0.02
+    assert "load" not in found["case"]["load"]
+
+
+def test_both_of_two_that_take_each_others_place_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    said = refused(capsys, "solve", CASE, "--set", "load.approach=20um", "load.load=5kN")
+    assert "must not be given together with load" in said
+
+
+def test_a_parameter_takes_the_place_of_the_drop_that_determines_it() -> None:
+    dropped = nh.read_case(CASE, {"body.a.profile.drop": "12 um"})
+    assert dropped.origin is not None
+    case = type(dropped).of(dropped.document, Path(CASE), changes={"body.a.profile.radius": "2 m"})
+    assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "2 m"}]
 
 
 def test_values_may_be_numbers_words_lists_and_tables() -> None:

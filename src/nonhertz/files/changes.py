@@ -57,7 +57,7 @@ def changed(
     text : str or None
         What it was parsed from.
     changes : mapping
-        Values by path; None takes a key out.
+        Values by path; None takes a key out. What the document gives in place of one of them is taken out, too.
     kind : type
         The class of what such a file holds.
 
@@ -76,7 +76,9 @@ def changed(
     from nonhertz.files.held import as_toml
     from nonhertz.files.paths import drops_first, parameter, parameters
 
-    whole, mistakes = document, []
+    whole, mistakes, known = document, [], parameters(document, kind)
+    given = {path: known[path] for path, value in changes.items() if path in known and value is not None}
+    changes = {other: None for each in given.values() for other in each.replaced_in(document)} | dict(changes)
     for path, value in drops_first(changes):
         try:
             found = parameter(path, parameters(whole, kind))

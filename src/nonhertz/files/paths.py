@@ -20,8 +20,8 @@ from nonhertz.inputs.fields import Described, Part, Parts, nearest
 from nonhertz.model.profile import PARAMETERS
 
 Keys = tuple[str | int, ...]
-#: Path, keys, and unit and wholeness of a single value.
-Leaf = tuple[str, Keys, tuple[str | None, bool]]
+#: Path, keys, and unit, wholeness and alternatives of a single value.
+Leaf = tuple[str, Keys, tuple[str | None, bool, tuple[str, ...]]]
 
 #: Keys of tables that say what a table is; unless they are a choice of words, they are not to be varied on their own.
 _NAMES = ("kind", "format", "title")
@@ -42,12 +42,15 @@ class Parameter:
         profile.
     whole : bool
         Whether it must be a whole number.
+    others : tuple of str
+        Keys beside it in place of which it is given.
     """
 
     path: str
     keys: Keys
     unit: str | None
     whole: bool = False
+    others: tuple[str, ...] = ()
 
     def value_in(self, document: Mapping[str, Any]) -> Any:
         """Return the value in a document; None if it has none."""
@@ -74,6 +77,11 @@ class Parameter:
         drop = self._beside("drop")
         determined = len(others) < len(self._by_drop(document)) and drop.value_in(document) is not None
         return drop.path if determined and all(each.value_in(document) is not None for each in others) else ""
+
+    def replaced_in(self, document: Mapping[str, Any]) -> list[str]:
+        """Return the paths of what a document gives in place of this value."""
+        others = [each.path for each in map(self._beside, self.others) if each.value_in(document) is not None]
+        return [*others, *filter(None, [self.drop_beside(document)])]
 
     def _beside(self, name: str) -> Parameter:
         return Parameter(f"{self.path.rpartition('.')[0]}.{name}", (*self.keys[:-1], name), None)
@@ -140,23 +148,26 @@ def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
 
 
 def _in_tables(value: Any, tables: Sequence[Table], keys: Keys, short: Keys) -> Iterator[Leaf]:
-    """Yield path, keys, unit and wholeness of all that a value, one of these tables, holds or could hold.
+    """Yield path, keys and kind of all that a value, one of these tables, holds or could hold.
 
     ``short`` are the keys without positions that say nothing.
     """
     if any(table.kinds for table in tables):
-        yield path_of((*short, "kind")), (*keys, "kind"), (None, False)
+        yield path_of((*short, "kind")), (*keys, "kind"), (None, False, ())
+    # Of a drop it depends on the kind of profile which parameter it determines.
+    pairs = [pair for table in tables for pair in table.pairs if "drop" not in pair]
     for name, key in {name: key for table in tables for name, key in table.keys.items()}.items():
-        yield from _at_key(_entry(value, name), key, (*keys, name), (*short, name))
+        others = tuple(other for pair in pairs if name in pair for other in pair if other != name)
+        yield from _at_key(_entry(value, name), key, (*keys, name), (*short, name), others)
 
 
-def _at_key(value: Any, key: Key, keys: Keys, short: Keys) -> Iterator[Leaf]:
+def _at_key(value: Any, key: Key, keys: Keys, short: Keys, others: tuple[str, ...]) -> Iterator[Leaf]:
     """Yield what a key holds or could hold."""
     leaf = None if key.several else _leaf(key.each)
     if leaf is not None and keys[-1] not in _NAMES:
-        yield path_of(short), keys, leaf
+        yield path_of(short), keys, (*leaf, others)
         if short != keys:
-            yield path_of(keys), keys, leaf
+            yield path_of(keys), keys, (*leaf, others)
     if isinstance(value, list) and key.several:
         yield from _in_entries(value, key.tables, keys, short)
     elif (isinstance(value, dict) or value is None) and not isinstance(key.each, Parts):
