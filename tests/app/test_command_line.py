@@ -321,6 +321,23 @@ def test_a_plan_to_start_from_is_fine(
     assert main(["check", "plan.toml"]) == 0
 
 
+def test_a_plan_names_the_file_that_it_is_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("studies").mkdir()
+    assert main(["new", "a roller.toml"]) == 0
+    assert main(["new", "studies/plan.toml", "--plan", "--case", "a roller.toml"]) == 0
+    assert "for a roller.toml; try it with: nonhertz check studies/plan.toml" in capsys.readouterr().out
+    assert 'case = "../a roller.toml"' in Path("studies/plan.toml").read_text(encoding="utf-8")
+    assert main(["check", "studies/plan.toml"]) == 0
+    assert main(["new", "other.toml", "--plan", "--case", "nothing.toml"]) == 2
+    assert "nothing.toml must exist" in capsys.readouterr().err
+    assert not Path("other.toml").exists()
+    assert main(["new", "other.toml", "--case", "a roller.toml"]) == 2
+    assert "--case = 'a roller.toml' must be given with --plan" in capsys.readouterr().err
+
+
 def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["new", case]) == 2
     assert capsys.readouterr().err == (

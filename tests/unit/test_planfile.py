@@ -97,6 +97,16 @@ def test_the_plan_of_the_reference_is_one(tmp_path):
     assert read_design(path)[1]["goal"] == "life"
 
 
+def test_a_missing_case_is_named_beside_other_mistakes(tmp_path):
+    path = tmp_path / "plan.toml"
+    path.write_text('case = "no.toml"\n[design]\nloads = [{ lod = 1 }]\n', encoding="utf-8")
+    with pytest.raises(nh.CaseError) as caught:
+        read_plan(path)
+    first, second = caught.value.mistakes
+    assert "lod" in first
+    assert second.startswith(f"{tmp_path / 'no.toml'} must exist")
+
+
 def test_all_mistakes_are_listed_at_once(folder):
     text = """
 [over]

@@ -834,6 +834,7 @@ def new(
     template: str | None = None,
     bearing: Annotated[bool, Parameter(negative="")] = False,
     plan: Annotated[bool, Parameter(negative="")] = False,
+    case: Path | None = None,
 ) -> int:
     """Write a commented case file, bearing file or plan to start from.
 
@@ -849,26 +850,40 @@ def new(
         Write a bearing file instead.
     plan : bool
         Write a plan instead, for sweep, tolerance and design.
+    case : Path
+        With --plan, the case file or bearing file that the plan is for; by default case.toml.
     """
     from nonhertz.cli.options import named_as
     from nonhertz.files.bearingfile import starting_bearing
     from nonhertz.files.casefile import starting_case
     from nonhertz.files.held import write_new
-    from nonhertz.files.planfile import starting_plan
+    from nonhertz.files.planfile import read_any, starting_plan
+    from nonhertz.inputs.files import seen_from
 
     if plan and template is not None:
         raise InputError("--template", template, "not be given with --plan", "leave one out")
     if bearing and plan:
         raise InputError("--plan", True, "not be given with --bearing", "write one file after the other")
+    if case is not None and not plan:
+        raise InputError("--case", str(case), "be given with --plan", "add that, or leave it out")
+    folder = Path() if path is None else path.parent
+    file = folder / "case.toml" if case is None else case
     with named_as(template="--template"):
-        text = starting_bearing(template) if bearing else starting_plan() if plan else starting_case(template)
+        if case is not None:
+            read_any(case)
+            text = starting_plan(seen_from(folder, case).as_posix())
+        else:
+            text = starting_bearing(template) if bearing else starting_plan() if plan else starting_case(template)
     if path is None:
         print(text, end="")
     else:
         write_new(text, path)
-        command = "bearing" if bearing else "design" if plan else "solve"
-        made_for = f", for {path.with_name('case.toml')} as 'nonhertz new' writes it" if plan else ""
-        print(f"wrote {path}{made_for}; {'try' if plan else 'solve'} it with: nonhertz {command} {path}")
+        way_on = f"solve it with: nonhertz {'bearing' if bearing else 'solve'} {path}"
+        if plan:
+            made_for = f"for {file}" + (" as 'nonhertz new' writes it" if case is None else "")
+            command = "design" if case is None else "check"
+            way_on = f"{made_for}; try it with: nonhertz {command} {path}"
+        print(f"wrote {path}{',' if plan else ';'} {way_on}")
     return FINE
 
 

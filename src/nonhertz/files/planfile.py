@@ -5,6 +5,7 @@ All mistakes in a file are found at once and raised together.
 
 from __future__ import annotations
 
+import json
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -204,10 +205,15 @@ class Plan(Held):
         try:
             found = read(PlanDocument, document)
         except TableError as error:
-            raise case_error(in_order(error.mistakes, document)) from None
-        file = path.parent / found.case
-        with named(file):
-            case = read_any(file, changes)
+            wrong = case_error(in_order(error.mistakes, document))
+            if "case" in wrong.places:
+                raise wrong from None
+            try:
+                _case_of(document["case"], path, changes)
+            except CaseError as other:
+                wrong = CaseError([*wrong.mistakes, *other.mistakes], [*wrong.places, *other.places])
+            raise wrong from None
+        case = _case_of(found.case, path, changes)
         bare, mistakes = Plan(case), []
         for section in TABLES:
             for varied, given in getattr(found, section).items():
@@ -275,6 +281,13 @@ class Plan(Held):
         return spread
 
 
+def _case_of(name: str, plan: Path, changes: Mapping[str, Any] | None) -> Case | BearingCase:
+    """Return the case or the bearing that a plan names; raise ``CaseError`` with every mistake in its file."""
+    file = plan.parent / name
+    with named(file):
+        return read_any(file, changes)
+
+
 def _extremes(spread: Spread) -> Iterator[Any]:
     """Yield the values of a spread that are tried before the work starts."""
     if isinstance(spread, Distribution):
@@ -331,9 +344,12 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
     return Plan.of(*opened(path, "plan"), table=table)
 
 
-def starting_plan() -> str:
-    """Return a commented plan to start from, with a table for each command."""
-    return starting_text("starting_plan.toml")
+def starting_plan(case: str = "") -> str:
+    """Return a commented plan to start from, with a table for each command, of a file that is seen from it."""
+    text = starting_text("starting_plan.toml")
+    made_for = text[text.index("case = ") : text.index("# quantities")]
+    comment = "a case file or a bearing file, seen from this one"
+    return text.replace(made_for, f"case = {json.dumps(case, ensure_ascii=False)}  # {comment}\n") if case else text
 
 
 def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> tuple[Case, dict[str, Any]]:
