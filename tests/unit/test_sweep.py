@@ -246,12 +246,13 @@ def test_a_bearing_is_swept_too():
     text = starting_bearing()
     case = case_or_bearing_in(parsed(text, "bearing"), Path("bearing.toml"), text)
     over = {"load.radial": ["5 kN", "10 kN"], "solver.method": ["slices"]}
-    found = nh.sweep(case, over=over, quantities=("max_load", "reference"))
+    found = nh.sweep(case, over=over, quantities=("max_load", "reference", "max_pressure"))
     for number, radial in enumerate((5e3, 10e3)):
         alone = nh.bearing.solve(case.mounted, **case.prescribed | {"radial": radial}, method="slices")
         assert found["max_load"][number, 0] == alone.load.max()
         assert found["reference"][number, 0] == case.assess(alone).reference
     assert found["solver.method"].ravel().tolist() == ["slices", "slices"]
+    assert np.isnan(found["max_pressure"]).all()
 
 
 @pytest.mark.parametrize(

@@ -74,7 +74,9 @@ def test_intervals_hold_the_true_quantile_as_often_as_they_say(share):
 def test_of_few_samples_the_interval_says_so():
     found = quantile(np.arange(20.0), 0.99)
     assert math.isinf(found.high)
-    assert math.isnan(quantile(np.zeros(0), 0.5).value)
+    nothing = quantile(np.zeros(0), 0.5)
+    assert math.isnan(nothing.value)
+    assert (nothing.low, nothing.high) == (-math.inf, math.inf)
 
 
 def test_intervals_of_quantiles_hold_for_the_samples_that_are_drawn():
