@@ -2,11 +2,13 @@
 
 import subprocess
 import sys
+import types
 
 import numpy as np
 import pytest
 
 from nonhertz.compiled import compiled, files
+from nonhertz.compiled.cache import stamp
 
 doubled = compiled(lambda x: 2.0 * x)
 
@@ -17,6 +19,15 @@ def test_python_compiled_functions_and_those_of_others_call_it():
     assert doubled(1.0) == 2.0
     assert compiled(lambda x: doubled(x) + 1.0)(2.0) == 5.0
     assert numba.njit(lambda x: doubled(x) + 2.0)(2.0) == 6.0
+
+
+@pytest.mark.parametrize("change", [{"__file__": "/there/library.py"}, {"__name__": "other"}])
+def test_machine_code_is_known_by_the_names_of_libraries_and_not_by_their_folders(change):
+    library = types.ModuleType("library")
+    root = eval("lambda x: library.sqrt(x)", {"library": library})
+    before = stamp.__wrapped__(root)
+    vars(library).update(change)
+    assert (stamp.__wrapped__(root) == before) == ("__file__" in change)
 
 
 def test_the_package_imports_no_numba():

@@ -11,7 +11,7 @@ import hashlib
 import os
 import pickle
 import sys
-from types import CodeType
+from types import CodeType, ModuleType
 from typing import Any
 
 import llvmlite
@@ -78,4 +78,6 @@ def _text(value: Any) -> object:
         return [_text(each) for each in value]
     if isinstance(value, np.ndarray):
         return value.dtype.str, value.shape, value.tobytes()
-    return getattr(value, "__qualname__", None) or repr(value), getattr(value, "_fields", ())
+    # A module by its name: its text holds the folder, and an environment may be reached by several.
+    name = value.__name__ if isinstance(value, ModuleType) else getattr(value, "__qualname__", None)
+    return name or repr(value), getattr(value, "_fields", ())
