@@ -28,6 +28,7 @@ CASES = {
     "sharp ends": solved,
     "automatic": lambda: solved(nh.profile.iso_logarithmic(diameter=20, length=20), strips="auto", tilt=5e-4),
     "two pieces": lambda: solved(nh.profile.crown(radius=-40000), load=200.0),
+    "a strip between": lambda: solved(nh.profile.crown(radius=-40000), load=240.0, strips=9),
     "parabolic": lambda: solved(nh.profile.crown(radius=2000), load=4e3, element=nh.PARABOLIC),
 }
 
