@@ -49,8 +49,9 @@ ENOUGH, NOISE = 0.9, 0.02  # of those that ran, where no share is recorded; and 
 ROUNDS = 12.0, 30.0  # s, of all tests that a mutant meets, and that a survivor meets after them; one may take longer
 FINDING_OUT = 60.0, 900.0  # s, for a test and a file of them on the sources as they are
 SLOWED = 6.0  # by other programs: waited for so many times as long as the processor is needed
-COMPILING_TIME = {"subsurface": 40.0, "bodies": 40.0}  # s, added before a compiled mutant is taken to hang
-MOST_COMPILING = 160.0  # in other rooms
+# s, added for what is compiled anew, and for tables that are made anew, before a mutant is taken to hang
+COMPILING_TIME = {"subsurface": 40.0, "bodies": 40.0}
+MOST_COMPILING, TABLES = 160.0, {"bodies": 100.0, "strip": 40.0}
 LOADED = ("numpy", "scipy.linalg", "scipy.optimize", "scipy.special", "numba", "pint", "matplotlib.figure")
 
 ROOMS = "strip bodies subsurface life solver result patch maps measured bearing study files".split()  # noqa: SIM905
@@ -241,14 +242,14 @@ class Campaign:
                 MODULE: module, FILE: str(original), TEXT: str(folder / "changed.py"),
                 selection.WRITTEN: str(written), selection.CHOSEN: str(folder / "tests.json"),
             }  # fmt: skip
-            if mutant.compiled:  # What is compiled of it must not take the place of other machine code.
-                names["NUMBA_CACHE_DIR"] = str(folder / "cache")
-                with contextlib.suppress(FileNotFoundError):
-                    code = SOURCES / "__pycache__" / "machine-code"
-                    shutil.copytree(code, folder / "cache" / "nonhertz", copy_function=os.link)
+            # What is compiled of it, or tabulated by it, must not take the place of other machine code and tables.
+            names["NUMBA_CACHE_DIR"] = str(folder / "cache")
+            with contextlib.suppress(FileNotFoundError):
+                code = SOURCES / "__pycache__" / "machine-code"
+                shutil.copytree(code, folder / "cache" / "nonhertz", copy_function=os.link)
             for tests in filter(None, rounds):
                 (folder / "tests.json").write_text(json.dumps(tests), encoding="utf-8")
-                limit = 20.0 + 4.0 * sum(self.seconds[test] for test in tests)
+                limit = 20.0 + 4.0 * sum(self.seconds[test] for test in tests) + TABLES.get(room, 0.0)
                 limit += COMPILING_TIME.get(room, MOST_COMPILING) if mutant.compiled else 0.0
                 files = dict.fromkeys(str(ROOT / test.partition("::")[0]) for test in tests)
                 status = self._pytest(names, limit, ["--exitfirst", *files])

@@ -8,6 +8,7 @@ import sys
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from importlib.util import spec_from_file_location
 from pathlib import Path
+from types import ModuleType
 
 MODULE, FILE, TEXT = "MUTATION_MODULE", "MUTATION_FILE", "MUTATION_TEXT"
 
@@ -18,6 +19,11 @@ class Changed(SourceFileLoader):
     def get_code(self, fullname: str) -> object:
         """Return the code of the other text; nothing is read from, or written to, a cache."""
         return self.source_to_code(Path(os.environ[TEXT]).read_bytes(), self.path)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Make the module, which has its other text for tables that are kept on disk, too."""
+        super().exec_module(module)
+        module.__file__ = os.environ[TEXT]
 
 
 class Finder:
