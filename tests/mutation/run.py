@@ -45,6 +45,7 @@ from sitecustomize import FILE, MODULE, TEXT
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 SOURCES = ROOT / "src" / "nonhertz"
+MACHINE_CODE = SOURCES / "__pycache__" / "machine-code"
 ENOUGH, NOISE = 0.9, 0.02  # of those that ran, where no share is recorded; and below one that is
 ROUNDS = 12.0, 30.0  # s, of all tests that a mutant meets, and that a survivor meets after them; one may take longer
 FINDING_OUT = 60.0, 900.0  # s, for a test and a file of them on the sources as they are
@@ -201,7 +202,8 @@ class Campaign:
         known, data, written = (stem.with_suffix(each) for each in (".json", ".lines", ".jsonl"))
         if known.exists() and json.loads(known.read_text(encoding="utf-8"))["state"] == state:
             return ""
-        for each in (known, data, written):
+        # Without the tables that are kept on disk, or the lines that make them would not run.
+        for each in (known, data, written, *MACHINE_CODE.glob("*-???")):
             each.unlink(missing_ok=True)
         begun = time.monotonic()
         names = {selection.WRITTEN: str(written), selection.LINES: str(data), selection.LONGEST: str(FINDING_OUT[0])}
@@ -245,8 +247,7 @@ class Campaign:
             # What is compiled of it, or tabulated by it, must not take the place of other machine code and tables.
             names["NUMBA_CACHE_DIR"] = str(folder / "cache")
             with contextlib.suppress(FileNotFoundError):
-                code = SOURCES / "__pycache__" / "machine-code"
-                shutil.copytree(code, folder / "cache" / "nonhertz", copy_function=os.link)
+                shutil.copytree(MACHINE_CODE, folder / "cache" / "nonhertz", copy_function=os.link)
             for tests in filter(None, rounds):
                 (folder / "tests.json").write_text(json.dumps(tests), encoding="utf-8")
                 limit = 20.0 + 4.0 * sum(self.seconds[test] for test in tests) + TABLES.get(room, 0.0)

@@ -91,6 +91,19 @@ def test_a_strip_moves_as_its_parts_do():
     np.testing.assert_allclose(parts.sum(axis=-1), whole.displacement(y, np.array([[-0.3, 0.7]]))[..., 0], rtol=1e-12)
 
 
+def test_slopes_of_the_curved_part_are_those_of_its_values():
+    curved = whole_roller(Outline.cylinder(1.0), 0.3).curved
+    step = 25.0 / (len(curved) - 1)
+    for k in (0, 2):
+        slopes = (curved[202:, k] - curved[200:-2, k]) / (2.0 * step)
+        np.testing.assert_allclose(curved[201:-1, k + 1], slopes, rtol=0.0, atol=1e-5)
+
+
+def test_thin_walls_need_more_modes_by_elements():
+    solid, thin = (module.modes_around(Outline.cylinder(1.0, bore)) for bore in (0.0, 0.99))
+    assert (solid, thin) == pytest.approx((20.0, 600.0), rel=0.01)
+
+
 @pytest.mark.parametrize(("half_length", "bore"), [(0.3, 0.0), (1.0, 0.0), (3.0, 0.0), (1.0, 0.8)])
 @pytest.mark.slow
 def test_more_modes_by_elements_change_little(half_length, bore, monkeypatch):
