@@ -111,7 +111,7 @@ def _clearance(case: BearingCase) -> dict[str, Any] | None:
     row = case.bearing.rows[0].bearing
     numbers = {name: plain(getattr(found, name)) for name in _OF_CLEARANCE}
     axial = {"axial": plain(found.axial(row.nominal_angle))} if isinstance(row, TaperedRollerBearing) else {}
-    fits = {ring: {name: plain(value) for name, value in vars(getattr(found, ring)).items()} for ring in RINGS}
+    fits = {ring: plain(vars(getattr(found, ring))) for ring in RINGS}
     return numbers | axial | {"expansion": Mounting(**case.fit).expansion(case.bearing)} | fits
 
 
@@ -121,7 +121,7 @@ def as_json(entries: dict[str, Any]) -> str:
 
 
 def _life(found: BearingLife) -> dict[str, Any]:
-    rating = {name: plain(value) for name, value in dataclasses.asdict(found.rating).items()}
+    rating = plain(dataclasses.asdict(found.rating))
     names = [each.name for each in dataclasses.fields(found) if each.name not in {"rating", "no_reference", "parts"}]
     parts = [{"share": plain(share)} | _life(part) for part, share in found.parts]
     numbers = {name: plain(getattr(found, name)) for name in names}

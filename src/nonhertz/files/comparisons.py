@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.comparison import ComparedQuantity, Comparison
+from nonhertz.comparison import Comparison
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
@@ -19,28 +19,23 @@ UNITS: dict[str, Any] = {
     "strips": {"y": "mm", "strip_width": "mm", "centre_pressure": "MPa", "half_width": "mm"},
     "patch": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", "line_load": "N/mm"},
 }
+_STRIPS = ("semi_elliptic", "parabolic")
 _COLUMNS = ("element", "y [mm]", "strip_width [mm]", "centre_pressure [MPa]", "patch_pressure [MPa]", "difference")
 
 
 def as_object(found: Comparison, title: str) -> dict[str, Any]:
     """Return a comparison as plain numbers, text, lists and dictionaries; a number that is not finite is None."""
     patch = found.patch
-    seconds = found.seconds
     return {
         "title": title,
         "cells": list(patch.cells),
-        "quantities": [_quantity(each) for each in found.quantities],
-        "stretches": [
-            {name: value if name == "element" else plain(value) for name, value in vars(each).items()}
-            for each in found.stretches
+        "quantities": [
+            plain(vars(each) | {"differences": dict(zip(_STRIPS, each.differences, strict=True))})
+            for each in found.quantities
         ],
-        "seconds": {
-            "semi_elliptic": plain(seconds.semi_elliptic),
-            "parabolic": plain(seconds.parabolic),
-            "patch": plain(seconds.patch),
-            "runs": seconds.runs,
-        },
-        "stations": [{"y": plain(each.y), "reason": each.reason} for each in found.stations],
+        "stretches": [plain(vars(each)) for each in found.stretches],
+        "seconds": plain(vars(found.seconds)) | {"runs": found.seconds.runs},
+        "stations": [plain(vars(each)) for each in found.stations],
         "warnings": list(found.warnings),
         "units": UNITS,
         "semi_elliptic": _strips(found, found.semi_elliptic),
@@ -67,20 +62,6 @@ def as_table(found: Comparison) -> str:
 def files(found: Comparison, title: str) -> dict[str, str]:
     """Return the texts of comparison.json and comparison.csv, by file name."""
     return {"comparison.json": as_json(found, title) + "\n", "comparison.csv": as_table(found)}
-
-
-def _quantity(each: ComparedQuantity) -> dict[str, Any]:
-    semi, parabolic = each.differences
-    return {
-        "name": each.name,
-        "unit": each.unit,
-        "patch": plain(each.patch),
-        "semi_elliptic": plain(each.semi_elliptic),
-        "parabolic": plain(each.parabolic),
-        "absolute": each.absolute,
-        "differences": {"semi_elliptic": plain(semi), "parabolic": plain(parabolic)},
-        "remark": each.remark,
-    }
 
 
 def _strips(found: Comparison, solution: Solution) -> dict[str, Any]:

@@ -56,13 +56,10 @@ def as_object(measured: Measured, fits: Sequence[Fit] = ()) -> dict[str, Any]:
     return {
         "name": measured.trace.name,
         "notes": list(measured.trace.notes),
-        "steps": [
-            {"name": state.name, "words": state.words} | {key: plain(value) for key, value in state.numbers.items()}
-            for state in measured.states
-        ],
+        "steps": [{"name": state.name, "words": state.words} | plain(state.numbers) for state in measured.states],
         "gaps": plain(measured.points.gaps),
         "roughness": _roughness(measured.roughness),
-        "fits": [_fit(fit) for fit in fits],
+        "fits": [plain(vars(fit)) for fit in fits],
         "warnings": list(measured.warnings),
         "y": plain(measured.points.y),
         "relief": plain(measured.relief),
@@ -148,10 +145,3 @@ def _roughness(roughness: Roughness) -> dict[str, Any]:
     bands = [{"from": low, "to": high, "rms": rms} for low, high, rms in roughness.bands]
     heights = {"ra": roughness.ra, "rq": roughness.rq, "rz": roughness.rz}
     return heights | {"sections": roughness.sections, "cutoff": roughness.cutoff, "bands": bands}
-
-
-def _fit(fit: Fit) -> dict[str, Any]:
-    return {
-        name: {key: plain(number) for key, number in value.items()} if isinstance(value, Mapping) else value
-        for name, value in vars(fit).items()
-    }

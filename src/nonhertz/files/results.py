@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from nonhertz.files.bounds import FORMAT
 from nonhertz.model.body import BODIES
 from nonhertz.result.numerals import csv_text
 from nonhertz.result.quantities import ALONG, QUANTITIES
-from nonhertz.result.solution import EdgePressure, Solution
+from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from nonhertz.files.casefile import Case
@@ -55,13 +56,16 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
         "models": {name: getattr(solution.contact, name).model for name in BODIES},
         **{name: plain(QUANTITIES[name].get(solution)) for name in NUMBERS},
         "contact_y": plain(solution.contact_y),
-        "edge_pressure": [_edge_object(edge) for edge in solution.edge_pressure],
+        "edge_pressure": [
+            plain(vars(edge) | {"kind": edge.kind.label, "converges": edge.converges})
+            for edge in solution.edge_pressure
+        ],
         "singular_ends": [{"y": plain(end.y), "kind": end.kind.label} for end in solution.singular_ends],
         "stiffness": plain(solution.stiffness),
         "peaks_at_corner": solution.peaks_at_corner,
         "iterations": int(solution.iterations),
         "strips": solution.strips,
-        "error_estimate": {name: plain(value) for name, value in vars(solution.error_estimate).items()},
+        "error_estimate": plain(vars(solution.error_estimate)),
         "warnings": list(solution.warnings),
         "units": UNITS,
         **{name: plain(column) for name, column in solution.table().items()},
@@ -72,15 +76,19 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
 
 
 def plain(value: Any) -> Any:
-    """Return a number, or numbers nested in arrays, lists and tuples, in a form that JSON can represent.
+    """Return a number, or numbers nested in arrays, lists, tuples and mappings, in a form that JSON can represent.
+
+    Text and truth values stay as they are.
 
     Examples
     --------
-    >>> plain(np.array([1.0, np.inf])), plain(None)
-    ([1.0, None], None)
+    >>> plain(np.array([1.0, np.inf])), plain({"load": 1, "kind": "finite"})
+    ([1.0, None], {'load': 1.0, 'kind': 'finite'})
     """
-    if value is None:
-        return None
+    if value is None or isinstance(value, str | bool):
+        return value
+    if isinstance(value, Mapping):
+        return {name: plain(entry) for name, entry in value.items()}
     if isinstance(value, np.ndarray):
         return plain(value.tolist())
     if isinstance(value, list | tuple):
@@ -118,19 +126,3 @@ def as_table(solution: Solution) -> str:
 def files(solution: Solution, case: Case) -> dict[str, str]:
     """Return the texts of result.json and table.csv, by file name."""
     return {"result.json": as_json(solution, case) + "\n", "table.csv": as_table(solution)}
-
-
-def _edge_object(edge: EdgePressure) -> dict[str, Any]:
-    return {
-        "y": plain(edge.y),
-        "kind": edge.kind.label,
-        "pressure": plain(edge.pressure),
-        "strip_width": plain(edge.strip_width),
-        "image_weight": plain(edge.image_weight),
-        "exponent": plain(edge.exponent),
-        "strength": plain(edge.strength),
-        "correction": plain(edge.correction),
-        "correction_exponent": plain(edge.correction_exponent),
-        "convention": edge.convention,
-        "converges": edge.converges,
-    }
