@@ -211,7 +211,6 @@ DRAGGED = """async ([delays, bodies]) => {
       },
       waiting() {},
       rested: (complete) => complete && next(),
-      trouble() {},
       stress: () => body,
     });
     next();

@@ -2,7 +2,7 @@
 
 import { figure, head, whenResized } from "./chart.js";
 import { byId, element } from "./elements.js";
-import { AWAY, post } from "./live.js";
+import { AWAY, asked, post } from "./live.js";
 import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
@@ -67,7 +67,7 @@ async function run() {
     const wanted = next;
     next = null;
     const begun = { drawing: 0 };
-    const answer = await ask({ document: wanted.document, method: "slices" });
+    const answer = await asked("bearing/solve", { document: wanted.document, method: "slices" });
     if (!answer) {
       next ??= wanted;
       await new Promise((done) => window.setTimeout(done, AGAIN));
@@ -98,7 +98,7 @@ async function runStrips() {
   const begun = performance.now();
   byId("state").textContent = "solved by slices of ISO/TS 16281";
   byId("round-trip").textContent = "while strips are being solved …";
-  const answer = await ask({ document: work.document, method: "strips" }, stop.signal);
+  const answer = await asked("bearing/solve", { document: work.document, method: "strips" }, stop.signal);
   if (stop.signal.aborted) return;
   if (!answer) {
     rest = window.setTimeout(() => void runStrips(), AGAIN);
@@ -119,29 +119,15 @@ async function runStrips() {
   root.dataset.state = "settled";
 }
 
-/** Return the program's answer, null if there is none, which a notice says. */
-async function ask(body, signal) {
-  try {
-    const response = await post("bearing/solve", body, signal);
-    if (response.status === 204) return null;
-    const answer = await response.json();
-    notice("program", response.status === 503 ? answer.mistakes[0].sentence : "");
-    return response.status === 503 ? null : answer;
-  } catch {
-    if (!signal?.aborted) notice("program", `${AWAY} Trying again …`);
-    return null;
-  }
-}
-
 function answered(answer, { document }) {
   showMistakes(answer.ok ? [] : answer.mistakes);
   if (answer.ok) show(answer, document);
   else refuse(answer);
 }
 
-function show(answer, asked) {
+function show(answer, shown) {
   page.answer = answer;
-  page.document = asked;
+  page.document = shown;
   byId("results").classList.remove("outdated");
   byId("case-title").textContent = answer.title;
   document.title = answer.title ? `${answer.title} – nonhertz` : "nonhertz";

@@ -4,6 +4,7 @@
 // lost until the drag pauses. Stresses take longer: they come with every answer while that is quick enough for dragging,
 // otherwise when the drag pauses, and then a newer case aborts them.
 
+import { notice } from "./status.js";
 import { unitsCode } from "./units.js";
 
 const REST = 120; // ms without a new case before stresses are requested separately
@@ -21,7 +22,6 @@ const ATTEMPTS = 4; // while it is busy
  *   stressed: (answer: any) => void,
  *   waiting: () => void,
  *   rested: (complete: boolean) => void,
- *   trouble: (sentence: string) => void,
  *   stress: () => ("a" | "b" | null),
  * }} Listener
  */
@@ -49,6 +49,27 @@ export async function send(place, type, body, signal) {
     const response = await fetch(place, { method: "POST", headers, body, signal });
     if (response.status !== 503 || left <= 1) return response;
     await new Promise((done) => window.setTimeout(done, AGAIN / 3));
+  }
+}
+
+/**
+ * Post a document that is to be solved: the answer, or null if there is none, which a notice says.
+ * @param {string} place
+ * @param {object} body
+ * @param {AbortSignal} [signal]
+ */
+export async function asked(place, body, signal) {
+  try {
+    const response = await post(place, body, signal);
+    if (response.status === 204) return null;
+    const answer = await response.json();
+    const busy = response.status === 503;
+    notice("program", busy ? answer.mistakes[0].sentence : "");
+    return busy ? null : answer;
+  } catch {
+    // Nothing answers, or something other than the program.
+    if (!signal?.aborted) notice("program", `${AWAY} Trying again …`);
+    return null;
   }
 }
 
@@ -141,23 +162,14 @@ export class Live {
   }
 
   /**
-   * Return the program's answer, or null if there is none, which the listener is notified of.
+   * Return the program's answer, or null if there is none.
    * @param {Pending} wanted
    * @param {boolean} stress
    * @param {AbortSignal} [signal]
    */
   async ask(wanted, stress, signal) {
-    const body = { document: wanted.document, stress, body: this.listener.stress() ?? "a" };
-    try {
-      const response = await post("solve", body, signal);
-      const answer = await response.json();
-      const busy = response.status === 503;
-      this.listener.trouble(busy ? answer.mistakes[0].sentence : "");
-      return busy ? null : { ...answer, body: body.body };
-    } catch {
-      // Nothing answers, or something other than the program.
-      if (!signal?.aborted) this.listener.trouble(`${AWAY} Trying again …`);
-      return null;
-    }
+    const body = this.listener.stress() ?? "a";
+    const answer = await asked("solve", { document: wanted.document, stress, body }, signal);
+    return answer && { ...answer, body };
   }
 }

@@ -43,7 +43,6 @@ const live = new Live({
     }
     if (complete || !view.shownBody() || !live.latest) document.documentElement.dataset.state = "settled";
   },
-  trouble: (sentence) => notice("program", sentence),
   stress: () => view.shownBody(),
 });
 
