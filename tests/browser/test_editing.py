@@ -181,7 +181,7 @@ def test_a_chamfer_is_given_and_left_out_as_a_whole(desk: Desk) -> None:
     desk.page.locator("details[data-details='body.a'] > summary").click()
     for choice, fields in (("given", 1), ("none", 0)):
         before = desk.answers
-        desk.page.locator('[data-group="body.a.chamfer"] select[data-structure]').select_option(choice)
+        desk.page.locator('[data-group="body.a"]').get_by_label("chamfer", exact=True).select_option(choice)
         desk.wait_for_answer(before)
         assert desk.mistakes == []
         assert desk.field("body.a.chamfer.length").count() == fields

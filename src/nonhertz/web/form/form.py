@@ -149,7 +149,7 @@ class _Maker:
             return made
         options = (Option("none", "none", [(path, None)]), Option("given", "given", [(path, self._new(table, legend))]))
         shape = _switch(path, legend, options, "given" if there else "none")
-        return replace(made, members=(shape, *(made.members if there else ())), folded=made.folded if there else ())
+        return replace(made, members=(shape, *made.members)) if there else shape
 
     def _kinds(
         self, table: Table, given: dict[str, Any], place: Place, others: tuple[Table, ...]
@@ -369,6 +369,9 @@ def _unchosen(table: Table, given: dict[str, Any]) -> set[str]:
     aside |= {name for name, other in _ONLY_BESIDE.items() if not {name, other} & set(given)}
     if given.get("kind") == "plate" and "diameter" not in given:
         aside.add("diameter")
+    # Only whole rollers are hollow; of a body with mistakes it is not known what it is.
+    if "profile" in table.keys and (given.get("depth") or _usual_depth(given, table) or "finite") != "finite":
+        aside |= {"bore"} - set(given)
     return aside
 
 
