@@ -13,6 +13,7 @@ import nonhertz as nh
 from nonhertz.files.free_forms import FreeForm, free_form_in
 from nonhertz.study.design import best, checked, front
 from nonhertz.study.objective import Variable, refuse_unlimited
+from nonhertz.study.pictures import design_figures
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -92,6 +93,9 @@ def test_the_longest_life_is_longer_than_that_of_neighbours():
     here = task.at(np.array([x])).damage
     assert all(task.at(np.array([x + step])).damage > here for step in (-0.05, 0.05))
     assert "% of the damage" in found.worst
+    pressure, *_, convergence = design_figures(found)["design"].axes
+    assert pressure.get_ylim()[0] == 0.0
+    assert [text.get_text() for text in convergence.get_legend().get_texts()] == ["start 1", "start 2"]
 
 
 @pytest.mark.slow

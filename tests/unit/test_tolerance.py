@@ -13,6 +13,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution
+from nonhertz.study.pictures import tolerance_figures
 from nonhertz.study.store import FILE
 from nonhertz.study.tolerances import quantile, sobol_indices
 
@@ -107,6 +108,8 @@ def test_a_tolerance_study_ranks_what_matters():
     assert [each.path for each in found.indices("max_pressure")] == ["load.load", "body.a.diameter"]
     assert found.indices("max_pressure")[0].total == pytest.approx(1.0, abs=0.15)
     assert found.tightened_first["max_pressure"] == "load.load"
+    bars = tolerance_figures(found)["indices"].axes[0]
+    assert [text.get_text() for text in bars.get_yticklabels()] == ["load.load", "body.a.diameter"]
     low, middle, high = found.quantiles("load")
     assert low.low <= 20e3 - 2.326e3 <= low.high or low.low == -math.inf
     assert middle.low <= 20e3 <= middle.high
