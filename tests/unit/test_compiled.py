@@ -1,5 +1,6 @@
 """The decorator of compiled functions."""
 
+import os
 import subprocess
 import sys
 import types
@@ -28,6 +29,25 @@ def test_machine_code_is_known_by_the_names_of_libraries_and_not_by_their_folder
     before = stamp.__wrapped__(root)
     vars(library).update(change)
     assert (stamp.__wrapped__(root) == before) == ("__file__" in change)
+
+
+def test_without_numba_a_contact_has_the_same_solution():
+    code = (
+        "import sys, nonhertz as nh; body = {'side_faces': 'none', 'depth': 'none'}\n"
+        "crown = nh.profile.crown(radius=4000)\n"
+        "contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=crown, **body), nh.Plate(**body))\n"
+        "found = nh.solve(contact, load=5e3, strips=5)\n"
+        "print(found.approach, found.max_pressure, 'numba' in sys.modules)"
+    )
+    by_machine, by_python = (
+        subprocess.run(
+            [sys.executable, "-W", "ignore", "-c", code],
+            env=os.environ | disabled, capture_output=True, text=True, check=True,
+        ).stdout.split()
+        for disabled in ({}, {"NUMBA_DISABLE_JIT": "1"})
+    )  # fmt: skip
+    assert [float(each) for each in by_python[:2]] == pytest.approx([float(each) for each in by_machine[:2]], rel=1e-9)
+    assert (by_machine[2], by_python[2]) == ("True", "False")
 
 
 def test_the_package_imports_no_numba():

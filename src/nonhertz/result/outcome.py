@@ -58,7 +58,7 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
 
 def _shortfall(solution: Solution, problem: Problem) -> str | None:
     """Return what a converged solution fails to meet, from its arrays alone."""
-    if not steady.py_func(solution.stiffness, float(np.max(np.abs(solution.edges)))):  # type: ignore[attr-defined]
+    if not getattr(steady, "py_func", steady)(solution.stiffness, float(np.max(np.abs(solution.edges)))):
         return "The stiffness of the state reached is negative or not finite: the equilibrium is unstable."
     motion = np.array([solution.approach, solution.tilt])
     return shortfall(problem, solution.edges, solution.line_load, solution.element_half_width, solution.gap, motion)
