@@ -232,8 +232,8 @@ class Reading:
         """Note a mistake in a field, whose value counts no more."""
         first, *rest = place_of(error.field)
         name, given = str(first), self.table.get(str(first))
-        # Text is shown as it was written, and what is missing not at all: TOML has no null.
-        shown = given if isinstance(given, str) and not rest else error.value
+        # Text and profiles are shown as they were written, and what is missing not at all: TOML has no null.
+        shown = given if (isinstance(given, str) or isinstance(error.value, Profile)) and not rest else error.value
         shown = document_of(shown) if isinstance(shown, Input) else shown
         place = (name, *rest)
         here = InputError(path_of(place), shown, error.condition, error.remedy)
