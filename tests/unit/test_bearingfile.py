@@ -444,6 +444,10 @@ MISTAKES = {
         changed(PLAIN, ("-55.5", "55.5")),
         ["outer.diameter = 55.5 must be negative: it is concave: give that of the raceway in mm."],
     ),
+    "an outer ring of several diameters": (
+        changed(PLAIN, ("-55.5", "{ y = [-9, 9], diameter = [-55, -56] }")),
+        ["outer.diameter must be one number, negative: it is concave: give that of the raceway in mm."],
+    ),
     "a raceway without a diameter": (
         changed(PLAIN, (RING, "[inner]\n")),
         ["inner.diameter must be given: give that of the raceway in mm."],

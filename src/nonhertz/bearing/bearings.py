@@ -897,7 +897,8 @@ def _check_raceway(name: str, diameter: Any, sign: float) -> None:
         raise InputError(name, None, "be given", f"give that of the raceway in mm{signed}")
     if callable(diameter) or not sign * diameter > 0.0:
         words = "positive: it is convex" if sign > 0.0 else "negative: it is concave"
-        raise InputError(name, diameter, f"be {words}", "give that of the raceway in mm")
+        one = "one number, " if callable(diameter) else ""
+        raise InputError(name, diameter, f"be {one}{words}", "give that of the raceway in mm")
 
 
 def _check_washer(name: str, diameter: Any) -> None:
