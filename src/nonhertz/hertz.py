@@ -26,6 +26,7 @@ from numbers import Real
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import LEAST, finite, numbers, positive
 from nonhertz.model.material import Material, check_poisson
@@ -448,7 +449,7 @@ def plane_strain_cylinder_compression(contact: LineContact, *, diameter: float, 
     remedy = "give the cylinder's diameter in mm"
     positive("diameter", diameter, remedy)
     if diameter <= 2.0 * contact.half_width:
-        condition = f"exceed the width of contact of {2.0 * contact.half_width:.6g} mm"
+        condition = f"exceed the width of contact of {mm(2.0 * contact.half_width):.6g}"
         raise InputError("diameter", diameter, condition, remedy)
     logarithm = math.log(2.0 * diameter / contact.half_width)
     return contact.line_load * material.compliance * (2.0 * logarithm - 1.0)
@@ -498,7 +499,7 @@ def half_space_line_compression(contact: LineContact, *, length: float) -> float
     remedy = "give the length of the strip in mm, or use point_contact"
     positive("length", length, remedy)
     if length <= 2.0 * contact.half_width:
-        condition = f"exceed the width of contact of {2.0 * contact.half_width:.6g} mm"
+        condition = f"exceed the width of contact of {mm(2.0 * contact.half_width):.6g}"
         raise InputError("length", length, condition, remedy)
     logarithm = math.log(2.0 * length / contact.half_width)
     return contact.line_load * contact.compliance * (1.0 + 2.0 * logarithm)

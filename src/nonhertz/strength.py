@@ -19,11 +19,11 @@ from typing import Final, Unpack
 
 import numpy as np
 
+from nonhertz.amounts import digits, given, mm, mpa
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of
 from nonhertz.model.body import Body, BodyName
 from nonhertz.result.ends import ends_in_words, outermost
-from nonhertz.result.numerals import digits, given
 from nonhertz.result.protocol import Solved
 from nonhertz.result.solution import ReadOnly
 from nonhertz.subsurface import Extreme, Extremes, extremes
@@ -239,7 +239,7 @@ class _Limit:
         """Return that of a solution."""
         places = [ends_in_words(solution.singular_ends)] if solution.singular_ends else []
         if solution.peaks_at_corner:
-            places.append(f"the corner of the profile at y = {solution.max_pressure_y:.5g} mm")
+            places.append(f"the corner of the profile at y = {mm(solution.max_pressure_y):.5g}")
         return cls(" and ".join(places), clear_of_ends(solution) and not solution.peaks_at_corner)
 
     def __bool__(self) -> bool:
@@ -266,11 +266,11 @@ class _Question:
         ratio = found / allowed
         safety = f"static safety {digits(ratio**-2.0, 3)}"
         if self.limit:
-            return _known("pressure", ratio, f"The largest pressure of {digits(found)} MPa", allowed, "limit", safety)
+            return _known("pressure", ratio, f"The largest pressure of {mpa(found)}", allowed, "limit", safety)
         towards = f"the pressure has no limit towards {self.limit.towards}"
         if ratio <= 1.0 or not self.limit.away:
             return _unknown("pressure", f"Static safety is not known: {towards}.")
-        what = f"{_begin(towards)}; more than a half-width away {digits(found)} MPa"
+        what = f"{_begin(towards)}; more than a half-width away {mpa(found)}"
         return _known("pressure", ratio, what, allowed, "limit", safety)
 
     def yields(self, case: Extremes) -> Check:
@@ -311,8 +311,8 @@ class _Question:
             name,
             _verdict(ratio),
             ratio,
-            f"{_begin(case)}, {given(depth)} mm deep, {enough} the largest maximum shear stress, at "
-            f"z = {digits(shear, 3)} mm or less, and the largest orthogonal one, at z = {digits(orthogonal, 3)} mm or "
+            f"{_begin(case)}, {mm(depth):g} deep, {enough} the largest maximum shear stress, at "
+            f"z = {mm(shear):3} or less, and the largest orthogonal one, at z = {mm(orthogonal):3} or "
             "less.",
         )
 
@@ -326,9 +326,9 @@ class _Question:
         """Return the check of an equivalent stress with a strength of the material."""
         allowed = getattr(self.body.material, strength)
         open_question = f"Whether {what} yields is not known"
-        place = f"{found.site}y = {digits(found.y, 3)} mm and z = {digits(found.z, 3)} mm"
+        place = f"{found.site}y = {mm(found.y):3} and z = {mm(found.z):3}"
         stress = CRITERIA[self.criterion]
-        found_there = f"{digits(found.max)} MPa {place}"
+        found_there = f"{mpa(found.max)} {place}"
         towards = f"the stress has no limit towards {self.limit.towards}"
         if allowed is None:
             known = f"; its largest {stress} is {found_there}" if self.limit else ""
@@ -348,7 +348,7 @@ class _Question:
 
 
 def _known(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "") -> Check:
-    borne = f"the {noun} of {given(allowed)} MPa"
+    borne = f"the {noun} of {mpa(allowed):g}"
     percent = given(100.0 * (ratio if ratio <= 1.0 else ratio - 1.0), 3)
     compared = f"is {percent} % of {borne}" if ratio <= 1.0 else f"exceeds {borne} by {percent} %"
     return Check(name, _verdict(ratio), ratio, f"{what} {compared}{f': {then}' if then else ''}.")

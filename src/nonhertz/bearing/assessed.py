@@ -16,6 +16,7 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import ArrayLike
 
+from nonhertz.amounts import digits, newton
 from nonhertz.bearing.bearings import CylindricalThrustBearing
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.laminae import lamina_life, lamina_means, life_factors, singular_ends
@@ -36,7 +37,6 @@ from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.spectrum import checked_shares
 from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words
-from nonhertz.result.numerals import digits
 
 #: A loaded bearing, or several loads of one bearing with their shares of the revolutions.
 Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]
@@ -98,8 +98,8 @@ class BearingLife:
     def __repr__(self) -> str:
         rated = self.rating
         said = [
-            f"C = {digits(1e-3 * rated.dynamic)} kN, C0 = {digits(1e-3 * rated.static)} kN, "
-            f"P = {digits(1e-3 * self.equivalent_load)} kN, S0 = {digits(self.static_safety, 3)}",
+            f"C = {newton(rated.dynamic)}, C0 = {newton(rated.static)}, "
+            f"P = {newton(self.equivalent_load)}, S0 = {digits(self.static_safety, 3)}",
             f"L10 = {digits(self.basic, 4)}, L10r = {digits(self.reference, 4)} million revolutions",
             f"modified {digits(self.modified, 4)} million revolutions: a1 = {digits(self.reliability_factor, 3)}"
             + self._lubricated(),

@@ -11,6 +11,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import raceway_motion, ring_motion
 from nonhertz.errors import InputError
@@ -221,8 +222,8 @@ class RollerBearing(Input):
         room = 0.5 * self.play + diameter
         if abs(0.5 * self.play) > FITS * diameter:
             condition = (
-                f"fill the {room:.6g} mm between raceways of {self.inner.diameter:g} and "
-                f"{abs(self.outer.diameter):g} mm to within {100.0 * FITS:g} %"  # type: ignore[arg-type]
+                f"fill the {mm(room):.6g} between raceways of {self.inner.diameter:g} and "
+                f"{mm(abs(self.outer.diameter)):g} to within {100.0 * FITS:g} %"  # type: ignore[arg-type]
             )
             raise InputError("roller.diameter", diameter, condition, "give the diameters of raceways and rollers in mm")
         inner, outer = self.contact_angles
@@ -232,7 +233,7 @@ class RollerBearing(Input):
         middle = 0.5 * (float(self.inner.diameter) + abs(float(self.outer.diameter))) * within  # type: ignore[arg-type]
         if self.pitch_diameter is not None and abs(self.pitch_diameter - middle) > FITS * diameter:
             condition = (
-                f"lie within {100.0 * FITS:g} % of the rollers' diameter of the {middle:.6g} mm between the raceways"
+                f"lie within {100.0 * FITS:g} % of the rollers' diameter of the {mm(middle):.6g} between the raceways"
             )
             raise InputError("pitch_diameter", self.pitch_diameter, condition, "leave it out, or check the raceways")
 
@@ -251,7 +252,7 @@ class RollerBearing(Input):
         most = int(math.pi / math.asin(min(1.0, max(1e-9, diameter / pitch))) + 1e-9)
         if pitch <= diameter or self.rollers > most:
             fit = "none fits" if pitch <= diameter else f"{most} fit side by side"
-            condition = f"fit on a pitch circle of {pitch:.6g} mm with a diameter of {diameter:.6g} mm: {fit}"
+            condition = f"fit on a pitch circle of {mm(pitch):.6g} with a diameter of {mm(diameter):.6g}: {fit}"
             raise InputError("rollers", self.rollers, condition, "give fewer or thinner ones")
 
     @property
@@ -471,7 +472,7 @@ class CylindricalRollerBearing(RollerBearing):
     def _check_clearance(self) -> None:
         # Without a diameter the rollers are wrong, not the clearance.
         if abs(self.clearance) > FITS * self.roller_diameter > 0.0:
-            condition = f"be less than {100.0 * FITS:g} % of the roller's diameter of {self.roller_diameter:g} mm"
+            condition = f"be less than {100.0 * FITS:g} % of the roller's diameter of {mm(self.roller_diameter):g}"
             raise InputError("clearance", self.clearance, condition, "give it in mm: 20 um are 0.02")
 
     @together("design", "rib")
@@ -625,7 +626,7 @@ class SphericalRollerBearing(RollerBearing):
 
     def _refuse_groove(self, name: str, radius: float) -> None:
         if radius <= self.profile_radius:
-            raise InputError(name, radius, f"exceed the radius of the barrels, {self.profile_radius:g} mm", _GROOVE)
+            raise InputError(name, radius, f"exceed the radius of the barrels, {mm(self.profile_radius):g}", _GROOVE)
 
     @property
     def raceway_motions(self) -> tuple[Array, Array]:
@@ -677,7 +678,7 @@ class CylindricalThrustBearing(RollerBearing):
     def _refuse_no_room(self) -> None:
         self._refuse_crowd()
         if self.roller_length >= self.pitch:
-            condition = f"be less than the pitch diameter of {self.pitch:g} mm"
+            condition = f"be less than the pitch diameter of {mm(self.pitch):g}"
             raise InputError("roller.length", self.roller_length, condition, "give that of the rollers' middles in mm")
 
     @property

@@ -25,6 +25,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nonhertz.amounts import digits, mm, newton, um
 from nonhertz.bearing.bearings import (
     MOST_ROLLERS,
     CylindricalRollerBearing,
@@ -39,7 +40,6 @@ from nonhertz.life.capacity import Raceway
 from nonhertz.model import profile
 from nonhertz.model.body import Body, Ring, Roller, TabulatedDiameter
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits
 
 
 @dataclass(frozen=True)
@@ -190,7 +190,7 @@ def from_catalogue(
     ):
         positive(name, value, f"give {symbol} of the catalogue in mm")
     if outside_diameter <= bore:
-        condition = f"exceed the bore of {bore:g} mm"
+        condition = f"exceed the bore of {mm(bore):g}"
         raise InputError("outside_diameter", outside_diameter, condition, "give D of the catalogue in mm")
     positive("dynamic", dynamic, _IN_N)
     positive("static", static, _IN_N)
@@ -313,13 +313,14 @@ def _most_probable(given: _Given) -> tuple[_Inside, tuple[int, int]]:
     found = [_best(given, number) for number in range(FEWEST_ROLLERS, most + 1)]
     fitting = [each for each in found if each is not None]
     if not fitting:
-        rings = f"{given.bore:g} and {given.outside:g} mm, {given.width:g} mm wide"
+        rings = f"{mm(given.bore, given.outside, between=' and '):g}, {mm(given.width):g} wide"
         condition = f"be that of rollers which fit between rings of {rings}"
         raise InputError("static", given.static, condition, _IN_N)
     best = min(fitting, key=lambda each: each.misses)
     if abs(math.log(best.factor)) > math.log(MOST_FACTOR):
-        by_standard = digits(given.dynamic / best.factor, 3)
-        condition = f"be near {by_standard} N, which ISO 281 gives a bearing with such a static rating"
+        condition = (
+            f"be near {newton(given.dynamic / best.factor):3}, which ISO 281 gives a bearing with such a static rating"
+        )
         raise InputError("dynamic", given.dynamic, condition, _IN_N)
     near = [each.rollers for each in fitting if each.misses <= best.misses + 1.0]
     return best, (min(near), max(near))
@@ -382,7 +383,7 @@ def _clearance(given: _Given, clearance: float | None) -> float:
     for most, low, high in _NORMAL:
         if given.bore <= most:
             return 0.5e-3 * (low + high)
-    raise InputError("clearance", None, f"be given for a bore of more than {_NORMAL[-1][0]} mm", "give it in mm")
+    raise InputError("clearance", None, f"be given for a bore of more than {mm(_NORMAL[-1][0]):g}", "give it in mm")
 
 
 def _angle(angles: Mapping[str, float | None]) -> float:
@@ -409,7 +410,7 @@ def _check_raceways(bore: float, outside: float, raceways: Mapping[str, float | 
             remedy = f"give {'F' if name == 'inner_raceway' else 'E'} of the catalogue in mm, or leave it out"
             positive(name, value, remedy)
             if not low < value < high:
-                raise InputError(name, value, f"lie between {low:g} and {high:g} mm", remedy)
+                raise InputError(name, value, f"lie between {mm(low, high, between=' and '):g}", remedy)
             low = value  # the outer raceway lies outside of the inner one
 
 
@@ -427,15 +428,15 @@ def _sentences(
     fill, section, length = (digits(100.0 * share, 2) for share in shares)
     low, high = rollers
     why = ", until it is mounted" if given.kind == "tapered" else ", the middle of the normal group"
-    size = f"{given.bore:g} x {given.outside:g} x {given.width:g} mm"
-    roller, pitch = f"{digits(inside.diameter, 4)} x {digits(inside.length, 4)} mm", f"{digits(inside.pitch, 4)} mm"
+    size = f"{mm(given.bore, given.outside, given.width, between=' x '):g}"
+    roller, pitch = f"{mm(inside.diameter, inside.length, between=' x '):4}", f"{mm(inside.pitch):4}"
     found = [
         f"a guess of the inside of a {given.kind} roller bearing {size}",
         f"{inside.rollers} rollers of {roller} on a pitch circle of {pitch}: {of_pitch}",
         f"rollers take {fill} % of the pitch circle, {section} % of the section and {length} % of the width",
         f"about as probable: {low} to {high} rollers" if low < high else "other numbers of rollers are less probable",
-        f"C0 of {digits(1e-3 * given.static, 4)} kN is met; C of {digits(1e-3 * given.dynamic, 4)} kN is "
+        f"C0 of {newton(given.static):4} is met; C of {newton(given.dynamic):4} is "
         f"{digits(inside.factor, 3)} times that of ISO 281",
-        f"clearance {digits(1e3 * clearance, 3)} um{why if usual_clearance else ''}; reference profile of ISO 16281",
+        f"clearance {um(clearance):3}{why if usual_clearance else ''}; reference profile of ISO 16281",
     ]  # fmt: skip
     return tuple(found)

@@ -19,6 +19,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
+from nonhertz.amounts import digits, given, mm, mpa, um
 from nonhertz.bearing.bearings import (
     CylindricalRollerBearing,
     Paired,
@@ -33,7 +34,6 @@ from nonhertz.inputs.fields import Input, Part, Quantity, described, together
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.materials import STEEL_DENSITY, NamedMaterial, density_of
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits, given
 
 REFERENCE = 20.0  # degC, at which dimensions are given
 EXPANSION = 12.5e-6  # 1/K, bearing steel (IKO, needle roller bearing catalogue, formula 29)
@@ -120,7 +120,7 @@ class _Seat(Input):
     @together("diameter", "interference")
     def _check_interference(self) -> None:
         if abs(self.interference) > MOST_INTERFERENCE * self.diameter:
-            condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {self.diameter:g} mm"
+            condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {mm(self.diameter):g}"
             raise InputError("interference", self.interference, condition, _IN_MM)
 
     @property
@@ -152,7 +152,7 @@ class Shaft(_Seat):
     @together("diameter", "bore")
     def _check_bore(self) -> None:
         if self.bore >= self.diameter:
-            condition = f"be less than the diameter of the shaft of {self.diameter:g} mm"
+            condition = f"be less than the diameter of the shaft of {mm(self.diameter):g}"
             raise InputError("bore", self.bore, condition, _BORE)
 
 
@@ -173,7 +173,7 @@ class Housing(_Seat):
     @together("diameter", "outside_diameter")
     def _check_outside(self) -> None:
         if self.outside_diameter <= self.diameter:
-            condition = f"exceed that of the seat of {self.diameter:g} mm"
+            condition = f"exceed that of the seat of {mm(self.diameter):g}"
             raise InputError("outside_diameter", self.outside_diameter, condition, _OUTSIDE)
 
 
@@ -273,7 +273,7 @@ def _strain(name: str, expansion: float | None, material: Material, temperature:
         expansion = EXPANSION
     if expansion is None:
         condition = (
-            f"be given for a part of {given(material.modulus)} MPa, which is not steel, at {given(temperature)} degC"
+            f"be given for a part of {mpa(material.modulus):g}, which is not steel, at {given(temperature)} degC"
         )
         raise InputError(name, None, condition, "give it in 1/K, 23e-6 for aluminium")
     return expansion * (temperature - REFERENCE)
@@ -285,7 +285,7 @@ def _density(name: str, density: float | None, material: Material, speed: float)
         return density
     found = density_of(material)
     if found is None and speed > 0.0:
-        condition = f"be given for a turning part of {given(material.modulus)} MPa, which is not steel"
+        condition = f"be given for a turning part of {mpa(material.modulus):g}, which is not steel"
         raise InputError(name, None, condition, _IN_TONNES)
     return found or 0.0
 
@@ -377,28 +377,21 @@ class OperatingClearance:
 
     def __repr__(self) -> str:
         said = [
-            f"radial clearance {_um(self.clearance)} um of {_um(self.unmounted)} um unmounted",
-            f"taken by the inner fit {_um(self.inner_fit)} um, by the outer fit {_um(self.outer_fit)} um",
-            f"taken by temperatures {_um(self.temperatures)} um, by speed {_um(self.speed)} um",
+            f"radial clearance {um(self.clearance):4} of {um(self.unmounted):4} unmounted",
+            f"taken by the inner fit {um(self.inner_fit):4}, by the outer fit {um(self.outer_fit):4}",
+            f"taken by temperatures {um(self.temperatures):4}, by speed {um(self.speed):4}",
             *(line for name, fit in (("inner", self.inner), ("outer", self.outer)) for line in _said(name, fit)),
         ]
         return plain_text("OperatingClearance", said)
 
 
-def _um(length: float) -> str:
-    return digits(1e3 * length, 4)
-
-
 def _said(name: str, fit: Fit) -> list[str]:
-    mounted, running, seat, raceway = (
-        digits(each, 4) for each in (fit.mounted_pressure, fit.pressure, fit.seat_stress, fit.raceway_stress)
-    )
     state = ", loosened" if fit.loosened else ""
     if 0.0 < fit.loosening_speed < math.inf and not fit.loosened:
         state = f", comes loose at {digits(fit.loosening_speed, 3)}/min"
     return [
-        f"{name} fit: pressure {mounted} MPa mounted, {running} MPa in operation{state}",
-        f"{name} ring: hoop stress {seat} MPa at the seat, {raceway} MPa at the raceway",
+        f"{name} fit: pressure {mpa(fit.mounted_pressure):4} mounted, {mpa(fit.pressure):4} in operation{state}",
+        f"{name} ring: hoop stress {mpa(fit.seat_stress):4} at the seat, {mpa(fit.raceway_stress):4} at the raceway",
     ]
 
 
@@ -638,8 +631,8 @@ def _check_bearing(bearing: RollerBearing) -> tuple[float, float]:
 def _check_rings(bearing: RollerBearing, shaft: Shaft, housing: Housing) -> None:
     raceway, around = (abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
     if shaft.diameter >= raceway:
-        condition = f"be less than that of the inner raceway of {raceway:g} mm"
+        condition = f"be less than that of the inner raceway of {mm(raceway):g}"
         raise InputError("shaft.diameter", shaft.diameter, condition, "give the bore of the inner ring in mm")
     if housing.diameter <= around:
-        condition = f"exceed that of the outer raceway of {around:g} mm"
+        condition = f"exceed that of the outer raceway of {mm(around):g}"
         raise InputError("housing.diameter", housing.diameter, condition, "give that around the outer ring in mm")

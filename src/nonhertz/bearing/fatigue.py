@@ -33,6 +33,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import digits
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.laminae import singular_ends
@@ -46,7 +47,6 @@ from nonhertz.life.volume import Exposure, even_exposure, exposure, section_expo
 from nonhertz.model.body import BodyName
 from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words
-from nonhertz.result.numerals import digits
 from nonhertz.result.solution import ReadOnly, SingularEnd, Solution
 
 Array = NDArray[np.float64]

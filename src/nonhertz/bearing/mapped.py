@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.laws import MAP
 from nonhertz.errors import InputError
@@ -39,7 +40,7 @@ class BearingMaps:
         pairs = [each for pair in self.contacts for each in pair]
         error = max(max(each.sampled_error.load, each.sampled_error.moment) for each in pairs)
         loads = min(each.most_load for each in pairs)
-        return f"BearingMaps({len(pairs)} contacts, loads up to {loads:.4g} N, sampled error {error:.2g})"
+        return f"BearingMaps({len(pairs)} contacts, loads up to {newton(loads):.4g}, sampled error {error:.2g})"
 
 
 def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, accuracy: float = 1e-4) -> BearingMaps:

@@ -9,6 +9,7 @@ from typing import Annotated, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, finite, not_negative, numbers
@@ -225,7 +226,9 @@ def _refuse_falling_apart(bearing: RollerBearing | Paired, by_force: NDArray[np.
     if falls.size:
         k = falls[0]
         way, remedy = "+x" if up else "-x", "without that rows that bear it one way alone fall apart"
-        condition = f"exceed {least[k]:.4g} N along {way}, the tangent of the contact angle times the radial force"
+        condition = (
+            f"exceed {newton(least[k]):.4g} along {way}, the tangent of the contact angle times the radial force"
+        )
         if least[k] == 0.0:
             condition, remedy = f"act along {way}, the only way in which this bearing bears it", "turn it round"
         raise InputError("axial", float(target[k, 0]), condition, f"{remedy}; or give axial_displacement")

@@ -17,6 +17,7 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bearing.laws import Point
 from nonhertz.bearing.section import point_motion
 from nonhertz.errors import InputError
@@ -84,13 +85,13 @@ class Rib(Input):
     @together("end_radius", "height")
     def _check_height(self) -> None:
         if self.height >= self.end_radius:
-            condition = f"be less than the radius of the end, {self.end_radius:g} mm"
+            condition = f"be less than the radius of the end, {mm(self.end_radius):g}"
             raise InputError("height", self.height, condition, "give how far from the roller's axis the rib touches")
 
     @together("height", "edge")
     def _check_edge(self) -> None:
         if self.edge is not None and self.edge >= self.height:
-            condition = f"be less than the height of the contact, {self.height:g} mm"
+            condition = f"be less than the height of the contact, {mm(self.height):g}"
             raise InputError("edge", self.edge, condition, "give how far from the roller's axis the flank ends")
 
     @classmethod
@@ -185,7 +186,7 @@ class End:
             If the rib touches beyond the roller's end, or its flank is more concave than the end is convex.
         """
         if rib.height >= self.radius:
-            condition = f"be less than the radius of the rollers' ends, {self.radius:.6g} mm"
+            condition = f"be less than the radius of the rollers' ends, {mm(self.radius):.6g}"
             raise InputError("rib.height", rib.height, condition, _HEIGHT)
         ring, side = place
         # Square to the roller's axis, towards the ring; and along the axis, from this end into the roller.

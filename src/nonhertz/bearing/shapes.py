@@ -19,6 +19,7 @@ from typing import Annotated, Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, numbers, whole
 from nonhertz.inputs.fields import Count, Input, Parts, Quantities, Quantity, Word, described, together
@@ -136,7 +137,7 @@ class Deviations(Input):
         if span < _TURN * (1.0 - _CLOSED):
             return places, values
         if abs(values[-1] - values[0]) > 1e-6 * max(float(np.ptp(values)), 1e-6):
-            condition = f"be the same where the ring closes, {values[0]:.6g} mm"
+            condition = f"be the same where the ring closes, {mm(values[0]):.6g}"
             remedy = "leave out the angle that is a turn after the first"
             raise InputError("deviation", float(values[-1]), condition, remedy)
         return places[:-1], values[:-1]

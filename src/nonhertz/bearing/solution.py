@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import mm, mrad, newton, newton_mm, um
 from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import States
@@ -22,7 +23,6 @@ from nonhertz.hertz import PointContact
 from nonhertz.inputs.checks import numbers, one_of, whole
 from nonhertz.life.capacity import is_hollow
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits, sized_list, unit_for
 from nonhertz.result.solution import ReadOnly, Solution
 from nonhertz.solver.one import solve
 
@@ -133,16 +133,14 @@ class BearingSolution(ReadOnly):
         lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
         rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
         force = without_rounding(self.force, 1.0 / lever)
-        moved = [digits(value) for value in without_rounding(1e3 * self.displacement, lever)]
-        factor, unit = unit_for(self.load[most], "N")
-        inner, outer = (f"{digits(factor * load)} {unit}" for load in self.load[most])
+        moved = without_rounding(self.displacement, lever)
         loaded = np.count_nonzero(self.load.max(axis=1) > 0.0)
         said = [
             f"{' and '.join(rows)}, by {self.method}",
-            f"force {sized_list(force[:3], 'N')} along x, y, z; moment {sized_list(force[3:], 'N mm')} about y, z",
-            f"displacement {', '.join(moved[:3])} um along x, y, z; rotation {', '.join(moved[3:])} mrad about y, z",
-            f"{loaded} rollers loaded; at {np.degrees(self.angle[most]):.1f} degrees {inner} at the inner and {outer} "
-            "at the outer ring",
+            f"force {newton(*force[:3])} along x, y, z; moment {newton_mm(*force[3:])} about y, z",
+            f"displacement {um(*moved[:3])} along x, y, z; rotation {mrad(*moved[3:])} about y, z",
+            f"{loaded} rollers loaded; at {np.degrees(self.angle[most]):.1f} degrees "
+            f"{newton(*self.load[most], between=' and ')} at the inner and the outer ring",
         ]
         return plain_text("BearingSolution", said)
 
@@ -232,8 +230,8 @@ class BearingSolution(ReadOnly):
             if rib is not None and rib.reaches_an_edge(load):
                 reach = rib.under(load).half_length
                 found.append(
-                    f"The contact of roller {j} with a rib of the {ring} ring reaches {reach:.3g} mm along the flank, "
-                    f"beyond an edge at {rib.room:.3g} mm, where the pressure is higher than Hertz's."
+                    f"The contact of roller {j} with a rib of the {ring} ring reaches {mm(reach):.3g} along the flank, "
+                    f"beyond an edge at {mm(rib.room):.3g}, where the pressure is higher than Hertz's."
                 )
         if self.method == "slices" and any(is_hollow(row.bearing.roller) for row in self.bearing.rows):
             found.append("Slices take hollow rollers as solid ones, which are stiffer: solve the bearing by strips.")

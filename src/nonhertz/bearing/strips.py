@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mrad, um
 from nonhertz.bearing.laws import ANSWER, OVERLAP
 from nonhertz.errors import ConvergenceError
 from nonhertz.model.contact import Contact
@@ -271,7 +272,7 @@ class StripLaw:
                 row, states = rows[case], levels[0].one(k).row()
                 pose, depth = missing[row]
                 if states.status[0] != CONVERGED:
-                    at = f"an approach of {1e3 * pose[0]:.6g} um and a tilt of {1e3 * pose[1]:.6g} mrad"
+                    at = f"an approach of {um(pose[0]):.6g} and a tilt of {mrad(pose[1]):.6g}"
                     raise ConvergenceError(f"The contact of a roller at {at} has no solution.", None)
                 grids = self._problem.grids(states.counts, states.edges)
                 self._remote.pop(row, None)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import RegularGridInterpolator
 
+from nonhertz.amounts import digits, given
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.section import MOTIONS
@@ -20,7 +21,6 @@ from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.inputs.checks import broadcast, numbers, one_of, whole
 from nonhertz.maps.misses import SAFETY
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import ReadOnly, read_only
 
 Array = NDArray[np.float64]

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, at_edge, balanced
 from nonhertz.bearing.laws import ContactLaw
@@ -288,7 +289,9 @@ def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapL
             covered = law.covers(approach.ravel(), tilt.ravel()).reshape(approach.shape)
             if not np.all(covered | (rollers.load[:, these, k] == 0.0)):
                 load, turned = float(rollers.load.max()), float(np.abs(rollers.tilt).max())
-                condition = f"reach to loads of {load:.4g} N and tilts of {turned:.4g} rad, which these states have"
+                condition = (
+                    f"reach to loads of {newton(load):.4g} and tilts of {turned:.4g} rad, which these states have"
+                )
                 raise InputError("maps", "too small", condition, "make larger ones")
         first += count
 

@@ -3,30 +3,24 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-
-from rich.table import Table
-from rich.text import Text
 
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.cli import FINE, NOT_CONVERGED
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.cli.printing import Printed, print_written
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.files.bearing_results import as_json, as_object, comparison_files, comparison_object, files
 from nonhertz.files.bearingfile import BearingCase, placed
 from nonhertz.files.folder import write_files
-from nonhertz.result.reading import chosen
 from nonhertz.show.bearing import (
     OF_LARGEST,
-    compared_columns,
-    compared_roller_rows,
     compared_rows,
+    compared_table,
     life_rows,
-    roller_columns,
-    roller_rows,
+    roller_table,
     spectrum_rows,
     summary_rows,
 )
@@ -41,7 +35,7 @@ def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
         life, reason = case.rated(solution)
         sentences = solution.warnings
     except ConvergenceError as error:
-        print(chosen()(str(error)), file=sys.stderr)
+        print(error, file=sys.stderr)
         return NOT_CONVERGED
     except InputError as error:  # of a contact, when its pressure is solved
         raise placed(error) from None
@@ -53,7 +47,7 @@ def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
         print(as_json(as_object(solution, case, *found)))
         return FINE
     _print_bearing(case, solution, *found)
-    _print_written(written)
+    print_written(written)
     return FINE
 
 
@@ -62,19 +56,19 @@ def report_comparison(case: BearingCase, out: Path | None, json: bool) -> int:
     try:
         strips, slices = case.solve("strips"), case.solve("slices")
     except ConvergenceError as error:
-        print(chosen()(str(error)), file=sys.stderr)
+        print(error, file=sys.stderr)
         return NOT_CONVERGED
     written = () if out is None else write_files(out, comparison_files(strips, slices, case.title))
     if json:
         print(as_json(comparison_object(strips, slices, case.title)))
         return FINE
-    printing = console(WIDTH)
-    printing.print(Text(case.title, style="bold"))
-    print_table(printing, _table(("", "strips", "slices", "difference"), compared_rows(strips, slices), left=(0,)))
-    printing.print()
-    print_table(printing, _table(compared_columns(strips, slices), compared_roller_rows(strips, slices)))
-    printing.print(Text(OF_LARGEST), soft_wrap=True)
-    _print_written(written)
+    printing = Printed(case.title, WIDTH)
+    printing.table(compared_rows(strips, slices), ("", "strips", "slices", "difference"), left=(0,))
+    printing.blank()
+    heads, rows = compared_table(strips, slices)
+    printing.table(rows, heads, left=())
+    printing.say(OF_LARGEST)
+    print_written(written)
     return FINE
 
 
@@ -107,32 +101,10 @@ def _draw(solution: BearingSolution, case: BearingCase, folder: Path) -> None:
 def _print_bearing(
     case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str, sentences: Sequence[str]
 ) -> None:
-    printing = console(WIDTH)
-    printing.print(Text(case.title, style="bold"))
-    table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     speed = None if case.spectrum else case.prescribed.get("speed")
-    for row in (*summary_rows(case, solution), *spectrum_rows(case), *life_rows(life, reason, speed)):
-        table.add_row(*map(words, row))
-    print_table(printing, table)
-    printing.print()
-    print_table(printing, _table(roller_columns(solution), roller_rows(solution)))
-    for sentence in sentences:
-        printing.print(words(f"warning: {sentence}", "yellow"), soft_wrap=True)
-
-
-def _print_written(written: Iterable[Path]) -> None:
-    for path in written:
-        print(f"wrote {path}")
-
-
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, left: Sequence[int] = ()) -> Table:
-    """Return a table without the columns that are blank throughout."""
-    head, rows = chosen().columns(head, list(rows))
-    columns = [position for position in range(len(head)) if any(row[position] for row in rows)]
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for position in columns:
-        # As text: rich would take [MPa] for markup.
-        table.add_column(Text(head[position]), justify="left" if position in left else "right")
-    for row in rows:
-        table.add_row(*(Text(row[position]) for position in columns))
-    return table
+    printing = Printed(case.title, WIDTH)
+    printing.table([*summary_rows(case, solution), *spectrum_rows(case), *life_rows(life, reason, speed)])
+    printing.blank()
+    heads, rows = roller_table(solution)
+    printing.table(rows, heads, left=())
+    printing.warn(*sentences)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from nonhertz.amounts import mm
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -43,7 +44,9 @@ def _contact(case: Case) -> str:
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
     solved_or_not(case)
     low, high = case.contact.interval
-    return f"{case.title!r}, bodies face each other from y = {low:g} to {high:g} mm, {_listed(case.prescribed)}"
+    return (
+        f"{case.title!r}, bodies face each other from y = {mm(low, high, between=' to '):g}, {_listed(case.prescribed)}"
+    )
 
 
 def _bearing(case: BearingCase) -> str:

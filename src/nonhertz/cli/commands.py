@@ -80,7 +80,7 @@ def run(words: Sequence[str]) -> int:
 
 def _show_in(units: str) -> None:
     """Choose the units of what is shown in the rest of the command."""
-    from nonhertz.result.reading import choose_units
+    from nonhertz.amounts import choose_units
 
     choose_units(units)
 
@@ -107,10 +107,8 @@ def _plain_warnings() -> Iterator[None]:
 
 
 def _complain(sentence: object) -> None:
-    """Print a sentence about what was solved on standard error, in the chosen units."""
-    from nonhertz.result.reading import chosen
-
-    print(chosen()(str(sentence)), file=sys.stderr)
+    """Print a sentence about what was solved on standard error."""
+    print(sentence, file=sys.stderr)
 
 
 @app.command

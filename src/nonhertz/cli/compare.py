@@ -5,20 +5,15 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from rich.table import Table
-from rich.text import Text
-
 from nonhertz import comparison as methods
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.amounts import amount, digits, mm
+from nonhertz.cli.printing import Printed
 from nonhertz.cli.verify import Progress
 from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import Case, placed
-from nonhertz.result.numerals import digits
-from nonhertz.result.reading import chosen
 
 _METHODS = 3
-_COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
 
 
 def compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
@@ -59,18 +54,11 @@ def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[
 
 def print_comparison(found: Comparison, title: str) -> None:
     """Print results side by side, run times, where the methods differ, and warnings."""
-    printing = console()
-    printing.print(Text(title, style="bold"))
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for position, name in enumerate(_COLUMNS):
-        table.add_column(name, justify="right" if position else "left", no_wrap=bool(position))
-    for row in comparison_rows(found):
-        table.add_row(*map(Text, chosen().row(row)))
-    print_table(printing, table)
-    for sentence in sentences(found):
-        printing.print(words(sentence), soft_wrap=True)
-    for warning in found.warnings:
-        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
+    printing = Printed(title)
+    heads = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
+    printing.table(comparison_rows(found), heads, left=(0,))
+    printing.say(*sentences(found))
+    printing.warn(*found.warnings)
 
 
 def comparison_rows(found: Comparison) -> list[tuple[str, ...]]:
@@ -101,20 +89,17 @@ def sentences(found: Comparison) -> list[str]:
 
 def _row(each: ComparedQuantity) -> tuple[str, ...]:
     of_semi, of_parabola = (_difference(value, each) for value in each.differences)
-    patch, semi, parabola = (_value(value) for value in (each.patch, each.semi_elliptic, each.parabolic))
-    unit = f" {each.unit}" if math.isfinite(each.patch) else ""
-    return each.name, patch + unit, semi, of_semi, parabola, of_parabola
-
-
-def _value(value: float) -> str:
-    return digits(value, 6) if math.isfinite(value) else "none"
+    values = each.patch, each.semi_elliptic, each.parabolic
+    factor, unit = amount(values, each.unit).scale
+    patch, semi, parabola = (digits(factor * value, 6) if math.isfinite(value) else "none" for value in values)
+    return each.name, f"{patch} {unit}" if math.isfinite(each.patch) else patch, semi, of_semi, parabola, of_parabola
 
 
 def _difference(value: float, each: ComparedQuantity) -> str:
     if not math.isfinite(value):
         return ""
     if each.absolute:
-        return f"{value:+.2g} {each.unit}" if value else "0"
+        return f"{'+' * (value > 0.0)}{amount(value, each.unit):.2g}" if value else "0"
     # A prescribed load, for example, is met to rounding error.
     return _percent(value) if abs(value) > 1e-10 else "0"
 
@@ -130,4 +115,5 @@ def _time(seconds: float) -> str:
 
 def _sentence(each: Stretch) -> str:
     worst = _percent(each.largest) if math.isfinite(each.largest) else "the plane grid has no contact"
-    return f"{each.element} strips, y = {each.low:.5g} to {each.high:.5g} mm ({worst} at {each.at:.5g} mm)."
+    where = mm(each.low, each.high, between=" to ")
+    return f"{each.element} strips, y = {where:.5g} ({worst} at {mm(each.at):.5g})."

@@ -11,16 +11,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rich.table import Table
-from rich.text import Text
 
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.cli.printing import Printed, print_written
 from nonhertz.files.folder import write_files
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.inputs.files import legible
-from nonhertz.result.numerals import csv_text
+from nonhertz.result.tables import csv_text
 from nonhertz.show.studies import BAND_COLUMNS, START_COLUMNS, band_rows, design_rows, start_rows
 from nonhertz.study.design import Design, best
 
@@ -87,24 +85,12 @@ def as_json(found: Design, files: Sequence[Path]) -> str:
 
 def print_design(found: Design, files: Sequence[Path]) -> None:
     """Print the goal before and after, what is best, how flat that is, the searches, and the files."""
-    printing = console()
-    printing.print(Text(found.was.title, style="bold"))
-    for head, rows in (
-        (None, design_rows(found)),
-        (BAND_COLUMNS, band_rows(found)),
-        (START_COLUMNS, start_rows(found)),
-    ):
-        if not rows:
-            continue
-        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=head is not None, header_style="dim")
-        for name in head or [""] * len(rows[0]):
-            table.add_column(Text(name))
-        for row in rows:
-            table.add_row(*map(words, row))
-        print_table(printing, table)
-        printing.print()
-    for path in files:
-        print(f"wrote {path}")
+    printing = Printed(found.was.title)
+    for heads, rows in (((), design_rows(found)), (BAND_COLUMNS, band_rows(found)), (START_COLUMNS, start_rows(found))):
+        if rows:
+            printing.table(rows, heads)
+            printing.blank()
+    print_written(files)
 
 
 def _profile(found: Design) -> str:

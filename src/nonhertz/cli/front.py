@@ -7,17 +7,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-from rich.text import Text
-
+from nonhertz.amounts import digits, mpa
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.cli.printing import Printed, print_written
 from nonhertz.errors import InputError
 from nonhertz.files.folder import write_files
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
-from nonhertz.result.numerals import csv_text, digits
-from nonhertz.result.reading import chosen
+from nonhertz.result.tables import csv_text
 from nonhertz.study.design import Front, front
 from nonhertz.study.pictures import front_figure
 
@@ -79,18 +76,15 @@ def as_json(found: Front, files: Sequence[Path]) -> str:
 def print_front(found: Front, files: Sequence[Path]) -> None:
     """Print the points and the files."""
     numbers = _numbers(found)
-    pressure = chosen().of("MPa")[0]
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for name in ("point", *(f"{pressure} {group}" for group in GROUPS), *numbers):
-        table.add_column(Text(name))
-    for k, (first, second) in enumerate(zip(found.first, found.second, strict=True)):
-        cells = [f"{digits(values[k])} {found.units.get(path, '')}".rstrip() for path, values in numbers.items()]
-        pressures = (chosen().value(digits(each), "MPa")[0] for each in (first, second))
-        table.add_row(str(k + 1), *pressures, *map(words, cells))
-    print_table(console(), table)
-    print()
-    for path in files:
-        print(f"wrote {path}")
+    pressures = [mpa(*group) for group in (found.first, found.second)]
+    unit = pressures[0].scale[1]
+    columns = [each.apart()[0] for each in pressures]
+    columns += [[f"{digits(each)} {found.units.get(path, '')}".rstrip() for each in of] for path, of in numbers.items()]
+    rows = [(str(number), *cells) for number, cells in enumerate(zip(*columns, strict=True), start=1)]
+    printing = Printed()
+    printing.table(rows, ("point", *(f"{unit} {group}" for group in GROUPS), *numbers))
+    printing.blank()
+    print_written(files)
 
 
 def _numbers(found: Front) -> dict[str, list[float]]:

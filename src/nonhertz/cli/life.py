@@ -7,12 +7,8 @@ import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
-
 from nonhertz.cli import FINE, NOT_CONVERGED
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.cli.printing import Printed, print_written
 from nonhertz.cli.solve import spectrum_or_not
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
@@ -21,17 +17,15 @@ from nonhertz.files.held import named
 from nonhertz.files.lives import Assessment
 from nonhertz.files.lives import as_json as as_json_text
 from nonhertz.life import MODELS
-from nonhertz.result.reading import chosen
 from nonhertz.show.analysis import assessed, models_for
 from nonhertz.show.lives import (
     LIFE_COLUMNS,
     RATIO,
     REVOLUTIONS,
-    SPECTRUM_COLUMNS,
     life_rows,
     ratio_rows,
     sentences,
-    spectrum_rows,
+    spectrum_table,
     without_ratio,
 )
 
@@ -61,8 +55,7 @@ def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_j
                 spectrum, complaint = spectrum_or_not(case)
                 if complaint:
                     progress.wipe()
-                    said = chosen()(complaint)
-                    print(f"{case.path}: {said}" if found else said, file=sys.stderr)
+                    print(f"{case.path}: {complaint}" if found else complaint, file=sys.stderr)
                     return NOT_CONVERGED
                 found.append(assessed(case, spectrum, models, notes, progress.announce))
     finally:
@@ -73,8 +66,7 @@ def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_j
         print(as_json_text(assessment, other))
         return FINE
     print_lives(assessment, other)
-    for path in written:
-        print(f"wrote {path}")
+    print_written(written)
     return FINE
 
 
@@ -94,43 +86,23 @@ def _lives_written(directory: Path, found: Assessment, other: Assessment | None)
 
 def print_lives(found: Assessment, other: Assessment | None) -> None:
     """Print the lives by all models, what they are relative to, those of another case, and warnings."""
-    printing = console(WIDTH)
-    printing.print(Text(found.title, style="bold"))
-    print_table(printing, _table(LIFE_COLUMNS, life_rows(found), left=(0, 4)))
-    for sentence in sentences(found):
-        printing.print(words(sentence), soft_wrap=True)
-    _print_spectrum(printing, found)
-    _print_warnings(printing, found)
+    printing = Printed(found.title, WIDTH)
+    printing.table(life_rows(found), LIFE_COLUMNS, left=(0, 4))
+    printing.say(*sentences(found))
+    _print_rest(printing, found)
     if other is None:
         return
-    printing.print()
-    printing.print(Text(f"Compared with: {other.title}", style="bold"))
-    head = ("", "life in a", "in b", REVOLUTIONS, "first / this, a", "first / this, b")
-    print_table(printing, _table(head, ratio_rows(found, other), left=(0,)))
-    for sentence in [RATIO, *without_ratio(found, other), *sentences(other)[1:]]:
-        printing.print(words(sentence), soft_wrap=True)
-    _print_spectrum(printing, other)
-    _print_warnings(printing, other)
+    printing.blank()
+    printing.say(f"Compared with: {other.title}", style="bold")
+    heads = ("", "life in a", "in b", REVOLUTIONS, "first / this, a", "first / this, b")
+    printing.table(ratio_rows(found, other), heads, left=(0,))
+    printing.say(RATIO, *without_ratio(found, other), *sentences(other)[1:])
+    _print_rest(printing, other)
 
 
-def _print_spectrum(printing: Console, found: Assessment) -> None:
+def _print_rest(printing: Printed, found: Assessment) -> None:
+    """Print the loads, if there are several, and warnings."""
     if len(found.spectrum) > 1:
-        print_table(printing, _table(SPECTRUM_COLUMNS, spectrum_rows(found), left=()))
-
-
-def _print_warnings(printing: Console, found: Assessment) -> None:
-    for warning in found.warnings:
-        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
-
-
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, left: Sequence[int]) -> Table:
-    head, rows = chosen().columns(head, list(rows))
-    # Drop columns that are blank throughout, as revolutions are without a raceway.
-    columns = [position for position in range(len(head)) if any(row[position] for row in rows)]
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for position in columns:
-        # As text: rich would take [MPa] for markup.
-        table.add_column(Text(head[position]), justify="left" if position in left else "right", no_wrap=position < 4)
-    for row in rows:
-        table.add_row(*(Text(row[position]) for position in columns))
-    return table
+        heads, rows = spectrum_table(found)
+        printing.table(rows, heads, left=())
+    printing.warn(*found.warnings)

@@ -9,9 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rich.text import Text
-
-from nonhertz.cli.printing import console, words
+from nonhertz.cli.printing import Printed
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import Case
 from nonhertz.files.folder import write_files
@@ -159,7 +157,4 @@ def as_json(found: ContactMap, title: str) -> str:
 
 def print_map(found: ContactMap, title: str) -> None:
     """Print the title and the summary of a map."""
-    printing = console()
-    printing.print(Text(title, style="bold"))
-    for line in repr(found).splitlines()[1:]:
-        printing.print(words(line.strip()), soft_wrap=True)
+    Printed(title).say(*(line.strip() for line in repr(found).splitlines()[1:]))

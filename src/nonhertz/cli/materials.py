@@ -5,17 +5,10 @@ from __future__ import annotations
 import json
 from itertools import groupby
 
-from rich.table import Table
-from rich.text import Text
-
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.amounts import given, mpa
+from nonhertz.cli.printing import Printed
 from nonhertz.files.materials import as_object
 from nonhertz.model.materials import LIBRARY, Listed, listed_as
-from nonhertz.result.numerals import given
-from nonhertz.result.reading import chosen
-
-_COLUMNS = ("", "E [MPa]", "nu", "yield [MPa]", "core [MPa]", "hardness", "pressure limit [MPa]")
-_SOURCES = "Where a number comes from, and what limits its use: nonhertz materials NAME"
 
 
 def report_materials(name: str | None, as_json: bool) -> None:
@@ -30,31 +23,33 @@ def report_materials(name: str | None, as_json: bool) -> None:
     if as_json:
         print(json.dumps(as_object(entries), indent=2, ensure_ascii=False))
         return
-    printing = console()
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    heads, rows = chosen().columns(_COLUMNS, [_row(each) for each in entries])
-    cells = dict(zip(entries, rows, strict=True))
-    for position, column in enumerate(heads):
-        table.add_column(Text(column), justify="right" if position else "left", no_wrap=True)
+    printing, (factor, unit) = Printed(), mpa().scale
+    rows: list[tuple[str, ...]] = []
     for group, members in groupby(entries, key=lambda each: each.group):
-        table.add_row(Text(group, style="bold"))
-        for each in members:
-            table.add_row(*map(Text, cells[each]))
-    print_table(printing, table)
-    lines = [_SOURCES] if name is None else [f"source: {entries[0].source}", f"note: {entries[0].note}"]
-    for line in lines:
-        if line != "note: ":
-            printing.print(words(line), soft_wrap=True)
+        rows += [(group,), *(_row(each, factor) for each in members)]
+    yielding, core, limit = (f"{what} [{unit}]" for what in ("yield", "core", "pressure limit"))
+    printing.table(rows, ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit), left=(0,))
+    if name is None:
+        printing.say("Where a number comes from, and what limits its use: nonhertz materials NAME")
+    else:
+        printing.say(
+            *(f"{what}: {words}" for what, words in (("source", entries[0].source), ("note", entries[0].note)) if words)
+        )
 
 
-def _row(each: Listed) -> tuple[str, ...]:
+def _row(each: Listed, factor: float) -> tuple[str, ...]:
+    """Return its cells; ``factor`` turns MPa into what people read."""
     material = each.material
-    strengths = (material.yield_strength, material.core_yield_strength)
+
+    def stress(value: float | None) -> str:
+        return "" if value is None else given(factor * value)
+
     return (
         f"  {', '.join((each.name, *each.others))}",
-        given(material.modulus),
+        stress(material.modulus),
         given(material.poisson),
-        *("" if value is None else given(value) for value in strengths),
+        stress(material.yield_strength),
+        stress(material.core_yield_strength),
         material.hardness or "",
-        "" if material.pressure_limit is None else given(material.pressure_limit),
+        stress(material.pressure_limit),
     )

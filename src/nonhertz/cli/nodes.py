@@ -5,16 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from rich.text import Text
 
-from nonhertz.cli.printing import console, words
+from nonhertz.amounts import mpa, newton
+from nonhertz.cli.printing import Printed, print_written
 from nonhertz.errors import InputError
 from nonhertz.files.folder import write_files
 from nonhertz.files.nodes import Nodes, as_object, as_table
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.files import legible
 from nonhertz.result.nodes import NodalLoads
-from nonhertz.result.numerals import digits
 from nonhertz.result.solution import Solution
 
 _NOTICED = 1e-6  # of the load
@@ -41,34 +40,30 @@ def report_nodes(solution: Solution, title: str, nodes: Nodes, path: Path, as_js
     if as_json:
         print(key_by_key(as_object(solution, found, title)))
         return
-    printing = console()
-    printing.print(Text(title, style="bold"))
-    for sentence in sentences(solution, found):
-        printing.print(words(sentence), soft_wrap=True)
-    for warning in solution.warnings:
-        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
-    for each in written:
-        print(f"wrote {each}")
+    printing = Printed(title)
+    printing.say(*sentences(solution, found))
+    printing.warn(*solution.warnings)
+    print_written(written)
 
 
 def sentences(solution: Solution, found: NodalLoads) -> list[str]:
     """Return how many nodes are in contact, and how the sums of their pressures and forces relate to the load."""
     touching = int(np.count_nonzero(found.pressure))
-    highest = digits(float(np.max(found.pressure)))
+    highest = mpa(float(np.max(found.pressure)))
     said = [
-        f"{found.pressure.size} nodes, {touching} of them in contact. The largest pressure at a node is {highest} MPa, "
-        f"that of the contact {digits(solution.max_pressure)} MPa."
+        f"{found.pressure.size} nodes, {touching} of them in contact. The largest pressure at a node is {highest}, "
+        f"that of the contact {mpa(solution.max_pressure)}."
     ]
     load = solution.load
     if np.any(np.isnan(found.force)):
         return [*said, "The nodes span no area: there are no forces, and the pressures have no sum in N."]
-    said.append(f"The forces add up to {digits(float(np.sum(found.force)))} N of the load of {digits(load)} N.")
+    said.append(f"The forces add up to {newton(float(np.sum(found.force)))} of the load of {newton(load)}.")
     if found.outside > _NOTICED * load:
-        said.append(f"{digits(found.outside)} N lie outside the nodes, {_percent(found.outside, load)} of the load.")
+        said.append(f"{newton(found.outside)} lie outside the nodes, {_percent(found.outside, load)} of the load.")
     carried = found.interpolated_load
     factor = f"; times {load / carried:.6g} they carry it whole" if carried > 0.0 else ""
     said.append(
-        f"The pressures, interpolated linearly between the nodes, carry {digits(carried)} N, {_percent(carried, load)} "
+        f"The pressures, interpolated linearly between the nodes, carry {newton(carried)}, {_percent(carried, load)} "
         f"of the load{factor}."
     )
     return said

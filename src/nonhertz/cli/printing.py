@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
 
 from rich.console import Console
 from rich.measure import Measurement
 from rich.table import Table
 from rich.text import Text
-
-from nonhertz.result.reading import chosen
 
 # Between a number and its unit, and within a unit; as a letter, since rich breaks lines at any blank.
 _TOGETHER, _GLUE = (
@@ -19,21 +19,75 @@ _TOGETHER, _GLUE = (
 )
 
 
-def console(piped: int | None = 100) -> Console:
-    """Return a console on standard output: as wide as the terminal, or ``piped`` columns where there is none.
+class Printed:
+    """A result as it is printed: a title in bold, tables, sentences and warnings.
 
-    With None, COLUMNS sets the piped width, or else it is 80.
+    Parameters
+    ----------
+    title : str
+        Its title; empty for none.
+    piped : int or None
+        How wide it is where there is no terminal; None for what COLUMNS says, or else 80.
     """
-    return Console(highlight=False, width=None if sys.stdout.isatty() else piped)
+
+    def __init__(self, title: str = "", piped: int | None = 100) -> None:
+        self._console = Console(highlight=False, width=None if sys.stdout.isatty() else piped)
+        if title:
+            self._console.print(Text(title, style="bold"))
+
+    def say(self, *sentences: object, style: str = "") -> None:
+        """Print sentences; as text, since rich would take [MPa] for markup."""
+        for sentence in sentences:
+            self._console.print(Text(str(sentence), style), soft_wrap=True)
+
+    def warn(self, *sentences: object) -> None:
+        """Print warnings."""
+        self.say(*(f"warning: {sentence}" for sentence in sentences), style="yellow")
+
+    def table(
+        self,
+        rows: Sequence[Sequence[str]],
+        heads: Sequence[str] = (),
+        *,
+        left: Sequence[int] | None = None,
+        room: int = 0,
+    ) -> None:
+        """Print rows, without the columns that are blank throughout: numbers to the right, words to the left.
+
+        Columns ``left`` have words, all by default; the second has ``room`` for a title, which may be broken. A row of
+        one cell is a heading. A table is wider than the terminal if need be: a truncated number looks like a different
+        one.
+        """
+        if not rows:
+            return
+        columns = [at for at in range(max(map(len, rows))) if any(len(row) > at and row[at] for row in rows)]
+        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=bool(heads), header_style="dim")
+        for at in columns:
+            words = left is None or at in left
+            table.add_column(
+                Text(heads[at] if heads else ""),
+                justify="left" if words else "right",
+                no_wrap=not words or (room > 0 and at != 1),
+                min_width=room if at == 1 and room else None,
+            )
+        for row in rows:
+            heading = "bold" if len(row) == 1 else ""
+            table.add_row(*(Text(row[at] if at < len(row) else "", heading) for at in columns))
+        print_table(self._console, table)
+
+    def blank(self) -> None:
+        """Print an empty line."""
+        self._console.print()
 
 
-def words(text: str, style: str = "") -> Text:
-    """Return text of the program in the chosen units; as text, since rich would take [MPa] for markup."""
-    return Text(chosen()(text), style)
+def print_written(written: Iterable[Path]) -> None:
+    """Print the names of files that were written."""
+    for path in written:
+        print(f"wrote {path}")
 
 
 def print_table(printing: Console, table: Table) -> None:
-    """Print a table, wider than the terminal if need be: a truncated number looks like a different one.
+    """Print a table, wider than the terminal if need be.
 
     No line breaks between a number and its unit, and none ends in blanks.
     """

@@ -8,10 +8,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-from rich.text import Text
-
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.amounts import mm, of_dimension, um, with_error
+from nonhertz.cli.printing import Printed
 from nonhertz.errors import InputError
 from nonhertz.files.folder import write_files
 from nonhertz.files.measured import checked, measured_from, trace_from
@@ -19,7 +17,6 @@ from nonhertz.files.prepared import files
 from nonhertz.inputs.checks import one_of
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
-from nonhertz.result.numerals import digits, unit_of_dimension, with_error
 
 BEST = "best"
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
@@ -109,18 +106,12 @@ def written(
 
 def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:
     """Print the steps, the roughness, the fits and warnings."""
-    printing = console()
-    printing.print(Text(measured.trace.name, style="bold"))
-    for note in measured.trace.notes:
-        printing.print(words(note), soft_wrap=True)
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=False)
-    for row in profile_rows(measured):
-        table.add_row(*map(words, row))
-    print_table(printing, table)
-    if fits:
-        print_table(printing, _fit_table(fits))
-    for warning in measured.warnings:
-        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
+    printing = Printed(measured.trace.name)
+    printing.say(*measured.trace.notes)
+    printing.table(profile_rows(measured))
+    heads = ("fit", "parameters and standard errors", "rms", "largest", "behind")
+    printing.table(fit_rows(fits), heads, left=(0, 1))
+    printing.warn(*measured.warnings)
 
 
 def profile_rows(measured: Measured) -> list[tuple[str, str]]:
@@ -130,19 +121,19 @@ def profile_rows(measured: Measured) -> list[tuple[str, str]]:
     return [
         *((state.name, state.words) for state in measured.states),
         ("relief", _relief(measured)),
-        ("roughness", f"Ra {1e3 * found.ra:.3g}, Rq {1e3 * found.rq:.3g}, Rz {1e3 * found.rz:.3g} um below "
-                      f"{found.cutoff:.3g} mm; most of it, {1e3 * most:.3g} um, in waves "
-                      + (f"from {low:.3g} to {high:.3g} mm." if low else f"shorter than {high:.3g} mm.")),
+        ("roughness", f"Ra {um(found.ra):.3g}, Rq {um(found.rq):.3g}, Rz {um(found.rz):.3g} below "
+                      f"{mm(found.cutoff):.3g}; most of it, {um(most):.3g}, in waves "
+                      + (f"from {mm(low, high, between=' to '):.3g}." if low else f"shorter than {mm(high):.3g}.")),
     ]  # fmt: skip
 
 
 def _relief(measured: Measured) -> str:
     points = measured.points
     land, highest = points.on_land, points.height.max()
-    words = " and ".join(f"{1e3 * float(highest - land.height[k]):.4g} um at y = {land.y[k]:.5g} mm" for k in (0, -1))
+    words = " and ".join(f"{um(float(highest - land.height[k])):.4g} at y = {mm(land.y[k]):.5g}" for k in (0, -1))
     if points.land is None:
         return f"{words}."
-    ends = " and ".join(f"{1e3 * float(highest - points.height[k]):.4g} um at {points.y[k]:.5g} mm" for k in (0, -1))
+    ends = " and ".join(f"{um(float(highest - points.height[k])):.4g} at {mm(points.y[k]):.5g}" for k in (0, -1))
     return f"{words}, where the land ends; {ends}, where the profile ends."
 
 
@@ -152,21 +143,12 @@ def fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
         (
             fit.kind,
             ", ".join(_parameter(fit, name) for name in (*fit.parameters, "shift") if _is_free(fit, name)),
-            f"{1e3 * fit.rms:.3g} um",
-            f"{1e3 * fit.largest:.3g} um",
+            f"{um(fit.rms):.3g}",
+            f"{um(fit.largest):.3g}",
             f"{fit.penalised - fits[0].penalised:.1f}",
         )
         for fit in fits
     ]
-
-
-def _fit_table(fits: Sequence[Fit]) -> Table:
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for position, name in enumerate(("fit", "parameters and standard errors", "rms", "largest", "behind")):
-        table.add_column(name, justify="right" if position > 1 else "left", no_wrap=position != 1)
-    for row in fit_rows(fits):
-        table.add_row(*map(words, row))
-    return table
 
 
 def _is_free(fit: Fit, name: str) -> bool:
@@ -179,9 +161,8 @@ def _parameter(fit: Fit, name: str) -> str:
     error = fit.standard_errors.get(name)
     if error is not None and not math.isfinite(error):
         return f"{name} not determined by the points"  # any value fits as well
-    factor, unit = unit_of_dimension((value,), unit)
-    number = digits(factor * value) if error is None else with_error(factor * value, factor * error)
-    return f"{name} {number} {unit}".rstrip()
+    shown = of_dimension((value,), unit)
+    return f"{name} {shown if error is None else with_error(shown, error)}"
 
 
 def _meant(name: str, word: str | bool) -> Any:

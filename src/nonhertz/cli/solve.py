@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.errors import CaseError, ConvergenceError
-from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
     from nonhertz.files.casefile import Case
@@ -63,13 +62,14 @@ def report_one(path: Path, changes: Mapping[str, Any], out: Path | None, as_json
     if as_json:
         print(json_text(solution, case))
     else:
+        from nonhertz.cli.printing import print_written
         from nonhertz.cli.summary import print_summary
 
         print_summary(solution, case.title)
-        _print_written(written)
+        print_written(written)
     if complaint:
         sys.stdout.flush()
-        print(chosen()(complaint), file=sys.stderr)
+        print(complaint, file=sys.stderr)
     return NOT_CONVERGED if complaint else FINE
 
 
@@ -88,13 +88,14 @@ def report_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
     if as_json:
         print(json.dumps(objects(found), allow_nan=False))
     else:
+        from nonhertz.cli.printing import print_written
         from nonhertz.cli.summary import print_overview
 
         print_overview(found)
-        _print_written(written)
+        print_written(written)
     sys.stdout.flush()
     for each in found:
-        for sentence in map(chosen(), each.complaints):
+        for sentence in each.complaints:
             print(sentence if sentence.startswith(each.name) else f"{each.name}: {sentence}", file=sys.stderr)
     if any(each.solution is None for each in found):
         return BAD_INPUT
@@ -130,7 +131,7 @@ def _several_written(directory: Path, found: Sequence[Attempt]) -> tuple[Path, .
     from nonhertz.files.folder import write_files
     from nonhertz.files.several import HEAD, folders, rows
     from nonhertz.files.workbooks import INPUTS, inputs_table, write_workbook
-    from nonhertz.result.numerals import csv_text
+    from nonhertz.result.tables import csv_text
 
     if is_workbook(directory):
         inputs = ((each.name, each.case.document) for each in found if each.case is not None)
@@ -143,8 +144,3 @@ def _several_written(directory: Path, found: Sequence[Attempt]) -> tuple[Path, .
         if each.solution is not None and each.case is not None:
             written += results_written(directory / name, each.solution, each.case)
     return (*written, *write_files(directory, {TABLE: csv_text(HEAD, rows(found))}))
-
-
-def _print_written(written: Sequence[Path]) -> None:
-    for path in written:
-        print(f"wrote {path}")

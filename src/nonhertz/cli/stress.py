@@ -5,18 +5,15 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from rich.table import Table
-from rich.text import Text
-
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.amounts import mm
+from nonhertz.cli.printing import Printed, print_written
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
 from nonhertz.files.stresses import all_warnings
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import largest_stresses
-from nonhertz.show.stresses import COLUMNS, sentences, stress_rows
+from nonhertz.show.stresses import sentences, stress_table
 from nonhertz.strength import Strength, assess
 from nonhertz.subsurface import Extremes
 
@@ -74,8 +71,7 @@ def report_stresses(
         print(text)
         return
     print_stresses(solution, overall, section, strength, title)
-    for path in written:
-        print(f"wrote {path}")
+    print_written(written)
 
 
 def _stresses_written(
@@ -96,24 +92,15 @@ def _stresses_written(
 
 def print_stresses(solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str) -> None:
     """Print the largest stresses and their positions, the effect of a pass, whether the body bears it, and warnings."""
-    printing = console()
-    printing.print(Text(title, style="bold"))
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    heads, rows = chosen().columns(COLUMNS, stress_rows(solution, overall, section))
-    for position, name in enumerate(heads):
-        # As text: rich would take [mm] for markup.
-        table.add_column(Text(name), justify="right" if position else "left", no_wrap=bool(position))
-    for row in rows:
-        table.add_row(*map(Text, row))
-    print_table(printing, table)
-    for sentence in (*sentences(solution, section), *strength.sentences):
-        printing.print(words(sentence), soft_wrap=True)
-    for warning in all_warnings(solution, overall, section):
-        printing.print(words(f"warning: {warning}", "yellow"), soft_wrap=True)
+    heads, rows = stress_table(solution, overall, section)
+    printing = Printed(title)
+    printing.table(rows, heads, left=(0,))
+    printing.say(*sentences(solution, section), *strength.sentences)
+    printing.warn(*all_warnings(solution, overall, section))
 
 
 def _check_station(solution: Solution, station: float, body: BodyName) -> None:
     low, high = (solution.contact.a if body == "a" else solution.contact.b).faces
     if not low <= station <= high:
-        condition = f"lie between the side faces of body {body}, {low:.6g} and {high:.6g} mm"
+        condition = f"lie between the side faces of body {body}, {mm(low, high, between=' and '):.6g}"
         raise InputError("--station", station, condition, _STATION_REMEDY)

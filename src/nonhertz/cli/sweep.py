@@ -9,16 +9,12 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-from rich.text import Text
-
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.cli.printing import Printed, print_written
 from nonhertz.errors import InputError
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.planfile import Plan, case_or_bearing_in
 from nonhertz.inputs.files import legible
-from nonhertz.result.reading import chosen
 from nonhertz.show.studies import SWEEP_COLUMNS, failure_rows, sweep_rows, varied_rows
 from nonhertz.study.sweeps import Progress, Sweep, sweep
 
@@ -98,22 +94,15 @@ def as_json(found: Sweep, files: Sequence[Path]) -> str:
 
 def print_sweep(found: Sweep, files: Sequence[Path]) -> None:
     """Print what was varied, between which numbers the results lie, why rows failed, and the files."""
-    printing = console()
-    printing.print(Text(found.plan.title, style="bold"))
     failed = f", {found.failed} of them failed" if found.failed else ""
-    printing.print(Text(f"{len(found)} rows{failed}"))
-    for rows, head, left in ((varied_rows(found), None, (0, 1, 2)), (sweep_rows(found), SWEEP_COLUMNS, (0, 3))):
-        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=head is not None, header_style="dim")
-        for column, name in enumerate(head or ("", "", "")):
-            table.add_column(Text(name), justify="left" if column in left else "right")
-        for row in rows:
-            table.add_row(*map(Text, chosen().row(row)))
-        printing.print()
-        print_table(printing, table)
-    for sentence in failure_rows(found):
-        printing.print(words(sentence, "yellow"), soft_wrap=True)
-    for path in files:
-        print(f"wrote {path}")
+    printing = Printed(found.plan.title)
+    printing.say(f"{len(found)} rows{failed}")
+    printing.blank()
+    printing.table(varied_rows(found))
+    printing.blank()
+    printing.table(sweep_rows(found), SWEEP_COLUMNS, left=(0, 3))
+    printing.say(*failure_rows(found), style="yellow")
+    print_written(files)
 
 
 def _path_and_values(word: str) -> tuple[str, str]:

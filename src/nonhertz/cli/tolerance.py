@@ -8,14 +8,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-from rich.text import Text
-
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import console, print_table, words
+from nonhertz.cli.printing import Printed, print_written
 from nonhertz.cli.sweep import progress
 from nonhertz.files.planfile import Plan
-from nonhertz.result.reading import chosen
 from nonhertz.show.studies import (
     INDEX_COLUMNS,
     QUANTILE_COLUMNS,
@@ -81,31 +77,22 @@ def as_json(found: Tolerance, files: Sequence[Path]) -> str:
 
 def print_tolerance(found: Tolerance, files: Sequence[Path]) -> None:
     """Print what is distributed, quantiles, what matters, why rows failed, and the files."""
-    sweep, printing = found.sweep, console()
-    printing.print(Text(sweep.plan.title, style="bold"))
+    sweep = found.sweep
     failed = f", {sweep.failed} of them failed" if sweep.failed else ""
-    printing.print(Text(f"{len(sweep)} rows{failed}; {found.independent.size} independent samples"))
-    _print(printing, None, [row[:2] for row in varied_rows(sweep)], left=(0, 1))
-    _print(printing, QUANTILE_COLUMNS, quantile_rows(found), left=(0, 3, 4))
-    _print(printing, None, alike_rows(found), left=(0, 1, 2))
-    for label, rows in index_rows(found):
-        _print(printing, (label, *INDEX_COLUMNS[1:]), rows, left=(0, 3))
-    for sentence in failure_rows(sweep):
-        printing.print(words(sentence, "yellow"), soft_wrap=True)
-    for path in files:
-        print(f"wrote {path}")
-
-
-def _print(printing: Any, head: Sequence[str] | None, rows: Sequence[Sequence[str]], left: Sequence[int]) -> None:
-    if not rows:
-        return
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=head is not None, header_style="dim")
-    for column, name in enumerate(head or [""] * len(rows[0])):
-        table.add_column(Text(name), justify="left" if column in left else "right")
-    for row in rows:
-        table.add_row(*map(Text, chosen().row(row)))
-    printing.print()
-    print_table(printing, table)
+    printing = Printed(sweep.plan.title)
+    printing.say(f"{len(sweep)} rows{failed}; {found.independent.size} independent samples")
+    tables: list[tuple[Sequence[str], Sequence[Sequence[str]], Sequence[int]]] = [
+        ((), [row[:2] for row in varied_rows(sweep)], (0, 1)),
+        (QUANTILE_COLUMNS, quantile_rows(found), (0, 3, 4)),
+        ((), alike_rows(found), (0, 1, 2)),
+        *(((label, *INDEX_COLUMNS[1:]), rows, (0, 3)) for label, rows in index_rows(found)),
+    ]
+    for heads, rows, left in tables:
+        if rows:
+            printing.blank()
+        printing.table(rows, heads, left=left)
+    printing.say(*failure_rows(sweep), style="yellow")
+    print_written(files)
 
 
 def _finite(numbers: dict[str, float]) -> dict[str, float | None]:

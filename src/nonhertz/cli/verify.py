@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import sys
 
+from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonhertz.cli.printing import console, print_table
+from nonhertz.cli.printing import print_table
 from nonhertz.verify.claim import Section
 from nonhertz.verify.page import COLUMNS, row
 
@@ -17,7 +18,7 @@ _COLOURS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
 
 def print_section(section: Section) -> None:
     """Print a section's checks as a table."""
-    printing = console()
+    printing = Console(highlight=False, width=None if sys.stdout.isatty() else 100)
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="dim", expand=True)
     for column in COLUMNS:
         if column in _WIDTHS:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.comparison.value import ComparedQuantity
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words
@@ -34,14 +35,14 @@ def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tupl
     p_semi, p_parabola = (_at(at, one.y, one.centre_pressure) for one in (semi, parabola))
     b_semi, b_parabola = (_at(at, one.y, one.half_width) for one in (semi, parabola))
     p, b = _at(at, patch.y, patch.centre_pressure), _at(at, patch.y, patch.half_width)
-    cells = f"cells {patch.dx:.2g} mm across"
+    cells = f"cells {mm(patch.dx):.2g} across"
     return (
         ComparedQuantity("approach", "mm", patch.approach, semi.approach, parabola.approach),
         ComparedQuantity("tilt", "rad", patch.tilt, semi.tilt, parabola.tilt),
         ComparedQuantity("load", "N", patch.load, semi.load, parabola.load),
         _moment(semi, parabola, patch),
-        ComparedQuantity(f"pressure at y = {at:.5g} mm", "MPa", p, p_semi, p_parabola),
-        ComparedQuantity(f"half-width at y = {at:.5g} mm", "mm", b, b_semi, b_parabola, remark=cells),
+        ComparedQuantity(f"pressure at y = {mm(at):.5g}", "MPa", p, p_semi, p_parabola),
+        ComparedQuantity(f"half-width at y = {mm(at):.5g}", "mm", b, b_semi, b_parabola, remark=cells),
         *_largest(semi, parabola, patch),
         *_ends(semi, parabola, patch),
     )
@@ -107,7 +108,7 @@ def _peak(semi: Solution, y: Array, pressure: Array, near: float) -> tuple[float
 
 def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[ComparedQuantity, ComparedQuantity]:
     rows = patch.y[patch.footprint.any(axis=0)]
-    remark = f"cells {patch.dy:.2g} mm along"
+    remark = f"cells {mm(patch.dy):.2g} along"
     low, high = float(rows[0]) - 0.5 * patch.dy, float(rows[-1]) + 0.5 * patch.dy
     return (
         ComparedQuantity("contact from", "mm", low, semi.contact_y[0][0], parabola.contact_y[0][0], True, remark),

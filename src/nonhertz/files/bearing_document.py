@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Annotated, Any
 
+from nonhertz.amounts import um
 from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import InnerRing, OuterRing, Pair, Paired, RollerBearing, Rollers, paired
 from nonhertz.bearing.clearance import Mounting
@@ -220,7 +221,7 @@ def of_fit(error: InputError) -> InputError:
         condition = "be left out: fits are those of cylindrical, needle, tapered and spherical bearings"
         return InputError("fit", None, condition, "remove the table")
     if error.field == "clearance":
-        left = f"{1e3 * error.value:.4g} um" if isinstance(error.value, float) else error.value
+        left = f"{um(error.value):.4g}" if isinstance(error.value, float) else error.value
         condition = f"leave a clearance that can be, but {left} must {error.condition}"
         return InputError("fit", None, condition, "check interferences and temperatures")
     return error.within("fit")

@@ -13,7 +13,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.results import key_by_key, plain
-from nonhertz.result.numerals import csv_text
+from nonhertz.result.tables import csv_text
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife

@@ -8,8 +8,8 @@ import numpy as np
 
 from nonhertz.comparison import Comparison
 from nonhertz.files.results import key_by_key, plain
-from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
+from nonhertz.result.tables import csv_text
 
 #: Units of the numbers in a comparison; quantities carry their own, and dimensionless numbers are left out.
 UNITS: dict[str, Any] = {

@@ -8,8 +8,8 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
+from nonhertz.amounts import read_in
 from nonhertz.errors import InputError
-from nonhertz.result.reading import read_in
 
 _OUT_REMEDY = "give a directory to write to"
 _DRAFTS = ".nonhertz-draft-"

@@ -15,7 +15,7 @@ from nonhertz.bearing.section import MOTIONS
 from nonhertz.bearing.tables import FORCES, UNITS_OF_FORCES, UNITS_OF_MOTIONS, ForceTable
 from nonhertz.errors import InputError
 from nonhertz.files.folder import write_files
-from nonhertz.result.numerals import as_csv
+from nonhertz.result.tables import as_csv
 
 __all__ = ["as_csv_text", "write"]
 

@@ -9,8 +9,8 @@ from typing import Any
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
+from nonhertz.result.tables import csv_text
 
 #: Units of the numbers; dimensionless ones are left out.
 UNITS: dict[str, Any] = {

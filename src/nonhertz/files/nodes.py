@@ -19,8 +19,8 @@ from nonhertz.inputs.fields import nearest
 from nonhertz.inputs.files import content, legible
 from nonhertz.inputs.units import in_unit
 from nonhertz.result.nodes import NodalLoads
-from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
+from nonhertz.result.tables import csv_text
 
 Array = NDArray[np.float64]
 

@@ -13,6 +13,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, ClassVar
 
+from nonhertz.amounts import digits
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -28,7 +29,6 @@ from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import listed, one_of
 from nonhertz.inputs.files import legible, seen_from
 from nonhertz.life import model
-from nonhertz.result.numerals import digits
 
 #: The tables of a plan that say what is varied: in a sweep, and within tolerances.
 LOAD = "load.load"

@@ -7,11 +7,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from nonhertz.amounts import um
 from nonhertz.files.measured import KIND
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.inputs.files import seen_from
 from nonhertz.measured import Fit, Measured, Roughness
-from nonhertz.result.numerals import csv_text
+from nonhertz.result.tables import csv_text
 
 #: Units of the numbers; dimensionless ones are left out. Fitted parameters have the units of the catalogue.
 UNITS: dict[str, Any] = {
@@ -106,7 +107,7 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
     ]
     if fits:
         best = fits[0]
-        lines.append(f"# Or the best fit from the catalogue, within {1e3 * best.rms:.2g} um root mean square:")
+        lines.append(f"# Or the best fit from the catalogue, within {um(best.rms):.2g} root mean square:")
         lines.append(f"# profile = [{_table({'kind': best.kind, **best.parameters, 'shift': best.shift})}]")
     return "\n".join(lines) + "\n"
 

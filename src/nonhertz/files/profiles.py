@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Final
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import PROFILES
 from nonhertz.files.dimensions import BROKEN
@@ -244,7 +245,7 @@ class _Table:
             changes.mistakes.append(missing(("at",), remedy))
             return BROKEN
         if isinstance(length, float) and isinstance(at, float) and abs(at) > 0.5 * length:
-            condition = f"lie on the body, which ends {0.5 * length:g} mm from its middle"
+            condition = f"lie on the body, which ends {mm(0.5 * length):g} from its middle"
             changes.note(InputError("at", at, condition, AT_REMEDY))
         return at
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from nonhertz.amounts import digits
 from nonhertz.errors import InputError
 from nonhertz.inputs.units import in_unit
-from nonhertz.result.numerals import digits
 
 MOST_VALUES = 10_000
 

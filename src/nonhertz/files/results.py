@@ -11,9 +11,9 @@ import numpy as np
 
 from nonhertz.files.bounds import FORMAT
 from nonhertz.model.body import BODIES
-from nonhertz.result.numerals import csv_text
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import Solution
+from nonhertz.result.tables import csv_text
 
 if TYPE_CHECKING:
     from nonhertz.files.casefile import Case

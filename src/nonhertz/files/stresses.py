@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.model.body import BodyName
-from nonhertz.result.numerals import csv_text
 from nonhertz.result.solution import Solution
+from nonhertz.result.tables import csv_text
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extreme, Extremes, Field
 

@@ -18,6 +18,7 @@ from typing import NamedTuple, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import listed, whole
 from nonhertz.life.capacity import Raceway, raceway
@@ -206,7 +207,7 @@ def _checked_rollers(rollers: int | None, ring: Raceway | None) -> int | None:
         return None
     rollers = whole("rollers", rollers, 1, math.inf, _ROLLERS_REMEDY)
     if ring is not None and rollers > ring.most_rollers:
-        condition = f"fit side by side on the pitch circle of {ring.pitch_diameter:g} mm, {ring.most_rollers} at most"
+        condition = f"fit side by side on the pitch circle of {mm(ring.pitch_diameter):g}, {ring.most_rollers} at most"
         raise InputError("rollers", rollers, condition, _ROLLERS_REMEDY)
     return rollers
 

@@ -31,6 +31,7 @@ from typing import Annotated
 
 import numpy as np
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, positive, whole
 from nonhertz.inputs.fields import Flag, Input, Quantity, Word, described, together
@@ -85,7 +86,7 @@ class Raceway(Input):
     @together("roller_diameter", "pitch_diameter")
     def _check_pitch(self) -> None:
         if self.pitch_diameter <= self.roller_diameter:
-            condition = f"exceed the roller's diameter of {self.roller_diameter:g} mm"
+            condition = f"exceed the roller's diameter of {mm(self.roller_diameter):g}"
             raise InputError("pitch_diameter", self.pitch_diameter, condition, "give that of the roller centres")
 
     @property

@@ -25,6 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.fft import irfft2, next_fast_len, rfft2
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.inputs.checks import callback, flag, not_negative, positive, whole
 from nonhertz.life.assessment import ratio
@@ -279,7 +280,11 @@ def _refuse_place(solution: Solved, dent: Dent) -> None:
     low, high = solution.contact.interval[0] + room, solution.contact.interval[1] - room
     if not low <= dent.y <= high:
         remedy = "choose a place where the ends of the contact have no effect"
-        condition = f"lie between {low:.4g} and {high:.4g} mm" if low < high else "be narrower than the contact is long"
+        condition = (
+            f"lie between {mm(low, high, between=' and '):.4g}"
+            if low < high
+            else "be narrower than the contact is long"
+        )
         raise InputError("y" if low < high else "diameter", dent.y if low < high else dent.diameter, condition, remedy)
 
 

@@ -14,6 +14,7 @@ import numpy as np
 import scipy.io
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import digits, mm, mrad, newton, um
 from nonhertz.compiled import numba_for_us
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, numbers, whole
@@ -31,9 +32,9 @@ from nonhertz.maps.evaluation import (
 from nonhertz.maps.fitting import tables
 from nonhertz.maps.misses import SAFETY, SampledErrors
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import as_csv, digits, given
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import ReadOnly, read_only
+from nonhertz.result.tables import as_csv
 
 Array = NDArray[np.float64]
 
@@ -133,12 +134,10 @@ class ContactMap(ReadOnly):
 
     def __repr__(self) -> str:
         error = self.sampled_error
-        unit, factor = ("N", 1.0) if self.given == "load" else ("um", 1e3)
-        low, high = (given(factor * end, 4) for end in self.pressed)
-        tilts = " to ".join(given(1e3 * end, 4) for end in self.tilt_range)
+        pressed = (newton if self.given == "load" else um)(*self.pressed, between=" to ")
         said = [
             self.description,
-            f"{self.given} {low} to {high} {unit}, tilt {tilts} mrad, loads up to {digits(self.most_load)} N",
+            f"{self.given} {pressed:.4g}, tilt {mrad(*self.tilt_range, between=' to '):.4g}, loads up to {newton(self.most_load)}",
             f"built from {self.cases} cases{self._failures()}",
             f"largest of {error.points} sampled errors, times {SAFETY:g}, not a bound: "
             f"{_share(error.load)} of the load, {_share(error.moment)} of load times half-length, "
@@ -280,10 +279,10 @@ class ContactMap(ReadOnly):
         if not low <= tilt <= high:
             raise InputError("tilt", tilt, f"lie in the range of the map, {low:.6g} to {high:.6g} rad", remedy)
         if name == "load":
-            raise InputError("load", value, f"lie in the range of the map, 0 to {self.most_load:.6g} N", remedy)
+            raise InputError("load", value, f"lie in the range of the map, 0 to {newton(self.most_load):.6g}", remedy)
         found = np.empty((1, 8))
         all_loaded(self.tables, np.array([self.most_load]), np.array([tilt]), found)
-        condition = f"not exceed {found[0, 0]:.6g} mm at a tilt of {tilt:.6g} rad, where the map ends"
+        condition = f"not exceed {mm(found[0, 0]):.6g} at a tilt of {tilt:.6g} rad, where the map ends"
         raise InputError("approach", value, condition, remedy)
 
     def grid(self, rows: int = ROWS, tilts: int = TILTS) -> MapPoint:

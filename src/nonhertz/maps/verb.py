@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import digits, mm
 from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.inputs.checks import callback, finite, numbers, positive, thread_count, whole
 from nonhertz.maps.build import FIRST_CELLS, Building, Built, built
@@ -18,7 +19,6 @@ from nonhertz.maps.value import ContactMap
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, refuse_load
 from nonhertz.result import brief
-from nonhertz.result.numerals import digits
 from nonhertz.solver.one import element_of
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
@@ -183,7 +183,7 @@ def _stations(stations: int | ArrayLike, ends: Range) -> Array:
     if edges.ndim != 1 or not 2 <= edges.size <= MOST_STATIONS + 1 or np.any(np.diff(edges) <= 0.0):
         raise InputError("stations", stations, f"be ascending edges of 1 to {MOST_STATIONS} strips", remedy)
     if edges[0] > ends[0] or edges[-1] < ends[1]:
-        condition = f"reach from {ends[0]:.6g} to {ends[1]:.6g} mm, where the bodies can touch"
+        condition = f"reach from {mm(ends[0], ends[1], between=' to '):.6g}, where the bodies can touch"
         raise InputError("stations", stations, condition, remedy)
     return edges
 

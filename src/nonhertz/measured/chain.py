@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonhertz.amounts import mm, um
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import flag, listed, one_of
 from nonhertz.measured.corners import CORNER_CUTOFF, resolved
@@ -145,7 +146,7 @@ class Measured:
     @cached_property
     def states(self) -> tuple[StepResult, ...]:
         """The raw points, and the points after each step with what the step did."""
-        words = f"{len(self.trace)} points from {self.trace.y[0]:.5g} to {self.trace.y[-1]:.5g} mm."
+        words = f"{len(self.trace)} points from {mm(self.trace.y[0], self.trace.y[-1], between=' to '):.5g}."
         states = [StepResult("raw", self.trace, words, {"points": float(len(self.trace))})]
         for step in self.steps:
             states.append(step.apply(states[-1].points))
@@ -280,8 +281,8 @@ class Measured:
         if length <= _COARSE * points.span:
             return []
         return [
-            f"On {length:.3g} mm of {points.span:.4g} mm points lie further apart than a fifth of the cutoff, "
-            f"{cutoff:.3g} mm; there the filter transmits more or less than half of a wave of that length."
+            f"On {mm(length):.3g} of {mm(points.span):.4g} points lie further apart than a fifth of the cutoff, "
+            f"{mm(cutoff):.3g}; there the filter transmits more or less than half of a wave of that length."
         ]
 
     def _coarse_corners(self) -> list[str]:
@@ -289,7 +290,7 @@ class Measured:
         points, cutoff = self._before("smooth", "thin"), min(CORNER_CUTOFF, self._cutoff)
         corners = zip(("low", "high"), points.beyond_land, strict=True)
         return [
-            f"The corner at the {name} end has {np.sum(corner)} points only, more than a fifth of {cutoff:.2g} mm "
+            f"The corner at the {name} end has {np.sum(corner)} points only, more than a fifth of {mm(cutoff):.2g} "
             "apart: too few to be smoothed, and the pressure there depends on where they lie; measure it in finer "
             "steps, or cut it off and give corner_radius."
             for name, corner in corners
@@ -383,7 +384,7 @@ def prepare(
 
 
 def _in_words(step: SurfaceStep) -> str:
-    where = f"The surface steps by {1e3 * abs(step.height):.3g} um at {step.y:.5g} mm in the file"
+    where = f"The surface steps by {um(abs(step.height)):.3g} at {mm(step.y):.5g} in the file"
     if step.within:
         return f"{where}; both sides were taken to be one body: check that they are."
     return f"{where}; what lies beyond it was not taken to be the same body: if it is, omit align and trim to a length."
@@ -393,14 +394,14 @@ def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[str]:
     """Return a sentence for each gap, or a single one if there are many."""
     if len(gaps) <= _MANY_GAPS:
         return [
-            f"Nothing was measured between y = {low:.5g} and {high:.5g} mm; the profile bridges it with a curve."
+            f"Nothing was measured between y = {mm(low, high, between=' and '):.5g}; the profile bridges it with a curve."
             for low, high in gaps
         ]
     low, high = max(gaps, key=lambda gap: gap[1] - gap[0])
     length = sum(high - low for low, high in gaps)
     return [
-        f"Nothing was measured in {len(gaps)} places, {length:.3g} mm in all, the widest "
-        f"between y = {low:.5g} and {high:.5g} mm; the profile bridges them with curves."
+        f"Nothing was measured in {len(gaps)} places, {mm(length):.3g} in all, the widest "
+        f"between y = {mm(low, high, between=' and '):.5g}; the profile bridges them with curves."
     ]
 
 

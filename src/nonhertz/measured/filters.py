@@ -24,6 +24,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.measured.land import weighted_median
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
@@ -115,7 +116,7 @@ def check_cutoff(points: Points, cutoff: float) -> None:
     """Reject a cutoff that half of the line cannot resolve, or that is longer than the line."""
     shortest = shortest_cutoff(points)
     if not shortest <= cutoff * (1.0 + _ROUNDING) or cutoff > points.span:
-        condition = f"lie between five points, {shortest:.3g} mm, and the length of the line, {points.span:.4g} mm"
+        condition = f"lie between five points, {mm(shortest):.3g}, and the length of the line, {mm(points.span):.4g}"
         raise InputError("cutoff", cutoff, condition, "give a wavelength in mm between them, or leave smooth out")
 
 

@@ -21,6 +21,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nonhertz.amounts import mm, mpa, mrad
 from nonhertz.measured.filters import gaussian, nominal_form, shortest_cutoff
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.materials import MATERIALS
@@ -148,9 +149,9 @@ def strain_on_strips(
         return ()
     remedy = "smooth with a longer cutoff" if smoothed else "smooth it first"
     return (
-        f"Waves shorter than {shortest:.2g} mm, 2 pi half-widths of {half_width:.3g} mm, are left in the profile with "
-        f"a root mean square slope of {1e3 * slope:.3g} mrad: pressing them flat takes {ripple:.3g} MPa compared with "
-        f"{pressure:.4g} MPa in the contact, and strips cannot resolve changes within the width of the contact; "
+        f"Waves shorter than {mm(shortest):.2g}, 2 pi half-widths of {mm(half_width):.3g}, are left in the profile with "
+        f"a root mean square slope of {mrad(slope):.3g}: pressing them flat takes {mpa(ripple):.3g} compared with "
+        f"{mpa(pressure):.4g} in the contact, and strips cannot resolve changes within the width of the contact; "
         f"{remedy}.",
     )
 

@@ -14,6 +14,7 @@ from typing import ClassVar, Literal, Protocol, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm, mrad, um
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, one_of, positive
 from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smoothed, turns
@@ -123,7 +124,7 @@ class Level:
         low, high = land(points, self.slope)
         lean = tilt(points, self.slope)
         line = lean * (points.y - 0.5 * (low + high))
-        words = f"A tilt of {1e3 * lean:.4g} mrad was removed, that of the land from {low:.4g} to {high:.4g} mm."
+        words = f"A tilt of {mrad(lean):.4g} was removed, that of the land from {mm(low, high, between=' to '):.4g}."
         after = points.lifted(points.height - line)
         return StepResult(self.name, after, words, {"tilt": lean, "low": low, "high": high}, removed_height=line)
 
@@ -166,8 +167,8 @@ class Align:
             raise InputError("align", self.by, condition, "align by 'ends', or leave align out and shift the profile")
         at_end = [end for end, last in ((low, points.y[0]), (high, points.y[-1])) if end == last]
         symmetric = "is symmetric about it and " if self.by == "symmetry" else ""
-        words = f"The middle of the body, {middle:.5g} mm in the file, became y = 0; the land {symmetric}ends at "
-        words += f"{low:.5g} and {high:.5g} mm"
+        words = f"The middle of the body, {mm(middle):.5g} in the file, became y = 0; the land {symmetric}ends at "
+        words += f"{mm(low, high, between=' and '):.5g}"
         words += (".", ", one of which is an end of the trace.", ", where the trace ends.")[len(at_end)]
         gaps = tuple((a - middle, b - middle) for a, b in points.gaps)
         ends = None if points.land is None else (points.land[0] - middle, points.land[1] - middle)
@@ -216,13 +217,13 @@ class Trim:
             if ends is not None:
                 return self._split(points, ends, bounds)
         if low < points.y[0] - 1e-9 or high > points.y[-1] + 1e-9:
-            condition = f"lie within the points, which go from {points.y[0]:.5g} to {points.y[-1]:.5g} mm"
+            condition = f"lie within the points, which go from {mm(points.y[0], points.y[-1], between=' to '):.5g}"
             raise InputError("trim", self.length, condition, "give a shorter length, and align before trimming")
         inside = (points.y >= low - 1e-9) & (points.y <= high + 1e-9)
         after = points.kept(inside)
         cut = float(after.y[0] - points.y[0]), float(points.y[-1] - after.y[-1])
-        words = f"Kept from {after.y[0]:.5g} to {after.y[-1]:.5g} mm; " + (
-            f"cut off {cut[0]:.3g} and {cut[1]:.3g} mm." if any(cut) else "there was nothing to cut off."
+        words = f"Kept from {mm(after.y[0], after.y[-1], between=' to '):.5g}; " + (
+            f"cut off {mm(cut[0], cut[1], between=' and '):.3g}." if any(cut) else "there was nothing to cut off."
         )
         numbers = {"low": float(after.y[0]), "high": float(after.y[-1]), "removed": float(np.sum(~inside))}
         return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
@@ -239,9 +240,9 @@ class Trim:
                 width = abs(float(after.y[at_end] - after.on_land.y[at_end]))
                 depth = float(after.on_land.height[at_end] - after.height[at_end])
                 numbers |= {f"width_{name}": width, f"depth_{name}": depth}
-                found.append(f"{name} end {width:.2g} mm wide, {1e3 * depth:.3g} um deep")
-        words = f"Land from {ends[0]:.5g} to {ends[1]:.5g} mm, corner{'s' if len(found) > 1 else ''} kept: "
-        words += "; ".join(found) + (f"; cut off {cut[0]:.3g} and {cut[1]:.3g} mm." if any(cut) else ".")
+                found.append(f"{name} end {mm(width):.2g} wide, {um(depth):.3g} deep")
+        words = f"Land from {mm(ends[0], ends[1], between=' to '):.5g}, corner{'s' if len(found) > 1 else ''} kept: "
+        words += "; ".join(found) + (f"; cut off {mm(cut[0], cut[1], between=' and '):.3g}." if any(cut) else ".")
         return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
 
 
@@ -303,7 +304,7 @@ class Outliers:
             condition = f"leave at least {FEWEST_POINTS} points"
             raise InputError("outliers", self.threshold, condition, "raise the number of standard deviations")
         share = 100.0 * count / len(points)
-        words = f"{count} of {len(points)} points ({share:.2g} %) lay more than {1e3 * self.threshold * sigma:.3g} um "
+        words = f"{count} of {len(points)} points ({share:.2g} %) lay more than {um(self.threshold * sigma):.3g} "
         words += "off the surface on both sides and were removed."
         after = points.kept(~out)
         numbers = {"removed": float(count), "limit": self.threshold * sigma}
@@ -349,10 +350,10 @@ class Smooth:
             height = smoothed(points, height, corner_cutoff)
         rough = points.height - height
         rms = float(np.sqrt(np.mean(rough[~np.logical_or(*points.beyond_land)] ** 2)))
-        words = f"Waves shorter than {self.cutoff:.4g} mm were removed by the {self.method} filter: "
-        words += f"{1e3 * rms:.3g} um root mean square."
+        words = f"Waves shorter than {mm(self.cutoff):.4g} were removed by the {self.method} filter: "
+        words += f"{um(rms):.3g} root mean square."
         if points.land is not None:
-            words = words[:-1] + f"; in the corners those shorter than {corner_cutoff:.2g} mm."
+            words = words[:-1] + f"; in the corners those shorter than {mm(corner_cutoff):.2g}."
         after = points.lifted(height)
         edges = [name for name, turn in zip(("low", "high"), turns(after), strict=True) if turn > SHARPEST]
         if edges:
@@ -399,7 +400,7 @@ class Thin:
         after = Points(y, height, gaps, land=points.land)
         lost = land.height - np.interp(land.y, y, height)
         apart = np.diff(after.y) if points.land is None else np.array([land.span / (self.count - 1)])
-        words = f"{len(after)} of {len(points)} points were kept, {1e3 * float(apart.mean()):.3g} um apart"
+        words = f"{len(after)} of {len(points)} points were kept, {um(float(apart.mean())):.3g} apart"
         words += "" if points.land is None else " on the land and closer at the corners"
         words += f"; straight lines between them miss {1e6 * float(np.max(np.abs(lost))):.2g} nm at most"
         words += "." if points.land is None else ", on the land."

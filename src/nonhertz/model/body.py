@@ -12,6 +12,7 @@ from typing import Annotated, Any, ClassVar, Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.depths import DEPTHS, DepthRule, depth_of
 from nonhertz.bodies.depths import REMEDY as DEPTH_REMEDY
 from nonhertz.bodies.depths.depth import Depth
@@ -239,7 +240,7 @@ class Body(Input):
     @together("length", "effective_length")
     def _check_effective_length(self) -> None:
         if self.length is not None and self.effective_length is not None and self.effective_length > self.length:
-            condition = f"not exceed the length of {shown(self.length)} mm"
+            condition = f"not exceed the length of {mm(self.length):g}"
             raise InputError("effective_length", self.effective_length, condition, _TOUCHING_REMEDY)
 
     @together("length", "effective_length", "corner_radius", "chamfer", "profile")
@@ -255,9 +256,7 @@ class Body(Input):
                 raise InputError("length", None, f"be given where {name} is", remedy)
             if self.profile.joints is not None:
                 low, high = self.profile.joints
-                condition = (
-                    f"not be given with a profile that holds the corners, beyond y = {low:.5g} and {high:.5g} mm"
-                )
+                condition = f"not be given with a profile that holds the corners, beyond y = {mm(low, high, between=' and '):.5g}"
                 raise InputError(name, getattr(self, name), condition, "leave it out, or give the trace corner = 'cut'")
         _ = self.surface
 

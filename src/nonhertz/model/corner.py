@@ -11,6 +11,7 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, numbers, positive
 from nonhertz.inputs.fields import Input, Quantity, described, together
@@ -126,7 +127,7 @@ class Chamfer(Input, Corner):
     @together("length", "angle", "blend_radius")
     def _check_arc(self) -> None:
         if self._arc > self.length:
-            condition = f"leave the arc, {self._arc:.4g} mm along the axis, within the chamfer's {self.length:g} mm"
+            condition = f"leave the arc, {mm(self._arc):.4g} along the axis, within the chamfer's {mm(self.length):g}"
             raise InputError("blend_radius", self.blend_radius, condition, "reduce it, or lengthen the chamfer")
 
     @property
@@ -179,14 +180,12 @@ class Cornered(Formula):
         if self.land_end <= 0.0:
             name = "corner_radius" if isinstance(self.corner, Rounded) else "chamfer"
             condition = (
-                f"leave a land: two corners of {self.corner.extent:g} mm are {2.0 * self.corner.extent:g} mm long"
+                f"leave a land: two corners of {mm(self.corner.extent):g} are {mm(2.0 * self.corner.extent):g} long"
             )
             raise InputError("length", 2.0 * self.half_length, condition, f"reduce {name}, or lengthen the body")
         steepest = float(np.max(np.abs(self._tangents), initial=0.0, where=np.isfinite(self._tangents)))
         if not np.all(np.isfinite(self._tangents)) or steepest > _STEEPEST:
-            condition = (
-                f"reach both ends of the land, y = -{self.land_end:g} and {self.land_end:g} mm, with a gentle slope"
-            )
+            condition = f"reach both ends of the land, y = {mm(-self.land_end, self.land_end, between=' and '):g}, with a gentle slope"
             raise InputError("profile", self.land, condition, "change the profile, or leave out the corner")
 
     @property

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from nonhertz.amounts import mm, newton
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite
 from nonhertz.inputs.fields import Input, Quantity, described, together
@@ -92,10 +93,10 @@ class Prescription(Input):
             refuse_load(contact, self.load)
         low, high = contact.interval
         if self.arm is not None and not low < self.arm < high:
-            condition = f"keep moment / load between {low:g} and {high:g} mm, where both bodies are"
+            condition = f"keep moment / load between {mm(low, high, between=' and '):g}, where both bodies are"
             raise InputError("moment", self.moment, condition, "reduce it or raise the load")
         if self.moment is not None and ((self.moment > 0.0 and high <= 0.0) or (self.moment < 0.0 and low >= 0.0)):
-            condition = f"have the sign of the lever arms, which lie between {low:g} and {high:g} mm"
+            condition = f"have the sign of the lever arms, which lie between {mm(low, high, between=' and '):g}"
             raise InputError("moment", self.moment, condition, "reverse its sign")
 
 
@@ -121,10 +122,10 @@ def refuse_load(contact: Contact, load: float) -> None:
     """
     least, most = loads_between(contact)
     if load < least:
-        condition = f"be at least {least:.2g} N for bodies of this size and stiffness"
+        condition = f"be at least {newton(least):.2g} for bodies of this size and stiffness"
         raise InputError("load", load, condition, "raise it; under less the contact is lost in rounding")
     if load > most:
-        condition = f"not exceed {most:.2g} N for bodies of this size and stiffness"
+        condition = f"not exceed {newton(most):.2g} for bodies of this size and stiffness"
         raise InputError("load", load, condition, "reduce it; the contact would be far wider than the bodies")
 
 

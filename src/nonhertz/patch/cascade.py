@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.influence import Influence
 from nonhertz.errors import InputError
 from nonhertz.patch.convolution import Convolution
@@ -100,10 +101,12 @@ class PatchProblem:
         given = float(f"{second / self.compliance:.12g}")  # without the rounding of K
         outermost = "the centres of the outermost cells that can bear a pressure"
         if self.by_force[0] and not low <= second / first <= high:
-            condition = f"keep moment / load = {second / first:.6g} mm between {low:.6g} and {high:.6g} mm, {outermost}"
+            condition = f"keep moment / load = {mm(second / first):.6g} between {mm(low, high, between=' and '):.6g}, {outermost}"
             raise InputError("moment", given, condition, "reduce it, or give more cells along or a larger region")
         if not self.by_force[0] and ((second > 0.0 >= high) or (second < 0.0 <= low)):
-            condition = f"have the sign of the lever arms, which lie between {low:.6g} and {high:.6g} mm, {outermost}"
+            condition = (
+                f"have the sign of the lever arms, which lie between {mm(low, high, between=' and '):.6g}, {outermost}"
+            )
             raise InputError("moment", given, condition, "reverse its sign, or give a larger region")
 
 

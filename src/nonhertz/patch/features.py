@@ -13,7 +13,8 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.errors import InputError, shown
+from nonhertz.amounts import mm
+from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, positive
 from nonhertz.inputs.fields import Input, Quantity, described, together
 
@@ -77,7 +78,7 @@ class Dent(Input):
     @together("diameter", "shoulder_diameter")
     def _check_shoulder(self) -> None:
         if self.shoulder_diameter is not None and self.shoulder_diameter <= self.diameter:
-            condition = f"exceed the diameter of {shown(self.diameter)} mm"
+            condition = f"exceed the diameter of {mm(self.diameter):g}"
             raise InputError("shoulder_diameter", self.shoulder_diameter, condition, _SHOULDER_REMEDY)
 
     @property

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.influence import Influence
 from nonhertz.bodies.solid import HERTZ
 from nonhertz.patch import region as regions
@@ -127,8 +128,8 @@ def overlaps(overlap: Overlap | None) -> tuple[str, ...]:
     if overlap is None:
         return ()
     return (
-        f"Beyond the region the bodies overlap, by {overlap.depth:.3g} mm at x = {overlap.x:.4g}, y = {overlap.y:.4g} "
-        "mm: they touch there too, which is left out; give a larger region, and enough cells for it.",
+        f"Beyond the region the bodies overlap, by {mm(overlap.depth):.3g} at x = {mm(overlap.x):.4g}, y = {mm(overlap.y):.4g}: "
+        "they touch there too, which is left out; give a larger region, and enough cells for it.",
     )
 
 
@@ -137,8 +138,8 @@ def between_cells(unseen: Unseen, largest: float) -> tuple[str, ...]:
     if unseen.overlap <= UNSEEN * largest:
         return ()
     return (
-        f"Between the centres of cells the bodies overlap, by {unseen.overlap:.3g} mm at x = {unseen.x:.4g}, y = "
-        f"{unseen.y:.4g} mm: the gap has a peak or a small contact there that these cells miss; give more cells.",
+        f"Between the centres of cells the bodies overlap, by {mm(unseen.overlap):.3g} at x = {mm(unseen.x):.4g}, y = "
+        f"{mm(unseen.y):.4g}: the gap has a peak or a small contact there that these cells miss; give more cells.",
     )
 
 
@@ -173,7 +174,7 @@ def unresolved(features: Iterable[object], dx: float, dy: float) -> tuple[str, .
         for name, size, sides in _sizes(feature, dx, dy):
             if size < FEWEST_CELLS * sides:
                 sentences.append(
-                    f"The {name} of {size:.3g} mm is only {size / sides:.1f} cells long, fewer than {FEWEST_CELLS:g}: "
+                    f"The {name} of {mm(size):.3g} is only {size / sides:.1f} cells long, fewer than {FEWEST_CELLS:g}: "
                     "the pressure there is not resolved; give more cells, or a smaller region."
                 )
     return tuple(sentences)
@@ -203,7 +204,7 @@ def _cut_off(solution: PatchSolution, grid: Grid) -> list[str]:
         *zip("yy", grid.y_span, along, strict=True),
     ]
     return [
-        f"The region ends at {axis} = {end:.6g} mm while the contact goes on: the pressure there is that of bodies cut "
+        f"The region ends at {axis} = {mm(end):.6g} while the contact goes on: the pressure there is that of bodies cut "
         "off; give a larger region, or leave it out."
         for axis, end, cut in places
         if cut
@@ -221,8 +222,8 @@ def singularities(solution: PatchSolution) -> tuple[str, ...]:
     """Return a sentence for every singular end, and for the edges of bodies in the gap."""
     reached = {EdgeKind.SINGULAR: "reaches the sharp end", EdgeKind.CORNER: "ends at a corner of the profile"}
     ends = tuple(
-        f"The contact {reached[end.kind]} at y = {end.y:.6g} mm, where the pressure is singular: the value there is "
-        f"that of a cell {solution.dy:.3g} mm long, not a limit, and the maximum pressure is "
+        f"The contact {reached[end.kind]} at y = {mm(end.y):.6g}, where the pressure is singular: the value there is "
+        f"that of a cell {mm(solution.dy):.3g} long, not a limit, and the maximum pressure is "
         + (
             "that of the row next to it, since cells are about as long as the half-width; give more cells along."
             if _too_long(solution, end)
@@ -242,7 +243,7 @@ def _edges_of_bodies(solution: PatchSolution) -> list[str]:
         return []
     i, j = np.unravel_index(int(pressure.argmax()), pressure.shape)
     return [
-        f"The contact reaches the edge of a body at x = {solution.x[i]:.6g}, y = {solution.y[j]:.6g} mm, beyond which "
-        "the gap is infinite and where the pressure is singular: the values there are those of cells "
-        f"{solution.dx:.3g} x {solution.dy:.3g} mm in size, not a limit."
+        f"The contact reaches the edge of a body at x = {mm(solution.x[i]):.6g}, y = {mm(solution.y[j]):.6g}, beyond "
+        "which the gap is infinite and where the pressure is singular: the values there are those of cells "
+        f"{mm(solution.dx, solution.dy, between=' x '):.3g} in size, not a limit."
     ]

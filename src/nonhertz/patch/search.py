@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.solid import HERTZ
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
@@ -140,7 +141,7 @@ class Search:
             needed = -math.inf if self.given.moment != 0.0 else nearness.least_held(self.problem.gap, windows[0])
         needed = round(needed, DIGITS) + 0.0 if math.isfinite(needed) else needed
         if approach is not None and approach <= needed:
-            condition = f"exceed {needed:.6g} mm, where the bodies begin to touch"
+            condition = f"exceed {mm(needed):.6g}, where the bodies begin to touch"
             raise InputError("approach", approach, condition, "raise it, or prescribe the load")
         return lowest
 
@@ -155,11 +156,11 @@ class Search:
         if moment is None:
             return
         if arm is not None and not low <= arm <= high:
-            between = f"between {low:.4g} and {high:.4g} mm, where the gap is finite"
-            condition = f"keep moment / load = {arm:.6g} mm {between}"
+            between = f"between {mm(low, high, between=' and '):.4g}, where the gap is finite"
+            condition = f"keep moment / load = {mm(arm):.6g} {between}"
             raise InputError("moment", moment, condition, "reduce it, or give the region of the contact")
         if (moment > 0.0 >= rows.finite[-1]) or (moment < 0.0 <= rows.finite[0]):
-            condition = f"have the sign of the lever arms, which lie between {low:.4g} and {high:.4g} mm"
+            condition = f"have the sign of the lever arms, which lie between {mm(low, high, between=' and '):.4g}"
             raise InputError("moment", moment, condition, "reverse its sign, or give the region of the contact")
 
     def found(self, cells: tuple[int, int], tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
@@ -247,7 +248,7 @@ class Search:
         y_most = max(FLAT_REACH, 1e3 * x_most)
         wide, long = np.ptp(x_span) > 2.0 * x_most, np.ptp(y_span) > 2.0 * y_most
         if (wide or long) and self.gap_given:
-            condition = f"rise away from the contact, which is over {x_most if wide else y_most:.3g} mm wide"
+            condition = f"rise away from the contact, which is over {mm(x_most if wide else y_most):.3g} wide"
             raise InputError(
                 "gap",
                 getattr(self.problem.gap, "gap", None),

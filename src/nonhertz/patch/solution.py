@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.ends import FINITE_FROM, ends
 from nonhertz.bodies.solid import HERTZ, Shape
 from nonhertz.errors import InputError
@@ -213,7 +214,9 @@ class PatchSolution(ContactResult):
         finite("y", y, "give a position along the contact in mm")
         low, high = float(self.y[0]) - 0.5 * self.dy, float(self.y[-1]) + 0.5 * self.dy
         if not low <= y <= high:
-            raise InputError("y", y, f"lie between {low:g} and {high:g} mm", "choose a station within the region")
+            raise InputError(
+                "y", y, f"lie between {mm(low, high, between=' and '):g}", "choose a station within the region"
+            )
         place = float(np.clip((y - self.y[0]) / self.dy, 0.0, self.y.size - 1.0))
         below = min(int(place), max(self.y.size - 2, 0))
         above, share = min(below + 1, self.y.size - 1), place - below

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm, mpa, newton
 from nonhertz.bodies.influence import Influence, influence_of
 from nonhertz.bodies.solid import HERTZ
 from nonhertz.model.prescription import Prescription
@@ -68,7 +69,7 @@ def _not_finite(solution: PatchSolution) -> str:
 
 def _pulling(solution: PatchSolution) -> str:
     lowest = float(solution.pressure.min())
-    return f"A cell is in tension, {-lowest:.3g} MPa." if lowest < 0.0 else ""
+    return f"A cell is in tension, {mpa(-lowest):.3g}." if lowest < 0.0 else ""
 
 
 def _unbalanced(solution: PatchSolution, given: Prescription, tolerance: float) -> str:
@@ -100,7 +101,7 @@ def _without_body(solution: PatchSolution, undeformed: Array) -> str:
     if not outside.any():
         return ""
     borne = float(solution.pressure[outside].sum()) * solution.dx * solution.dy
-    return f"Cells without a body, where the gap is infinite, bear {borne:.3g} N."
+    return f"Cells without a body, where the gap is infinite, bear {newton(borne):.3g}."
 
 
 def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: float) -> str:
@@ -114,16 +115,16 @@ def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: 
     allowed = (tolerance + ROUNDING) * largest + digits
     apart = float(np.max(np.abs(solution.gap[solution.footprint]), initial=0.0))
     if apart > allowed:
-        return f"Cells that bear a pressure are apart or overlap by {apart:.3g} mm."
+        return f"Cells that bear a pressure are apart or overlap by {mm(apart):.3g}."
     overlap = -float(np.min(solution.gap[bearing], initial=0.0))
     if overlap > allowed:
-        return f"Cells without pressure overlap by {overlap:.3g} mm."
+        return f"Cells without pressure overlap by {mm(overlap):.3g}."
     places = _sample(solution, bearing)
     gap = undeformed[tuple(places.T)] - rigid[places[:, 1]] + displacement(solution, places)
     wrong = float(np.max(np.abs(gap - solution.gap[tuple(places.T)]), initial=0.0))
     if wrong > allowed:
         return (
-            f"The gap is not that of the bodies under these pressures: a sum over all cells differs by {wrong:.3g} mm."
+            f"The gap is not that of the bodies under these pressures: a sum over all cells differs by {mm(wrong):.3g}."
         )
     return ""
 

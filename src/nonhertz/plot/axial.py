@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import Amount, mm, mrad, newton
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 
@@ -137,7 +138,7 @@ def _merged(ends: list[tuple[float, str]], side: float, near: float) -> list[tup
 
 def conditions(solution: Solution) -> str:
     """Return the line that says what was solved: load, tilt, and whatever is out of the ordinary."""
-    words = [f"Load {_load(solution.load)}", f"tilt {number(1e3 * solution.tilt)} mrad"]
+    words = [f"Load {written(newton(solution.load))}", f"tilt {written(mrad(solution.tilt))}"]
     if solution.element.name != "semi-elliptic":
         words.append(f"{solution.element.name} strips")
     if solution.status is not Status.CONVERGED:
@@ -182,15 +183,25 @@ def number(value: float, digits: int = 4) -> str:
     return text.replace("-", "−")
 
 
-def _load(load: float) -> str:
-    return f"{number(load)} N" if abs(load) < 1e3 else f"{number(1e-3 * load)} kN"
+def written(found: Amount, digits: int = 4) -> str:
+    """Return numbers to so many significant digits with their unit, as `number` writes them.
+
+    Examples
+    --------
+    >>> written(newton(20000.0)), written(mm(-1.5, 0.25, between=" and "))
+    ('20 kN', '−1.5 and 0.25 mm')
+    """
+    factor, unit = found.scale
+    return f"{found.between.join(number(factor * value, digits) for value in found.values)} {unit}"
 
 
-def place(y: float, span: tuple[float, float]) -> str:
-    """Return a position [mm] with as many decimals as the drawn ``span`` can show."""
-    decimals = max(0, 2 - int(np.floor(np.log10(span[1] - span[0]))) + 1)
-    text = f"{y:.{decimals}f}"
-    return (text[1:] if float(text) == 0.0 and text.startswith("-") else text).replace("-", "−")
+def place(span: tuple[float, float], *y: float, between: str = " and ") -> str:
+    """Return positions [mm] with as many decimals as the drawn ``span`` can show, and their unit."""
+    factor, unit = mm().scale
+    decimals = max(0, 2 - int(np.floor(np.log10(factor * (span[1] - span[0])))) + 1)
+    texts = (f"{factor * each:.{decimals}f}" for each in y)
+    shown = ((text[1:] if float(text) == 0.0 and text.startswith("-") else text).replace("-", "−") for text in texts)
+    return f"{between.join(shown)} {unit}"
 
 
 def alignment(ax: Axes, y: float, span: tuple[float, float], words: str) -> Alignment:

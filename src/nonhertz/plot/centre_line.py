@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonhertz.amounts import mm, mpa
 from nonhertz.plot.axial import (
     AXIAL_LABEL,
     Alignment,
@@ -18,6 +19,7 @@ from nonhertz.plot.axial import (
     place,
     strip_edges,
     unlimited_ends,
+    written,
 )
 from nonhertz.plot.style import (
     BACKING,
@@ -117,7 +119,7 @@ def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     marked, largest = places_of_largest(solution), solution.max_pressure
     if not marked:
         return
-    words = f"{number(largest)} MPa at $y$ = {' and '.join(place(y, span) for y in marked)} mm"
+    words = f"{written(mpa(largest))} at $y$ = {place(span, *marked)}"
     if solution.peaks_at_corner:
         words += " (corner: rises with refinement)"
     ax.plot(marked, [largest] * len(marked), "o", markersize=4.0, color=FIRST, markerfacecolor="white")
@@ -138,7 +140,9 @@ def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
         power = number(edge.exponent, 3)
         words = f"singular: $p$ ∼ $K$ / $s^{{{power}}}$"
         if edge.strength is not None:
-            words += f"\n$K$ = {number(edge.strength)} MPa mm$^{{{power}}}$"
+            (stress, of_stress), (length, of_length) = mpa().scale, mm().scale
+            strength = edge.strength * stress * length**edge.exponent
+            words += f"\n$K$ = {number(strength)} {of_stress} {of_length}$^{{{power}}}$"
     # The text keeps clear of the curve, which climbs to the arrow: start where the curve reaches the text's height.
     below = solution.y[solution.centre_pressure < SINGULAR_SHARE * ax.get_ylim()[1]]
     foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y
@@ -209,8 +213,8 @@ def _mark_contact(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
 
 
 def _contact_words(solution: Solution, span: tuple[float, float]) -> str:
-    intervals = [f"{place(low, span)} to {place(high, span)} mm" for low, high in solution.contact_y]
+    intervals = [place(span, *ends, between=" to ") for ends in solution.contact_y]
     if len(intervals) <= 2:
         return "contact " + " and ".join(intervals)
     low, high = solution.contact_y[0][0], solution.contact_y[-1][1]
-    return f"contact on {len(intervals)} intervals between {place(low, span)} and {place(high, span)} mm"
+    return f"contact on {len(intervals)} intervals between {place(span, low, high)}"

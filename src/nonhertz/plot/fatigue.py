@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import Amount, mrad, newton
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, mark_unlimited, number
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, mark_unlimited, number, written
 from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
@@ -260,11 +261,13 @@ def _conditions(spectrum: Spectrum) -> str:
     if len(spectrum) == 1:
         return conditions(spectrum[0][0])
     loads = [solution.load for solution, _ in spectrum]
-    tilts = [1e3 * solution.tilt for solution, _ in spectrum]
-    words = [f"Spectrum of {len(loads)} loads", f"{_span(loads)} N", f"tilt {_span(tilts)} mrad"]
+    tilts = [solution.tilt for solution, _ in spectrum]
+    words = [f"Spectrum of {len(loads)} loads", _span(newton, loads), f"tilt {_span(mrad, tilts)}"]
     return ", ".join(words)
 
 
-def _span(values: Sequence[float]) -> str:
-    low, high = number(min(values)), number(max(values))
-    return low if low == high else f"{low} to {high}"
+def _span(kind: Callable[..., Amount], values: Sequence[float]) -> str:
+    ends = kind(min(values), max(values), between=" to ")
+    factor, _ = ends.scale
+    same = number(factor * ends.values[0]) == number(factor * ends.values[1])
+    return written(kind(max(values)) if same else ends)

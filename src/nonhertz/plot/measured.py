@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import amount, mm, um
 from nonhertz.measured import Fit, Measured, Points, StepResult
-from nonhertz.plot.axial import AXIAL_LABEL, number
+from nonhertz.plot.axial import AXIAL_LABEL, written
 from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
-from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -207,13 +207,13 @@ def _draw_relief(figure: Figure, top: float, measured: Measured, fit: Fit | None
 
 def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: _Ruler) -> str:
     axes.plot(y, ruler.factor * fit.relief(y), color=FIRST, linewidth=LINE, linestyle=(0, (4, 2)), zorder=1.5)
-    named = ", ".join(f"{name} {value:.5g} {fit.unit_of(name)}".rstrip() for name, value in fit.parameters.items())
+    named = ", ".join(f"{name} {amount(value, fit.unit_of(name)):.5g}" for name, value in fit.parameters.items())
     name = f"{fit.kind}, {named}" if named else fit.kind
-    return f"Dashed: {name}. Residual to the rough points: {1e3 * fit.rms:.2g} µm root mean square."
+    return f"Dashed: {name}. Residual to the rough points: {um(fit.rms):.2g} root mean square."
 
 
 def _head(axes: Axes, words: str, letters: int = LETTERS) -> None:
-    lines = textwrap.wrap(chosen()(words).replace(" um", " µm").replace(" uin", " µin"), letters)
+    lines = textwrap.wrap(words, letters)
     text = "\n".join(lines[:2]) + (" ..." if len(lines) > 2 else "")
     style: dict[str, Any] = {"fontsize": SMALL_SIZE, "linespacing": 1.25, "parse_math": False}
     axes.text(0.0, 1.04, text, transform=axes.transAxes, va="bottom", **style)
@@ -229,7 +229,8 @@ def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: _Ruler) -> 
         low = min(low, deepest)
         high = max(high, ruler.factor * float(before.height.max()))
     else:
-        note = f"axis cut, heights go down to {number(deepest, 3)} {ruler.unit}"
+        read = (mm if ruler.unit == "mm" else um)(deepest / ruler.factor)
+        note = f"axis cut, heights go down to {written(read, 3)}"
         style: dict[str, Any] = {"fontsize": SMALL_SIZE, "color": FAINT_INK, "bbox": BACKING, "ha": "center"}
         axes.text(0.5, 0.06, note, transform=axes.transAxes, **style)
         low -= 0.5 * room

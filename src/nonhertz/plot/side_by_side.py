@@ -204,7 +204,7 @@ def draw_across(found: Comparison, axes: Axes, station: Station) -> None:
     axes.set_xlim(-ROOM * (widest or 1.0), ROOM * (widest or 1.0))
     axes.set_ylim(0.0, ROOM * (highest or 1.0))
     letter = "ABC"[found.stations.index(station)]
-    words = f"{station.reason},\n$y$ = {place(station.y, axial_range(found.semi_elliptic))} mm"
+    words = f"{station.reason},\n$y$ = {place(axial_range(found.semi_elliptic), station.y)}"
     axes.set_title(words, loc="left", fontsize=SMALL_SIZE, pad=4.0)
     axes.text(0.03, 0.97, letter, transform=axes.transAxes, va="top", weight="bold", fontsize=SIZE, color=FAINT_INK)
     axes.set_xlabel("Across $x$ [mm]", labelpad=1.0)

@@ -213,7 +213,7 @@ def profile_band(y: ArrayLike, nominal: ArrayLike, band: tuple[ArrayLike, ArrayL
     ax.fill_between(np.asarray(y), low, high, color=SECOND, alpha=0.25, linewidth=0.0, label=label)
     ax.plot(y, 1e3 * np.asarray(nominal), color=INK, linewidth=LINE, label="nominal")
     ax.invert_yaxis()
-    ax.set(xlabel="y [mm]", ylabel="Relief [um]")
+    ax.set(xlabel="y [mm]", ylabel="Relief [µm]")
     ax.legend(fontsize=SMALL_SIZE, frameon=False, loc="lower center")
     _open(ax)
     return ax

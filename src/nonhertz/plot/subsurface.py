@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.axial import AXIAL_LABEL, body_ends, conditions, number, place
+from nonhertz.amounts import chosen, mm, mpa
+from nonhertz.plot.axial import AXIAL_LABEL, body_ends, conditions, number, place, written
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.sheets import (
     BAR,
@@ -26,7 +27,6 @@ from nonhertz.plot.sheets import (
     write_title,
 )
 from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
-from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
@@ -105,7 +105,7 @@ def axial_stress(
     lines = _draw_contours(field, y, _last_colour(solution, overall), ax, bar)
     _label(lines, field, y, _calm_column(solution, y, overall, station), overall, ax)
     ax.set_xlabel(AXIAL_LABEL)
-    plane = f"body {field.body} at $x$ = {number(float(field.x[0, 0]))}{_scale(stretch)}"
+    plane = f"body {field.body} at $x$ = {written(mm(field.x[0, 0]))}{_scale(stretch)}"
     _head(solution, plane, landmarks, [*contact, *section, *ends], ax)
     return ax
 
@@ -144,14 +144,14 @@ def section_stress(
     x, y = field.x[:, 0], float(field.y[0, 0])
     middle, half_width = (float(each) for each in across_at(solution, np.asarray(y)))
     _frame(ax, (float(x[0]), float(x[-1])), float(field.z.max()), 1.0)
-    label = f"contact, half-width {number(half_width, 3)} mm"
+    label = f"contact, half-width {written(mm(half_width), 3)}"
     contact = _draw_surface(((middle - half_width, middle + half_width),), label, ax)
     landmarks = [_mark(name, getattr(section, name), None, ax) for name in MARKS]
     lines = _draw_contours(field, x, _last_colour(solution, section), ax, bar)
     _label(lines, field, x, int(np.abs(x - middle).argmin()), section, ax)
     ax.set_xlabel("Across $x$ [mm]")
     ends = solution.contact_y[0][0], solution.contact_y[-1][1]
-    _head(solution, f"body {field.body} at $y$ = {_station(y, ends)} mm", landmarks, contact, ax)
+    _head(solution, f"body {field.body} at $y$ = {_station(y, ends)}", landmarks, contact, ax)
     return ax
 
 
@@ -337,9 +337,9 @@ def _mark(name: str, found: Extreme, span: tuple[float, float] | None, ax: Axes)
         sideways, [depth] * len(sideways), marker, markersize=size, color=INK, markerfacecolor="white",
         markeredgewidth=THIN, clip_on=False, zorder=4.0 - 0.1 * size,
     )  # fmt: skip
-    at = [f"$x$ = ±{number(found.x, 3)}"] if found.x > 0.0 else []
+    at = [f"$x$ = ±{written(mm(found.x), 3)}"] if found.x > 0.0 else []
     at += [f"$y$ = {_station(found.y, span)}"] if span else []
-    return mark, f"{words} {number(found.max)} MPa {found.site}{', '.join([*at, f'$z$ = {number(found.z, 3)}'])} mm"
+    return mark, f"{words} {written(mpa(found.max))} {found.site}{', '.join([*at, f'$z$ = {written(mm(found.z), 3)}'])}"
 
 
 def _draw_surface(intervals: tuple[tuple[float, float], ...], label: str, ax: Axes) -> list[Entry]:
@@ -354,12 +354,12 @@ def _draw_station(station: float | None, span: tuple[float, float], ax: Axes) ->
     if station is None:
         return []
     line = ax.axvline(station, color=INK, linewidth=THIN, linestyle="--", zorder=1.5)
-    return [(line, f"cross-section, $y$ = {_station(station, span)} mm")]
+    return [(line, f"cross-section, $y$ = {_station(station, span)}")]
 
 
 def _station(y: float, span: tuple[float, float]) -> str:
-    words = place(y, span)
-    return words if float(words.replace("−", "-")) else "0"
+    words = place(span, y)
+    return words if float(words.split()[0].replace("−", "-")) else f"0 {words.split()[1]}"
 
 
 def _draw_ends(solution: Solution, span: tuple[float, float], ax: Axes) -> list[Entry]:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, head, number
+from nonhertz.amounts import um
+from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, head, written
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, PALE, SECOND
 from nonhertz.result.solution import Solution
 
@@ -77,7 +78,7 @@ def profile(solution: Solution, ax: Axes) -> Axes:
 def _cut(largest: float) -> str:
     if np.isinf(largest):
         return "axis cut, the relief is infinite at an end"
-    return f"axis cut, the undeformed distance reaches {number(largest, 3)} µm"
+    return f"axis cut, the undeformed distance reaches {written(um(1e-3 * largest), 3)}"
 
 
 def distances(solution: Solution) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""Finished figures in the units in which people read results: words, labels and ticks, which are round in those units.
+"""The axes of finished figures in the units in which people read results, with ticks that are round in these.
 
 Everything is drawn in the program's own units. Ticks are chosen and written by what an axis already has for that, which
 is given the numbers of the other unit; nothing that was drawn moves.
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from nonhertz.result.reading import Units, chosen
+from nonhertz.amounts import Units, chosen
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,19 +24,13 @@ _APART: Final = 1e-3  # of the figure: axes that begin closer together are below
 
 
 def rewrite_units(figure: Figure) -> None:
-    """Put the numbers and units of a figure into those chosen in this context; user text stays as it is."""
-    from matplotlib.text import Text
-
+    """Put the axes of a figure into the units chosen in this context; what is written in it is in them already."""
     units = chosen()
     if units.code == "si":
         return
     for axis, unit in list(_with_units(figure, units)):
         _rescale(axis, units.of(unit)[1])
-    for text in figure.findobj(Text):
-        assert isinstance(text, Text)
-        # What is not parsed is a title, the name of a file, or was written in these units.
-        if text.get_parse_math():
-            text.set_text(units.head(text.get_text()))
+        axis.set_label_text(axis.get_label_text().replace(f"[{unit}]", f"[{units.of(unit)[0]}]"))
 
 
 def _with_units(figure: Figure, units: Units) -> Iterator[tuple[Axis, str]]:

@@ -14,12 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import digits, given, mm, mpa
 from nonhertz.bodies.ends import ends
 from nonhertz.comparison.value import NOTABLE
 from nonhertz.report.results import CaseResults
 from nonhertz.result.checks import LEAST_DEPTH, checks
 from nonhertz.result.ends import leaves_stress
-from nonhertz.result.numerals import digits, given
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.result.validity import ROUND_IT
 from nonhertz.strength import Verdict as StrengthVerdict
@@ -136,7 +136,7 @@ def _ends(solution: Solution) -> Iterator[Assumption]:
 
 def _end(edge: EdgePressure) -> str:
     kind = edge.kind.label.replace("-", " ")
-    return f"{kind} at y = {edge.y:.5g} mm" + (f", {edge.law}" if edge.law else "")
+    return f"{kind} at y = {mm(edge.y):.5g}" + (f", {edge.law}" if edge.law else "")
 
 
 def _smooth(solution: Solution) -> Assumption:
@@ -183,7 +183,7 @@ def _elastic(found: CaseResults) -> Iterator[Assumption]:
         yield Assumption(
             f"Linear elastic below the surface of body {each.body}",
             "von Mises stress below the yield strength",
-            f"{digits(largest.max)} MPa {largest.site}z = {digits(largest.z, 3)} mm",
+            f"{mpa(largest.max)} {largest.site}z = {mm(largest.z):3}",
             _of_strength({check.verdict for check in checks}),
             " ".join(check.sentence for check in checks),
         )
@@ -200,9 +200,9 @@ def elastic_below_yield(pressure: float, where: str = "") -> Assumption:
     return Assumption(
         "Linear elastic bodies",
         f"p0 below {FLOW_BEGINS:g} times the yield strength (line contact, Tresca; Johnson 1985, section 6.1)",
-        f"p0 = {digits(pressure)} MPa{where}",
+        f"p0 = {mpa(pressure)}{where}",
         Verdict.OPEN,
-        f"The yield strength must be above {digits(pressure / FLOW_BEGINS, 4)} MPa.",
+        f"The yield strength must be above {mpa(pressure / FLOW_BEGINS):4}.",
     )
 
 

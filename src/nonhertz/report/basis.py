@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
+from nonhertz.amounts import given, mm, mpa, mrad, newton, newton_mm
 from nonhertz.model.body import BODIES, Body
 from nonhertz.model.materials import MATERIALS
 from nonhertz.report.results import CaseResults
-from nonhertz.result.numerals import given, given_sized
 from nonhertz.result.solution import Status
 
 
@@ -62,14 +62,14 @@ def differing(labels: Sequence[str], sentence: str, words: Iterable[str]) -> Ite
 
 def _load(found: CaseResults) -> str:
     load = found.case.prescribed.get("load")
-    return "an approach is given" if load is None else given_sized(load, "N")
+    return "an approach is given" if load is None else f"{newton(load):g}"
 
 
 def _alignment(found: CaseResults) -> str:
     prescribed = found.case.prescribed
     if "moment" in prescribed:
-        return f"a moment of {given_sized(prescribed['moment'], 'N mm')}"
-    return f"a tilt of {given(1e3 * prescribed.get('tilt', 0.0), 4)} mrad"
+        return f"a moment of {newton_mm(prescribed['moment']):g}"
+    return f"a tilt of {mrad(prescribed.get('tilt', 0.0)):.4g}"
 
 
 def _touching(found: CaseResults) -> str:
@@ -78,7 +78,7 @@ def _touching(found: CaseResults) -> str:
         return "any length"
     bodies = found.solution.contact.a, found.solution.contact.b
     effective = any(body.effective_length is not None for body in bodies)
-    return f"{given(high - low)} mm{', an effective length' if effective else ''}"
+    return f"{mm(high - low):g}{', an effective length' if effective else ''}"
 
 
 def _faces(body: Body) -> str:
@@ -91,7 +91,7 @@ def _faces(body: Body) -> str:
 
 def _material(body: Body) -> str:
     name = next((name for name, known in MATERIALS.items() if known == body.material), "")
-    return name or f"E = {given(body.material.modulus)} MPa, ν = {given(body.material.poisson)}"
+    return name or f"E = {mpa(body.material.modulus):g}, ν = {given(body.material.poisson)}"
 
 
 def _reference(body: Body) -> str:

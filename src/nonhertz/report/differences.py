@@ -6,10 +6,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from nonhertz.amounts import Amount, digits, mpa
 from nonhertz.model.body import BODIES
 from nonhertz.report.inputs import Entry, InputGroup
 from nonhertz.report.results import CaseResults
-from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 from nonhertz.show.lives import without_ratio
@@ -56,7 +56,7 @@ def results(found: Sequence[CaseResults]) -> list[Row]:
     if all(each.stress for each in found):
         for name, key in _STRESSES.items():
             largest = [getattr(each.stress[0], key).max for each in found if each.stress]
-            rows.append(compared(f"largest {name} in body a [MPa]", largest))
+            rows.append(compared(f"largest {name} in body a", mpa(*largest)))
     return rows
 
 
@@ -106,7 +106,7 @@ def _end(edge: EdgePressure) -> tuple[str, str]:
     if edge.kind is EdgeKind.CORNER:
         return "no limit", "at a corner of the profile"
     if edge.kind is not EdgeKind.SINGULAR:
-        return f"{digits(edge.pressure)} MPa", edge.kind.label.replace("-", " ")
+        return f"{mpa(edge.pressure)}", edge.kind.label.replace("-", " ")
     return "no limit", edge.law
 
 
@@ -117,13 +117,14 @@ _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogon
 
 
 def _compared(quantity: Quantity, solutions: Sequence[Solution]) -> Row:
-    unit = quantity.shown_unit.replace("um", "µm")
-    return compared(f"{quantity.label} [{unit}]", [quantity.shown(each) for each in solutions])
+    return compared(quantity.label, quantity.amount(*(float(quantity.clean(each)) for each in solutions)))
 
 
-def compared(name: str, values: Sequence[float]) -> Row:
+def compared(name: str, found: Amount) -> Row:
     """Return a row of numbers, with differences from the first in per cent; NaN is absent."""
-    return Row(name, tuple(map(_number, values)), ("", *(_change(value, values[0]) for value in values[1:])))
+    (factor, unit), values = found.scale, found.values
+    changes = ("", *(_change(value, values[0]) for value in values[1:]))
+    return Row(f"{name} [{unit}]" if unit else name, tuple(_number(factor * value) for value in values), changes)
 
 
 def _number(value: float) -> str:

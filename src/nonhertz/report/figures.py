@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import count
 from typing import TYPE_CHECKING
 
+from nonhertz.amounts import mm, mpa
 from nonhertz.plot import dent_figure, figures, life_figure, measured_figure, stress_figures
 from nonhertz.plot.units import rewrite_units
 from nonhertz.report.drawing import inline_svg
@@ -14,7 +15,6 @@ from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import pressures, reliefs
 from nonhertz.report.overview import Key, keys
 from nonhertz.report.results import CaseResults
-from nonhertz.result.reading import chosen, in_letters
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -67,14 +67,14 @@ class Gallery:
         overall, section = found.stress
         captions = {
             "axial-plane": f"Von Mises stress in body {overall.body} below the centre line, along the contact.",
-            "cross-section": f"Von Mises stress in the cross-section at y = {section.von_mises.y:.4g} mm, in true "
+            "cross-section": f"Von Mises stress in the cross-section at y = {mm(section.von_mises.y):.4g}, in true "
             "proportions.",
         }
         largest = overall.von_mises
-        at = f"{largest.site}x = {largest.x:.3g}, y = {largest.y:.3g}, z = {largest.z:.3g} mm"
-        summary = f"The largest is {largest.max:.5g} MPa {at}."
+        at = f"{largest.site}x = {mm(largest.x):.3g}, y = {mm(largest.y):.3g}, z = {mm(largest.z):.3g}"
+        summary = f"The largest is {mpa(largest.max):.5g} {at}."
         return {
-            name: self.picture(drawn, captions[name], chosen()(summary))
+            name: self.picture(drawn, captions[name], summary)
             for name, drawn in stress_figures(found.solution, overall, section).items()
         }
 
@@ -102,7 +102,7 @@ class Gallery:
     def of_measurement(self, measurement: Measurement) -> ReportFigure:
         """Return the steps from measured points to a profile."""
         caption = f"From the measured points of {measurement.file} to the profile, step by step."
-        summary = chosen()(" ".join(in_letters(words) for _, words in measurement.rows))
+        summary = " ".join(words for _, words in measurement.rows)
         return self.picture(measured_figure(measurement.measured), caption, summary)
 
     def of_all(self, found: Sequence[CaseResults]) -> Iterator[ReportFigure]:
@@ -115,13 +115,13 @@ class Gallery:
     def in_words(self, numbers: Iterable[Key]) -> str:
         """Return key numbers as the description of a figure, for those who do not see it."""
         said = (f"{key.name} {key.value} {key.unit} {key.remark}".strip() for key in numbers)
-        return chosen()("; ".join(said))
+        return "; ".join(said)
 
     def picture(self, figure: Figure, caption: str, description: str) -> ReportFigure:
         """Return a figure with the next number."""
         number = next(self._numbers)
         rewrite_units(figure)
-        svg = inline_svg(figure, f"figure-{number}", chosen()(caption), description)
+        svg = inline_svg(figure, f"figure-{number}", caption, description)
         return ReportFigure(number, svg, caption)
 
 

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+from nonhertz.amounts import amount, given, mpa
 from nonhertz.files.casefile import Case
 from nonhertz.files.keys import Key, Table, profile_kinds, table_of, unit_of
 from nonhertz.files.measured import KIND as MEASURED
@@ -26,18 +27,15 @@ from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.model.profile.drop import determined
 from nonhertz.report.method import formula, source
-from nonhertz.result.numerals import given
 
 LONGEST_LIST = 8  # entries; a longer list is summarised
 # What the body has where a key is left out that has no value then; nothing, if not here.
 _ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "the whole length"}
-# What is known of a material beside its elastic constants: words before the value, and unit.
+# What is known of a material beside its elastic constants: words before the value.
 _BORNE = {
-    "yield_strength": ("yield strength", " MPa"),
-    "core_yield_strength": ("core", " MPa"),
-    "hardness": ("hardness", ""),
-    "pressure_limit": ("limit of pressure", " MPa"),
-}
+    "yield_strength": "yield strength", "core_yield_strength": "core", "hardness": "hardness",
+    "pressure_limit": "limit of pressure",
+}  # fmt: skip
 _OF_THE_BODY, _OF_BOTH, _AT_THE_END = "from the body", "from both bodies", "the end of the land"
 
 
@@ -113,8 +111,7 @@ def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> 
             value = getattr(body, name)
             if name == "depth" and value is None:
                 value = body.behind.shown
-            text = _ABSENT.get(name, "none") if value is None else shown(value, key)
-            unit = unit_of(key) if isinstance(value, float | int | TabulatedDiameter) else ""
+            text, unit = (_ABSENT.get(name, "none"), "") if value is None else with_unit(value, key)
             meaning, written = text_of(key.each), as_written(table, name)
             entries.append(Entry(f"{place}.{name}", text, unit, meaning, name not in table, written))
     tables = profile_tables(table)
@@ -138,8 +135,8 @@ def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     prescribed, keys = case.prescribed, table_of(Prescription).keys
     for name, key in keys.items():
         if name in prescribed:
-            value, written = given(prescribed[name]), as_written(table, name)
-            yield Entry(f"load.{name}", value, unit_of(key), text_of(key.each), False, written)
+            text, unit = with_unit(prescribed[name], key)
+            yield Entry(f"load.{name}", text, unit, text_of(key.each), False, as_written(table, name))
     if not {"tilt", "moment"} & set(prescribed):
         yield Entry("load.tilt", "0", "rad", text_of(keys["tilt"].each), True)
 
@@ -161,7 +158,7 @@ def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
                 text = ", ".join(f"{each} {_entry_within(value, row.keys[each])}" for each, value in case.items())
                 yield Entry(f"life.spectrum[{number}]", text, "", text_of(key.each), False)
         elif name in table:
-            yield Entry(f"life.{name}", shown(table[name], key), unit_of(key), text_of(key.each), False)
+            yield Entry(f"life.{name}", *with_unit(table[name], key), text_of(key.each), False)
 
 
 def _profile_input(
@@ -175,19 +172,17 @@ def _profile_input(
         value, is_default = _parameter(name, table, function)
         meaning = text_of(key.each)
         if "drop" in table and name == determined(kind, table):
-            value, is_default, meaning = shown(made[name]), False, f"{meaning}; from the drop"
+            value, is_default, meaning = made[name], False, f"{meaning}; from the drop"
         if value is not None:
-            # Text includes its unit, and a word such as "auto" has none.
-            unit = unit_of(key) if _has_digit(value) and not isinstance(table.get(name), str) else ""
-            entries.append(Entry(f"{place}.{name}", value, unit, meaning, is_default))
+            entries.append(Entry(f"{place}.{name}", *with_unit(value, key), meaning, is_default))
     what = described.meaning.rstrip(".")
     return ProfileInput(what[:1].upper() + what[1:], formula(function), source(function), tuple(entries))
 
 
-def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any] | None) -> tuple[str | None, bool]:
-    """Return the value of a profile's parameter as text, None if it has none, and whether it is a default."""
+def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any] | None) -> tuple[Any, bool]:
+    """Return the value of a profile's parameter, None if it has none, and whether it is a default."""
     if name in table:
-        return shown(table[name]), False
+        return table[name], False
     if name == "at" and "drop" in table:
         return _AT_THE_END, True
     known = inspect.signature(function).parameters.get(name) if function else None
@@ -195,7 +190,26 @@ def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any]
         return None, True
     if known.default is known.empty:
         return _OF_BOTH if name == "radius" else _OF_THE_BODY, True
-    return (None if known.default is None else shown(known.default)), True
+    return known.default, True
+
+
+def with_unit(value: Any, key: Key | None = None, *, small: bool = False) -> tuple[str, str]:
+    """Return a value as text and its unit; text of a file has its own unit, and tables say theirs within them.
+
+    People read ``small`` lengths in micrometres.
+    """
+    unit = unit_of(key) if key and isinstance(value, float | int | list | tuple | TabulatedDiameter) else ""
+    factor, word = amount((), unit, "um" if small and unit == "mm" else "").scale
+    return shown(_times(value, factor), key), "" if isinstance(value, bool) or (key and key.tables) else word
+
+
+def _times(value: Any, factor: float) -> Any:
+    """Return a value with all its numbers times a factor."""
+    if isinstance(value, TabulatedDiameter):
+        return replace(value, y=_times(value.y, factor), diameter=_times(value.diameter, factor))
+    if isinstance(value, list | tuple):
+        return [_times(each, factor) for each in value]
+    return value if isinstance(value, bool) or not isinstance(value, float | int) or factor == 1.0 else factor * value
 
 
 def shown(value: Any, key: Key | None = None) -> str:
@@ -217,8 +231,7 @@ def shown(value: Any, key: Key | None = None) -> str:
 
 
 def _entry_within(value: Any, key: Key | None) -> str:
-    unit = unit_of(key) if key and isinstance(value, float | int | list | tuple) else ""
-    return f"{shown(value, key)} {unit}".rstrip()
+    return " ".join(with_unit(value, key)).rstrip()
 
 
 def _sequence(values: Sequence[Any], key: Key | None = None) -> str:
@@ -229,11 +242,11 @@ def _sequence(values: Sequence[Any], key: Key | None = None) -> str:
 
 def _material(material: Material) -> str:
     name = next((name for name, known in MATERIALS.items() if known == material), "")
-    constants = [f"E = {shown(material.modulus)} MPa", f"ν = {shown(material.poisson)}"]
+    constants = [f"E = {mpa(material.modulus):g}", f"ν = {shown(material.poisson)}"]
     constants += [
-        f"{words} {shown(getattr(material, field))}{unit}"
-        for field, (words, unit) in _BORNE.items()
-        if getattr(material, field) is not None
+        f"{words} {value if isinstance(value, str) else f'{mpa(value):g}'}"
+        for field, words in _BORNE.items()
+        if (value := getattr(material, field)) is not None
     ]
     return f"{name} ({', '.join(constants)})" if name else ", ".join(constants)
 

@@ -11,10 +11,10 @@ from importlib import metadata, resources
 from typing import TYPE_CHECKING, Any
 
 from nonhertz import __version__
+from nonhertz.amounts import chosen
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.report.figures import ReportFigure
 from nonhertz.report.measurements import Measurement
-from nonhertz.result.reading import SI, chosen, in_letters
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -54,18 +54,16 @@ def laid_out(
     parts: Sequence[dict[str, Any]],
 ) -> str:
     """Return the text of a page; comparison and parts name the templates that lay them out."""
-    units = chosen()
     page = (
         _environment()
         .get_template("report.html")
         .render(
-            u=units,
             title=title,
             mark=_safe(MARK),
             style=_safe(_resource("style.css")),
             kind=words.kind,
             what=words.what,
-            conventions=words.conventions.replace(SI.stated, units.stated),
+            conventions=f"{chosen().stated}. {words.conventions}",
             block=block,
             comparison=comparison,
             parts=parts,
@@ -86,14 +84,13 @@ def merged(rows: Sequence[tuple[str, str, str]]) -> list[tuple[str, list[tuple[s
     for name, value, remark in rows:
         if name or not found:
             found.append((name.strip(), []))
-        found[-1][1].append((in_letters(value), in_letters(remark)))
+        found[-1][1].append((value, remark))
     return found
 
 
 def measured(measurement: Measurement, picture: ReportFigure) -> dict[str, Any]:
     """Return a measured profile and its figure as templates show them."""
-    rows = [(name, in_letters(words)) for name, words in measurement.rows]
-    return {"place": measurement.place, "file": measurement.file, "rows": rows, "figure": marked(picture)}
+    return {"place": measurement.place, "file": measurement.file, "rows": measurement.rows, "figure": marked(picture)}
 
 
 def linked(text: str) -> Markup:

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from nonhertz.amounts import Amount, amount, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.materials import MATERIALS
 from nonhertz.report.results import CaseResults
 from nonhertz.result.brief import where_largest
 from nonhertz.result.maximum import largest_half_width, singular_y
-from nonhertz.result.numerals import digits, given, given_sized
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 
@@ -39,18 +39,24 @@ class Key:
     unit: str
     remark: str = ""
 
+    @classmethod
+    def of(cls, name: str, found: Amount, remark: str = "", spec: str = "") -> Key:
+        """Return a number in the units that are read."""
+        (value,), unit = found.apart(spec)
+        return cls(name, value, unit, remark)
+
 
 def opening(found: CaseResults) -> str:
     """Return one sentence on what was solved."""
     solution, prescribed = found.solution, found.case.prescribed
     a, b = solution.contact.a, solution.contact.b
     load = prescribed.get("load")
-    pressed = _by_approach(prescribed["approach"]) if load is None else f"with {given_sized(load, 'N')}"
+    pressed = _by_approach(prescribed["approach"]) if load is None else f"with {newton(load):g}"
     turned = ""
     if prescribed.get("tilt"):
-        turned = f" and tilted by {given(1e3 * prescribed['tilt'], 4)} mrad"
+        turned = f" and tilted by {mrad(prescribed['tilt']):.4g}"
     elif "moment" in prescribed:
-        turned = f" under a moment of {given_sized(prescribed['moment'], 'N mm')}"
+        turned = f" under a moment of {newton_mm(prescribed['moment']):g}"
     return f"{_body(a, 'a')} and {_body(b, 'b')} are pressed together {pressed}{turned}."
 
 
@@ -62,23 +68,23 @@ def keys(found: CaseResults) -> list[Key]:
     half_width, widest = largest_half_width(solution.y, solution.half_width, singular_y(solution))
     shown = [
         *_pressures(solution),
-        Key("approach", digits(1e3 * solution.approach), "µm"),
+        Key.of("approach", um(solution.approach)),
         *_penetration(solution),
-        Key("largest half-width", digits(float(half_width)), "mm", _at(float(widest))),
+        Key.of("largest half-width", mm(float(half_width)), _at(float(widest))),
     ]
     if "load" not in found.case.prescribed:
-        shown.append(Key("load", digits(solution.load), "N"))
+        shown.append(Key.of("load", newton(solution.load)))
     if found.stress:
         largest = found.stress[0].von_mises
-        where = f"{largest.site}y = {digits(largest.y, 4)}, z = {digits(largest.z, 3)} mm"
-        shown.append(Key(f"largest von Mises stress in body {found.stress[0].body}", digits(largest.max), "MPa", where))
+        where = f"{largest.site}y = {mm(largest.y):4}, z = {mm(largest.z):3}"
+        shown.append(Key.of(f"largest von Mises stress in body {found.stress[0].body}", mpa(largest.max), where))
     return shown
 
 
 def _penetration(solution: Solution) -> list[Key]:
     if not is_noticeable(solution.approach, solution.penetration):
         return []
-    return [Key("penetration", digits(1e3 * solution.penetration), "µm", "approach beyond first touch")]
+    return [Key.of("penetration", um(solution.penetration), "approach beyond first touch")]
 
 
 def geometry(solution: Solution) -> list[tuple[str, str, str]]:
@@ -92,15 +98,15 @@ def geometry(solution: Solution) -> list[tuple[str, str, str]]:
     relief = contact.separation(y)
     shown = [
         ("both bodies can touch", *_interval(low, high)),
-        ("combined radius of curvature across", _span(radius), "mm"),
-        ("combined curvature across", _span(1.0 / radius), "1/mm"),
+        ("combined radius of curvature across", *_span(radius, "mm")),
+        ("combined curvature across", *_span(1.0 / radius, "1/mm")),
     ]
     if np.isfinite(relief[[0, -1]]).all():
-        where = f"{_end(float(y[0]))} and {_end(float(y[-1]))} mm"
-        ends = (digits(1e3 * each, 4) for each in relief[[0, -1]].tolist())
-        shown.append((f"separation (both reliefs) at y = {where}", " and ".join(ends), "µm"))
+        where = f"{mm(y[0], y[-1], between=' and '):g}"
+        ends, unit = um(*relief[[0, -1]]).apart("4")
+        shown.append((f"separation (both reliefs) at y = {where}", " and ".join(ends), unit))
     modulus = 1.0 / (math.pi * contact.compliance)
-    shown.append(("contact modulus, 1/E* = sum of (1 - ν²) / E", digits(modulus), "MPa"))
+    shown.append(("contact modulus, 1/E* = sum of (1 - ν²) / E", *_one(mpa(modulus))))
     return shown
 
 
@@ -110,23 +116,23 @@ def ends_in_words(solution: Solution) -> list[str]:
 
 
 def _end_in_words(edge: EdgePressure) -> str:
-    shown = f"At y = {edge.y:.5g} mm: {edge.kind.value[0].lower()}{edge.kind.value[1:]}"
+    shown = f"At y = {mm(edge.y):.5g}: {edge.kind.value[0].lower()}{edge.kind.value[1:]}"
     match edge.kind:
         case EdgeKind.RUN_OUT | EdgeKind.CORNER:
             return shown
         case EdgeKind.SINGULAR:
             return f"{shown} With the distance s it varies as {edge.law} ({edge.convention})."
         case _:
-            return f"{shown} It is {digits(edge.pressure)} MPa ({edge.convention})."
+            return f"{shown} It is {mpa(edge.pressure)} ({edge.convention})."
 
 
 def _pressures(solution: Solution) -> list[Key]:
     remark = "no limit, at a corner of the profile" if solution.peaks_at_corner else where_largest(solution, 4)
-    shown = [Key("maximum pressure", digits(solution.max_pressure), "MPa", remark)]
+    shown = [Key.of("maximum pressure", mpa(solution.max_pressure), remark)]
     sharp = [edge for edge in solution.edge_pressure if edge.law]
     if sharp:
         highest = max(sharp, key=lambda edge: edge.pressure)
-        shown.append(Key("pressure at the sharp end", "no limit", "", f"{highest.law}, at y = {highest.y:.5g} mm"))
+        shown.append(Key("pressure at the sharp end", "no limit", "", f"{highest.law}, at y = {mm(highest.y):.5g}"))
     return shown
 
 
@@ -137,35 +143,40 @@ def _body(body: Body, letter: str) -> str:
     )
     sizes = []
     if isinstance(body.diameter, float | int):
-        sizes.append(f"diameter {given(float(abs(body.diameter)))} mm{', concave' if body.diameter < 0.0 else ''}")
+        sizes.append(f"diameter {mm(float(abs(body.diameter))):g}{', concave' if body.diameter < 0.0 else ''}")
     elif isinstance(body.diameter, TabulatedDiameter):
-        sizes.append(f"diameter {_span(np.array(body.diameter.diameter))} mm")
+        sizes.append(f"diameter {' '.join(_span(np.array(body.diameter.diameter), 'mm'))}")
     else:
         sizes.append("flat")
     if body.length is not None:
-        sizes.append(f"length {given(body.length)} mm")
+        sizes.append(f"length {mm(body.length):g}")
     name = next((name for name, known in MATERIALS.items() if known == body.material), "")
-    sizes.append(name or f"E = {given(body.material.modulus)} MPa")
+    sizes.append(name or f"E = {mpa(body.material.modulus):g}")
     return f"{words} ({', '.join(sizes)})"
 
 
 def _by_approach(approach: float) -> str:
-    return f"until they have approached by {given(1e3 * approach)} µm"
+    return f"until they have approached by {um(approach):g}"
 
 
 def _at(y: float) -> str:
-    return f"at y = {digits(y, 4)} mm"
+    return f"at y = {mm(y):4}"
 
 
 def _interval(low: float, high: float) -> tuple[str, str]:
-    unbounded = math.isinf(low) and math.isinf(high)
-    return ("everywhere", "") if unbounded else (f"{_end(low)} to {_end(high)}", "mm")
+    if math.isinf(low) and math.isinf(high):
+        return "everywhere", ""
+    numbers, unit = mm(low, high).apart("g")
+    ends = (word if math.isfinite(y) else "no end" for y, word in zip((low, high), numbers, strict=True))
+    return " to ".join(ends), unit
 
 
-def _end(y: float) -> str:
-    return f"{y:.6g}" if math.isfinite(y) else "no end"
+def _one(found: Amount) -> tuple[str, str]:
+    (number,), unit = found.apart()
+    return number, unit
 
 
-def _span(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> str:
+def _span(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]], unit: str) -> tuple[str, str]:
     low, high = float(values.min()), float(values.max())
-    return given(low, 5) if math.isclose(low, high, rel_tol=1e-9) else f"{given(low, 5)} to {given(high, 5)}"
+    numbers, unit = amount((low,) if math.isclose(low, high, rel_tol=1e-9) else (low, high), unit).apart(".5g")
+    return " to ".join(numbers), unit

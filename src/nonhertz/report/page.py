@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from nonhertz.amounts import read_in
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -22,18 +23,17 @@ from nonhertz.report.measurements import measurements
 from nonhertz.report.method import paragraphs, references
 from nonhertz.report.overview import ends_in_words, geometry, keys, opening
 from nonhertz.report.results import CaseResults, examined, settled
-from nonhertz.result.reading import SI, read_in
 from nonhertz.show.analysis import Announce, in_silence
-from nonhertz.show.lives import LIFE_COLUMNS, RATIO, SPECTRUM_COLUMNS, life_rows, spectrum_rows
+from nonhertz.show.lives import LIFE_COLUMNS, RATIO, life_rows, spectrum_table
 from nonhertz.show.lives import sentences as life_sentences
-from nonhertz.show.stresses import COLUMNS, stress_rows
 from nonhertz.show.stresses import sentences as stress_sentences
+from nonhertz.show.stresses import stress_table
 from nonhertz.show.summary import summary_rows
 
 WORDS = Words(
     kind="Elastic contact, solved with strip elements",
     what="cases",
-    conventions=f"{SI.stated}; y runs along the contact from the middle of the "
+    conventions="The axis y runs along the contact from the middle of the "
     "bodies, x across it, z down into a body; positive relief is material removed; a positive tilt loads the side of "
     "positive y.",
 )
@@ -155,9 +155,10 @@ def _comparison(found: Sequence[CaseResults], gallery: Gallery) -> dict[str, Any
 def _stress(found: CaseResults, gallery: Gallery) -> dict[str, Any] | None:
     if found.stress is None:
         return None
+    heads, rows = stress_table(found.solution, *found.stress)
     return {
-        "columns": COLUMNS,
-        "rows": [[cell.replace("+-", "±") for cell in row] for row in stress_rows(found.solution, *found.stress)],
+        "columns": heads,
+        "rows": [[cell.replace("+-", "±") for cell in row] for row in rows],
         "sentences": stress_sentences(found.solution, found.stress[1]),
         "strength": [sentence for each in found.strengths for sentence in each.sentences],
         "figures": [marked(picture) for picture in gallery.of_stress(found).values()],
@@ -170,12 +171,13 @@ def _life(found: CaseResults, gallery: Gallery) -> dict[str, Any] | None:
     rows = life_rows(found.lives)
     # Drop columns that are blank throughout, as revolutions are without a raceway.
     kept = [column for column in range(len(LIFE_COLUMNS)) if any(row[column] for row in rows)]
+    heads, loads = spectrum_table(found.lives)
     pictures = [gallery.of_lives(found), gallery.of_dent(found)]
     return {
         "columns": [LIFE_COLUMNS[column] for column in kept],
         "rows": [[row[column] for column in kept] for row in rows],
         "sentences": life_sentences(found.lives),
-        "spectrum_columns": SPECTRUM_COLUMNS,
-        "spectrum": spectrum_rows(found.lives) if len(found.lives.spectrum) > 1 else [],
+        "spectrum_columns": heads,
+        "spectrum": loads if len(found.lives.spectrum) > 1 else [],
         "figures": [marked(picture) for picture in pictures if picture],
     }

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import digits, error_words, mm
 from nonhertz.model.body import Body
 from nonhertz.result.maximum import places_of_largest
-from nonhertz.result.numerals import digits, error_words, given
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 
@@ -47,8 +47,8 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
     if solution.contact_y:
         said.append(_pressure(solution))
         said.append(_numbers(solution, ("max_half_width",)))
-        places = ", ".join(f"{digits(low, 4)} to {digits(high, 4)}" for low, high in solution.contact_y)
-        said.append(f"contact along y from {shortened(places)} mm: {' and '.join(ends)}")
+        places = ", ".join(f"{mm(*ends, between=' to '):4}" for ends in solution.contact_y)
+        said.append(f"contact along y from {shortened(places)}: {' and '.join(ends)}")
     if solution.warnings:
         more = "" if len(solution.warnings) == 1 else f" (and {len(solution.warnings) - 1} more)"
         said.append(f"warning: {shortened(solution.warnings[0])}{more}")
@@ -72,20 +72,20 @@ def body_line(body: Body) -> str:
     """Return kind, size and model of a body."""
     sizes = []
     if isinstance(body.diameter, float | int):
-        sizes.append(f"diameter {given(float(body.diameter))}")
+        sizes.append(f"diameter {mm(float(body.diameter)):g}")
     elif body.diameter is not None:
         sizes.append("diameter varying")
     if body.length is not None:
-        sizes.append(f"length {given(body.length)}")
-    shown = "; ".join([*([f"{', '.join(sizes)} mm"] if sizes else []), body.model])
+        sizes.append(f"length {mm(body.length):g}")
+    shown = "; ".join([*([", ".join(sizes)] if sizes else []), body.model])
     return f"{type(body).__name__.lower()} ({shown})"
 
 
 def where_largest(solution: Solved, significant: int = 5) -> str:
     """Return where the largest pressure is, in words: both places if they mirror each other."""
-    places = " and ".join(digits(y, significant) for y in places_of_largest(solution))
+    places = mm(*places_of_largest(solution), between=" and ")
     away = ", away from singular ends" if solution.singular_ends else ""
-    return f"at y = {places} mm{away}"
+    return f"at y = {places:{significant}}{away}"
 
 
 def shortened(text: str) -> str:

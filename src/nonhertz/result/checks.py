@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm, mpa, um
 from nonhertz.bodies.ends import End
 from nonhertz.bodies.solid import Shape
 from nonhertz.errors import InputError
@@ -145,7 +146,7 @@ def _even(solution: Solution) -> ValidityCheck:
         return ValidityCheck(what, criterion, ratio, MOST_UNEVEN)
     share, cost = 100.0 * ratio, 100.0 * MODEL_ERROR * ratio**2
     sentence = (
-        f"Within a half-width the bodies depart by {1e3 * departure:.2g} um from parabolas, {share:.2g} % of the "
+        f"Within a half-width the bodies depart by {um(departure):.2g} from parabolas, {share:.2g} % of the "
         f"interference and over {100.0 * MOST_UNEVEN:g} %: such short waves change the pressure across, which strips "
         f"take as given, and the approach by up to {cost:.2g} %; compare with the plane grid."
     )
@@ -157,7 +158,7 @@ def small_strains(contact: Contact, mean: float) -> ValidityCheck:
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     what, criterion = "Small strains", f"mean pressure up to {MOST_OF_MODULUS:g} of the softer body's modulus"
     sentence = (
-        f"The mean pressure is {mean:.3g} MPa, {mean / softer:.2g} of the softer body's modulus and over "
+        f"The mean pressure is {mpa(mean):.3g}, {mean / softer:.2g} of the softer body's modulus and over "
         f"{MOST_OF_MODULUS:g}: no material stays elastic under that, and strains are not small; check load and units."
     )
     return ValidityCheck(
@@ -203,9 +204,11 @@ def refuse_thin_bodies(
             continue
         widest = float(np.max(half_width))
         if body.depth is None or isinstance(body.depth, str):
-            condition = f"leave the half-width, about {widest:.2g} mm, below the {ratio * widest:.4g} mm of body {name}"
+            condition = (
+                f"leave the half-width, about {mm(widest):.2g}, below the {mm(ratio * widest):.4g} of body {name}"
+            )
             raise InputError(*pressed, f"{condition} behind it", WAY_OUT)
-        condition = f"be large compared with the half-width of the contact, about {widest:.2g} mm"
+        condition = f"be large compared with the half-width of the contact, about {mm(widest):.2g}"
         remedy = f"give the thickness of the body, or 'none', or reduce the {pressed[0]}"
         raise InputError("depth", body.depth, condition, remedy).within(f"body.{name}")
 
@@ -216,13 +219,13 @@ def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:
         return
     heavy = [end for end in freed if end.requested > HEAVIEST]
     sentences = tuple(
-        f"The images about the side face at y = {end.y:.6g} mm would weigh {end.requested:.3g} of the surface, "
+        f"The images about the side face at y = {mm(end.y):.6g} would weigh {end.requested:.3g} of the surface, "
         "including a face of the other body at the same place; above 1 refinement does not converge, so their weights "
         "were lowered to a total of 1. Only this makes the pressure up to that end finite."
         for end in heavy
     )
-    places = " and ".join(f"{end.y:.5g}" for end in heavy)
-    remark = f"Those about y = {places} mm were lowered to a total of 1; only this makes the pressure there finite."
+    places = mm(*(end.y for end in heavy), between=" and ")
+    remark = f"Those about y = {places:.5g} were lowered to a total of 1; only this makes the pressure there finite."
     yield ValidityCheck(
         "Images about side faces", "weight of at most 1 of the surface", max(end.requested for end in freed), HEAVIEST,
         sentences, remark if heavy else "",

@@ -16,6 +16,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.ends import FINITE_FROM, edge_powers
 from nonhertz.model.contact import Contact
 from nonhertz.result.end_fit import FIT_REACH, fitted_strength
@@ -195,7 +196,7 @@ def _convention(contact: Contact, problem: Problem, place: float, side: int, rea
         if abs(body.interval[index] - place) > reach:
             words.append(f"{name} goes on")
         elif math.isfinite(face) and abs(face - place) > reach:
-            words.append(f"{name} can touch only up to here, {abs(face - place):.3g} mm short of its side face")
+            words.append(f"{name} can touch only up to here, {mm(abs(face - place)):.3g} short of its side face")
         elif body.free_faces[index]:
             words.append(f"{name} ends with its side face free")
         elif weight > 0.0:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.model.contact import Contact
 from nonhertz.result.maximum import distance_beyond, singular_y
 from nonhertz.result.protocol import Solved
@@ -139,7 +140,7 @@ def ends_in_words(ends: Iterable[SingularEnd]) -> str:
         places = sorted({end.y for end in ends if end.kind is kind})
         if places:
             name = one if len(places) == 1 else many
-            parts.append(f"the {name} at y = {' and '.join(f'{y:.5g}' for y in places)} mm")
+            parts.append(f"the {name} at y = {mm(*places, between=' and '):.5g}")
     return " and ".join(parts)
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.result.numerals import sized
+from nonhertz.amounts import Amount, amount
 
 if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
@@ -64,13 +64,13 @@ class Quantity:
         is_more = np.abs(value) > _ROUNDING * np.abs(self.scale(solution))
         return value * is_more + 0.0  # no zero is negative
 
-    def shown(self, solution: Solved) -> float:
-        """Return the value in ``shown_unit``, zero where it is only rounding."""
-        return self.factor * float(self.clean(solution))
+    def amount(self, *values: float) -> Amount:
+        """Return values of the quantity as people read them, all in one unit."""
+        return amount(values, self.unit, self.shown_unit)
 
     def text(self, solution: Solved) -> str:
         """Return the value as people read it, with its unit."""
-        return sized(self.shown(solution), self.shown_unit)
+        return str(self.amount(float(self.clean(solution))))
 
 
 def _own(

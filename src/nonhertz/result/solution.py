@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import end_strength
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.result import brief
 from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
-from nonhertz.result.numerals import digits
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import ALONG
 from nonhertz.strip.element import Element
@@ -169,7 +169,7 @@ class EdgePressure:
         if self.kind is not EdgeKind.SINGULAR:
             return ""
         power = f"{self.exponent:.3g}"
-        known = "unknown" if self.strength is None else f"= {digits(self.strength, 4)} MPa mm^{power}"
+        known = "unknown" if self.strength is None else f"= {end_strength(self.strength, self.exponent)}"
         return f"p ~ K / s^{power}, K {known}"
 
 

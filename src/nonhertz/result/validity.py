@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm, um
 from nonhertz.bodies.images import SERIES
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
@@ -151,7 +152,7 @@ def _missed_contact(solution: Solution, problem: Problem, state: States) -> list
         return []
     worst = int(np.argmax(overlap))
     return [
-        f"The bodies overlap by {1e3 * overlap[worst]:.2g} um at y = {y[worst]:.6g} mm, where no strip has its centre: "
+        f"The bodies overlap by {um(overlap[worst]):.2g} at y = {mm(y[worst]):.6g}, where no strip has its centre: "
         "a contact region is missed; give narrower strips there."
     ]
 
@@ -172,7 +173,7 @@ def _next_to_contact(state: States, y: Array) -> Flags:
 
 ROUND_IT = "round it as it is in reality, by a corner_radius or a chamfer with a blend_radius beside the profile"
 _NO_LIMIT = (
-    "the value there is that of a strip {:.3g} mm wide, not a limit, and the maximum pressure is taken more than a "
+    "the value there is that of a strip {:.3g} wide, not a limit, and the maximum pressure is taken more than a "
     "half-width from it"
 )
 
@@ -182,16 +183,16 @@ def singularities(solution: Solution) -> tuple[str, ...]:
     sharp = {edge.y: edge for edge in solution.edge_pressure if edge.kind is EdgeKind.SINGULAR}
     sentences = []
     for end in solution.singular_ends:
-        no_limit = _NO_LIMIT.format(step_at(solution, end))
+        no_limit = _NO_LIMIT.format(mm(step_at(solution, end)))
         if end.kind is EdgeKind.SINGULAR:
             edge = sharp[end.y]
             sentences.append(
-                f"The contact reaches the sharp end at y = {edge.y:.6g} mm ({edge.convention}), where the pressure is "
+                f"The contact reaches the sharp end at y = {mm(edge.y):.6g} ({edge.convention}), where the pressure is "
                 f"singular, {edge.law} at small distances s: {no_limit}."
             )
         else:
             sentences.append(
-                f"The contact ends at a corner of the profile at y = {end.y:.6g} mm, where the pressure is singular: "
+                f"The contact ends at a corner of the profile at y = {mm(end.y):.6g}, where the pressure is singular: "
                 f"{no_limit}; {ROUND_IT}."
             )
     return tuple(sentences)
@@ -200,7 +201,7 @@ def singularities(solution: Solution) -> tuple[str, ...]:
 def _without_limit(solution: Solution) -> list[str]:
     """Return a sentence for a contact that the strips cut off, and for a corner within it that carries the maximum."""
     sentences = [
-        f"The strips end at y = {edge.y:.6g} mm while the contact goes on: the pressure there is that of bodies cut "
+        f"The strips end at y = {mm(edge.y):.6g} while the contact goes on: the pressure there is that of bodies cut "
         "off; give strips up to the end of the contact, or leave them out."
         for edge in solution.edge_pressure
         if edge.kind is EdgeKind.CUT_OFF
@@ -208,8 +209,8 @@ def _without_limit(solution: Solution) -> list[str]:
     if solution.peaks_at_corner:
         width = float(solution.strip_width[np.abs(solution.y - solution.max_pressure_y).argmin()])
         sentences.append(
-            f"The largest pressure is at a corner of the profile near y = {solution.max_pressure_y:.6g} mm, where it "
-            f"is singular: it is that of a strip {width:.3g} mm wide, not a limit; {ROUND_IT}."
+            f"The largest pressure is at a corner of the profile near y = {mm(solution.max_pressure_y):.6g}, where it "
+            f"is singular: it is that of a strip {mm(width):.3g} wide, not a limit; {ROUND_IT}."
         )
     return sentences
 
@@ -231,8 +232,8 @@ def refuse_wide(solution: Solution, problem: Problem) -> None:
         worst = wide[np.argmax(half_width[wide])]
         radius = 1.0 / float(sharper_curvature(solution.contact, solution.y[worst : worst + 1])[0])
         condition = (
-            f"leave the half-width, {half_width[worst]:.3g} mm at y = {solution.y[worst]:.6g} mm, below the "
-            f"radius of {radius:.3g} mm of the more sharply curved body"
+            f"leave the half-width, {mm(half_width[worst]):.3g} at y = {mm(solution.y[worst]):.6g}, below the "
+            f"radius of {mm(radius):.3g} of the more sharply curved body"
         )
         raise InputError(*pressed, condition, WAY_OUT)
     least = LEAST_OF_ALL if converged else SCARCELY
@@ -251,7 +252,7 @@ def refuse_wide_series(solution: Solution) -> None:
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
         if body.images == SERIES and body.length is not None and widest > WIDEST_SERIES * body.length:
             condition = (
-                f"only be used where the half-width, {widest:.3g} mm here, is at most {WIDEST_SERIES:g} times the "
-                f"body's length of {body.length:g} mm"
+                f"only be used where the half-width, {mm(widest):.3g} here, is at most {WIDEST_SERIES:g} times the "
+                f"body's length of {mm(body.length):g}"
             )
             raise InputError("images", SERIES, condition, "give a number of images").within(f"body.{name}")

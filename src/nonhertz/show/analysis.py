@@ -12,6 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from nonhertz.amounts import mm
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.lives import Assessment
@@ -128,7 +129,7 @@ def _near_sharp_ends(solution: Solution, y: float) -> list[str]:
     """Return a sentence for each singular end within a half-width."""
     half_width = float(np.interp(y, solution.y, solution.half_width))
     return [
-        f"The cross-section at y = {y:.5g} mm is within a half-width of {ends_in_words([end])}, towards which the "
+        f"The cross-section at y = {mm(y):.5g} is within a half-width of {ends_in_words([end])}, towards which the "
         "stress has no limit: its largest values depend on the strips."
         for end in solution.singular_ends
         if abs(y - end.y) < half_width

@@ -8,14 +8,14 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.result.numerals import digits, given, in_column, sized, sized_list, unit_for
-from nonhertz.show.summary import Row
+from nonhertz.show.summary import Row, Table
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
 _PLAY = 1e-3  # mm, below which diameters are rounded
@@ -56,12 +56,12 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     return [
         (
             "load ratings",
-            f"C = {_kilo(rating.dynamic)} kN, C0 = {_kilo(rating.static)} kN",
-            f"fatigue load limit Cu = {_kilo(rating.fatigue_limit)} kN",
+            f"C = {newton(rating.dynamic):4}, C0 = {newton(rating.static):4}",
+            f"fatigue load limit Cu = {newton(rating.fatigue_limit):4}",
         ),
         (
             "equivalent load",
-            f"P = {_kilo(found.equivalent_load)} kN, P0 = {_kilo(found.static_load)} kN",
+            f"P = {newton(found.equivalent_load):4}, P0 = {newton(found.static_load):4}",
             "knows neither preload nor moment" if unknown else "",
         ),
         ("static safety", "none" if unknown else safety, ""),
@@ -72,35 +72,32 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     ]
 
 
-def roller_columns(solution: BearingSolution) -> tuple[str, ...]:
-    """Return the heads of `roller_rows`, with the units that suit the largest loads."""
-    load, rib = (unit_for(loads.flat, "N")[1] for loads in (solution.load, solution.rib_load))
-    return (
-        *("roller", "row", "angle [deg]", f"load inner [{load}]", f"outer [{load}]"),
-        *("tilt inner [mrad]", "outer [mrad]", "max p inner [MPa]", "outer [MPa]", f"rib load [{rib}]"),
-    )
-
-
-def roller_rows(solution: BearingSolution) -> list[tuple[str, ...]]:
-    """Return the cells of `roller_columns` of every roller; blank where there is nothing of the sort."""
+def roller_table(solution: BearingSolution) -> Table:
+    """Return what every roller bears, in units that suit the largest loads; blank where there is nothing of the sort."""
+    ribbed, ribs = solution.rib_loads.size > 0, solution.rib_load.max(axis=1, initial=0.0)
     pressed = solution.method == "strips"
     pressures = solution.max_pressure if pressed else np.zeros(solution.load.shape)
-    ribbed, ribs = solution.rib_loads.size > 0, solution.rib_load.max(axis=1, initial=0.0)
-    shown, shown_rib = (unit_for(loads.flat, "N")[0] for loads in (solution.load, solution.rib_load))
-    loads_in_words = in_column((shown * solution.load).flat)
-    found = []
+    (load, of_load), (rib, of_rib), (pressure, of_pressure) = (
+        each.scale for each in (newton(*solution.load.flat), newton(*solution.rib_load.flat), mpa(*pressures.flat))
+    )
+    heads = (
+        *("roller", "row", "angle [deg]", f"load inner [{of_load}]", f"outer [{of_load}]"),
+        *("tilt inner [mrad]", "outer [mrad]", f"max p inner [{of_pressure}]", f"outer [{of_pressure}]"),
+        f"rib load [{of_rib}]",
+    )
+    loads_in_words = in_column((load * solution.load).flat)
+    rows = []
     for j, row in enumerate(_row_numbers(solution.bearing)):
         carries = carrying(solution)[j]
-        tilts = 1e3 * _tilts(solution)[j]
-        found.append(
+        rows.append(
             (
                 str(j), row, _degrees(solution.angle[j]), *loads_in_words[2 * j : 2 * j + 2],
-                *(digits(tilt, 4) if carries else "" for tilt in tilts),
-                *(digits(p, 4) if p > 0.0 else "" for p in pressures[j]),
-                digits(shown_rib * ribs[j], 4) if ribbed else "",
+                *(digits(1e3 * tilt, 4) if carries else "" for tilt in _tilts(solution)[j]),
+                *(digits(pressure * p, 4) if p > 0.0 else "" for p in pressures[j]),
+                digits(rib * ribs[j], 4) if ribbed else "",
             )
         )  # fmt: skip
-    return found
+    return heads, rows
 
 
 def compared_rows(strips: BearingSolution, slices: BearingSolution) -> list[tuple[str, str, str, str]]:
@@ -108,20 +105,21 @@ def compared_rows(strips: BearingSolution, slices: BearingSolution) -> list[tupl
     rows = []
     pitch = strips.bearing.rows[0].bearing.pitch
     for name, values, lever in (
-        ("displacement", [1e3 * each.displacement[:3] for each in (strips, slices)], 1.0),
-        ("tilt", [1e3 * each.displacement[3:] for each in (strips, slices)], pitch),
+        ("displacement", [each.displacement[:3] for each in (strips, slices)], 1.0),
+        ("tilt", [each.displacement[3:] for each in (strips, slices)], pitch),
         ("force", [each.force[:3] for each in (strips, slices)], 1.0),
         ("moment", [each.force[3:] for each in (strips, slices)], 1.0 / pitch),
     ):
         size = max(_size(each, name) for each in (strips, slices))
-        unit = {"displacement": "um", "tilt": "mrad", "force": "N", "moment": "N mm"}[name]
-        factor, unit = unit_for(np.ravel(values), unit)
+        factor, unit = {"displacement": um, "tilt": mrad, "force": newton, "moment": newton_mm}[name](
+            *np.ravel(values)
+        ).scale
         for axis, one, other in zip("xyz" if len(values[0]) == 3 else "yz", *values, strict=True):
             if max(abs(one), abs(other)) * lever > 1e-8 * size:
                 shown = [f"{digits(factor * value)} {unit}" for value in (one, other)]
                 rows.append((f"{name} {axis}", shown[0], shown[1], _change(one, other)))
     one, other = (float(each.load.max()) for each in (strips, slices))
-    factor, unit = unit_for((one, other), "N")
+    factor, unit = newton(one, other).scale
     shown = [f"{digits(factor * load)} {unit}" for load in (one, other)]
     rows.append(("largest load", shown[0], shown[1], _change(one, other)))
     counts = [int(np.count_nonzero(carrying(each))) for each in (strips, slices)]
@@ -129,29 +127,20 @@ def compared_rows(strips: BearingSolution, slices: BearingSolution) -> list[tupl
     return rows
 
 
-def compared_columns(strips: BearingSolution, slices: BearingSolution) -> tuple[str, ...]:
-    """Return the heads of `compared_roller_rows`, with the unit that suits the largest load."""
-    unit = _unit_of_both(strips, slices)[1]
-    of_ring = (f"strips [{unit}]", f"slices [{unit}]", "difference")
-    return "roller", "row", "angle [deg]", f"inner: {of_ring[0]}", *of_ring[1:], f"outer: {of_ring[0]}", *of_ring[1:]
-
-
-def compared_roller_rows(strips: BearingSolution, slices: BearingSolution) -> list[tuple[str, ...]]:
-    """Return the cells of `compared_columns` of every roller."""
+def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
+    """Return the loads of every roller by strips and by slices, in the unit that suits the largest load."""
     most = float(strips.load.max())
-    factor = _unit_of_both(strips, slices)[0]
-    found = []
+    factor, unit = newton(most, float(slices.load.max())).scale
+    of_ring = (f"strips [{unit}]", f"slices [{unit}]", "difference")
+    heads = "roller", "row", "angle [deg]", f"inner: {of_ring[0]}", *of_ring[1:], f"outer: {of_ring[0]}", *of_ring[1:]
+    rows = []
     for j, row in enumerate(_row_numbers(strips.bearing)):
         cells = [str(j), row, _degrees(strips.angle[j])]
         for one, other in zip(strips.load[j], slices.load[j], strict=True):
             change = _percent((other - one) / most) if most > 0.0 and one != other else ""
             cells += [digits(factor * one), digits(factor * other), change]
-        found.append(tuple(cells))
-    return found
-
-
-def _unit_of_both(strips: BearingSolution, slices: BearingSolution) -> tuple[float, str]:
-    return unit_for((float(strips.load.max()), float(slices.load.max())), "N")
+        rows.append(tuple(cells))
+    return heads, rows
 
 
 def load_zones(solution: BearingSolution) -> list[list[tuple[float, float]]]:
@@ -186,22 +175,22 @@ def most_loaded(solution: BearingSolution) -> int:
 def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]:
     row = bearing.rows[0].bearing
     rows = len(bearing.rows)
-    size = f"{row.rollers}, {given(row.roller_diameter)} x {given(row.roller_length)} mm"
+    size = f"{row.rollers}, {mm(row.roller_diameter, row.roller_length, between=' x '):g}"
     found = [
         ("bearing", f"{row.kind}{f', {rows} rows' if rows > 1 else ''}", ""),
-        ("rollers", size, f"{'in each row, ' if rows > 1 else ''}pitch circle {given(row.pitch)} mm"),
+        ("rollers", size, f"{'in each row, ' if rows > 1 else ''}pitch circle {mm(row.pitch):g}"),
     ]
     clearance = getattr(row, "clearance", None)
     if clearance is not None:
         way = "axial" if isinstance(row, TaperedRollerBearing) else "radial"
-        when, shown = (", in operation", digits(1e3 * clearance, 4)) if fitted else ("", given(1e3 * clearance))
-        found.append(("clearance", f"{shown} um", f"{way}{when}{', of each row' if rows > 1 else ''}"))
+        when, shown = (", in operation", f"{um(clearance):4}") if fitted else ("", f"{um(clearance):g}")
+        found.append(("clearance", shown, f"{way}{when}{', of each row' if rows > 1 else ''}"))
         if row.nominal_angle == 0.0 and min(abs(row.play), abs(row.play - clearance)) > _PLAY:
-            found.append(("", f"{digits(1e3 * row.play, 4)} um", "left by the raceways' diameters: not counted"))
+            found.append(("", f"{um(row.play):4}", "left by the raceways' diameters: not counted"))
     if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
         found.append(("contact angle", f"{given(math.degrees(row.nominal_angle), 5)} degrees", ""))
     if isinstance(bearing, Paired):
-        found.append(("clearance of the rows", f"{given(1e3 * bearing.clearance)} um", "axial"))
+        found.append(("clearance of the rows", f"{um(bearing.clearance):g}", "axial"))
     return found
 
 
@@ -221,20 +210,20 @@ def _fit_rows(case: BearingCase) -> list[Row]:
         (found.temperatures, "taken by temperatures"),
         (found.speed, "taken by speed"),
     )
-    rows = [("before mounting", f"{given(1e3 * factor * found.unmounted)} um", way)]
-    rows += [("", f"{digits(1e3 * factor * value, 4)} um", words) for value, words in taken]
+    rows = [("before mounting", f"{um(factor * found.unmounted):g}", way)]
+    rows += [("", f"{um(factor * value):4}", words) for value, words in taken]
     if isinstance(case.bearing, Paired):
         rows.append(
             (
                 "",
-                f"{digits(1e3 * Mounting(**case.fit).expansion(case.bearing), 4)} um",
+                f"{um(Mounting(**case.fit).expansion(case.bearing)):4}",
                 "given by temperatures between rows",
             )
         )
     for ring, fit in (("inner", found.inner), ("outer", found.outer)):
         loose = ", loosened" if fit.loosened else ""
-        value = f"{digits(fit.pressure, 4)} MPa{loose}"
-        rows.append((f"{ring} fit", value, f"{digits(fit.mounted_pressure, 4)} MPa when mounted"))
+        value = f"{mpa(fit.pressure):4}{loose}"
+        rows.append((f"{ring} fit", value, f"{mpa(fit.mounted_pressure):4} when mounted"))
     return rows
 
 
@@ -242,12 +231,12 @@ def _load_rows(solution: BearingSolution) -> list[Row]:
     pitch = solution.bearing.rows[0].bearing.pitch
     lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
     force = without_rounding(solution.force, 1.0 / lever)
-    moved = [digits(value) for value in without_rounding(1e3 * solution.displacement, lever)]
+    moved = without_rounding(solution.displacement, lever)
     return [
-        ("force", sized_list(force[:3], "N"), "on the inner ring, along x, y, z"),
-        ("moment", sized_list(force[3:], "N mm"), "about y, z"),
-        ("displacement", f"{', '.join(moved[:3])} um", "along x, y, z"),
-        ("tilt", f"{', '.join(moved[3:])} mrad", "about y, z"),
+        ("force", str(newton(*force[:3])), "on the inner ring, along x, y, z"),
+        ("moment", str(newton_mm(*force[3:])), "about y, z"),
+        ("displacement", str(um(*moved[:3])), "along x, y, z"),
+        ("tilt", str(mrad(*moved[3:])), "about y, z"),
     ]
 
 
@@ -260,11 +249,10 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
     rows = [
         ("loaded rollers", f"{loaded} of {solution.angle.size}", _zones(solution)),
         ("most loaded roller", solution.place_of(j), ""),
-        ("", sized_list(solution.load[j], "N", " and "), "at inner and outer ring"),
+        ("", str(newton(*solution.load[j], between=" and ")), "at inner and outer ring"),
     ]
     if np.any(tilts != 0.0):
-        words = " and ".join(digits(1e3 * tilt, 4) for tilt in tilts)
-        rows.append(("", f"tilted by {words} mrad", "against inner and outer ring"))
+        rows.append(("", f"tilted by {mrad(*tilts, between=' and '):4}", "against inner and outer ring"))
     return rows
 
 
@@ -298,9 +286,9 @@ def _pressure_rows(solution: BearingSolution) -> list[Row]:
         j = int(np.argmax(pressure[:, k]))
         if not pressure[j, k] > 0.0:
             continue
-        beyond = f", above the {MOST_PRESSURE:g} MPa of C0" if pressure[j, k] > MOST_PRESSURE else ""
+        beyond = f", above the {mpa(MOST_PRESSURE):g} of C0" if pressure[j, k] > MOST_PRESSURE else ""
         name = "" if rows else "maximum pressure"
-        value = f"{digits(pressure[j, k])} MPa at y = {digits(where[j, k], 4)} mm"
+        value = f"{mpa(pressure[j, k])} at y = {mm(where[j, k]):4}"
         rows.append((name, value, f"{ring} ring, {solution.place_of(j)}{beyond}"))
     return rows
 
@@ -311,27 +299,29 @@ def _rib_rows(solution: BearingSolution) -> list[Row]:
     j, k = np.unravel_index(int(np.argmax(solution.rib_load)), solution.rib_load.shape)
     where = f"{RINGS[k]} ring, {solution.place_of(int(j))}"
     ellipse = solution.rib_contact(int(j), RINGS[k])
-    pressure = "" if ellipse is None else f", {digits(ellipse.max_pressure, 4)} MPa"
-    return [("largest rib load", f"{sized(solution.rib_load[j, k], 'N')}{pressure}", where)]
+    pressure = "" if ellipse is None else f", {mpa(ellipse.max_pressure):4}"
+    return [("largest rib load", f"{newton(solution.rib_load[j, k])}{pressure}", where)]
 
 
 def _stiffness_rows(solution: BearingSolution) -> list[Row]:
     diagonal = np.diag(solution.stiffness)
     pitch = solution.bearing.rows[0].bearing.pitch
-    found = without_rounding(
-        diagonal * [1e-3, 1e-3, 1e-3, 1e-6, 1e-6], np.array([1e3, 1e3, 1e3, *[1e6 / pitch**2] * 2])
-    )
-    shown = [digits(value) for value in found]
-    rows = [("stiffness", f"{', '.join(shown[:3])} N/um", "along x, y, z")]
+    found = without_rounding(diagonal, np.array([1.0, 1.0, 1.0, *[1.0 / pitch**2] * 2]))
+    rows = [("stiffness", str(amount(found[:3], "N/mm", "N/um")), "along x, y, z")]
     ready = [str(j) for j in solution.edge_rollers]
     if ready:
         who = f"rollers {', '.join(ready)} stand" if 1 < len(ready) < 5 else f"{len(ready)} rollers stand"
         who = f"roller {ready[0]} stands" if len(ready) == 1 else who
-        secant = ", ".join(digits(1e-3 * value) for value in solution.edge_stiffness)
-        rows.append(("", f"{secant} N/um", f"within 10 nm: {who} at the edge of the load zone without load"))
+        rows.append(
+            (
+                "",
+                str(amount(solution.edge_stiffness, "N/mm", "N/um")),
+                f"within 10 nm: {who} at the edge of the load zone without load",
+            )
+        )
     return [
         *rows,
-        ("", f"{', '.join(shown[3:])} N m/mrad", "about y, z"),
+        ("", str(amount(found[3:], "N mm/rad", "N m/mrad")), "about y, z"),
     ]
 
 
@@ -352,10 +342,6 @@ def _row_numbers(bearing: RollerBearing | Paired) -> Iterator[str]:
 
 def _degrees(angle: float) -> str:
     return f"{math.degrees(angle):.1f}"
-
-
-def _kilo(value: float) -> str:
-    return digits(1e-3 * value, 4)
 
 
 def _revolutions(value: float) -> str:
@@ -380,13 +366,13 @@ def _factors_row(found: BearingLife) -> Row:
 
 
 def _size(solution: BearingSolution, name: str) -> float:
-    """Return what is large among forces [N], or among displacements [um]; moments and tilts are taken at the pitch."""
+    """Return what is large among forces [N], or among displacements [mm]; moments and tilts are taken at the pitch."""
     pitch = solution.bearing.rows[0].bearing.pitch
     values: NDArray[np.float64]
     if name in {"force", "moment"}:
         values = solution.force * [1.0, 1.0, 1.0, 1.0 / pitch, 1.0 / pitch]
     else:
-        values = 1e3 * solution.displacement * [1.0, 1.0, 1.0, pitch, pitch]
+        values = solution.displacement * [1.0, 1.0, 1.0, pitch, pitch]
     return float(np.max(np.abs(values)))
 
 

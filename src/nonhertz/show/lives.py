@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
+from nonhertz.amounts import digits, mpa, mrad, newton
 from nonhertz.files.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.model.body import BODIES
-from nonhertz.result.numerals import digits
-from nonhertz.result.solution import Solution
+from nonhertz.show.summary import Table
 
 _IDEAL = (
     "1 is the life of the same bodies under Hertz's line pressure, the load spread evenly over the length on which "
@@ -20,7 +20,6 @@ RATIO = (
 )
 REVOLUTIONS = "L10 [10^6 rev]"
 LIFE_COLUMNS = ("", "life in a", "in b", REVOLUTIONS, "damage")
-SPECTRUM_COLUMNS = ("share", "load [N]", "tilt [mrad]", "largest p0 [MPa]")
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
 
 
@@ -89,12 +88,18 @@ def without_ratio(found: Assessment, other: Assessment) -> list[str]:
     return []
 
 
-def spectrum_rows(found: Assessment) -> list[tuple[str, ...]]:
+def spectrum_table(found: Assessment) -> Table:
     """Return share, load, tilt and largest pressure of every load."""
-    return [
-        (f"{100.0 * share:.4g} %", digits(solution.load), digits(1e3 * solution.tilt), _pressure(solution))
-        for solution, share in found.spectrum
+    solutions = [solution for solution, _ in found.spectrum]
+    loads, pressures = newton(*(each.load for each in solutions)), mpa(*(each.max_pressure for each in solutions))
+    tilts = mrad(*(each.tilt for each in solutions))
+    heads = ("share", f"load [{loads.scale[1]}]", "tilt [mrad]", f"largest p0 [{pressures.scale[1]}]")
+    columns = (each.apart()[0] for each in (loads, tilts, pressures))
+    rows: list[tuple[str, ...]] = [
+        (f"{100.0 * share:.4g} %", load, tilt, pressure + (", away from singular ends" if each.singular_ends else ""))
+        for (each, share), load, tilt, pressure in zip(found.spectrum, *columns, strict=True)
     ]
+    return heads, rows
 
 
 def _lives(found: Assessment, number: int) -> tuple[str, ...]:
@@ -118,11 +123,6 @@ def _integrand(model: Model) -> str:
         return f"{model.laminae} laminae, {edges[model.edge_stress]}{loads}, {slope}"
     stress = _STRESSES[model.stress]
     if model.fatigue_limit > 0.0:
-        stress = f"({stress} - {model.fatigue_limit:.4g} MPa)"
+        stress = f"({stress} - {mpa(model.fatigue_limit):.4g})"
     depth = f" / z^{model.depth_exponent:.4g}" if model.depth_exponent > 0.0 else ""
     return f"{stress}^{model.exponent:.4g}{depth}, {slope}"
-
-
-def _pressure(solution: Solution) -> str:
-    """Return the largest pressure, noting any singular ends."""
-    return digits(solution.max_pressure) + (", away from singular ends" if solution.singular_ends else "")

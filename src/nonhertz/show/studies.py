@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from nonhertz.amounts import amount, digits, error_words, given, mpa, of_dimension, um
 from nonhertz.files.spreads import Distribution, Spread
-from nonhertz.result.numerals import digits, error_words, given, sized, unit_for, unit_of_dimension
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.summary import Row
 from nonhertz.study.design import Design
@@ -73,9 +73,9 @@ def alike_rows(found: Tolerance) -> list[Row]:
         ends = sweep.extremes(quantity.name)
         if ends is None or quantity in _spread(found):
             continue
-        largest = quantity.factor * max(ends)
+        largest = max(ends)
         if quantity.name not in _HOW_GOOD:
-            rows.append((quantity.label, sized(largest, quantity.shown_unit), "in all rows"))
+            rows.append((quantity.label, str(quantity.amount(largest)), "in all rows"))
         elif quantity.name == "error" and error_words(ends[1]):
             rows.append(("approach or load", error_words(ends[1]), "at most"))
         elif largest > 0.0:
@@ -100,9 +100,7 @@ def _spread(found: Tolerance) -> list[Quantity]:
 
 def _in_one_unit(quantity: Quantity, values: Sequence[float]) -> tuple[list[str], str]:
     """Return numbers of a quantity in the unit that suits the largest of them."""
-    shown = [quantity.factor * value for value in values]
-    factor, unit = unit_for([value for value in shown if math.isfinite(value)], quantity.shown_unit)
-    return [digits(factor * value) for value in shown], unit
+    return quantity.amount(*values).apart()
 
 
 def index_rows(found: Tolerance) -> list[tuple[str, list[tuple[str, str, str, str]]]]:
@@ -148,16 +146,14 @@ def _ends(spread: Spread, unit: str) -> str:
     assert not isinstance(spread, Distribution)
     if any(isinstance(value, str | bool) for value in spread):
         return ", ".join(map(str, spread))
-    factor, unit = unit_of_dimension(spread, unit)
-    ends = (spread[0], spread[-1])[: len(spread)]
-    return f"{' to '.join(given(factor * float(end)) for end in ends)} {unit}".rstrip()
+    return f"{of_dimension((spread[0], spread[-1])[: len(spread)], unit):g}"
 
 
 def design_rows(found: Design) -> list[Row]:
     """Return the goal before and after, what is best, and the worst load."""
     if found.goal == "pressure":
-        before = f"{digits(found.before)} MPa" if math.isfinite(found.before) else "no solution"
-        rows = [("largest pressure", f"{digits(found.value)} MPa", f"before: {before}")]
+        before = f"{mpa(found.before)}" if math.isfinite(found.before) else "no solution"
+        rows = [("largest pressure", f"{mpa(found.value)}", f"before: {before}")]
     else:
         rows = [("life", f"{digits(found.value)} times that before", "")]
     for path, value in found.values.items():
@@ -165,7 +161,7 @@ def design_rows(found: Design) -> list[Row]:
             rows.append((path, _of_path(found, path, value), ""))
         else:
             deepest = float(np.nanmax(found.relief[1]))
-            rows.append((path, "free", f"{len(value)} steps, up to {digits(1e3 * deepest)} um"))
+            rows.append((path, "free", f"{len(value)} steps, up to {um(deepest)}"))
     agreeing = f"{found.agreeing} of {len(found.starts)}"
     return [*rows, ("worst load", found.worst, ""), ("searches that agree", agreeing, "within 1 %")]
 
@@ -185,10 +181,10 @@ def band_rows(found: Design) -> list[tuple[str, ...]]:
 
 def start_rows(found: Design) -> list[tuple[str, ...]]:
     """Return the cells of `START_COLUMNS`: what every search has found, from where, and in how many points."""
-    unit = " MPa" if found.goal == "pressure" else ""
+    unit = "MPa" if found.goal == "pressure" else ""
     rows: list[tuple[str, ...]] = []
     for start in found.starts:
-        value = f"{digits(start.value)}{unit}" if math.isfinite(start.value) else f"failed: {start.failure}"
+        value = str(amount(start.value, unit)) if math.isfinite(start.value) else f"failed: {start.failure}"
         short = "" if start.meets or not math.isfinite(start.value) else ", limits not met"
         rows.append(
             (value + short, f"{len(start.history)} points", _values(found, start.begun), _values(found, start.ended))
@@ -201,5 +197,4 @@ def _values(found: Design, values: Mapping[str, Any]) -> str:
 
 
 def _of_path(found: Design, path: str, value: float) -> str:
-    factor, unit = unit_of_dimension([value], found.units.get(path, ""))
-    return f"{digits(factor * value, 4)} {unit}".rstrip()
+    return f"{of_dimension([value], found.units.get(path, '')):4}"

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from nonhertz.amounts import digits, error_words, mm, mpa
 from nonhertz.model.body import BODIES
 from nonhertz.result.brief import where_largest
 from nonhertz.result.ends import leaves_stress
-from nonhertz.result.numerals import digits, error_words
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
@@ -17,11 +17,9 @@ if TYPE_CHECKING:
     from nonhertz.files.several import Attempt
 
 Row = tuple[str, str, str]
+#: Heads, with units where all numbers below have them, and rows.
+Table = tuple[tuple[str, ...], list[tuple[str, ...]]]
 _OVERVIEW = ("load", "max_pressure", "approach", "max_half_width", "contact_length")
-#: Heads of `overview_rows`.
-OVERVIEW_COLUMNS = (
-    "case", "title", *(f"{QUANTITIES[name].label} [{QUANTITIES[name].shown_unit}]" for name in _OVERVIEW), ""
-)  # fmt: skip
 
 
 def summary_rows(solution: Solution) -> list[Row]:
@@ -36,13 +34,18 @@ def summary_rows(solution: Solution) -> list[Row]:
     return rows
 
 
-def overview_rows(attempts: Sequence[Attempt]) -> list[tuple[str, ...]]:
+def overview_table(attempts: Sequence[Attempt]) -> Table:
     """Return file, title, main quantities and remarks of each case."""
-    return [(each.name, each.title, *(_shown(each, name) for name in _OVERVIEW), _remark(each)) for each in attempts]
-
-
-def _shown(attempt: Attempt, name: str) -> str:
-    return "" if attempt.solution is None else digits(QUANTITIES[name].shown(attempt.solution))
+    solved = [each.solution for each in attempts]
+    heads, columns = [], []
+    for name in _OVERVIEW:
+        quantity = QUANTITIES[name]
+        values = [None if each is None else float(quantity.clean(each)) for each in solved]
+        factor, unit = quantity.amount().scale
+        heads.append(f"{quantity.label} [{unit}]")
+        columns.append(["" if value is None else digits(factor * value) for value in values])
+    rows = [(each.name, each.title, *cells, _remark(each)) for each, *cells in zip(attempts, *columns, strict=True)]
+    return ("case", "title", *heads, ""), rows
 
 
 def _remark(attempt: Attempt) -> str:
@@ -70,11 +73,10 @@ def _load_rows(solution: Solution) -> list[Row]:
 
 def _contact_rows(solution: Solution) -> list[Row]:
     """Return where the bodies touch, and the pressure at the ends."""
-    touching = "; ".join(f"{digits(low)} to {digits(high)}" for low, high in solution.contact_y)
-    if not touching:
+    if not solution.contact_y:
         return [("contact along y", "none", "")]
-    ends = [(f"edge at y = {edge.y:.5g} mm", *_convention(edge, solution)) for edge in solution.edge_pressure]
-    return [("contact along y", f"{touching} mm", ""), *ends]
+    ends = [(f"edge at y = {mm(edge.y):.5g}", *_convention(edge, solution)) for edge in solution.edge_pressure]
+    return [("contact along y", "; ".join(str(mm(*ends, between=" to ")) for ends in solution.contact_y), ""), *ends]
 
 
 def _row(name: str, solution: Solution, remark: str = "") -> Row:
@@ -109,13 +111,13 @@ def _convention(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
             return "runs out", ""
         case EdgeKind.FINITE:
             remark = "finite; the true end is lower" if leaves_stress(solution.contact, edge) else "finite"
-            return f"{digits(edge.pressure)} MPa", remark
+            return f"{mpa(edge.pressure)}", remark
         case EdgeKind.SINGULAR:
             return "singular", edge.law
         case EdgeKind.CORNER:
             return "no limit", "at a corner of the profile"
         case EdgeKind.CUT_OFF:
-            return f"{digits(edge.pressure)} MPa", "cut off by the strips"
+            return f"{mpa(edge.pressure)}", "cut off by the strips"
 
 
 # Quantities that need more than their number, or that another row covers.

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import digits
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import listed
 from nonhertz.model.contact import Contact
@@ -21,7 +22,6 @@ from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import dataframe, dataset
 from nonhertz.result.end_pressure import singular_places
 from nonhertz.result.maximum import largest_half_width, largest_pressure
-from nonhertz.result.numerals import digits
 from nonhertz.result.outcome import outcome
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES

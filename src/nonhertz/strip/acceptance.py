@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from nonhertz.amounts import mm, per_mm, um
 from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
 from nonhertz.strip.free_end import AWAY, far_terms, far_whole
@@ -62,15 +63,15 @@ def shortfall(
         name, unit = (("approach", "mm"), ("tilt", "rad"), ("load", "N"), ("moment", "N mm"))[2 * by_force + which]
         per = compliance if by_force else 1.0
         return f"The {name} of the state reached is {found / per:.6g} {unit}, not {problem.target[which] / per:.6g}."
-    place = f"at y = {y[at]:.6g} mm"
+    place = f"at y = {mm(y[at]):.6g}"
     return {
         NOT_FINITE: f"The state reached is not finite {place}.",
-        TENSION: f"The state reached has tension {place}, {found / compliance:.3g} N/mm.",
-        UNCLOSED: f"The state reached leaves a gap of {1e3 * found:.3g} um {place}, where it bears load.",
-        OVERLAP: f"In the state reached, the bodies overlap by {1e3 * found:.3g} um {place}.",
+        TENSION: f"The state reached has tension {place}, {per_mm(found / compliance):.3g}.",
+        UNCLOSED: f"The state reached leaves a gap of {um(found):.3g} {place}, where it bears load.",
+        OVERLAP: f"In the state reached, the bodies overlap by {um(found):.3g} {place}.",
         BENT: f"In the state reached, the curvatures across the contact do not match {place}: the relative error is "
         f"{found:.2g}.",
-        HIDDEN: f"In the state reached, the bodies interfere by only {1e3 * found:.3g} um, which is lost in the "
+        HIDDEN: f"In the state reached, the bodies interfere by only {um(found):.3g}, which is lost in the "
         "rounding of tilt and relief.",
     }[condition]
 

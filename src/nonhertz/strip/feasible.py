@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.strip.grid import uniform
 from nonhertz.strip.problem import Problem, row_of, sprung
@@ -37,7 +38,7 @@ def refuse_infeasible(problem: Problem, edges: Array, *, chosen: bool = True) ->
             refuse_arm_outside(problem, (float(usable[0]), float(usable[-1])))
         arm = second / first
         if not usable[0] <= arm <= usable[-1]:
-            condition = f"have centres on both sides of moment / load = {arm:.9g} mm"
+            condition = f"have centres on both sides of moment / load = {mm(arm):.9g}"
             raise InputError("strips", edges.size - 1, condition, "use more strips or reduce the moment")
     elif by_moment:
         if not np.any(sprung(problem, edges).m > 0.0):
@@ -53,7 +54,7 @@ def refuse_arm_outside(problem: Problem, within: tuple[float, float]) -> None:
         return
     arm = float(problem.target[1] / problem.target[0])
     if not within[0] <= arm <= within[1]:
-        condition = f"keep moment / load = {arm:.9g} mm between {within[0]:.9g} and {within[1]:.9g} mm"
+        condition = f"keep moment / load = {mm(arm):.9g} between {mm(within[0], within[1], between=' and '):.9g}"
         moment = float(problem.target[1]) / problem.compliance
         raise InputError("moment", moment, condition, "reduce it or raise the load")
 
@@ -81,9 +82,9 @@ def refuse_no_contact(problem: Problem, edges: Array, *, chosen: bool = True) ->
     given = float(problem.target[0])
     if given > needed:
         raise InputError("approach", given, "lead to a contact that strips can resolve", "raise it")
-    condition = f"exceed {needed:.6g} mm, where the bodies begin to touch"
+    condition = f"exceed {mm(needed):.6g}, where the bodies begin to touch"
     if chosen:
-        condition += f" between y = {edges[0]:.6g} and {edges[-1]:.6g} mm"
+        condition += f" between y = {mm(edges[0], edges[-1], between=' and '):.6g}"
     raise InputError("approach", given, condition, "raise it, or prescribe the load")
 
 

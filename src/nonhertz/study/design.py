@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import digits
 from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.files.casefile import Case
@@ -33,7 +34,6 @@ from nonhertz.inputs.checks import callback, listed, one_of, thread_count, whole
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import WHOLE
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits
 from nonhertz.solver.one import solve
 from nonhertz.study.crew import Crew, Here, LostError, Processes
 from nonhertz.study.objective import (

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mrad
 from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.files.casefile import Case
@@ -365,10 +366,10 @@ def point_or_none(task: Task, x: Array, accuracy: float | None = None) -> Judged
 
 def named_loads(loads: Sequence[LoadCase]) -> list[str]:
     """Return each load in words."""
-    from nonhertz.result.numerals import given, given_sized
+    from nonhertz.amounts import newton
 
-    tilts = [f"at {given(1e3 * each.tilt, 4)} mrad" if each.tilt else "without tilt" for each in loads]
-    return [f"{given_sized(each.load, 'N', 5)} {tilt}" for each, tilt in zip(loads, tilts, strict=True)]
+    tilts = [f"at {mrad(each.tilt):.4g}" if each.tilt else "without tilt" for each in loads]
+    return [f"{newton(each.load):.5g} {tilt}" for each, tilt in zip(loads, tilts, strict=True)]
 
 
 def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:

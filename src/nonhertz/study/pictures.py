@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import SI, given
 from nonhertz.errors import AccuracyWarning, NonhertzError
 from nonhertz.files.spreads import Distribution
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.studies import histogram, profile_band, study_lines, study_map, tornado
 from nonhertz.plot.style import sheet_style
-from nonhertz.result.numerals import given
 from nonhertz.result.quantities import Quantity
 from nonhertz.solver.one import solve
 from nonhertz.study.design import Design, Front
@@ -134,7 +134,7 @@ def design_figures(found: Design) -> dict[str, Figure]:
 
     def relief(ax: Axes) -> None:
         lines = {"designed": 1e3 * best, "before": 1e3 * was}
-        study_lines(y, lines, ax, x_label="y [mm]", y_label="Relief [um]")
+        study_lines(y, lines, ax, x_label="y [mm]", y_label="Relief [µm]")
         ax.set_yscale("linear")
         ax.set_ylim(deepest, -0.05 * deepest)
 
@@ -227,7 +227,8 @@ def scaled(name: str, unit: str, values: NDArray[Any]) -> tuple[NDArray[Any], st
 def quantity_label(quantity: Quantity) -> str:
     """Return the label of a quantity's axis."""
     label = quantity.label[:1].upper() + quantity.label[1:]
-    return f"{label} [{quantity.shown_unit}]" if quantity.shown_unit else label
+    unit = SI.of(quantity.shown_unit)[0]
+    return f"{label} [{unit}]" if unit else label
 
 
 def _panel(drawing: Callable[[Quantity, Axes], object], quantity: Quantity) -> Callable[[Axes], object]:

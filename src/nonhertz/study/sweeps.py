@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from nonhertz import __version__
+from nonhertz.amounts import digits
 from nonhertz.errors import InputError, Interrupted
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -27,7 +28,6 @@ from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_too_many, writ
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import library
-from nonhertz.result.numerals import digits
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.crew import Cluster, Crew, Here, LostError, Processes
 from nonhertz.study.points import Points

@@ -28,6 +28,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import digits
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -36,7 +37,6 @@ from nonhertz.files.sampling import SALTELLI, Sampling
 from nonhertz.files.spreads import Distribution
 from nonhertz.inputs.checks import numbers
 from nonhertz.result.brief import plain_text
-from nonhertz.result.numerals import digits
 from nonhertz.study.sweeps import Progress, Sweep, planned, sweep
 
 Array = NDArray[np.float64]

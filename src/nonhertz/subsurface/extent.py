@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.depths.thickness import Thickness
 from nonhertz.errors import InputError
 from nonhertz.model.body import Body, BodyName
@@ -82,5 +83,5 @@ class Extent:
         thickness = float(self.thickness(np.array([y]))[0])
         bored = self.round and float(self.radii(np.array([y]))[1][0]) > 0.0
         where = "whose wall is" if bored else "which is"
-        condition = f"lie in the material of body {self.name}, {where} {thickness:.6g} mm thick at y = {y:.6g} mm"
+        condition = f"lie in the material of body {self.name}, {where} {mm(thickness):.6g} thick at y = {mm(y):.6g}"
         raise InputError("z", z, condition, "choose points within the body, or the other body")

@@ -15,6 +15,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.depths.depth import Reference
 from nonhertz.bodies.images import SEPARATE_LINKS, SERIES
 from nonhertz.bodies.influence import influence_within
@@ -144,7 +145,7 @@ class Inside:
         room = ON_A_FACE * (high - low) if np.isfinite(high - low) else 0.0
         outside = (y < low - room) | (y > high + room)
         if outside.any():
-            condition = f"lie between the side faces of body {self.name}, {low:g} and {high:g} mm"
+            condition = f"lie between the side faces of body {self.name}, {mm(low, high, between=' and '):g}"
             raise InputError("y", float(y[outside][0]), condition, "choose points within the body, or the other body")
         if y.size and not self.extent.holds(x, y, z).any():
             self.extent.refuse(float(y.flat[0]), float(z.flat[0]))

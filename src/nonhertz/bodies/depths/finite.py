@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.depths.depth import Depth
 from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.wall_stress import WallModes, wall_modes
@@ -67,7 +68,7 @@ class Finite(Depth):
             condition = f"only be used where the radius changes by less than {_STEEPEST:g} of the way along the axis"
             raise InputError("depth", self.word, condition, _REMEDY)
         if outline.wall < _THINNEST:
-            condition = f"leave a wall of {_THINNEST:g} times the radius at least, not {outline.wall * radius:.3g} mm"
+            condition = f"leave a wall of {_THINNEST:g} times the radius at least, not {mm(outline.wall * radius):.3g}"
             raise InputError("bore", body.bore, condition, "reduce the bore")
 
     def corner_angles(self, body: Solid) -> tuple[float, float]:

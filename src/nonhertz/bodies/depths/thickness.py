@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bodies.depths.depth import Depth
 
 if TYPE_CHECKING:
@@ -35,12 +36,12 @@ class Thickness(Depth):
     @property
     def shown(self) -> str:
         """The depth."""
-        return f"{self.depth:.6g} mm"
+        return f"{mm(self.depth):.6g}"
 
     @property
     def place(self) -> str:
         """A point at the given depth."""
-        return f"a point {self.depth:.6g} mm below the surface"
+        return f"a point {mm(self.depth):.6g} below the surface"
 
     def below(self, body: Solid, shape: Shape) -> Callable[[Array], Array]:
         """Return y [mm] -> depth [mm]."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.files.traces.lengths import millimetres
 from nonhertz.inputs.checks import one_of
@@ -130,8 +131,8 @@ def made(line: Line, request: Request) -> Trace:
         notes.append("The column is positive where material is removed; its sign was reversed.")
     gaps = tuple(sorted({*dropouts(y, *_unmeasured(line, measured)), *holes(y)}))
     if gaps:
-        places = ", ".join(f"{low:.5g} to {high:.5g}" for low, high in gaps[:5]) + (", ..." if len(gaps) > 5 else "")
-        notes.append(f"Nothing was measured from y = {places} mm.")
+        places = ", ".join(f"{mm(*gap, between=' to '):.5g}" for gap in gaps[:5]) + (", ..." if len(gaps) > 5 else "")
+        notes.append(f"Nothing was measured from y = {places}.")
     return Trace(y, height, gaps, name=request.name, notes=tuple(notes))
 
 
@@ -169,10 +170,10 @@ def _sorted(y: Array, height: Array, notes: list[str]) -> tuple[Array, Array]:
 def _check_size(y: Array, height: Array, request: Request) -> None:
     largest = float(max(np.max(np.abs(y)), np.max(np.abs(height))))
     if largest > _LARGEST:
-        condition = f"hold positions and heights within a kilometre (there is one of {largest:.3g} mm)"
+        condition = f"hold positions and heights within a kilometre (there is one of {mm(largest):.3g})"
         raise request.refuse(condition, "write nan where nothing was measured, and correct the units")
     if y[-1] - y[0] < _SHORTEST:
-        condition = f"hold positions that are further apart ({y[-1] - y[0]:.3g} mm in all)"
+        condition = f"hold positions that are further apart ({mm(y[-1] - y[0]):.3g} in all)"
         raise request.refuse(condition, "correct their unit or their column")
 
 

@@ -9,7 +9,8 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nonhertz.errors import InputError, shown
+from nonhertz.amounts import mm
+from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, positive
 from nonhertz.inputs.fields import Flag, Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile
@@ -97,7 +98,7 @@ def crown(
 
 def _outside_the_middle(radius: float, straight: float, blended: bool) -> None:
     if not blended and 0.5 * straight > radius:
-        condition = f"not exceed twice the radius of {shown(radius)} mm"
+        condition = f"not exceed twice the radius of {mm(radius):g}"
         raise InputError("straight", straight, condition, "shorten it or raise the radius")
 
 
@@ -149,7 +150,7 @@ def partial_crown(
 
 def _within_the_circle(radius: float, middle: float) -> None:
     if middle >= 2.0 * radius:
-        condition = f"be less than twice the radius of {shown(radius)} mm"
+        condition = f"be less than twice the radius of {mm(radius):g}"
         raise InputError("middle", middle, condition, "shorten it or raise the radius")
 
 

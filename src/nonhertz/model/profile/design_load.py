@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from nonhertz.errors import InputError, shown
+from nonhertz.amounts import mm
+from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
 from nonhertz.inputs.fields import Quantity
 from nonhertz.model.material import STEEL
@@ -45,7 +46,5 @@ def line_contact(load: float, length: float, radius: float, compliance: float | 
     """Refuse a contact that would be wider than long."""
     half_width = design_half_width(load, length, radius, compliance)
     if 2.0 * half_width >= length:
-        condition = (
-            f"leave a line contact, but it would be {2.0 * half_width:.3g} mm wide on {shown(length)} mm of length"
-        )
+        condition = f"leave a line contact, but it would be {mm(2.0 * half_width):.3g} wide on {mm(length):g} of length"
         raise InputError("load", load, condition, "lower the load or check length and radius")

@@ -15,6 +15,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, one_of
 from nonhertz.inputs.fields import unknown
@@ -190,8 +191,8 @@ def _searched(make: Callable[[float], Profile], kind: str, name: str, drop: floa
             # At the end of a circle the drop jumps to infinity, past what no radius makes.
             if abs(excess(share, *ends)) < _PASSED * abs(drop):
                 return make(between(share, *ends))
-    which = f"the drops that any {name} of '{kind}' makes at y = {at:g} mm"
-    condition = f"lie between about {min(drops):.3g} and {max(drops):.3g} mm, {which}"
+    which = f"the drops that any {name} of '{kind}' makes at y = {mm(at):g}"
+    condition = f"lie between about {mm(min(drops), max(drops), between=' and '):.3g}, {which}"
     raise InputError("drop", drop, condition, "check drop and at")
 
 

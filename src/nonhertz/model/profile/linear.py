@@ -8,7 +8,8 @@ from typing import Annotated
 
 import numpy as np
 
-from nonhertz.errors import InputError, shown
+from nonhertz.amounts import mm
+from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, positive
 from nonhertz.inputs.fields import Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile, Straight
@@ -147,7 +148,7 @@ def tapered_ends(
 
 def _on_the_body(length: float, width: float) -> None:
     if 2.0 * width > length:
-        condition = f"not exceed half of the length of {shown(length)} mm"
+        condition = f"not exceed half of the length of {mm(length):g}"
         raise InputError("width", width, condition, "give the length of one chamfer in mm")
 
 

@@ -13,6 +13,7 @@ from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.fields import Quantities, Word
 from nonhertz.inputs.files import content, legible, special
@@ -115,7 +116,7 @@ def _apart(y: Sequence[float]) -> None:
     close = np.flatnonzero((gaps <= 0.0) | (gaps < room))
     if len(close):
         near, far = positions[close[0] : close[0] + 2].tolist()
-        apart = f"keep its points {room:.2g} mm apart, farther than {near} and {far}"
+        apart = f"keep its points {mm(room):.2g} apart, farther than {near} and {far}"
         condition = f"not hold {near} twice" if near == far else apart
         raise InputError("y", y, condition, "keep one point per position")
 

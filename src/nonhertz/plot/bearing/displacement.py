@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import um
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.plot.axial import number
+from nonhertz.plot.axial import written
 from nonhertz.plot.style import FIRST, LINE, SECOND, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def displacement_against_load(solution: BearingSolution, ax: Axes, *, maps: Bear
         rise = MICROMETRES * TANGENT * float(slope @ way)
         ends = unit * size * np.array([1.0 - TANGENT, 1.0 + TANGENT])
         ax.plot(ends, [at - rise, at + rise], color=colour, linewidth=THIN)
-        words = f"{label}, {number(at)} µm by {solution.method}, with tangent"
+        words = f"{label}, {written(um(1e-3 * at))} by {solution.method}, with tangent"
         ax.plot([unit * size], [at], "o", markersize=5.0, color=colour, markerfacecolor="white", label=words)
     ax.set_xlim(0.0, 1.04 * MULTIPLES[-1] * unit * size)
     ax.margins(y=0.08)

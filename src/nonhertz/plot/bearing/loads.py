@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import chosen, newton
 from nonhertz.errors import InputError
-from nonhertz.plot.axial import number
+from nonhertz.plot.axial import number, written
 from nonhertz.plot.style import (
     BACKING,
     FAINT_INK,
@@ -21,7 +22,6 @@ from nonhertz.plot.style import (
     SMALL_SIZE,
     THIN,
 )
-from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
     from matplotlib.projections.polar import PolarAxes
@@ -88,7 +88,7 @@ def bearing_loads(solution: BearingSolution, ax: PolarAxes, *, row: int = 0) -> 
     words = f"{np.count_nonzero(load[:, 0])} of {angle.size} rollers loaded, load zone {zone}°"
     if load.any():
         most = int(load.max(axis=1).argmax())
-        words += f"\nlargest {number(unit * load[most].max())} {name} at {number(math.degrees(angle[most]), 4)}°"
+        words += f"\nlargest {written(newton(load[most].max()))} at {number(math.degrees(angle[most]), 4)}°"
     several = f"Row {row + 1}: " if len(solution.bearing.rows) > 1 else ""
     ax.set_title(several + words, fontsize=SMALL_SIZE, pad=12.0)
     return ax
@@ -185,8 +185,7 @@ def _draw_force(ax: PolarAxes, solution: BearingSolution, top: float) -> None:
                     "shrinkA": 0.0, "shrinkB": 0.0},
         annotation_clip=False,
     )  # fmt: skip
-    words = f"{number(radial)} N" if radial < 1e3 else f"{number(1e-3 * radial)} kN"
     ax.text(
-        way + math.pi, -HOLE * top * (1.0 - 0.55), words, ha="center", va="center", fontsize=SMALL_SIZE, bbox=BACKING,
+        way + math.pi, -HOLE * top * (1.0 - 0.55), written(newton(radial)), ha="center", va="center", fontsize=SMALL_SIZE, bbox=BACKING,
         clip_on=False,
     )  # fmt: skip

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.axial import number, place
+from nonhertz.amounts import mpa
+from nonhertz.plot.axial import number, place, written
 from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, SMALL_SIZE
 
 if TYPE_CHECKING:
@@ -141,5 +142,5 @@ def _mark_largest(solution: BearingSolution, ax: Axes, ring: str, row: int, midd
     ax.plot([at], [y], "o", markersize=4.0, markeredgecolor=INK, markerfacecolor="white", zorder=4.0, clip_on=False)
     span = ax.get_ylim()
     angle = number(float(np.degrees(solution.angle[these][most])))
-    words = f"largest {number(pressure[most])} MPa at {angle}°, $y$ = {place(y, span)} mm"
+    words = f"largest {written(mpa(pressure[most]))} at {angle}°, $y$ = {place(span, y)}"
     ax.set_title(words, loc="right", fontsize=SMALL_SIZE, pad=3.0)

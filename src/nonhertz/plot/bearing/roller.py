@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nonhertz.amounts import mpa, mrad, newton
 from nonhertz.errors import InputError
-from nonhertz.plot.axial import AXIAL_LABEL, number
+from nonhertz.plot.axial import AXIAL_LABEL, number, written
 from nonhertz.plot.bearing.pressure import RINGS
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, SECOND, SMALL_SIZE, THIN
 from nonhertz.result.maximum import places_of_largest
@@ -70,7 +71,7 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes) -> Axes:
             continue
         colour, dashes = COLOURS[ring]
         largest = max(largest, contact.max_pressure)
-        words = f"{ring} ring, {_force(contact.load)}: largest {number(contact.max_pressure)} MPa"
+        words = f"{ring} ring, {written(newton(contact.load))}: largest {written(mpa(contact.max_pressure))}"
         # To where the contact ends, not to the next strip beyond.
         y = np.unique(np.concatenate([contact.y, np.ravel(contact.contact_y)]))
         ax.plot(y, contact.pressure(0.0, y), color=colour, linestyle=dashes, linewidth=LINE, label=words)
@@ -131,7 +132,7 @@ def roller_relief(solution: BearingSolution, ax: Axes) -> Axes:
         y = np.linspace(low, high, POINTS)[1:-1]
         relief = MICROMETRES * contact.contact.separation_at(y)
         relief[~np.isfinite(relief)] = np.nan
-        words = f"{ring} ring, tilt {_tilt(contact.tilt)} mrad"
+        words = f"{ring} ring, tilt {written(mrad(contact.tilt if abs(contact.tilt) > NO_TILT else 0.0), 3)}"
         ax.plot(y, relief, color=colour, linestyle=dashes, linewidth=LINE, label=words)
         touching = [end for pair in contact.contact_y for end in pair]
         at_ends = np.nanmax(np.interp(touching, y, relief))
@@ -167,11 +168,3 @@ def _key(ax: Axes) -> None:
         loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2, borderpad=0.2, handlelength=2.6,
         columnspacing=1.6, frameon=False, fontsize=SMALL_SIZE,
     )  # fmt: skip
-
-
-def _force(load: float) -> str:
-    return f"{number(load)} N" if load < 1e3 else f"{number(1e-3 * load)} kN"
-
-
-def _tilt(tilt: float) -> str:
-    return number(1e3 * tilt, 3) if abs(tilt) > NO_TILT else "0"

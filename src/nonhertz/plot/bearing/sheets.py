@@ -6,14 +6,14 @@ import math
 import textwrap
 from typing import TYPE_CHECKING, cast
 
-from nonhertz.plot.axial import number
+from nonhertz.amounts import mrad, newton
+from nonhertz.plot.axial import written
 from nonhertz.plot.bearing.displacement import directions, displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
 from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure, draw_colour_bar
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
 from nonhertz.plot.sheets import BAR, BAR_GAP, BAR_ROOM, BOTTOM, LEFT, WIDTH, blank, panel
 from nonhertz.plot.style import SMALL_SIZE, TITLE_SIZE, sheet_style
-from nonhertz.result.reading import chosen
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -126,7 +126,7 @@ def _displacement(solution: BearingSolution, title: str, maps: BearingMaps | Non
 def _sheet(solution: BearingSolution, title: str, height: float) -> tuple[Figure, float]:
     """Return a sheet with its head, below which there is room of a height [inch], and where that begins."""
     titles = textwrap.wrap(title, TITLE_LETTERS)
-    lines = _lines([chosen()(part) for part in conditions(solution)])
+    lines = _lines(conditions(solution))
     head = 0.08 + TITLE_LINE * len(titles) + CONDITIONS + 0.14 * (len(lines) - 1)
     figure = blank(head + height)
     place, line = MARGIN / WIDTH, head + height - 0.08
@@ -142,7 +142,7 @@ def _sheet(solution: BearingSolution, title: str, height: float) -> tuple[Figure
 
 
 def _lines(parts: Sequence[str]) -> list[str]:
-    """Return parts in lines that are not too long; reports translate lines, so that none begins within a part."""
+    """Return parts in lines that are not too long, none of which begins within a part."""
     lines = [parts[0]]
     for part in parts[1:]:
         joined = f"{lines[-1]}; {part}"
@@ -156,15 +156,10 @@ def conditions(solution: BearingSolution) -> list[str]:
     same = len({(type(each), each.rollers) for each in rows}) == 1
     kinds = [f"{each.kind.capitalize()}, {each.rollers} rollers" for each in (rows[:1] if same else rows)]
     acting = [
-        f"{name} {_force(float(solution.force[:3] @ abs(way) if name == 'axial' else solution.force[:3] @ way))}"
+        f"{name} {written(newton(float(solution.force[:3] @ (abs(way) if name == 'axial' else way))))}"
         for name, way in directions(solution).items()
     ]
-    tilt = 1e3 * math.hypot(*solution.displacement[3:])
-    acting.append(f"tilt {number(tilt, 3) if tilt > 1e-6 else '0'} mrad")
+    tilt = math.hypot(*solution.displacement[3:])
+    acting.append(f"tilt {written(mrad(tilt if tilt > 1e-9 else 0.0), 3)}")
     acting.append(f"by {solution.method}")
     return [*([f"{len(rows)} rows: {kinds[0]} each"] if same and len(rows) > 1 else kinds), ", ".join(acting)]
-
-
-def _force(load: float) -> str:
-    # Balanced to 1e-8: 999.9999 N are one kN.
-    return f"{number(load)} N" if abs(load) < (1.0 - 1e-6) * 1e3 else f"{number(1e-3 * load)} kN"

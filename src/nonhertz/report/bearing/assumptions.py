@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nonhertz.amounts import digits, mm, mpa, mrad, newton
 from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
 from nonhertz.bearing.frames import RINGS
@@ -28,7 +28,6 @@ from nonhertz.report.assumptions import (
 )
 from nonhertz.report.bearing.results import BearingResults
 from nonhertz.result.checks import ValidityCheck, checks
-from nonhertz.result.numerals import digits, sized, sized_list
 from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import MOST_PRESSURE, most_loaded
 
@@ -59,8 +58,8 @@ def _small_motions(solution: BearingSolution) -> Assumption:
     tilt = float(np.max(np.abs(solution.displacement[3:])))
     return Assumption(
         "Contact angles stay as they are",
-        f"the inner ring tilts by less than {1e3 * MOST_TILT:g} mrad, which turns a load by 1 %",
-        f"{digits(1e3 * tilt, 4)} mrad",
+        f"the inner ring tilts by less than {mrad(MOST_TILT):g}, which turns a load by 1 %",
+        f"{mrad(tilt):4}",
         strained_if(tilt > MOST_TILT),
         _angles(solution.bearing.rows[0].bearing),
     )
@@ -88,8 +87,8 @@ def _of_strips(solution: BearingSolution) -> Iterator[Assumption]:
     yield elastic_below_yield(pressure)
     yield Assumption(
         "No lasting indentation that matters",
-        f"maximum pressure up to {MOST_PRESSURE:g} MPa, at which ISO 76 puts 1/10000 of the rollers' diameter",
-        f"{digits(pressure, 4)} MPa",
+        f"maximum pressure up to {mpa(MOST_PRESSURE):g}, at which ISO 76 puts 1/10000 of the rollers' diameter",
+        f"{mpa(pressure):4}",
         strained_if(pressure > MOST_PRESSURE),
     )
 
@@ -150,14 +149,10 @@ def _whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
     if row.roller.behind.shown != "finite" or not solution.load.any():
         return
     j = most_loaded(solution)
-    loads, tilts = solution.load[j], 1e3 * solution.tilt[j]
-    number = f"{_both(loads, 'N')}, tilted by {_both(tilts, 'mrad')}, at inner and outer ring"
+    loads, tilts = newton(*solution.load[j], between=" and "), mrad(*solution.tilt[j], between=" and ")
+    number = f"{loads:4}, tilted by {tilts:4}, at inner and outer ring"
     remark = "The whole roller is elastic. Where its contacts differ, the odd part of its deformation is neglected."
     yield Assumption("Rollers are pressed alike from both sides", "same load and tilt", number, Verdict.OPEN, remark)
-
-
-def _both(values: NDArray[np.float64], unit: str) -> str:
-    return sized_list(values, unit, " and ", 4)
 
 
 def _of_slices(solution: BearingSolution) -> Iterator[Assumption]:
@@ -195,8 +190,8 @@ def _ribs(solution: BearingSolution) -> Iterator[Assumption]:
         more = "Where it reaches an edge the pressure is higher than Hertz's." if beyond else ""
         yield Assumption(
             f"Ellipse on the ribs of the {ring} ring",
-            f"reaches no edge, {digits(rib.room, 3)} mm away along the flank",
-            f"{digits(ellipse.half_length, 3)} mm under {sized(load, 'N')}",
+            f"reaches no edge, {mm(rib.room):3} away along the flank",
+            f"{mm(ellipse.half_length):3} under {newton(load)}",
             verdict,
             f"{more} {remark}".strip(),
         )

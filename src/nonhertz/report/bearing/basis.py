@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from nonhertz.amounts import um
 from nonhertz.bearing.frames import RINGS
 from nonhertz.errors import CaseError
 from nonhertz.report.basis import differing, of_body
 from nonhertz.report.bearing.overview import loads_in_words
 from nonhertz.report.bearing.results import BearingResults
-from nonhertz.result.numerals import given
 
 
 def bearing_basis(found: Sequence[BearingResults]) -> list[str]:
@@ -38,4 +38,4 @@ def _clearance(found: BearingResults) -> str:
         clearance: float | None = getattr(found.case.mounted.rows[0].bearing, "clearance", None)
     except CaseError:
         return ""
-    return "" if clearance is None else f"{given(1e3 * clearance, 4)} µm"
+    return "" if clearance is None else f"{um(clearance):.4g}"

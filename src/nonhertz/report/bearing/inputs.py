@@ -12,9 +12,9 @@ from nonhertz.bearing.ribs import Rib
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.files.bearing_document import BearingLifeConditions
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.files.keys import Key, table_of, unit_of
+from nonhertz.files.keys import Key, table_of
 from nonhertz.inputs.fields import text_of
-from nonhertz.report.inputs import Entry, InputGroup, as_written, body_group, shown
+from nonhertz.report.inputs import Entry, InputGroup, as_written, body_group, shown, with_unit
 
 _BODIES = {"roller": "Rollers", "inner": "Inner ring", "outer": "Outer ring"}
 #: Lengths that people read in um.
@@ -83,13 +83,10 @@ def _solver_entries(table: Mapping[str, Any], values: Mapping[str, Any]) -> Iter
 
 def _entry(place: str, value: Any, key: Key, table: Mapping[str, Any]) -> Entry:
     name = place.rpartition(".")[2]
-    unit = "" if isinstance(value, str) or key.tables else unit_of(key)
-    if name in _SMALL and unit == "mm":
-        value = [1e3 * each for each in value] if isinstance(value, list | tuple) else 1e3 * value
-        unit = "µm"
     if isinstance(value, Rib):
         value = {name: each for name, each in vars(value).items() if each is not None}
-    text, written = shown(value, key), as_written(table, name)
+    text, unit = with_unit(value, key, small=name in _SMALL)
+    written = as_written(table, name)
     # What a file says, unless that is what is shown.
     unlike = "" if written.replace("um", "µm") == f"{text} {unit}" else written
     return Entry(place, text, unit, text_of(key.each), name not in table, unlike)

@@ -21,15 +21,12 @@ from nonhertz.report.downloads import Download, given_files, left_out, text_down
 from nonhertz.report.figures import Gallery
 from nonhertz.report.layout import Words, laid_out, marked, measured, merged
 from nonhertz.report.measurements import measurements
-from nonhertz.result.reading import SI, in_letters
 from nonhertz.show.bearing import (
     OF_LARGEST,
-    compared_columns,
-    compared_roller_rows,
     compared_rows,
+    compared_table,
     life_rows,
-    roller_columns,
-    roller_rows,
+    roller_table,
     spectrum_rows,
     summary_rows,
 )
@@ -37,7 +34,7 @@ from nonhertz.show.bearing import (
 WORDS = Words(
     kind="Whole bearing, rollers and rings in equilibrium",
     what="bearings",
-    conventions=f"{SI.stated}. x is the bearing's axis, y points to the first "
+    conventions="x is the bearing's axis, y points to the first "
     "roller; forces and motions are those of the inner ring. Along a roller, y is its own axis, from its middle; "
     "positive relief is material removed; positive clearance is room.",
 )
@@ -93,7 +90,7 @@ def _results(found: BearingResults) -> dict[str, Any]:
     return {
         "summary": merged(summary_rows(found.case, found.solution)),
         "life": merged(lives),
-        "rollers": _table(roller_columns(found.solution), roller_rows(found.solution)),
+        "rollers": _table(*roller_table(found.solution)),
     }
 
 
@@ -103,7 +100,7 @@ def _slices(found: BearingResults) -> dict[str, Any] | None:
     both = found.solution, found.slices
     return {
         "whole": _table(("", "strips", "slices", "difference"), compared_rows(*both)),
-        "rollers": _table(compared_columns(*both), compared_roller_rows(*both)),
+        "rollers": _table(*compared_table(*both)),
         "sentence": OF_LARGEST,
     }
 
@@ -113,7 +110,7 @@ def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> dict[str, A
     kept = [column for column in range(len(columns)) if any(row[column] for row in rows)]
     return {
         "columns": [columns[column] for column in kept],
-        "rows": [[in_letters(row[column]) for column in kept] for row in rows],
+        "rows": [[row[column] for column in kept] for row in rows],
     }
 
 

@@ -7,6 +7,7 @@ import math
 from dataclasses import MISSING, replace
 from typing import Any, Final
 
+from nonhertz.amounts import amount
 from nonhertz.errors import InputError
 from nonhertz.files.keys import Key
 from nonhertz.files.mistakes import Place, path_of
@@ -24,7 +25,6 @@ from nonhertz.inputs.fields import (
     text_of,
 )
 from nonhertz.inputs.units import in_unit
-from nonhertz.result.reading import chosen
 from nonhertz.web.form.fields import FormField, Option, Slider, number_or_words, options_of, text_in
 from nonhertz.web.form.ranges import Range
 from nonhertz.web.form.units import units_of
@@ -96,7 +96,7 @@ def _with_units(made: FormField, value: Any, name: str) -> FormField:
     text, units = units_of(made.unit, name, None if value is ABSENT else value)
     word = next((unit.word for unit in units if unit.chosen), "")
     if _is_number(made.default) and word != made.unit:
-        made = replace(made, default=chosen()(f"{made.default} {made.unit}"))
+        made = replace(made, default=f"{amount(float(made.default), made.unit):g}")
     made = replace(made, units=units)
     if text is None:
         return made

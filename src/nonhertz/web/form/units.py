@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
+from nonhertz.amounts import INCH, POUND_FORCE, chosen
 from nonhertz.errors import InputError
 from nonhertz.inputs.units import in_unit, number_and_unit
-from nonhertz.result.reading import INCH, POUND_FORCE, chosen
 
 #: Per base unit, words as files have them and their size.
 CHOICES: Final[dict[str, dict[str, float]]] = {

@@ -17,11 +17,11 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 from starlette.routing import Route
 
+from nonhertz.amounts import US
 from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.files.held import meant_as, parsed
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.result.reading import US
 from nonhertz.web.form.fields import is_number
 from nonhertz.web.limits import (
     CURVE_POINTS,

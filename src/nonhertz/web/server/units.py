@@ -7,7 +7,7 @@ from typing import Final
 from starlette.datastructures import Headers
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from nonhertz.result.reading import SI, SYSTEMS, read_in
+from nonhertz.amounts import SI, SYSTEMS, read_in
 from nonhertz.web.view.replies import refusal
 
 HEADER: Final = "nonhertz-units"

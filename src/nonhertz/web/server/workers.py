@@ -20,7 +20,7 @@ import anyio
 import anyio.to_thread
 from anyio.abc import TaskGroup
 
-from nonhertz.result.reading import chosen, read_in
+from nonhertz.amounts import chosen, read_in
 from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
 from nonhertz.web.server.intake import RefusedError
 

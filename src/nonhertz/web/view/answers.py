@@ -22,7 +22,7 @@ from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.show.summary import summary_rows
 from nonhertz.study.quantities import LIFE_MODEL, life_of
-from nonhertz.web.view.replies import as_read, numbers
+from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
 
@@ -47,10 +47,10 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "ok": True,
         "title": case.title,
         "status": solution.status.label,
-        "complaint": as_read(complaint),
+        "complaint": complaint,
         "key": _key_numbers(solution),
-        "summary": [list(map(as_read, row)) for row in summary_rows(solution)],
-        "warnings": [as_read(sentence) for sentence in solution.warnings],
+        "summary": [list(row) for row in summary_rows(solution)],
+        "warnings": list(solution.warnings),
         "line": _line(solution),
         "footprint": _footprint(solution),
         "gap": _gap(solution),
@@ -69,7 +69,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
 def _key_numbers(solution: Solution) -> dict[str, Any]:
     """Return the numbers by which cases are compared, all their digits but those of rounding alone."""
     found = {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()}
-    return found | {"largest": as_read(where_largest(solution, 3))}
+    return found | {"largest": where_largest(solution, 3)}
 
 
 def _life(case: Case, solution: Solution) -> dict[str, Any] | None:

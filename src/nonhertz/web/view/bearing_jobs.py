@@ -9,17 +9,17 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, Literal
 
+from nonhertz.amounts import chosen
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.files.bearing_results import files
 from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
 from nonhertz.files.held import parsed
 from nonhertz.files.mistakes import case_error
-from nonhertz.result.reading import chosen
 from nonhertz.web.limits import slow_bearing, unfit
 from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
 from nonhertz.web.view.jobs import as_json_has_it, calmly
-from nonhertz.web.view.replies import as_bytes, as_read, broken, misfit
+from nonhertz.web.view.replies import as_bytes, broken, misfit
 
 Method = Literal["strips", "slices"]
 
@@ -46,7 +46,7 @@ def solve(document: dict[str, Any], method: Method | None) -> bytes:
         except CaseError as error:
             return as_bytes(misfit(error))
         except ConvergenceError as error:
-            return as_bytes(broken([("load", as_read(str(error)))]))
+            return as_bytes(broken([("load", str(error))]))
     found["ms"] = round(1e3 * (time.perf_counter() - begun), 1)
     return as_bytes(found)
 
@@ -163,7 +163,7 @@ def _made(
         except CaseError as error:
             return misfit(error)
         except ConvergenceError as error:
-            return broken([("load", as_read(str(error)))])
+            return broken([("load", str(error))])
 
 
 def warm_up() -> None:

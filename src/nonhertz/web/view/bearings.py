@@ -16,17 +16,15 @@ from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
-from nonhertz.result.reading import chosen, in_letters
 from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import (
     life_rows,
     most_loaded,
-    roller_columns,
-    roller_rows,
+    roller_table,
     summary_rows,
 )
 from nonhertz.web.view.answers import profiles
-from nonhertz.web.view.replies import as_read, numbers
+from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
 
@@ -51,7 +49,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
     life, reason = case.rated(solution)
     pressed = solution.method == "strips"
     rows = [*summary_rows(case, solution), *life_rows(life, reason, case.prescribed.get("speed"))]
-    columns, rollers = chosen().columns([in_letters(head) for head in roller_columns(solution)], roller_rows(solution))
+    columns, rollers = roller_table(solution)
     return {
         "ok": True,
         "title": case.title,
@@ -65,10 +63,10 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "force": numbers(solution.force),
         "most": most_loaded(solution),
         "contacts": _by_strips(solution) if pressed else _by_slices(solution, case.solver.get("laminae", LAMINAE)),
-        "summary": [list(map(as_read, row)) for row in rows],
+        "summary": [list(row) for row in rows],
         "columns": list(columns),
         "rollers": [list(row) for row in rollers],
-        "warnings": [as_read(sentence) for sentence in solution.warnings],
+        "warnings": list(solution.warnings),
     }
 
 

@@ -13,7 +13,7 @@ from nonhertz.result.quantities import Quantity
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
 from nonhertz.web.limits import CURVE_SECONDS
 from nonhertz.web.view.jobs import calmly, sound, worked_out
-from nonhertz.web.view.replies import as_bytes, as_read, broken, misfit
+from nonhertz.web.view.replies import as_bytes, broken, misfit
 
 _NAMES: Final = ("max_pressure", "approach", "load", "moment", "tilt", "max_half_width", "contact_length")
 _LIFE: Final = "life"
@@ -76,7 +76,7 @@ def _point(
     except CaseError as error:
         return {"value": value, "sentence": error.mistakes[0]}
     if complaint:
-        return {"value": value, "sentence": as_read(complaint)}
+        return {"value": value, "sentence": complaint}
     solved = SolvedContact(case, solution)
     numbers = [quantity.factor * number_of(quantity, solved) for quantity in quantities]
     return {"value": value, "numbers": [each if math.isfinite(each) else None for each in numbers]}

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from nonhertz.amounts import chosen
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.commented import as_toml_like
@@ -19,7 +20,6 @@ from nonhertz.files.held import parsed
 from nonhertz.files.mistakes import Mistake, case_error
 from nonhertz.files.results import as_json, as_table
 from nonhertz.model.body import BodyName
-from nonhertz.result.reading import chosen
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import attempted
 from nonhertz.web.form.fields import is_number

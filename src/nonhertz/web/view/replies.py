@@ -13,7 +13,6 @@ from starlette.responses import Response
 from nonhertz.errors import CaseError
 from nonhertz.files.mistakes import Mistake, path_of
 from nonhertz.files.results import plain
-from nonhertz.result.reading import chosen, in_letters
 
 _UNHEARD = (403, 408, 413, 415, 431)
 #: Where the form shows errors about both bodies.
@@ -43,11 +42,6 @@ def refusal(status: int, sentence: str) -> Response:
     """
     headers = {"Retry-After": "1"} if status == 503 else {"Connection": "close"} if status in _UNHEARD else None
     return reply(broken([("", sentence)]), status, headers)
-
-
-def as_read(text: str) -> str:
-    """Return text about a result in the units that are chosen, with their letters."""
-    return chosen()(in_letters(text))
 
 
 def broken(mistakes: Iterable[tuple[str, str]]) -> dict[str, Any]:

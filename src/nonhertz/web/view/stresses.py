@@ -15,7 +15,7 @@ from nonhertz.strength import assess
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
-from nonhertz.web.view.replies import as_read, numbers
+from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
 
@@ -77,7 +77,7 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
         return {"checks": []}
     if not np.isfinite(found.largest.von_mises.max):
         return {"checks": []}
-    checks = [{"verdict": each.verdict, "sentence": as_read(each.sentence)} for each in found.checks]
+    checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
     return {"checks": checks, "stress": _worst(found.largest.von_mises, body) | {"searched": True}}
 
 

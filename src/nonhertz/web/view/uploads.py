@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm, um
 from nonhertz.errors import InputError
 from nonhertz.files.measured import checked, measured_from, trace_from
 from nonhertz.measured import Measured, StepResult, Trace
@@ -16,9 +17,8 @@ from nonhertz.measured.corners import positions
 from nonhertz.measured.trace import FEWEST_POINTS
 from nonhertz.model.profile import Tabulated
 from nonhertz.model.profile.table import Interpolation
-from nonhertz.result.numerals import digits
 from nonhertz.web.limits import UPLOAD_POINTS
-from nonhertz.web.view.replies import as_bytes, as_read, broken
+from nonhertz.web.view.replies import as_bytes, broken
 
 Array = NDArray[np.float64]
 
@@ -101,16 +101,16 @@ def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str
         "steps": [
             {
                 "name": after.name,
-                "sentence": as_read(after.words),
+                "sentence": after.words,
                 "before": _drawn(before.y, before.height),
                 "after": _drawn(after.y, after.height),
                 "floor_um": _floor(after),
             }
             for before, after in itertools.pairwise(states)
         ],
-        "notes": [as_read(note) for note in measured.trace.notes],
+        "notes": list(measured.trace.notes),
         "roughness": _roughness_rows(measured),
-        "warnings": [as_read(warning) for warning in measured.warnings],
+        "warnings": list(measured.warnings),
     }
 
 
@@ -154,6 +154,6 @@ def _roughness_rows(measured: Measured) -> list[list[str]]:
     found = measured.roughness
     rows = {"Ra": found.ra, "Rq": found.rq, "Rz": found.rz}
     return [
-        *([name, as_read(f"{digits(1e3 * value, 3)} um"), ""] for name, value in rows.items()),
-        ["cutoff", as_read(f"{digits(found.cutoff, 3)} mm"), f"{found.sections} sections"],
+        *([name, f"{um(value):3}", ""] for name, value in rows.items()),
+        ["cutoff", f"{mm(found.cutoff):3}", f"{found.sections} sections"],
     ]

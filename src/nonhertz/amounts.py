@@ -1,0 +1,344 @@
+"""Numbers with their units, as people read them: in SI units or in US customary ones.
+
+Everything is computed and stored in mm, N, MPa and rad. Where a number becomes text for people, it does so as an
+`Amount`, in the units that were chosen for this context (see `contextvars`): on a terminal, in a report, on the page,
+in a figure. What programs read, JSON, CSV and other files, does not pass here.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextvars import ContextVar
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
+
+from nonhertz.errors import InputError
+
+INCH: Final = 25.4
+"""One inch [mm], exactly: international yard and pound agreement of 1959."""
+POUND_FORCE: Final = 4.4482216152605
+"""One pound-force [N], exactly: 0.45359237 kg under 9.80665 m/s^2."""
+
+_KSI: Final = 1e3 * POUND_FORCE / INCH**2  # MPa
+_POUND: Final = 0.45359237  # kg
+_ROUNDING = 1e-12  # relative: a prescribed load, say, is met to that
+_SMALL = 0.5  # mm, below which people read micrometres
+_SAME = 1e-6  # relative: less than five digits show
+
+#: Sizes of the units in which people read numbers, in those of Python and files.
+SIZES: Final[Mapping[str, float]] = MappingProxyType(
+    {"um": 1e-3, "mrad": 1e-3, "N/um": 1e3, "N/mrad": 1e3, "N mm/um": 1e3, "N m/mrad": 1e6}
+)
+Size = tuple[str, float]
+Ticks = Callable[[float, float], Sequence[float]]
+
+
+@dataclass(frozen=True)
+class Units:
+    """Units in which people read results.
+
+    Attributes
+    ----------
+    code : str
+        ``"si"`` or ``"us"``.
+    stated : str
+        Words on the units of numbers that have none beside them.
+    table : mapping
+        By unit of the program: the one in its place, and how many of it make one of that; what is missing stays.
+    sizes : mapping
+        By unit that is shown: from which number on people write another, and that with its size.
+    """
+
+    code: str
+    stated: str
+    table: Mapping[str, Size]
+    sizes: Mapping[str, tuple[float, Size]]
+
+    def of(self, unit: str, values: Iterable[float] = ()) -> Size:
+        """Return the unit in place of one of the program's, and how many of it make one of that.
+
+        With ``values`` in the unit of the program, it is the one that suits the largest of them.
+        """
+        word, factor = self.table.get(unit, (unit, 1.0))
+        # Whether a load of one kN is met to the last digit must not choose its unit.
+        largest = (1.0 + _SAME) * max((abs(factor * value) for value in values), default=-1.0)
+        least, (other, size) = self.sizes.get(word, (math.inf, (word, 1.0)))
+        # Large numbers are written in larger units, but those of ksi that are small in smaller ones.
+        return (other, factor / size) if (largest >= least if size > 1.0 else 0.0 < largest < least) else (word, factor)
+
+    def ticks(self, ticks: Ticks, low: float, high: float, unit: str) -> list[float]:
+        """Return values in the program's ``unit``, between two others, that are round in these units."""
+        factor = self.of(unit)[1]
+        return [float(each) / factor for each in ticks(factor * low, factor * high)]
+
+
+SI: Final = Units(
+    "si",
+    "Units are mm, N, MPa and rad unless stated otherwise",
+    MappingProxyType({unit: (unit.replace("um", "µm"), 1.0) for unit in ("um", "N/um", "N mm/um")}),
+    MappingProxyType({"N": (1e3, ("kN", 1e3)), "N mm": (1e3, ("N m", 1e3))}),
+)
+US: Final = Units(
+    "us",
+    "Units are in, lbf, ksi and rad, those of files mm, N, MPa and rad, unless stated otherwise",
+    MappingProxyType(
+        {
+            "mm": ("in", 1.0 / INCH),
+            "um": ("µin", 1e3 / INCH),
+            "µm": ("µin", 1e3 / INCH),
+            "nm": ("µin", 1.0 / INCH),
+            "1/mm": ("1/in", INCH),
+            "N": ("lbf", 1.0 / POUND_FORCE),
+            "kN": ("lbf", 1e3 / POUND_FORCE),
+            "MPa": ("ksi", 1.0 / _KSI),
+            "GPa": ("ksi", 1e3 / _KSI),
+            "1/MPa": ("1/ksi", _KSI),
+            "N mm": ("lbf in", 1.0 / (POUND_FORCE * INCH)),
+            "N m": ("lbf in", 1e3 / (POUND_FORCE * INCH)),
+            "N/mm": ("lbf/in", INCH / POUND_FORCE),
+            "N/um": ("lbf/µin", 1e-3 * INCH / POUND_FORCE),
+            "N/µm": ("lbf/µin", 1e-3 * INCH / POUND_FORCE),
+            "N/mrad": ("lbf/mrad", 1.0 / POUND_FORCE),
+            "N mm/um": ("lbf in/mil", 1.0 / POUND_FORCE),
+            "N mm/µm": ("lbf in/mil", 1.0 / POUND_FORCE),
+            "N m/mrad": ("lbf in/mrad", 1e3 / (POUND_FORCE * INCH)),
+            "t/mm^3": ("lb/in^3", 1e3 * INCH**3 / _POUND),
+            "g": ("lb", 1e-3 / _POUND),
+        }
+    ),
+    MappingProxyType({"ksi": (1.0, ("psi", 1e-3))}),
+)
+SYSTEMS: Final[Mapping[str, Units]] = MappingProxyType({each.code: each for each in (SI, US)})
+
+_CHOSEN: ContextVar[Units] = ContextVar("units", default=SI)
+
+
+def chosen() -> Units:
+    """Return the units in which people read results in this context."""
+    return _CHOSEN.get()
+
+
+def choose_units(code: str) -> None:
+    """Choose the units in which people read results from here on, in this context (see `contextvars`).
+
+    Raises
+    ------
+    InputError
+        If there are none of this code.
+    """
+    if code not in SYSTEMS:
+        raise InputError("units", code, "be 'si' or 'us'", "write 'us' for in, lbf and ksi")
+    _CHOSEN.set(SYSTEMS[code])
+
+
+@contextlib.contextmanager
+def read_in(code: str) -> Iterator[None]:
+    """Show results in the units of a code within a ``with`` statement; raise what `choose_units` does."""
+    before = _CHOSEN.get()
+    choose_units(code)
+    try:
+        yield
+    finally:
+        _CHOSEN.set(before)
+
+
+@dataclass(frozen=True)
+class Amount:
+    """One number with its unit, or several that share one; as text, in the units that people have chosen.
+
+    The format says how many significant digits are worth reading, as in ``f"{amount:4}"``, by default 5; with a ``g``,
+    ``f"{amount:.4g}"``, by default 6, zeros at the end are left out, as of inputs.
+
+    Attributes
+    ----------
+    values : tuple of float
+        In ``unit``.
+    unit : str
+        Of Python and files.
+    read : str
+        The unit in which people read such numbers, before they choose others.
+    between : str
+        What stands between several numbers.
+
+    Examples
+    --------
+    >>> f"{newton(20000.0)}, {mm(0.0322131):3}, {mm(9.0):g}, {um(0.0123)}, {mpa(0.5)}"
+    '20.000 kN, 0.0322 mm, 9 mm, 12.300 µm, 0.50000 MPa'
+    >>> f"{newton(0.0, 20000.0, -310.0)}; {newton(820.0, 830.0, between=' and '):3}"
+    '0, 20.000, -0.31000 kN; 820 and 830 N'
+    >>> with read_in("us"):
+    ...     f"{newton(20000.0)}, {mm(9.0):g}, {um(0.0123)}, {mpa(0.5):4}"
+    '4496.2 lbf, 0.354331 in, 484.25 µin, 72.52 psi'
+    """
+
+    values: tuple[float, ...]
+    unit: str = ""
+    read: str = ""
+    between: str = ", "
+
+    def __str__(self) -> str:
+        return format(self, "")
+
+    def __format__(self, spec: str) -> str:
+        numbers, unit = self.apart(spec)
+        return f"{self.between.join(numbers)} {unit}".rstrip()
+
+    def apart(self, spec: str = "") -> tuple[list[str], str]:
+        """Return the numbers as text, and the unit that they share."""
+        factor, unit = self.scale
+        wanted, write = spec.strip(".g"), given if spec.endswith("g") else digits
+        shown = [factor * value for value in self.values]
+        return [write(value, int(wanted)) if wanted else write(value) for value in shown], unit
+
+    @property
+    def scale(self) -> tuple[float, str]:
+        """What turns the values into numbers that people read, and the unit of these."""
+        size = SIZES.get(self.read or self.unit, 1.0)
+        read = [value / size for value in self.values if math.isfinite(value)]
+        unit, factor = chosen().of(self.read or self.unit, read)
+        return factor / size, unit
+
+
+def amount(values: float | Iterable[float], unit: str, read: str = "", between: str = ", ") -> Amount:
+    """Return one number or several in a unit of Python and files, which people read in another one."""
+    several = values if isinstance(values, Iterable) else (values,)
+    return Amount(tuple(map(float, several)), unit, read, between)
+
+
+def mm(*values: float, between: str = ", ") -> Amount:
+    """Return lengths [mm]."""
+    return amount(values, "mm", between=between)
+
+
+def um(*values: float, between: str = ", ") -> Amount:
+    """Return short lengths, given in mm, that people read in micrometres."""
+    return amount(values, "mm", "um", between)
+
+
+def mrad(*values: float, between: str = ", ") -> Amount:
+    """Return angles, given in rad, that people read in milliradians."""
+    return amount(values, "rad", "mrad", between)
+
+
+def mpa(*values: float, between: str = ", ") -> Amount:
+    """Return pressures or stresses [MPa]."""
+    return amount(values, "MPa", between=between)
+
+
+def newton(*values: float, between: str = ", ") -> Amount:
+    """Return forces [N], in kN where they are large."""
+    return amount(values, "N", between=between)
+
+
+def newton_mm(*values: float, between: str = ", ") -> Amount:
+    """Return moments [N mm], in N m where they are large."""
+    return amount(values, "N mm", between=between)
+
+
+def per_mm(*values: float, between: str = ", ") -> Amount:
+    """Return forces per length [N/mm]."""
+    return amount(values, "N/mm", between=between)
+
+
+def end_strength(value: float, exponent: float, spec: str = "4") -> str:
+    """Return the strength K of a pressure K / s^exponent [MPa mm^exponent].
+
+    Examples
+    --------
+    >>> print(end_strength(348.4, 0.5))
+    348.4 MPa mm^0.5
+    """
+    (pressure, stress), (length, distance) = chosen().of("MPa"), chosen().of("mm")
+    return f"{digits(value * stress * distance**exponent, int(spec))} {pressure} {length}^{exponent:.3g}"
+
+
+def of_dimension(values: Iterable[float], unit: str, between: str = " to ") -> Amount:
+    """Return dimensions, angles or loads in the units in which people write them, micrometres where they are small.
+
+    Examples
+    --------
+    >>> [f"{of_dimension(*each):g}" for each in (((0.012,), "mm"), ((20.0, 0.1), "mm"), ((1e-3,), "rad"))]
+    ['12 µm', '20 to 0.1 mm', '1 mrad']
+    """
+    values = tuple(values)
+    small = unit == "mm" and max(map(abs, values)) < _SMALL
+    return amount(values, unit, "um" if small else "mrad" if unit == "rad" else "", between)
+
+
+def digits(value: float, significant: int = 5) -> str:
+    """Return a number with this many significant digits, without an exponent unless it is very small or large.
+
+    Examples
+    --------
+    >>> digits(0.0322131), digits(20000.0), digits(0.999999), digits(1.23456789e9), digits(0.0)
+    ('0.032213', '20000', '1.0000', '1.2346e+09', '0')
+    """
+    if value == 0.0 or not math.isfinite(value):
+        return f"{value:g}".replace("-0", "0")
+    # That of the rounded number: 0.999999 has one digit before the point.
+    decade = int(f"{value:.{significant - 1}e}".partition("e")[2])
+    if not -4 <= decade < 8:
+        return f"{value:.{significant - 1}e}"
+    return f"{value:.{max(0, significant - 1 - decade)}f}"
+
+
+def given(value: float, significant: int = 6) -> str:
+    """Return an input number without insignificant zeros.
+
+    Examples
+    --------
+    >>> given(9.0), given(0.000523598775598), given(207000.0), given(2.5e-7), given(57.3, 1)
+    ('9', '0.000523599', '207000', '2.5e-07', '57')
+    """
+    mantissa, exponent, power = digits(value, significant).partition("e")
+    return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
+
+
+def in_column(values: Iterable[float], significant: int = 5) -> list[str]:
+    """Return numbers that stand below one another: with the decimals that suit the largest of them.
+
+    Examples
+    --------
+    >>> in_column([3.80971, 0.903454, 0.0018632, 0.0])
+    ['3.8097', '0.9035', '0.0019', '0']
+    """
+    values = tuple(values)
+    largest = digits(max(map(abs, values), default=0.0), significant)
+    if "e" in largest:
+        return [digits(value, significant) for value in values]
+    decimals = len(largest.partition(".")[2])
+    return [f"{value:.{decimals}f}" if value else "0" for value in values]
+
+
+def with_error(shown: Amount, error: float) -> str:
+    """Return an amount of one number with its standard error, in its unit, both to the second digit of that.
+
+    Examples
+    --------
+    >>> with_error(mm(4361.8), 1034.0), with_error(amount(0.0123456, ""), 0.000789), with_error(um(0.012), 0.0)
+    ('4400 +- 1000 mm', '0.01235 +- 0.00079', '12.000 +- 0 µm')
+    """
+    factor, unit = shown.scale
+    value, error = factor * shown.values[0], factor * error
+    if not (math.isfinite(error) and error > 0.0):
+        return f"{digits(value)} +- {digits(error)} {unit}".rstrip()
+    place = 1 - math.floor(math.log10(error))
+    return f"{' +- '.join(f'{round(each, place):.{max(place, 0)}f}' for each in (value, error))} {unit}".rstrip()
+
+
+def error_words(relative: float) -> str:
+    """Return words about an estimated relative error; none where it is only rounding.
+
+    Examples
+    --------
+    >>> error_words(0.0042), error_words(0.53), error_words(1.7), error_words(1e-15), error_words(math.inf)
+    ('error about 0.4 %', 'error about 50 %', 'error as large as the number', '', 'error unknown')
+    """
+    if not math.isfinite(relative):
+        return "error unknown"
+    if relative >= 1.0:
+        return "error as large as the number"
+    return f"error about {given(float(f'{100.0 * relative:.1g}'), 1)} %" if relative > _ROUNDING else ""
