@@ -9,8 +9,8 @@ from case_file_keys import list_table
 from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
+from nonhertz.amounts import given
 from nonhertz.model.materials import LIBRARY, Listed
-from nonhertz.result.numerals import given
 
 if TYPE_CHECKING:
     from docutils import nodes

@@ -243,16 +243,28 @@ def per_mm(*values: float, between: str = ", ") -> Amount:
     return amount(values, "N/mm", between=between)
 
 
-def end_strength(value: float, exponent: float, spec: str = "4") -> str:
-    """Return the strength K of a pressure K / s^exponent [MPa mm^exponent].
+@dataclass(frozen=True)
+class EndStrength:
+    """The strength K of a pressure K / s^exponent towards a sharp end [MPa mm^exponent].
 
     Examples
     --------
-    >>> print(end_strength(348.4, 0.5))
-    348.4 MPa mm^0.5
+    >>> str(EndStrength(348.4, 0.5))
+    '348.4 MPa mm^0.5'
     """
-    (pressure, stress), (length, distance) = chosen().of("MPa"), chosen().of("mm")
-    return f"{digits(value * stress * distance**exponent, int(spec))} {pressure} {length}^{exponent:.3g}"
+
+    value: float
+    exponent: float
+
+    @property
+    def apart(self) -> tuple[float, str, str]:
+        """The strength in the units that are read, and the units of pressure and of length."""
+        (pressure, stress), (length, distance) = chosen().of("MPa"), chosen().of("mm")
+        return self.value * stress * distance**self.exponent, pressure, length
+
+    def __str__(self) -> str:
+        value, pressure, length = self.apart
+        return f"{digits(value, 4)} {pressure} {length}^{self.exponent:.3g}"
 
 
 def of_dimension(values: Iterable[float], unit: str, between: str = " to ") -> Amount:

@@ -15,12 +15,13 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import Final, Unpack
+from typing import Any, Final, Unpack
 
 import numpy as np
 
 from nonhertz.amounts import digits, given, mm, mpa
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding
 from nonhertz.inputs.checks import one_of
 from nonhertz.model.body import Body, BodyName
 from nonhertz.result.ends import ends_in_words, outermost
@@ -59,14 +60,19 @@ class Check(ReadOnly):
         Whether the material bears it.
     ratio : float
         What acts over what is borne [-], above 1 where it is too much; NaN where it is not known.
-    sentence : str
-        All of it in one sentence.
+    finding : Finding
+        All of it.
     """
 
     name: str
     verdict: Verdict
     ratio: float
-    sentence: str
+    finding: Finding
+
+    @property
+    def sentence(self) -> str:
+        """All of it in one sentence."""
+        return str(self.finding)
 
 
 @dataclass(frozen=True, repr=False)
@@ -86,7 +92,7 @@ class Strength(ReadOnly):
         The largest stresses in the body, with their positions.
     core : Extremes or None
         The largest stresses below the case; None without one.
-    warnings : tuple of str
+    findings : tuple of Finding
         What was left out of the search for the largest stresses, and other limitations.
     """
 
@@ -95,7 +101,7 @@ class Strength(ReadOnly):
     checks: tuple[Check, ...]
     largest: Extremes
     core: Extremes | None
-    warnings: tuple[str, ...]
+    findings: tuple[Finding, ...]
 
     @property
     def sentences(self) -> tuple[str, ...]:
@@ -200,7 +206,7 @@ def assess(
         if core is None and body.case_depth < Inside.of(solution, name).extent.thickness(solution.y).max():
             core = extremes(solution, depths=below, **options)
     inside = Inside.of(solution, name)
-    asked = _Question(name, body, criterion, _Limit.of(solution), bool(inside.warnings))
+    asked = _Question(name, body, criterion, _Limit.of(solution), bool(inside.findings))
     below_contact = []
     if body.case_depth is not None:
         # Not at a bore, which no case of the surface reaches.
@@ -215,7 +221,7 @@ def assess(
         *asked.of_core(core),
         *asked.of_case(below_contact),
     )
-    return Strength(name, criterion, checks, largest, core, largest.warnings)
+    return Strength(name, criterion, checks, largest, core, largest.findings)
 
 
 @dataclass(frozen=True)
@@ -224,26 +230,28 @@ class _Limit:
 
     Attributes
     ----------
-    towards : str
-        The places towards which they have none, in words; empty if there are none.
+    towards : Finding or None
+        The places towards which they have none.
     away : bool
         Whether the largest values are those more than a half-width away from these places, which refinement does not
         change, so that a strength that they exceed is exceeded.
     """
 
-    towards: str
+    towards: Finding | None
     away: bool
 
     @classmethod
     def of(cls, solution: Solved) -> _Limit:
         """Return that of a solution."""
-        places = [ends_in_words(solution.singular_ends)] if solution.singular_ends else []
+        places = {"ends": ends_in_words(solution.singular_ends)} if solution.singular_ends else {}
         if solution.peaks_at_corner:
-            places.append(f"the corner of the profile at y = {mm(solution.max_pressure_y):.5g}")
-        return cls(" and ".join(places), clear_of_ends(solution) and not solution.peaks_at_corner)
+            corner = "the corner of the profile at y = {y:.5g}"
+            places["corner"] = finding("corner", corner, y=mm(solution.max_pressure_y))
+        towards = finding("ends", " and ".join(f"{{{name}}}" for name in places), **places) if places else None
+        return cls(towards, clear_of_ends(solution) and not solution.peaks_at_corner)
 
     def __bool__(self) -> bool:
-        return not self.towards
+        return self.towards is None
 
 
 @dataclass(frozen=True)
@@ -260,18 +268,19 @@ class _Question:
         """Return the check of the largest pressure [MPa]."""
         allowed = self.body.material.pressure_limit
         if allowed is None:
-            return _unknown(
-                "pressure", f"Static safety is not known: the material of body {self.name} has no pressure_limit."
-            )
+            words = "Static safety is not known: the material of body {body} has no pressure_limit."
+            return _unknown("pressure", words, body=self.name)
         ratio = found / allowed
         safety = f"static safety {digits(ratio**-2.0, 3)}"
         if self.limit:
-            return _known("pressure", ratio, f"The largest pressure of {mpa(found)}", allowed, "limit", safety)
-        towards = f"the pressure has no limit towards {self.limit.towards}"
+            what = "The largest pressure of {pressure}"
+            return _known("pressure", ratio, what, allowed, "limit", safety, pressure=mpa(found))
+        towards = "he pressure has no limit towards {ends}"
         if ratio <= 1.0 or not self.limit.away:
-            return _unknown("pressure", f"Static safety is not known: {towards}.")
-        what = f"{_begin(towards)}; more than a half-width away {mpa(found)}"
-        return _known("pressure", ratio, what, allowed, "limit", safety)
+            return _unknown("pressure", f"Static safety is not known: t{towards}.", ends=self.limit.towards)
+        numbers = {"ends": self.limit.towards, "pressure": mpa(found)}
+        what = f"T{towards}; more than a half-width away {{pressure}}"
+        return _known("pressure", ratio, what, allowed, "limit", safety, **numbers)
 
     def yields(self, case: Extremes) -> Check:
         """Return the check of the yield strength, of a hardened body in its case."""
@@ -283,7 +292,7 @@ class _Question:
         """Yield the check of the bore, which no case of the surface reaches, by von Mises stress."""
         strength = "yield_strength" if self.body.case_depth is None else "core_yield_strength"
         if bore is not None and getattr(self.body.material, strength) is not None:
-            where = replace(self, criterion="von-mises", limit=_Limit("", away=True))
+            where = replace(self, criterion="von-mises", limit=_Limit(None, away=True))
             yield where._against("bore", f"the bore of body {self.name}", bore, strength)
 
     def of_core(self, core: Extremes | None) -> Iterator[Check]:
@@ -300,21 +309,19 @@ class _Question:
         if depth is None:
             return
         if not self.limit:
-            reason = f"the stress has no limit towards {self.limit.towards}"
-            yield _unknown(name, f"Whether {case} is deep enough is not known: {reason}.")
+            words = f"Whether {case} is deep enough is not known: the stress has no limit towards {{ends}}."
+            yield _unknown(name, words, ends=self.limit.towards)
             return
         shear = max(each.shear.z for each in largest)
         orthogonal = max(each.orthogonal_shear.z for each in largest)
         ratio = max(shear, orthogonal) / depth
         enough = "reaches below" if ratio <= 1.0 else "does not reach below"
-        yield Check(
-            name,
-            _verdict(ratio),
-            ratio,
-            f"{_begin(case)}, {mm(depth):g} deep, {enough} the largest maximum shear stress, at "
-            f"z = {mm(shear):3} or less, and the largest orthogonal one, at z = {mm(orthogonal):3} or "
-            "less.",
+        words = (
+            f"{_begin(case)}, {{depth:g}} deep, {enough} the largest maximum shear stress, at z = {{shear:3}} or less, "
+            "and the largest orthogonal one, at z = {orthogonal:3} or less."
         )
+        numbers = {"depth": mm(depth), "shear": mm(shear), "orthogonal": mm(orthogonal)}
+        yield Check(name, _verdict(ratio), ratio, finding(name, words, **numbers))
 
     def _equivalent(self, found: Extremes) -> Extreme:
         if self.criterion == "von-mises":
@@ -326,32 +333,32 @@ class _Question:
         """Return the check of an equivalent stress with a strength of the material."""
         allowed = getattr(self.body.material, strength)
         open_question = f"Whether {what} yields is not known"
-        place = f"{found.site}y = {mm(found.y):3} and z = {mm(found.z):3}"
         stress = CRITERIA[self.criterion]
-        found_there = f"{mpa(found.max)} {place}"
-        towards = f"the stress has no limit towards {self.limit.towards}"
+        found_there = f"{{stress}} {found.site}y = {{y:3}} and z = {{z:3}}"
+        numbers = {"ends": self.limit.towards, "stress": mpa(found.max), "y": mm(found.y), "z": mm(found.z)}
+        towards = "the stress has no limit towards {ends}"
         if allowed is None:
             known = f"; its largest {stress} is {found_there}" if self.limit else ""
-            return _unknown(name, f"{open_question}: the material has no {strength}{known}.")
+            return _unknown(name, f"{open_question}: the material has no {strength}{known}.", **numbers)
         ratio = found.max / allowed
         if self.stepped and ratio <= 1.0:
             return _unknown(name, f"{open_question}: the bending of the wall between steps of its bore is not known.")
         if self.limit:
             answer = "does not yield" if ratio <= 1.0 else "yields"
-            return _known(
-                name, ratio, f"{_begin(what)} {answer}: its largest {stress}, {found_there},", allowed, "yield strength"
-            )
+            words = f"{_begin(what)} {answer}: its largest {stress}, {found_there},"
+            return _known(name, ratio, words, allowed, "yield strength", **numbers)
         if ratio <= 1.0 or not self.limit.away:
-            return _unknown(name, f"{open_question}: {towards}.")
-        away = f"more than a half-width away the largest {stress}, {found_there},"
-        return _known(name, ratio, f"{_begin(what)} yields: {towards}; {away}", allowed, "yield strength")
+            return _unknown(name, f"{open_question}: {towards}.", **numbers)
+        words = f"{_begin(what)} yields: {towards}; more than a half-width away the largest {stress}, {found_there},"
+        return _known(name, ratio, words, allowed, "yield strength", **numbers)
 
 
-def _known(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "") -> Check:
-    borne = f"the {noun} of {mpa(allowed):g}"
+def _known(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "", /, **numbers: Any) -> Check:
+    borne = f"the {noun} of {{allowed:g}}"
     percent = given(100.0 * (ratio if ratio <= 1.0 else ratio - 1.0), 3)
     compared = f"is {percent} % of {borne}" if ratio <= 1.0 else f"exceeds {borne} by {percent} %"
-    return Check(name, _verdict(ratio), ratio, f"{what} {compared}{f': {then}' if then else ''}.")
+    words = f"{what} {compared}{f': {then}' if then else ''}."
+    return Check(name, _verdict(ratio), ratio, finding(name, words, allowed=mpa(allowed), **numbers))
 
 
 def _verdict(ratio: float) -> Verdict:
@@ -365,8 +372,8 @@ def _widest(solution: Solved) -> float:
     return float(places[np.abs(places - 0.5 * np.sum(outermost(solution))).argmin()])
 
 
-def _unknown(name: str, sentence: str) -> Check:
-    return Check(name, Verdict.UNKNOWN, math.nan, sentence)
+def _unknown(name: str, words: str, /, **numbers: Any) -> Check:
+    return Check(name, Verdict.UNKNOWN, math.nan, finding(name, words, **numbers))
 
 
 def _begin(text: str) -> str:

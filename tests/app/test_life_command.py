@@ -16,10 +16,10 @@ import pytest
 import nonhertz as nh
 import nonhertz.plot
 import nonhertz.show.analysis
+from nonhertz.amounts import digits
 from nonhertz.cli import main
 from nonhertz.files.casefile import read_case
 from nonhertz.life import LoadCase, assess, ioannides_harris, solve_spectrum
-from nonhertz.result.numerals import digits
 
 pytestmark = pytest.mark.slow
 

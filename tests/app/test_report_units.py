@@ -12,12 +12,12 @@ from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 
 from nonhertz import plot
+from nonhertz.amounts import read_in
 from nonhertz.cli import main
 from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.casefile import read_case
 from nonhertz.plot.units import rewrite_units
 from nonhertz.report import compose
-from nonhertz.result.reading import read_in
 from nonhertz.show.analysis import largest_stresses, solved
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

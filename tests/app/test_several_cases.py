@@ -11,9 +11,9 @@ import pytest
 
 import nonhertz as nh
 import nonhertz.solver.one
+from nonhertz.amounts import digits
 from nonhertz.cli import main
 from nonhertz.files.several import HEAD, Attempt, objects
-from nonhertz.result.numerals import digits
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CROWNED = (EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8")

@@ -16,9 +16,9 @@ from form_reading import document_in
 from numpy.testing import assert_allclose
 from serving import running
 
+from nonhertz.amounts import US, read_in
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.casefile import TEMPLATES, starting_case
-from nonhertz.result.reading import US, read_in
 from nonhertz.web.form.fields import FormField, FormGroup
 from nonhertz.web.form.form import form
 from nonhertz.web.server import workers

@@ -13,7 +13,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 import nonhertz as nh
-from nonhertz.result.numerals import given
+from nonhertz.amounts import given
 from nonhertz.strength import CRITERIA, Verdict, assess
 from nonhertz.subsurface import extremes
 

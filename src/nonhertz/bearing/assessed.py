@@ -37,6 +37,7 @@ from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.spectrum import checked_shares
 from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words
+from nonhertz.result.solution import SingularEnd
 
 #: A loaded bearing, or several loads of one bearing with their shares of the revolutions.
 Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]
@@ -70,8 +71,8 @@ class BearingLife:
         L_nmr: L10r times a_1, and times a_ISO if there is one.
     static_safety : float
         S_0 [-]; infinite without P_0.
-    no_reference : str
-        Why there is no L10r; empty if there is one.
+    singular_ends : tuple of SingularEnd
+        Those towards which the damage has no limit, so that there is no L10r; empty if there are none.
     parts : tuple of (BearingLife, float)
         Of a spectrum, the life under each load by itself, and its share; empty under one load.
     """
@@ -87,8 +88,14 @@ class BearingLife:
     reliability_factor: float
     modified: float
     static_safety: float
-    no_reference: str = ""
+    singular_ends: tuple[SingularEnd, ...] = ()
     parts: tuple[tuple[BearingLife, float], ...] = ()
+
+    @property
+    def no_reference(self) -> str:
+        """Why there is no L10r; empty if there is one."""
+        ends = self.singular_ends
+        return f"the damage has no limit towards {ends_in_words(ends)}; {_ROUNDED}" if ends else ""
 
     @property
     def internally_loaded(self) -> bool:
@@ -352,7 +359,7 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
         reliability_factor=asked.reliability_factor,
         modified=asked.reliability_factor * reference * (1.0 if factor is None else factor),
         static_safety=rated.static / still if still > 0.0 else math.inf,
-        no_reference=f"the damage has no limit towards {ends_in_words(ends)}; {_ROUNDED}" if ends else "",
+        singular_ends=tuple(ends),
     )
 
 
@@ -381,6 +388,6 @@ def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeCondition
         life_factor=of_oil if oiled else None,
         modified=modified,
         static_safety=first.rating.static / still if still > 0.0 else math.inf,
-        no_reference=next((each.no_reference for each in lives if each.no_reference), ""),
+        singular_ends=next((each.singular_ends for each in lives if each.singular_ends), ()),
         parts=parts,
     )

@@ -28,6 +28,7 @@ L = (sum L_i^(-e))^(-1/e). ISO 281 attributes all failures to the rings: compare
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -41,6 +42,7 @@ from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.unrolled import row_slices
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding, sentences
 from nonhertz.inputs.checks import one_of
 from nonhertz.life.catalogue import MODELS, VolumeModel
 from nonhertz.life.volume import Exposure, even_exposure, exposure, section_exposure
@@ -71,14 +73,19 @@ class VolumeLife(ReadOnly):
         Of the inner ring, the outer ring and the rollers of each row.
     even : ndarray, shape (rows, 3)
         The same if every contact had Hertz's line contact, its load spread evenly over its length.
-    warnings : tuple of str
+    findings : tuple of Finding
         What limits the validity.
     """
 
     model: VolumeModel
     of_rows: Array
     even: Array
-    warnings: tuple[str, ...]
+    findings: tuple[Finding, ...]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The same, a sentence each."""
+        return sentences(self.findings)
 
     @property
     def inner(self) -> float:
@@ -198,7 +205,7 @@ def volume_life(
         chosen,
         np.array(of_rows),
         np.array(even),
-        _warnings(singular_ends(solution), steep, chosen.stress.replace("_", " ")),
+        tuple(_findings(singular_ends(solution), steep, chosen.stress.replace("_", " "))),
     )
 
 
@@ -213,20 +220,20 @@ def _chosen(given: VolumeModel | str) -> VolumeModel:
     return given
 
 
-def _warnings(ends: set[SingularEnd], steep: float, stress: str) -> tuple[str, ...]:
-    said = []
+def _findings(ends: set[SingularEnd], steep: float, stress: str) -> Iterator[Finding]:
     if ends:
-        said.append(
-            f"The damage has no limit towards {ends_in_words(ends)}: nothing was counted near there, so that lives are "
-            "upper bounds."
+        words = (
+            "The damage has no limit towards {ends}: nothing was counted near there, so that lives are upper bounds."
         )
+        yield finding("damage-at-ends", words, ends=ends_in_words(ends))
     if steep > _MOST_STEEP:
-        said.append(
-            f"{100.0 * steep:.0f} % of the damage below a contact is where the pressure changes by more than "
-            f"{100.0 * _STEEP:g} % over a half-width: sections take {stress} there for worse than it is; use "
-            "field = 'whole'."
+        yield finding(
+            "steep-pressure",
+            "{share:.0f} % of the damage below a contact is where the pressure changes by more than {limit:g} % over a "
+            f"half-width: sections take {stress} there for worse than it is; use field = 'whole'.",
+            share=100.0 * steep,
+            limit=100.0 * _STEEP,
         )
-    return tuple(said)
 
 
 class _Seen:

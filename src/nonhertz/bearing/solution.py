@@ -19,6 +19,7 @@ from nonhertz.bearing.frames import RINGS, contact_frame
 from nonhertz.bearing.ribs import RibContact
 from nonhertz.bearing.unrolled import POINTS, UnrolledPressure, loaded_shares, row_slices
 from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.findings import Finding, finding, sentences
 from nonhertz.hertz import PointContact
 from nonhertz.inputs.checks import numbers, one_of, whole
 from nonhertz.life.capacity import is_hollow
@@ -216,11 +217,16 @@ class BearingSolution(ReadOnly):
         among = f", row {row}" if len(self.bearing.rows) > 1 else ""
         return f"roller {roller} at {np.degrees(self.angle[roller]):.1f} degrees{among}"
 
-    @cached_property
+    @property
     def warnings(self) -> tuple[str, ...]:
-        """What strains the model: what contacts by strips warn of, ribs whose contacts reach an edge, bores.
+        """What strains the model, a sentence each, of the `findings`."""
+        return sentences(self.findings)
 
-        Of sentences that differ in numbers only, the first, with a count, from the most loaded roller down.
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:
+        """What strains the model: what is found of contacts by strips, ribs whose contacts reach an edge, bores.
+
+        Of those of one kind, the first, with a count, from the most loaded roller down.
         """
         found = self._of_strips() if self.method == "strips" else []
         every = self._ribs()
@@ -229,27 +235,35 @@ class BearingSolution(ReadOnly):
             load, j, rib = max(most, key=lambda each: each[0], default=(0.0, 0, None))
             if rib is not None and rib.reaches_an_edge(load):
                 reach = rib.under(load).half_length
-                found.append(
-                    f"The contact of roller {j} with a rib of the {ring} ring reaches {mm(reach):.3g} along the flank, "
-                    f"beyond an edge at {mm(rib.room):.3g}, where the pressure is higher than Hertz's."
+                words = (
+                    "The contact of roller {roller} with a rib of the {ring} ring reaches {reach:.3g} along the flank, "
+                    "beyond an edge at {room:.3g}, where the pressure is higher than Hertz's."
                 )
+                found.append(finding("rib-edge", words, roller=j, ring=ring, reach=mm(reach), room=mm(rib.room)))
         if self.method == "slices" and any(is_hollow(row.bearing.roller) for row in self.bearing.rows):
-            found.append("Slices take hollow rollers as solid ones, which are stiffer: solve the bearing by strips.")
+            words = "Slices take hollow rollers as solid ones, which are stiffer: solve the bearing by strips."
+            found.append(finding("hollow-by-slices", words))
         return tuple(found)
 
-    def _of_strips(self) -> list[str]:
-        """Return what contacts warn of."""
-        first: dict[str, str] = {}
+    def _of_strips(self) -> list[Finding]:
+        """Return what is found of contacts."""
+        first: dict[str, tuple[str, Finding]] = {}
         times: Counter[str] = Counter()
         for j in np.argsort(-self.load.max(axis=1), kind="stable").tolist():
             for ring, contact in zip(RINGS, self._solutions[j], strict=True):
-                for sentence in contact.warnings if contact is not None else ():
-                    kind = _NUMBER.sub("#", sentence)
-                    first.setdefault(kind, f"{self.place_of(j)}, {ring} ring: {sentence}")
-                    times[kind] += 1
+                for found in contact.findings if contact is not None else ():
+                    first.setdefault(found.kind, (f"{self.place_of(j)}, {ring} ring", found))
+                    times[found.kind] += 1
+        more = " (And {more} more of the kind.)"
         return [
-            sentence + (f" (And {times[kind] - 1} more that differ in numbers.)" if times[kind] > 1 else "")
-            for kind, sentence in first.items()
+            finding(
+                kind,
+                f"{{place}}: {{found}}{more if times[kind] > 1 else ''}",
+                place=place,
+                found=found,
+                more=times[kind] - 1,
+            )
+            for kind, (place, found) in first.items()
         ]
 
     def _ribs(self) -> list[tuple[Array, RibContact]]:

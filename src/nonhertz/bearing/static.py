@@ -67,7 +67,7 @@ def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
     pressures = solution.max_pressure
     contacts = [solution.contact(j, ring) for j in range(solution.angle.size) for ring in RINGS]
     if ends := singular_ends(solution):
-        condition = "have ends at which the pressure has a limit, and has none towards " + ends_in_words(ends)
+        condition = f"have ends at which the pressure has a limit, and has none towards {ends_in_words(ends)}"
         raise InputError("solution", "a loaded bearing", condition, "give the rollers a corner_radius or a profile")
     most = contacts[int(np.argmax(pressures))]
     return math.inf if most is None else _factor(most, limit)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -17,7 +16,8 @@ from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.section import MOTIONS
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import Method, solve_many
-from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.errors import InputError
+from nonhertz.findings import finding, warn
 from nonhertz.inputs.checks import broadcast, numbers, one_of, whole
 from nonhertz.maps.misses import SAFETY
 from nonhertz.result.brief import plain_text
@@ -284,8 +284,8 @@ def table(
     checked, _, settled = _solved(bearing, middles, options) if len(middles) else (middles, None, np.ones(0, bool))
     failed = np.count_nonzero(~converged) + np.count_nonzero(~settled)
     if failed:
-        said = f"{failed} of {converged.size + settled.size} states of the bearing found no balance; see converged."
-        warnings.warn(said, AccuracyWarning, stacklevel=2)
+        words = "{failed} of {states} states of the bearing found no balance; see converged."
+        warn([finding("no-balance", words, failed=failed, states=converged.size + settled.size)])
     shape = grid.shape[:-1]
     return ForceTable(
         bearing=bearing,

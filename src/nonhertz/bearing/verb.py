@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal, get_args
@@ -23,7 +22,8 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.strips import StripLaw
-from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
+from nonhertz.errors import ConvergenceError, InputError
+from nonhertz.findings import said, warn
 from nonhertz.inputs.checks import thread_count
 from nonhertz.inputs.fields import Count, Input, Word, described
 from nonhertz.life.lamina import FEWEST, MOST, STIFFENING, roller_stiffness
@@ -110,7 +110,7 @@ def solve(
     -----
     AccuracyWarning
         If contacts strain the model, end where the pressure has no limit or are refused, one on a rib reaches an edge,
-        or slices take hollow rollers as solid; the sentences are in ``solution.warnings`` too.
+        or slices take hollow rollers as solid; the sentences are in ``solution.findings`` too.
 
     Notes
     -----
@@ -140,11 +140,10 @@ def solve(
         )
     solution = BearingSolution.of(bearing, method, found, setting.load, at_edge(system, found))
     try:
-        said = solution.warnings
+        strained = solution.findings
     except (InputError, ConvergenceError) as error:  # the loads are known
-        said = (f"There are no pressures: {error}",)
-    for warning in said:
-        warnings.warn(warning, AccuracyWarning, stacklevel=2)
+        strained = (said(f"There are no pressures: {error}", "no-pressures"),)
+    warn(strained)
     return solution
 
 

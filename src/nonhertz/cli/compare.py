@@ -78,8 +78,9 @@ def sentences(found: Comparison) -> list[str]:
     ]
     remarks: dict[str, list[str]] = {}
     for each in found.quantities:
-        remarks.setdefault(each.remark, []).append(each.name)
-    lines += [f"{' and '.join(names)}: {remark}." for remark, names in remarks.items() if remark]
+        if each.remark is not None:
+            remarks.setdefault(str(each.remark), []).append(each.name)
+    lines += [f"{' and '.join(names)}: {remark}." for remark, names in remarks.items()]
     if not found.stretches:
         return [*lines, "Along the line, strips and plane grid differ by less than 1 % everywhere."]
     lines.append("Along the line, they differ by more than 1 % of the pressure there:")

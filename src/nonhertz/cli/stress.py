@@ -9,7 +9,7 @@ from nonhertz.amounts import mm
 from nonhertz.cli.printing import Printed, print_written
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
-from nonhertz.files.stresses import all_warnings
+from nonhertz.files.stresses import all_findings
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import largest_stresses
@@ -96,7 +96,7 @@ def print_stresses(solution: Solution, overall: Extremes, section: Extremes, str
     printing = Printed(title)
     printing.table(rows, heads, left=(0,))
     printing.say(*sentences(solution, section), *strength.sentences)
-    printing.warn(*all_warnings(solution, overall, section))
+    printing.warn(*all_findings(solution, overall, section))
 
 
 def _check_station(solution: Solution, station: float, body: BodyName) -> None:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.comparison.value import ComparedQuantity
+from nonhertz.findings import Finding, finding, said
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.maximum import counted, singular_y
@@ -35,14 +36,14 @@ def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tupl
     p_semi, p_parabola = (_at(at, one.y, one.centre_pressure) for one in (semi, parabola))
     b_semi, b_parabola = (_at(at, one.y, one.half_width) for one in (semi, parabola))
     p, b = _at(at, patch.y, patch.centre_pressure), _at(at, patch.y, patch.half_width)
-    cells = f"cells {mm(patch.dx):.2g} across"
+    cells = finding("cells", "cells {width:.2g} across", width=mm(patch.dx))
     return (
         ComparedQuantity("approach", "mm", patch.approach, semi.approach, parabola.approach),
         ComparedQuantity("tilt", "rad", patch.tilt, semi.tilt, parabola.tilt),
         ComparedQuantity("load", "N", patch.load, semi.load, parabola.load),
         _moment(semi, parabola, patch),
-        ComparedQuantity(f"pressure at y = {mm(at):.5g}", "MPa", p, p_semi, p_parabola),
-        ComparedQuantity(f"half-width at y = {mm(at):.5g}", "mm", b, b_semi, b_parabola, remark=cells),
+        ComparedQuantity("pressure", "MPa", p, p_semi, p_parabola, at=at),
+        ComparedQuantity("half-width", "mm", b, b_semi, b_parabola, remark=cells, at=at),
         *_largest(semi, parabola, patch),
         *_ends(semi, parabola, patch),
     )
@@ -81,11 +82,12 @@ def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[
     (p_semi, y_semi), (p_parabola, y_parabola) = (
         _peak(semi, one.y, one.centre_pressure, y) for one in (semi, parabola)
     )
-    remark = ""
+    remark: Finding | None = None
     if semi.singular_ends:
-        remark = f"a half-width and more from {ends_in_words(semi.singular_ends)}, where it has no limit"
+        away = "a half-width and more from {ends}, where it has no limit"
+        remark = finding("away-from-ends", away, ends=ends_in_words(semi.singular_ends))
     elif semi.peaks_at_corner:
-        remark = "at a corner of the profile, where it has no limit"
+        remark = said("at a corner of the profile, where it has no limit")
     return (
         ComparedQuantity("maximum pressure", "MPa", p, p_semi, p_parabola, remark=remark),
         ComparedQuantity("position of the maximum", "mm", y, y_semi, y_parabola, absolute=True),
@@ -108,7 +110,7 @@ def _peak(semi: Solution, y: Array, pressure: Array, near: float) -> tuple[float
 
 def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[ComparedQuantity, ComparedQuantity]:
     rows = patch.y[patch.footprint.any(axis=0)]
-    remark = f"cells {mm(patch.dy):.2g} along"
+    remark = finding("cells", "cells {length:.2g} along", length=mm(patch.dy))
     low, high = float(rows[0]) - 0.5 * patch.dy, float(rows[-1]) + 0.5 * patch.dy
     return (
         ComparedQuantity("contact from", "mm", low, semi.contact_y[0][0], parabola.contact_y[0][0], True, remark),

@@ -9,7 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution
@@ -26,7 +28,7 @@ class ComparedQuantity:
 
     Attributes
     ----------
-    name : str
+    what : str
         What it is, in words.
     unit : str
         Its unit.
@@ -34,17 +36,25 @@ class ComparedQuantity:
         Values by the plane grid and by strips of either element; NaN where there is none.
     absolute : bool
         Whether differences are in ``unit``, as for positions; else relative to ``patch``.
-    remark : str
-        What to know about it; may be empty.
+    remark : Finding or None
+        What to know about it.
+    at : float or None
+        At which y it is [mm]; None where it is of the whole contact.
     """
 
-    name: str
+    what: str
     unit: str
     patch: float
     semi_elliptic: float
     parabolic: float
     absolute: bool = False
-    remark: str = ""
+    remark: Finding | None = None
+    at: float | None = None
+
+    @property
+    def name(self) -> str:
+        """What it is, and where."""
+        return self.what if self.at is None else f"{self.what} at y = {mm(self.at):.5g}"
 
     @property
     def differences(self) -> tuple[float, float]:

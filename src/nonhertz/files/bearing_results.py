@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
+from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
@@ -61,6 +62,7 @@ _OF_CLEARANCE = ("unmounted", "inner_fit", "outer_fit", "temperatures", "speed",
 _OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
 
 
+@read_in("si")
 def as_object(
     solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, warnings: Sequence[str]
 ) -> dict[str, Any]:
@@ -122,7 +124,7 @@ def as_json(entries: dict[str, Any]) -> str:
 
 def _life(found: BearingLife) -> dict[str, Any]:
     rating = plain(dataclasses.asdict(found.rating))
-    names = [each.name for each in dataclasses.fields(found) if each.name not in {"rating", "no_reference", "parts"}]
+    names = [each.name for each in dataclasses.fields(found) if each.name not in {"rating", "singular_ends", "parts"}]
     parts = [{"share": plain(share)} | _life(part) for part, share in found.parts]
     numbers = {name: plain(getattr(found, name)) for name in names}
     return {"rating": rating, **numbers, "no_reference": found.no_reference, "parts": parts}
@@ -181,6 +183,7 @@ def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
         first += row.bearing.rollers
 
 
+@read_in("si")
 def files(
     solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, warnings: Sequence[str]
 ) -> dict[str, str]:
@@ -192,6 +195,7 @@ def files(
     }
 
 
+@read_in("si")
 def comparison_object(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, Any]:
     """Return both methods' loads and motions, and how far slices are from strips, as plain numbers."""
     names = ("load", "moment", "displacement", "force")
@@ -216,6 +220,7 @@ def comparison_table(strips: BearingSolution, slices: BearingSolution) -> str:
     return csv_text(head, (map(_cell, each) for each in cells))
 
 
+@read_in("si")
 def comparison_files(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, str]:
     """Return the texts of comparison.json and comparison.csv, by file name."""
     return {

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.comparison import Comparison
+from nonhertz.amounts import read_in
+from nonhertz.comparison import ComparedQuantity, Comparison
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
@@ -23,16 +24,14 @@ _STRIPS = ("semi_elliptic", "parabolic")
 _COLUMNS = ("element", "y [mm]", "strip_width [mm]", "centre_pressure [MPa]", "patch_pressure [MPa]", "difference")
 
 
+@read_in("si")
 def as_object(found: Comparison, title: str) -> dict[str, Any]:
     """Return a comparison as plain numbers, text, lists and dictionaries; a number that is not finite is None."""
     patch = found.patch
     return {
         "title": title,
         "cells": list(patch.cells),
-        "quantities": [
-            plain(vars(each) | {"differences": dict(zip(_STRIPS, each.differences, strict=True))})
-            for each in found.quantities
-        ],
+        "quantities": [_quantity(each) for each in found.quantities],
         "stretches": [plain(vars(each)) for each in found.stretches],
         "seconds": plain(vars(found.seconds)) | {"runs": found.seconds.runs},
         "stations": [plain(vars(each)) for each in found.stations],
@@ -59,9 +58,16 @@ def as_table(found: Comparison) -> str:
     return csv_text(_COLUMNS, rows)
 
 
+@read_in("si")
 def files(found: Comparison, title: str) -> dict[str, str]:
     """Return the texts of comparison.json and comparison.csv, by file name."""
     return {"comparison.json": as_json(found, title) + "\n", "comparison.csv": as_table(found)}
+
+
+def _quantity(each: ComparedQuantity) -> dict[str, Any]:
+    numbers = {name: value for name, value in vars(each).items() if name not in {"what", "at"}}
+    differences = dict(zip(_STRIPS, each.differences, strict=True))
+    return plain({"name": each.name} | numbers | {"differences": differences, "remark": str(each.remark or "")})
 
 
 def _strips(found: Comparison, solution: Solution) -> dict[str, Any]:

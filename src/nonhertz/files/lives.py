@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
+from nonhertz.amounts import read_in
 from nonhertz.files.results import key_by_key, plain
+from nonhertz.findings import Finding, as_warnings, sentences
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
@@ -79,10 +81,15 @@ class Assessment:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """All warnings, each once."""
-        found = [*self.notes, *(() if self.dent is None else self.dent.warnings)]
+        """The notes and all that was found, a sentence each."""
+        return tuple(dict.fromkeys((*self.notes, *sentences(self.findings))))
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """All that was found of the lives and of a dent, each once."""
+        found = [] if self.dent is None else [*self.dent.findings]
         for life in (life for body in BODIES for life in self.lives[body]):
-            found += life.warnings
+            found += life.findings
         return tuple(dict.fromkeys(found))
 
     def million_revolutions(self, number: int) -> float | None:
@@ -94,6 +101,7 @@ class Assessment:
         return self.lives[body][number].over(other.lives[body][number])
 
 
+@read_in("si")
 def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, Any]:
     """Return lives, and those they are compared with, as plain numbers, text, lists and dictionaries.
 
@@ -125,6 +133,7 @@ def as_table(found: Assessment) -> str:
     return csv_text(_COLUMNS, rows)
 
 
+@read_in("si")
 def files(found: Assessment, other: Assessment | None) -> dict[str, str]:
     """Return the texts of life.json and life.csv, and of compared.csv if there is another case, by file name."""
     texts = {"life.json": as_json(found, other) + "\n", "life.csv": as_table(found)}
@@ -172,4 +181,4 @@ def _tail(found: Assessment) -> dict[str, Any]:
         }
         for solution, share in found.spectrum
     ]
-    return {"spectrum": spectrum, "warnings": list(found.warnings)}
+    return {"spectrum": spectrum, **as_warnings(found.findings, found.notes)}

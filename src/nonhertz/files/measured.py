@@ -5,13 +5,13 @@ The file stays as the machine wrote it; the table says, key by key, how to proce
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, get_args
 
-from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.errors import InputError
 from nonhertz.files.traces import read_trace
+from nonhertz.findings import warn
 from nonhertz.inputs.checks import positive, text
 from nonhertz.inputs.fields import Count, Custom, Flag, OrFlag, Quantity, Word, described, unknown
 from nonhertz.inputs.files import special
@@ -160,8 +160,7 @@ class MeasuredProfile(ProfileKind):
             raise InputError("file", self.file, "be a file, not a device or a pipe", "save the measured points in one")
         values = {name: value for name, value in vars(self).items() if value is not None}
         measured = measured_from(trace_from(folder / self.file, values), values)
-        for sentence in measured.warnings:
-            warnings.warn(sentence, AccuracyWarning, stacklevel=2)
+        warn(measured.findings_for())
         return measured.profile(self.interpolation)
 
 

@@ -12,9 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import read_in
 from nonhertz.errors import InputError
 from nonhertz.files.results import plain
 from nonhertz.files.traces.text import decoded, value_in
+from nonhertz.findings import as_warnings
 from nonhertz.inputs.fields import nearest
 from nonhertz.inputs.files import content, legible
 from nonhertz.inputs.units import in_unit
@@ -96,6 +98,7 @@ def as_table(nodes: Nodes, found: NodalLoads) -> str:
     return csv_text((*nodes.head, *_RESULTS), rows)
 
 
+@read_in("si")
 def as_object(solution: Solution, found: NodalLoads, title: str) -> dict[str, Any]:
     """Return pressures and forces at nodes, and their sums, as plain numbers, text and lists."""
     numbers = {name: plain(getattr(found, name)) for name in ("x", "y", "pressure", "force", "area")}
@@ -107,7 +110,7 @@ def as_object(solution: Solution, found: NodalLoads, title: str) -> dict[str, An
         "outside": plain(found.outside),
         "interpolated_load": plain(found.interpolated_load),
         "max_pressure": plain(solution.max_pressure),
-        "warnings": list(solution.warnings),
+        **as_warnings(solution.findings),
         "units": {
             **dict.fromkeys(("load", "force_sum", "outside", "interpolated_load", "force"), "N"),
             **dict.fromkeys(("max_pressure", "pressure"), "MPa"),

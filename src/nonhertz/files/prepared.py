@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from nonhertz.amounts import um
+from nonhertz.amounts import read_in, um
 from nonhertz.files.measured import KIND
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.inputs.files import seen_from
@@ -39,6 +39,7 @@ UNITS: dict[str, Any] = {
 TABLE = "profile.csv"
 
 
+@read_in("si")
 def as_object(measured: Measured, fits: Sequence[Fit] = ()) -> dict[str, Any]:
     """Return a prepared profile as plain numbers, text, lists and dictionaries.
 
@@ -80,6 +81,7 @@ def as_table(measured: Measured) -> str:
     return csv_text(["y [mm]", "relief [mm]"], ([f"{y:.9g}", f"{relief:.9f}"] for y, relief in rows))
 
 
+@read_in("si")
 def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit] = ()) -> str:
     """Return the line of a case file that makes this profile, with alternatives that come close as comments.
 
@@ -112,6 +114,7 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
     return "\n".join(lines) + "\n"
 
 
+@read_in("si")
 def files(
     directory: Path, file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit]
 ) -> dict[str, str]:

@@ -19,6 +19,7 @@ from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case
 from nonhertz.files.held import meant_as
 from nonhertz.files.results import as_json
+from nonhertz.findings import said
 from nonhertz.inputs.files import content
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.strip.element import ELEMENTS
@@ -166,7 +167,7 @@ def _solution(found: dict[str, Any], case: Case) -> Solution:
         peaks_at_corner=bool(found["peaks_at_corner"]),
         iterations=int(found["iterations"]),
         error_estimate=ErrorEstimate(**{name: _number(value) for name, value in found["error_estimate"].items()}),
-        warnings=tuple(map(str, found["warnings"])),
+        findings=tuple(said(str(each)) for each in found["warnings"]),
     )
 
 

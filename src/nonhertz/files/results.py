@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonhertz.amounts import read_in
 from nonhertz.files.bounds import FORMAT
+from nonhertz.findings import Finding, as_warnings
 from nonhertz.model.body import BODIES
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import Solution
@@ -40,6 +42,7 @@ UNITS: dict[str, Any] = {
 }
 
 
+@read_in("si")
 def as_object(solution: Solution, case: Case) -> dict[str, Any]:
     """Return a solution as plain numbers, text, lists and dictionaries, with the case it belongs to.
 
@@ -66,7 +69,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
         "iterations": int(solution.iterations),
         "strips": solution.strips,
         "error_estimate": plain(vars(solution.error_estimate)),
-        "warnings": list(solution.warnings),
+        **as_warnings(solution.findings),
         "units": UNITS,
         **{name: plain(column) for name, column in solution.table().items()},
         "edges": plain(solution.edges),
@@ -78,7 +81,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
 def plain(value: Any) -> Any:
     """Return a number, or numbers nested in arrays, lists, tuples and mappings, in a form that JSON can represent.
 
-    Text and truth values stay as they are.
+    Text and truth values stay as they are, and findings become text.
 
     Examples
     --------
@@ -87,6 +90,8 @@ def plain(value: Any) -> Any:
     """
     if value is None or isinstance(value, str | bool):
         return value
+    if isinstance(value, Finding):
+        return str(value)
     if isinstance(value, Mapping):
         return {name: plain(entry) for name, entry in value.items()}
     if isinstance(value, np.ndarray):
@@ -123,6 +128,7 @@ def as_table(solution: Solution) -> str:
     return csv_text((f"{name} [{unit}]" for name, unit in ALONG.items()), zip(*columns, strict=True))
 
 
+@read_in("si")
 def files(solution: Solution, case: Case) -> dict[str, str]:
     """Return the texts of result.json and table.csv, by file name."""
     return {"result.json": as_json(solution, case) + "\n", "table.csv": as_table(solution)}

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from nonhertz.amounts import read_in
 from nonhertz.files.results import as_object, plain
 from nonhertz.inputs.files import legible
 from nonhertz.result.quantities import QUANTITIES
@@ -84,6 +85,7 @@ def folders(attempts: Sequence[Attempt]) -> list[str]:
     return found
 
 
+@read_in("si")
 def objects(attempts: Sequence[Attempt]) -> list[dict[str, Any]]:
     """Return an object for each case: its file, complaints, and the result or None."""
     return [
@@ -96,6 +98,7 @@ def objects(attempts: Sequence[Attempt]) -> list[dict[str, Any]]:
     ]
 
 
+@read_in("si")
 def rows(attempts: Sequence[Attempt]) -> Iterator[list[Any]]:
     """Yield the cells of a row of the table for each case; those without a number are None."""
     for each in attempts:

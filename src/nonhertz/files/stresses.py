@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import read_in
 from nonhertz.files.results import key_by_key, plain
+from nonhertz.findings import Finding, as_warnings
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
@@ -29,6 +31,7 @@ _COORDINATES = ("x", "y", "z")
 _STRESSES = ("sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy", "von_mises", "max_shear")
 
 
+@read_in("si")
 def as_object(
     solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str
 ) -> dict[str, Any]:
@@ -51,7 +54,7 @@ def as_object(
             **_largest(section),
         },
         "strength": _strength(strength),
-        "warnings": list(all_warnings(solution, overall, section)),
+        **as_warnings(all_findings(solution, overall, section)),
         "units": UNITS,
     }
 
@@ -85,10 +88,9 @@ def poisson(solution: Solution, body: BodyName) -> float:
     return float({"a": solution.contact.a, "b": solution.contact.b}[body].material.poisson)
 
 
-def all_warnings(solution: Solution, *found: Extremes) -> tuple[str, ...]:
-    """Return the warnings of a solution and of the stresses found in it, without repeats."""
-    sentences = [*solution.warnings, *(sentence for each in found for sentence in each.warnings)]
-    return tuple(dict.fromkeys(sentences))
+def all_findings(solution: Solution, *found: Extremes) -> tuple[Finding, ...]:
+    """Return what is found of a solution and of the stresses in it, without repeats."""
+    return tuple(dict.fromkeys([*solution.findings, *(one for each in found for one in each.findings)]))
 
 
 def _strength(found: Strength) -> dict[str, Any]:

@@ -11,7 +11,7 @@ Under a spectrum, with the share u_i of the revolutions under the load i, damage
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, Unpack
 
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding, said, sentences
 from nonhertz.inputs.checks import listed, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
@@ -62,7 +63,7 @@ class Life(ReadOnly):
     million_revolutions : float or None
         L_10 [10^6 revolutions of the ring, all rollers passing under this load], with 90 % reliability. None for the
         roller, without a number of rollers, where no standard gives a capacity, or towards a sharp end.
-    no_revolutions : str
+    unrated : Finding or None
         Why there is no absolute life; empty if there is one.
     raceway : Raceway or None
         The ring under the roller, if the contact is of a ring and a roller.
@@ -70,7 +71,7 @@ class Life(ReadOnly):
         Stations [mm].
     density : ndarray, shape (stations,)
         Damage per length at each station over the mean of the reference [-]; 1 under the ideal pressure.
-    warnings : tuple of str
+    findings : tuple of Finding
         What limits the validity of the result.
     """
 
@@ -79,11 +80,21 @@ class Life(ReadOnly):
     damage: float
     reference: float
     million_revolutions: float | None
-    no_revolutions: str
+    unrated: Finding | None
     raceway: Raceway | None
     y: Array
     density: Array
-    warnings: tuple[str, ...]
+    findings: tuple[Finding, ...]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What strains the model and limits the life, a sentence each."""
+        return sentences(self.findings)
+
+    @property
+    def no_revolutions(self) -> str:
+        """Why there is no life in revolutions; empty if there is one."""
+        return "" if self.unrated is None else str(self.unrated)
 
     @property
     def relative(self) -> float:
@@ -239,16 +250,16 @@ def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], sh
     y, density = _density([each.y for each in seen], [each.density(chosen) for each in seen], damages, shares, chosen)
     length = float(np.ptp(spectrum[0][0].contact.land))
     sharp = {end for each in seen for end in each.sharp}
-    absolute, why = None, why or _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ())
-    if not why and ring is not None and rollers is not None:
+    absolute, unrated = None, said(why) if why else _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ())
+    if unrated is None and ring is not None and rollers is not None:
         # For each load by itself: (Q_c / Q)^4 for the ideal pressure, times the relative life.
         of_loads = [
             (ring.capacity(rollers) / each.load) ** 4 * ratio(*pair, chosen.slope)
             for (each, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
         ]
         absolute = float(1.0 / sum(share / life for share, life in zip(shares, of_loads, strict=True)))
-    warnings = _warnings(spectrum, sharp)
-    return Life(chosen, body, damage, reference, absolute, why, ring, y, _over(density, reference / length), warnings)
+    found = _findings(spectrum, sharp)
+    return Life(chosen, body, damage, reference, absolute, unrated, ring, y, _over(density, reference / length), found)
 
 
 def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, bearing: _Bearing) -> Life:
@@ -264,35 +275,42 @@ def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, bearing:
     y = 0.5 * (edges[1:] + edges[:-1])
     _, density = _density([y] * len(cut), of_laminae, damages, shares, chosen)
     sharp = {end for each in cut for end in each.sharp}
-    absolute, why = None, why or _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ())
-    if not why and rollers is not None:
+    absolute, unrated = None, said(why) if why else _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ())
+    if unrated is None and rollers is not None:
         # Each roller passes once per revolution: the capacity falls as Z^(-1/4), and the life as 1 / Z.
         absolute = damage ** (-1.0 / chosen.slope) / rollers
-    warnings = _warnings(spectrum, sharp)
+    found = _findings(spectrum, sharp)
     return Life(
-        chosen, body, damage, reference, absolute, why, ring, y, _over(density, reference / chosen.laminae), warnings
+        chosen, body, damage, reference, absolute, unrated, ring, y, _over(density, reference / chosen.laminae), found
     )
 
 
-def _warnings(spectrum: Spectrum, sharp: set[float]) -> tuple[str, ...]:
-    """Return the warnings of the solutions without repeats, and what singular ends do to the damage."""
-    sentences = dict.fromkeys(sentence for each, _ in spectrum for sentence in each.warnings)
-    if not sharp:
-        return tuple(sentences)
+def _findings(spectrum: Spectrum, sharp: set[float]) -> tuple[Finding, ...]:
+    """Return what strains the solutions, without repeats, and what singular ends do to the damage."""
+    of_solutions = tuple(dict.fromkeys(found for each, _ in spectrum for found in each.findings))
+    return (*of_solutions, *_towards_ends(spectrum)) if sharp else of_solutions
+
+
+def _towards_ends(spectrum: Spectrum) -> Iterator[Finding]:
     found = [(each, each.singular_ends) for each, _ in spectrum]
     named = {end for _, ends in found for end in ends}
-    sentences[
-        f"The damage has no limit towards {ends_in_words(named)}: nearer to {'them' if len(named) > 1 else 'it'} than "
-        f"{LEFT_OUT:g} of the largest half-width nothing was counted, so that the life is an upper bound, even above 1."
-    ] = None
+    nearer = f"nearer to {'them' if len(named) > 1 else 'it'}"
+    yield finding(
+        "damage-at-ends",
+        f"The damage has no limit towards {{ends}}: {nearer} than {{left_out:g}} of the largest half-width nothing was "
+        "counted, so that the life is an upper bound, even above 1.",
+        ends=ends_in_words(named),
+        left_out=LEFT_OUT,
+    )
     if any(_is_coarse(each, end) for each, ends in found for end in ends):
         what = "a corner" if all(end.kind is EdgeKind.CORNER for end in named) else "a sharp end"
-        sentences[f"The strips or cells at {what} are longer than what was left out: use finer ones."] = None
+        words = f"The strips or cells at {what} are longer than what was left out: use finer ones."
+        yield finding("coarse-at-ends", words)
     if any(np.ptp(outermost(each)) < SHORT * each.max_half_width for each, _ in spectrum):
-        sentences[
-            f"The contact is shorter than {SHORT:g} half-widths between its ends: hardly anything is left to count."
-        ] = None
-    return tuple(sentences)
+        words = (
+            "The contact is shorter than {shortest:g} half-widths between its ends: hardly anything is left to count."
+        )
+        yield finding("short-contact", words, shortest=SHORT)
 
 
 def _is_coarse(solution: Solved, end: SingularEnd) -> bool:
@@ -306,18 +324,20 @@ def _over(density: Array, mean: float) -> Array:
         return density / mean
 
 
-def _why_unrated(chosen: Model, ring: Raceway | None, body: BodyName, rollers: int | None, sharp: Spectrum) -> str:
+def _why_unrated(
+    chosen: Model, ring: Raceway | None, body: BodyName, rollers: int | None, sharp: Spectrum
+) -> Finding | None:
     """Return why a model gives no life in revolutions for a body, under loads that may reach sharp ends."""
     if chosen.name not in RATED:
-        return f"{chosen.name} has no capacity of its own"
+        return said(f"{chosen.name} has no capacity of its own")
     if isinstance(chosen, VolumeModel) and chosen != lundberg_palmgren():
-        return "the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents"
+        return said("the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents")
     if ring is not None and ring.body != body:
-        return f"the capacity is that of the ring, body {ring.body}"
+        return said(f"the capacity is that of the ring, body {ring.body}")
     ends = {end for each, _ in sharp for end in each.singular_ends}
     if rollers is not None and ends:
-        return f"the damage has no limit towards {ends_in_words(ends)}"
-    return "" if rollers is not None else _NO_ROLLERS
+        return finding("damage-at-ends", "the damage has no limit towards {ends}", ends=ends_in_words(ends))
+    return None if rollers is not None else said(_NO_ROLLERS)
 
 
 def _together(damages: Array, shares: Array, slope: float) -> float:

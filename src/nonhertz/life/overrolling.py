@@ -27,6 +27,7 @@ from scipy.fft import irfft2, next_fast_len, rfft2
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.findings import Finding
 from nonhertz.inputs.checks import callback, flag, not_negative, positive, whole
 from nonhertz.life.assessment import ratio
 from nonhertz.life.catalogue import STRESSES, VolumeModel
@@ -78,7 +79,7 @@ class Overrolled(ReadOnly):
         Half the range of tau_xz, and the largest maximum shear and von Mises stress, over the passage [MPa].
     smooth_orthogonal_shear, smooth_shear, smooth_von_mises : ndarray, shape (nx, ny, depths)
         The same without the dent.
-    warnings : tuple of str
+    findings : tuple of Finding
         What strains the solution with the dent where the pressure is largest.
     """
 
@@ -97,7 +98,7 @@ class Overrolled(ReadOnly):
     smooth_orthogonal_shear: Array
     smooth_shear: Array
     smooth_von_mises: Array
-    warnings: tuple[str, ...]
+    findings: tuple[Finding, ...]
 
     def excess(self, model: VolumeModel, within: float = math.inf) -> float:
         """Return the damage that the dent adds, an integral over its surroundings [MPa^k mm^(3-h)].
@@ -268,7 +269,7 @@ def overrolled(
         y=around.y,
         z=half_width * levels()[0],
         **dict(zip(names, around.largest(differences, step, start), strict=True)),
-        warnings=max(passed.values(), key=lambda each: each.max_pressure).warnings if passed else (),
+        findings=max(passed.values(), key=lambda each: each.max_pressure).findings if passed else (),
     )
 
 

@@ -135,9 +135,10 @@ class ContactMap(ReadOnly):
     def __repr__(self) -> str:
         error = self.sampled_error
         pressed = (newton if self.given == "load" else um)(*self.pressed, between=" to ")
+        tilts = mrad(*self.tilt_range, between=" to ")
         said = [
             self.description,
-            f"{self.given} {pressed:.4g}, tilt {mrad(*self.tilt_range, between=' to '):.4g}, loads up to {newton(self.most_load)}",
+            f"{self.given} {pressed:.4g}, tilt {tilts:.4g}, loads up to {newton(self.most_load)}",
             f"built from {self.cases} cases{self._failures()}",
             f"largest of {error.points} sampled errors, times {SAFETY:g}, not a bound: "
             f"{_share(error.load)} of the load, {_share(error.moment)} of load times half-length, "

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import digits, mm
-from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.amounts import mm
+from nonhertz.errors import InputError
+from nonhertz.findings import finding, warn
 from nonhertz.inputs.checks import callback, finite, numbers, positive, thread_count, whole
 from nonhertz.maps.build import FIRST_CELLS, Building, Built, built
 from nonhertz.maps.fitting import Shape
@@ -113,10 +113,8 @@ def contact_map(
     found = built(building, shape, relief, accuracy, announce or (lambda _: None))
     reached = max(found.sampled_error.load, found.sampled_error.moment)
     if reached > accuracy:
-        sentence = (
-            f"The map is accurate to {digits(reached, 2)}, not to the requested {accuracy:g}; see its sampled_error."
-        )
-        warnings.warn(sentence, AccuracyWarning, stacklevel=2)
+        words = "The map is accurate to {reached:.2g}, not to the requested {accuracy:g}; see its sampled_error."
+        warn([finding("inaccurate-map", words, reached=reached, accuracy=accuracy)])
     return _made(building, found, ("load" if by_load else "approach", pressed), accuracy)
 
 

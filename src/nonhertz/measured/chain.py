@@ -10,6 +10,7 @@ import numpy as np
 
 from nonhertz.amounts import mm, um
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding, sentences
 from nonhertz.inputs.checks import flag, listed, one_of
 from nonhertz.measured.corners import CORNER_CUTOFF, resolved
 from nonhertz.measured.filters import nominal_form, shortest_cutoff, unresolved
@@ -43,7 +44,7 @@ from nonhertz.model.profile import Profile, Tabulated, tabulated
 from nonhertz.model.profile.table import Interpolation
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
     from nonhertz.measured.fit import Fit
 
@@ -195,11 +196,11 @@ class Measured:
     @property
     def warnings(self) -> tuple[str, ...]:
         """What to know before solving with the profile, judged for a typical bearing contact of steel."""
-        return self.warnings_for()
+        return sentences(self.findings_for())
 
-    def warnings_for(
+    def findings_for(
         self, half_width: float = HALF_WIDTH, pressure: float = PRESSURE, compliance: float = STEEL_COMPLIANCE
-    ) -> tuple[str, ...]:
+    ) -> tuple[Finding, ...]:
         """Return what to know before solving with the profile.
 
         Parameters
@@ -213,20 +214,21 @@ class Measured:
 
         Returns
         -------
-        tuple of str
-            One sentence each; empty if there are no warnings.
+        tuple of Finding
+            Empty if there is nothing to know.
         """
-        sentences = list(strain_on_strips(self.points.on_land, half_width, pressure, compliance, self._has("smooth")))
-        sentences += [*self._doubted(), *_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners()]
-        sentences += self._stepped()
+        found = list(strain_on_strips(self.points.on_land, half_width, pressure, compliance, self._has("smooth")))
+        found += [*self._doubted(), *_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners()]
+        found += self._stepped()
         for state in self.states:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
-                sentences.append(
-                    f"{count:.0f} points were removed as outliers, more than {100 * _MANY_OUTLIERS:.0f} % of all; "
-                    "check whether they are part of the surface."
+                words = (
+                    "{count:.0f} points were removed as outliers, more than {limit:.0f} % of all; check whether they "
+                    "are part of the surface."
                 )
-        return tuple(sentences)
+                found.append(finding("many-outliers", words, count=count, limit=100 * _MANY_OUTLIERS))
+        return tuple(found)
 
     def fit(self, kind: str, *, shift: bool = True, tilt: bool = False, **fixed: float) -> Fit:
         """Return the best-fitting profile of one kind from the catalogue; see `nonhertz.measured.fit.fit`."""
@@ -251,48 +253,55 @@ class Measured:
                 return state.points
         return self.points
 
-    def _stepped(self) -> list[str]:
-        """Return a sentence for each step of the surface found in the search for the land."""
+    def _stepped(self) -> list[Finding]:
+        """Return each step of the surface found in the search for the land."""
         slopes = {step.name: step.slope for step in self.steps if isinstance(step, Level | Align | Trim)}
         if not slopes:
             return []
         return [_in_words(step) for step in steps_in(self._before(*slopes), next(iter(slopes.values())))]
 
-    def _doubted(self) -> list[str]:
-        """Return a sentence if the line is as long, or as little curved, as one is whose units are wrong."""
+    def _doubted(self) -> Iterator[Finding]:
+        """Yield that the line is as long, or as little curved, as one is whose units are wrong."""
         points = self._before("smooth", "thin").on_land
         curve = nominal_form(points, 2)
         bow = curve - nominal_form(points, 1)
         radius = points.span**2 / (8.0 * max(float(np.ptp(bow)), 1e-300))
         if self.trace.span > LONGEST:
-            what = f"The line is {1e-3 * self.trace.span:.3g} m long"
+            words = "The line is {span:.3g} long: check the units of its positions and heights."
+            yield finding("doubtful-units", words, span=mm(self.trace.span))
         elif radius > _LARGEST_RADIUS and np.std(bow) > _PLAIN * np.std(points.height - curve):
-            what = f"The line has a radius of {1e-6 * radius:.3g} km"
-        else:
-            return []
-        return [f"{what}: check the units of its positions and heights."]
+            words = "The line has a radius of {radius:.3g}: check the units of its positions and heights."
+            yield finding("doubtful-units", words, radius=mm(radius))
 
-    def _coarse(self) -> list[str]:
-        """Return a sentence if the points that were smoothed do not resolve the cutoff everywhere."""
+    def _coarse(self) -> Iterator[Finding]:
+        """Yield that the points that were smoothed do not resolve the cutoff everywhere."""
         if not self._has("smooth"):
-            return []
+            return
         points, cutoff = self._before("smooth").on_land, self._cutoff
         length = unresolved(points, cutoff)
-        if length <= _COARSE * points.span:
-            return []
-        return [
-            f"On {mm(length):.3g} of {mm(points.span):.4g} points lie further apart than a fifth of the cutoff, "
-            f"{mm(cutoff):.3g}; there the filter transmits more or less than half of a wave of that length."
-        ]
+        if length > _COARSE * points.span:
+            yield finding(
+                "coarse-points",
+                "On {length:.3g} of {span:.4g} points lie further apart than a fifth of the cutoff, {cutoff:.3g}; "
+                "there the filter transmits more or less than half of a wave of that length.",
+                length=mm(length),
+                span=mm(points.span),
+                cutoff=mm(cutoff),
+            )
 
-    def _coarse_corners(self) -> list[str]:
-        """Return a sentence for each corner that has too few points to be smoothed."""
+    def _coarse_corners(self) -> list[Finding]:
+        """Return each corner that has too few points to be smoothed."""
         points, cutoff = self._before("smooth", "thin"), min(CORNER_CUTOFF, self._cutoff)
         corners = zip(("low", "high"), points.beyond_land, strict=True)
         return [
-            f"The corner at the {name} end has {np.sum(corner)} points only, more than a fifth of {mm(cutoff):.2g} "
-            "apart: too few to be smoothed, and the pressure there depends on where they lie; measure it in finer "
-            "steps, or cut it off and give corner_radius."
+            finding(
+                "coarse-corner",
+                f"The corner at the {name} end has {{points}} points only, more than a fifth of {{cutoff:.2g}} apart: "
+                "too few to be smoothed, and the pressure there depends on where they lie; measure it in finer steps, "
+                "or cut it off and give corner_radius.",
+                points=int(np.sum(corner)),
+                cutoff=mm(cutoff),
+            )
             for name, corner in corners
             if np.any(corner) and not resolved(points, corner, cutoff)
         ]
@@ -383,26 +392,25 @@ def prepare(
     return _thinned(measured, points, smooth is not False)
 
 
-def _in_words(step: SurfaceStep) -> str:
-    where = f"The surface steps by {um(abs(step.height)):.3g} at {mm(step.y):.5g} in the file"
-    if step.within:
-        return f"{where}; both sides were taken to be one body: check that they are."
-    return f"{where}; what lies beyond it was not taken to be the same body: if it is, omit align and trim to a length."
+def _in_words(step: SurfaceStep) -> Finding:
+    beyond = "what lies beyond it was not taken to be the same body: if it is, omit align and trim to a length."
+    what = "both sides were taken to be one body: check that they are." if step.within else beyond
+    words = f"The surface steps by {{height:.3g}} at {{y:.5g}} in the file; {what}"
+    return finding("surface-step", words, height=um(abs(step.height)), y=mm(step.y))
 
 
-def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[str]:
-    """Return a sentence for each gap, or a single one if there are many."""
+def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[Finding]:
+    """Return each gap, or that there are many."""
     if len(gaps) <= _MANY_GAPS:
-        return [
-            f"Nothing was measured between y = {mm(low, high, between=' and '):.5g}; the profile bridges it with a curve."
-            for low, high in gaps
-        ]
+        words = "Nothing was measured between y = {gap:.5g}; the profile bridges it with a curve."
+        return [finding("gap", words, gap=mm(*gap, between=" and ")) for gap in gaps]
     low, high = max(gaps, key=lambda gap: gap[1] - gap[0])
     length = sum(high - low for low, high in gaps)
-    return [
-        f"Nothing was measured in {len(gaps)} places, {mm(length):.3g} in all, the widest "
-        f"between y = {mm(low, high, between=' and '):.5g}; the profile bridges them with curves."
-    ]
+    words = (
+        "Nothing was measured in {gaps} places, {length:.3g} in all, the widest between y = {widest:.5g}; the profile "
+        "bridges them with curves."
+    )
+    return [finding("gap", words, gaps=len(gaps), length=mm(length), widest=mm(low, high, between=" and "))]
 
 
 def _length(trim: float | str | bool) -> float | None:

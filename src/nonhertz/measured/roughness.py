@@ -17,11 +17,13 @@ contact, solving with these waves gives a picture of the roughness and not of th
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from nonhertz.amounts import mm, mpa, mrad
+from nonhertz.findings import Finding, finding
 from nonhertz.measured.filters import gaussian, nominal_form, shortest_cutoff
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.materials import MATERIALS
@@ -124,8 +126,8 @@ def short_wave_slope(points: Points, wavelength: float) -> float:
 
 def strain_on_strips(
     points: Points, half_width: float, pressure: float, compliance: float, smoothed: bool
-) -> tuple[str, ...]:
-    """Return a sentence if a line has waves that strips cannot represent.
+) -> Iterator[Finding]:
+    """Yield that a line has waves that strips cannot represent.
 
     Parameters
     ----------
@@ -145,15 +147,19 @@ def strain_on_strips(
     slope = short_wave_slope(points, shortest)
     # Compliances here are (1 - nu^2) / (pi E), so that 1 / (pi compliance) is E*.
     ripple = 0.5 * slope / (math.pi * compliance)
-    if ripple <= _RIPPLE * pressure:
-        return ()
-    remedy = "smooth with a longer cutoff" if smoothed else "smooth it first"
-    return (
-        f"Waves shorter than {mm(shortest):.2g}, 2 pi half-widths of {mm(half_width):.3g}, are left in the profile with "
-        f"a root mean square slope of {mrad(slope):.3g}: pressing them flat takes {mpa(ripple):.3g} compared with "
-        f"{mpa(pressure):.4g} in the contact, and strips cannot resolve changes within the width of the contact; "
-        f"{remedy}.",
-    )
+    if ripple > _RIPPLE * pressure:
+        remedy = "smooth with a longer cutoff" if smoothed else "smooth it first"
+        yield finding(
+            "waves-left",
+            "Waves shorter than {shortest:.2g}, 2 pi half-widths of {half_width:.3g}, are left in the profile with a "
+            "root mean square slope of {slope:.3g}: pressing them flat takes {ripple:.3g} compared with {pressure:.4g} "
+            f"in the contact, and strips cannot resolve changes within the width of the contact; {remedy}.",
+            shortest=mm(shortest),
+            half_width=mm(half_width),
+            slope=mrad(slope),
+            ripple=mpa(ripple),
+            pressure=mpa(pressure),
+        )
 
 
 def _bands(y: Array, rough: Array, cutoff: float) -> tuple[tuple[float, float, float], ...]:

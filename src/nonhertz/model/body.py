@@ -255,8 +255,8 @@ class Body(Input):
                 remedy = "give the distance between the faces in mm"
                 raise InputError("length", None, f"be given where {name} is", remedy)
             if self.profile.joints is not None:
-                low, high = self.profile.joints
-                condition = f"not be given with a profile that holds the corners, beyond y = {mm(low, high, between=' and '):.5g}"
+                ends = mm(*self.profile.joints, between=" and ")
+                condition = f"not be given with a profile that holds the corners, beyond y = {ends:.5g}"
                 raise InputError(name, getattr(self, name), condition, "leave it out, or give the trace corner = 'cut'")
         _ = self.surface
 

@@ -185,7 +185,8 @@ class Cornered(Formula):
             raise InputError("length", 2.0 * self.half_length, condition, f"reduce {name}, or lengthen the body")
         steepest = float(np.max(np.abs(self._tangents), initial=0.0, where=np.isfinite(self._tangents)))
         if not np.all(np.isfinite(self._tangents)) or steepest > _STEEPEST:
-            condition = f"reach both ends of the land, y = {mm(-self.land_end, self.land_end, between=' and '):g}, with a gentle slope"
+            ends = mm(-self.land_end, self.land_end, between=" and ")
+            condition = f"reach both ends of the land, y = {ends:g}, with a gentle slope"
             raise InputError("profile", self.land, condition, "change the profile, or leave out the corner")
 
     @property

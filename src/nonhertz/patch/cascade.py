@@ -101,7 +101,10 @@ class PatchProblem:
         given = float(f"{second / self.compliance:.12g}")  # without the rounding of K
         outermost = "the centres of the outermost cells that can bear a pressure"
         if self.by_force[0] and not low <= second / first <= high:
-            condition = f"keep moment / load = {mm(second / first):.6g} between {mm(low, high, between=' and '):.6g}, {outermost}"
+            condition = (
+                f"keep moment / load = {mm(second / first):.6g} between {mm(low, high, between=' and '):.6g}, "
+                f"{outermost}"
+            )
             raise InputError("moment", given, condition, "reduce it, or give more cells along or a larger region")
         if not self.by_force[0] and ((second > 0.0 >= high) or (second < 0.0 <= low)):
             condition = (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.bodies.influence import Influence
 from nonhertz.bodies.solid import HERTZ
+from nonhertz.findings import Finding, finding
 from nonhertz.patch import region as regions
 from nonhertz.patch.between import Unseen
 from nonhertz.patch.cascade import GridLevel, Outcome, PatchProblem
@@ -102,15 +103,15 @@ def _change(values: list[float], margin: float = MARGIN, whole: float | None = N
     return margin * float(np.max(changes)) / whole if whole != 0.0 else 0.0
 
 
-def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[str, ...]:
-    """Return a sentence for every way in which the result leaves the model's validity."""
+def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[Finding, ...]:
+    """Return every way in which the result leaves the model's validity."""
     touching, contact = solution.footprint.any(axis=0), solution.contact
     found = [*image_weights(influence.ends)]
     if touching.any():
         y, half_width = solution.y[touching], 0.5 * solution.dx * widest_run(solution.footprint)[touching]
         mean = solution.load / (float(solution.footprint.sum()) * solution.dx * solution.dy)
         found += [curved(contact, y, half_width), small_strains(contact, mean), *thick(contact, HERTZ, y, half_width)]
-    return (*_cut_off(solution, grid), *(sentence for check in found for sentence in check.sentences))
+    return (*_cut_off(solution, grid), *(each for check in found for each in check.findings))
 
 
 def widest_run(footprint: Mask) -> Array:
@@ -123,61 +124,77 @@ def widest_run(footprint: Mask) -> Array:
     return widest
 
 
-def overlaps(overlap: Overlap | None) -> tuple[str, ...]:
-    """Return a sentence where the bodies overlap beyond the region."""
-    if overlap is None:
-        return ()
-    return (
-        f"Beyond the region the bodies overlap, by {mm(overlap.depth):.3g} at x = {mm(overlap.x):.4g}, y = {mm(overlap.y):.4g}: "
-        "they touch there too, which is left out; give a larger region, and enough cells for it.",
-    )
+def overlaps(overlap: Overlap | None) -> Iterator[Finding]:
+    """Yield where the bodies overlap beyond the region."""
+    if overlap is not None:
+        yield finding(
+            "overlap-beyond-the-region",
+            "Beyond the region the bodies overlap, by {overlap:.3g} at x = {x:.4g}, y = {y:.4g}: they touch there too, "
+            "which is left out; give a larger region, and enough cells for it.",
+            overlap=mm(overlap.depth),
+            x=mm(overlap.x),
+            y=mm(overlap.y),
+        )
 
 
-def between_cells(unseen: Unseen, largest: float) -> tuple[str, ...]:
-    """Return a sentence where the bodies overlap between cell centres."""
-    if unseen.overlap <= UNSEEN * largest:
-        return ()
-    return (
-        f"Between the centres of cells the bodies overlap, by {mm(unseen.overlap):.3g} at x = {mm(unseen.x):.4g}, y = "
-        f"{mm(unseen.y):.4g}: the gap has a peak or a small contact there that these cells miss; give more cells.",
-    )
+def between_cells(unseen: Unseen, largest: float) -> Iterator[Finding]:
+    """Yield where the bodies overlap between cell centres."""
+    if unseen.overlap > UNSEEN * largest:
+        yield finding(
+            "overlap-between-cells",
+            "Between the centres of cells the bodies overlap, by {overlap:.3g} at x = {x:.4g}, y = {y:.4g}: the gap "
+            "has a peak or a small contact there that these cells miss; give more cells.",
+            overlap=mm(unseen.overlap),
+            x=mm(unseen.x),
+            y=mm(unseen.y),
+        )
 
 
-def uncertain(solution: PatchSolution, largest: float) -> tuple[str, ...]:
-    """Return a sentence where the estimated error is large or cannot be estimated.
+def uncertain(solution: PatchSolution, largest: float) -> Iterator[Finding]:
+    """Yield each estimated error that is large, or that it cannot be estimated.
 
     ``largest`` is the largest displacement [mm], against which an error of the approach is measured.
     """
     error = solution.error_estimate
     if math.isinf(error.approach):
-        return (
-            f"The grid of {solution.cells[0]} x {solution.cells[1]} cells is too coarse to estimate the error of its "
-            "solution: the numbers may be far off; give at least 8 cells in each direction.",
+        yield finding(
+            "unknown-error",
+            "The grid of {across} x {along} cells is too coarse to estimate the error of its solution: the numbers may "
+            "be far off; give at least 8 cells in each direction.",
+            across=solution.cells[0],
+            along=solution.cells[1],
         )
+        return
     approached = "penetration" if is_noticeable(solution.approach, solution.penetration) else "approach"
     stated = (
         (approached, error.approach, error.approach * solution.penetration, ROUGH * largest),
         ("load", error.load, error.load, ROUGH),
         ("largest pressure", error.max_pressure, error.max_pressure, ROUGH_PRESSURE),
     )
-    return tuple(
-        f"The estimated error of the {name} is {share:.2g} of its value; give more cells."
-        for name, share, size, most in stated
-        if most < size < math.inf
-    )
+    for name, share, size, most in stated:
+        if most < size < math.inf:
+            yield finding(
+                "uncertain",
+                "The estimated error of the {quantity} is {error:.2g} of its value; give more cells.",
+                quantity=name,
+                error=share,
+            )
 
 
-def unresolved(features: Iterable[object], dx: float, dy: float) -> tuple[str, ...]:
-    """Return a sentence for every feature that spans only a few cells."""
-    sentences = []
+def unresolved(features: Iterable[object], dx: float, dy: float) -> Iterator[Finding]:
+    """Yield every feature that spans only a few cells."""
     for feature in features:
         for name, size, sides in _sizes(feature, dx, dy):
             if size < FEWEST_CELLS * sides:
-                sentences.append(
-                    f"The {name} of {mm(size):.3g} is only {size / sides:.1f} cells long, fewer than {FEWEST_CELLS:g}: "
-                    "the pressure there is not resolved; give more cells, or a smaller region."
+                yield finding(
+                    "unresolved-feature",
+                    "The {feature} of {size:.3g} is only {cells:.1f} cells long, fewer than {fewest:g}: the pressure "
+                    "there is not resolved; give more cells, or a smaller region.",
+                    feature=name,
+                    size=mm(size),
+                    cells=size / sides,
+                    fewest=FEWEST_CELLS,
                 )
-    return tuple(sentences)
 
 
 def _sizes(feature: object, dx: float, dy: float) -> list[tuple[str, float, float]]:
@@ -195,8 +212,8 @@ def _sizes(feature: object, dx: float, dy: float) -> list[tuple[str, float, floa
     return []
 
 
-def _cut_off(solution: PatchSolution, grid: Grid) -> list[str]:
-    """Return a sentence for each border of the region that cuts the contact where the bodies continue."""
+def _cut_off(solution: PatchSolution, grid: Grid) -> list[Finding]:
+    """Return each border of the region that cuts the contact where the bodies continue."""
     across = regions.borders(grid.x_span, np.any(solution.footprint, axis=1))
     along = regions.borders(grid.y_span, np.any(solution.footprint, axis=0), solution.contact.interval)
     places = [
@@ -204,8 +221,13 @@ def _cut_off(solution: PatchSolution, grid: Grid) -> list[str]:
         *zip("yy", grid.y_span, along, strict=True),
     ]
     return [
-        f"The region ends at {axis} = {mm(end):.6g} while the contact goes on: the pressure there is that of bodies cut "
-        "off; give a larger region, or leave it out."
+        finding(
+            "cut-off",
+            "The region ends at {axis} = {end:.6g} while the contact goes on: the pressure there is that of bodies cut "
+            "off; give a larger region, or leave it out.",
+            axis=axis,
+            end=mm(end),
+        )
         for axis, end, cut in places
         if cut
     ]
@@ -218,24 +240,30 @@ def _too_long(solution: PatchSolution, end: SingularEnd) -> bool:
     return bool(solution.dy > LONGEST_AT_END * solution.half_width[nearest])
 
 
-def singularities(solution: PatchSolution) -> tuple[str, ...]:
-    """Return a sentence for every singular end, and for the edges of bodies in the gap."""
-    reached = {EdgeKind.SINGULAR: "reaches the sharp end", EdgeKind.CORNER: "ends at a corner of the profile"}
+def singularities(solution: PatchSolution) -> tuple[Finding, ...]:
+    """Return every singular end, and the edges of bodies in the gap."""
+    reached = {
+        EdgeKind.SINGULAR: ("sharp-end", "reaches the sharp end"),
+        EdgeKind.CORNER: ("corner-end", "ends at a corner of the profile"),
+    }
+    taken = "taken more than a half-width from it."
+    beside = "that of the row next to it, since cells are about as long as the half-width; give more cells along."
     ends = tuple(
-        f"The contact {reached[end.kind]} at y = {mm(end.y):.6g}, where the pressure is singular: the value there is "
-        f"that of a cell {mm(solution.dy):.3g} long, not a limit, and the maximum pressure is "
-        + (
-            "that of the row next to it, since cells are about as long as the half-width; give more cells along."
-            if _too_long(solution, end)
-            else "taken more than a half-width from it."
+        finding(
+            reached[end.kind][0],
+            f"The contact {reached[end.kind][1]} at y = {{y:.6g}}, where the pressure is singular: the value there is "
+            "that of a cell {length:.3g} long, not a limit, and the maximum pressure is "
+            f"{beside if _too_long(solution, end) else taken}",
+            y=mm(end.y),
+            length=mm(solution.dy),
         )
         for end in solution.singular_ends
     )
     return (*ends, *_edges_of_bodies(solution))
 
 
-def _edges_of_bodies(solution: PatchSolution) -> list[str]:
-    """Return a sentence if the contact reaches cells without a body, naming the largest pressure beside them."""
+def _edges_of_bodies(solution: PatchSolution) -> list[Finding]:
+    """Return that the contact reaches cells without a body, naming the largest pressure beside them."""
     without = np.pad(np.isposinf(solution.gap), 1)
     beside = without[2:, 1:-1] | without[:-2, 1:-1] | without[1:-1, 2:] | without[1:-1, :-2]
     pressure = np.where(beside, solution.pressure, 0.0)
@@ -243,7 +271,12 @@ def _edges_of_bodies(solution: PatchSolution) -> list[str]:
         return []
     i, j = np.unravel_index(int(pressure.argmax()), pressure.shape)
     return [
-        f"The contact reaches the edge of a body at x = {mm(solution.x[i]):.6g}, y = {mm(solution.y[j]):.6g}, beyond "
-        "which the gap is infinite and where the pressure is singular: the values there are those of cells "
-        f"{mm(solution.dx, solution.dy, between=' x '):.3g} in size, not a limit."
+        finding(
+            "edge-of-a-body",
+            "The contact reaches the edge of a body at x = {x:.6g}, y = {y:.6g}, beyond which the gap is infinite and "
+            "where the pressure is singular: the values there are those of cells {cells:.3g} in size, not a limit.",
+            x=mm(solution.x[i]),
+            y=mm(solution.y[j]),
+            cells=mm(solution.dx, solution.dy, between=" x "),
+        )
     ]

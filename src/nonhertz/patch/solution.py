@@ -13,6 +13,7 @@ from nonhertz.amounts import mm
 from nonhertz.bodies.ends import FINITE_FROM, ends
 from nonhertz.bodies.solid import HERTZ, Shape
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, sentences
 from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.footprint import half_widths
@@ -62,7 +63,7 @@ class PatchSolution(ContactResult):
         Largest gap in contact or overlap elsewhere, over the largest elastic displacement [-].
     error_estimate : ErrorEstimate
         Relative errors of discretisation, from the coarser grids.
-    warnings : tuple of str
+    findings : tuple of Finding
         What strains the model in this case; empty when nothing does.
     rolls_on : bool
         Whether a feature changes across the contact, as a dent does: once rolled on, it is at another x.
@@ -84,11 +85,16 @@ class PatchSolution(ContactResult):
     iterations: int
     residual: float
     error_estimate: ErrorEstimate
-    warnings: tuple[str, ...]
+    findings: tuple[Finding, ...]
     rolls_on: bool = False
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What strains the model, a sentence each, of the `findings`."""
+        return sentences(self.findings)
+
     def _said(self) -> list[str]:
-        singular = [ends_in_words([end]).removeprefix("the ") for end in self.singular_ends]
+        singular = [str(ends_in_words([end])).removeprefix("the ") for end in self.singular_ends]
         return brief.lines(self, f"{self.cells[0]} x {self.cells[1]} cells", singular or ["no singular end"])
 
     @property

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Iterable
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import AbstractContextManager, nullcontext
@@ -14,7 +13,8 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import influence_of
 from nonhertz.bodies.solid import HERTZ
-from nonhertz.errors import AccuracyWarning, ConvergenceError, InputError
+from nonhertz.errors import ConvergenceError, InputError
+from nonhertz.findings import warn
 from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -113,7 +113,7 @@ def solve(
     Warns
     -----
     AccuracyWarning
-        If the result strains the model's validity; the sentences are in ``solution.warnings`` too.
+        If the result strains the model's validity; the sentences are in ``solution.findings`` too.
 
     Notes
     -----
@@ -168,17 +168,16 @@ def solve(
     unseen, largest = between(solution, surface), outcome.largest_displacement(problem.undeformed(outcome.grid))
     estimate = error_estimate(solution, problem, outcome, levels, unseen, largest)
     solution = replace(solution, error_estimate=estimate)
-    sentences = (
+    found = (
         *strains(solution, problem.influence, outcome.grid),
         *overlaps(overlap),
         *between_cells(unseen, largest),
         *uncertain(solution, largest),
         *unresolved(surface.features, solution.dx, solution.dy),
     )
-    for sentence in sentences:
-        warnings.warn(sentence, AccuracyWarning, stacklevel=2)
+    warn(found)
     rolls_on = surface.changes_across(solution.x[:, None], solution.y[None, :])
-    return replace(solution, warnings=(*sentences, *singularities(solution)), rolls_on=rolls_on)
+    return replace(solution, findings=(*found, *singularities(solution)), rolls_on=rolls_on)
 
 
 def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
@@ -244,7 +243,7 @@ def _solution(problem: PatchProblem, contact: Contact, outcome: Outcome) -> Patc
         iterations=outcome.convolutions,
         residual=state.residual,
         error_estimate=ErrorEstimate(*[math.inf] * 5),
-        warnings=(),
+        findings=(),
     )
 
 

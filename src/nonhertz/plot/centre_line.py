@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonhertz.amounts import mm, mpa
+from nonhertz.amounts import EndStrength, mpa
 from nonhertz.plot.axial import (
     AXIAL_LABEL,
     Alignment,
@@ -140,9 +140,8 @@ def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
         power = number(edge.exponent, 3)
         words = f"singular: $p$ ∼ $K$ / $s^{{{power}}}$"
         if edge.strength is not None:
-            (stress, of_stress), (length, of_length) = mpa().scale, mm().scale
-            strength = edge.strength * stress * length**edge.exponent
-            words += f"\n$K$ = {number(strength)} {of_stress} {of_length}$^{{{power}}}$"
+            strength, pressure, length = EndStrength(edge.strength, edge.exponent).apart
+            words += f"\n$K$ = {number(strength)} {pressure} {length}$^{{{power}}}$"
     # The text keeps clear of the curve, which climbs to the arrow: start where the curve reaches the text's height.
     below = solution.y[solution.centre_pressure < SINGULAR_SHARE * ax.get_ylim()[1]]
     foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y

@@ -13,7 +13,8 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.held import named
 from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import Life
-from nonhertz.files.stresses import all_warnings
+from nonhertz.files.stresses import all_findings
+from nonhertz.findings import sentences
 from nonhertz.inputs.files import legible
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
@@ -67,7 +68,7 @@ class CaseResults:
     def warnings(self) -> tuple[str, ...]:
         """All warnings, without repeats."""
         of_lives = self.lives.warnings if self.lives else ()
-        of_stress = all_warnings(self.solution, *(self.stress or ()))
+        of_stress = sentences(all_findings(self.solution, *(self.stress or ())))
         return tuple(dict.fromkeys((*self.case.notes, *of_stress, *of_lives)))
 
 

@@ -15,6 +15,7 @@ from nonhertz.amounts import mm, mpa, um
 from nonhertz.bodies.ends import End
 from nonhertz.bodies.solid import Shape
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding
 from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
@@ -47,7 +48,7 @@ class ValidityCheck:
         When that is justified.
     value, limit : float
         The value in this case, and the limit that it must not pass.
-    sentences : tuple of str
+    findings : tuple of Finding
         The warnings if the condition does not hold; empty if it does.
     remark : str
         The consequence, in short; empty if the condition holds.
@@ -57,13 +58,13 @@ class ValidityCheck:
     criterion: str
     value: float
     limit: float
-    sentences: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
     remark: str = ""
 
     @property
     def holds(self) -> bool:
         """Whether the model is valid in this respect."""
-        return not self.sentences
+        return not self.findings
 
 
 def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[ValidityCheck, ...]:
@@ -88,11 +89,13 @@ def _long(solution: Solution) -> ValidityCheck:
     what, criterion = "Strips across a contact that is long", f"width / length up to {WIDER_THAN_LONG:g}"
     if ratio <= WIDER_THAN_LONG:
         return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG)
-    sentence = (
-        f"The contact is wider than long: width / length = {ratio:.2f}, but strips assume a contact longer than it is "
-        "wide; expect errors where the contact ends."
+    found = finding(
+        "wider-than-long",
+        "The contact is wider than long: width / length = {ratio:.2f}, but strips assume a contact longer than it is "
+        "wide; expect errors where the contact ends.",
+        ratio=ratio,
     )
-    return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG, (sentence,), "Expect errors where the contact ends.")
+    return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG, (found,), "Expect errors where the contact ends.")
 
 
 def curved(contact: Contact, y: Array, half_width: Array) -> ValidityCheck:
@@ -100,11 +103,14 @@ def curved(contact: Contact, y: Array, half_width: Array) -> ValidityCheck:
     ratio = float(np.max(half_width * sharper_curvature(contact, y)))
     what = "Half-spaces, parabolic separation across"
     criterion = f"half-width up to {MOST_OF_RADIUS:g} of the smaller radius of curvature"
-    sentence = (
-        f"The half-width is {ratio:.2f} of the smaller radius of curvature, over {MOST_OF_RADIUS}: neither "
-        "half-spaces nor a parabolic separation describe such a contact."
+    found = finding(
+        "wide-for-its-radius",
+        "The half-width is {ratio:.2f} of the smaller radius of curvature, over {limit:g}: neither half-spaces nor a "
+        "parabolic separation describe such a contact.",
+        ratio=ratio,
+        limit=MOST_OF_RADIUS,
     )
-    return ValidityCheck(what, criterion, ratio, MOST_OF_RADIUS, (sentence,) if ratio > MOST_OF_RADIUS else ())
+    return ValidityCheck(what, criterion, ratio, MOST_OF_RADIUS, (found,) if ratio > MOST_OF_RADIUS else ())
 
 
 def unevenness(contact: Contact, y: Array, half_width: Array, load: Array, rigid: Array) -> Array:
@@ -145,36 +151,48 @@ def _even(solution: Solution) -> ValidityCheck:
     if ratio <= MOST_UNEVEN:
         return ValidityCheck(what, criterion, ratio, MOST_UNEVEN)
     share, cost = 100.0 * ratio, 100.0 * MODEL_ERROR * ratio**2
-    sentence = (
-        f"Within a half-width the bodies depart by {um(departure):.2g} from parabolas, {share:.2g} % of the "
-        f"interference and over {100.0 * MOST_UNEVEN:g} %: such short waves change the pressure across, which strips "
-        f"take as given, and the approach by up to {cost:.2g} %; compare with the plane grid."
+    found = finding(
+        "short-waves",
+        "Within a half-width the bodies depart by {departure:.2g} from parabolas, {share:.2g} % of the interference "
+        "and over {limit:g} %: such short waves change the pressure across, which strips take as given, and the "
+        "approach by up to {cost:.2g} %; compare with the plane grid.",
+        departure=um(departure),
+        share=share,
+        limit=100.0 * MOST_UNEVEN,
+        cost=cost,
     )
-    return ValidityCheck(what, criterion, ratio, MOST_UNEVEN, (sentence,), "Compare with the plane grid.")
+    return ValidityCheck(what, criterion, ratio, MOST_UNEVEN, (found,), "Compare with the plane grid.")
 
 
 def small_strains(contact: Contact, mean: float) -> ValidityCheck:
     """Return the check that strains under a ``mean`` pressure [MPa] are small."""
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     what, criterion = "Small strains", f"mean pressure up to {MOST_OF_MODULUS:g} of the softer body's modulus"
-    sentence = (
-        f"The mean pressure is {mpa(mean):.3g}, {mean / softer:.2g} of the softer body's modulus and over "
-        f"{MOST_OF_MODULUS:g}: no material stays elastic under that, and strains are not small; check load and units."
+    found = finding(
+        "large-strains",
+        "The mean pressure is {pressure:.3g}, {ratio:.2g} of the softer body's modulus and over {limit:g}: no material "
+        "stays elastic under that, and strains are not small; check load and units.",
+        pressure=mpa(mean),
+        ratio=mean / softer,
+        limit=MOST_OF_MODULUS,
     )
-    return ValidityCheck(
-        what, criterion, mean / softer, MOST_OF_MODULUS, (sentence,) if mean > MOST_OF_MODULUS * softer else ()
-    )
+    is_hard = mean > MOST_OF_MODULUS * softer
+    return ValidityCheck(what, criterion, mean / softer, MOST_OF_MODULUS, (found,) if is_hard else ())
 
 
 def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterator[ValidityCheck]:
     """Yield a check for each body with a finite depth that it is thick compared with half-widths [mm] at ``y``."""
     for name, _, ratio in depths(contact, shape, y, half_width):
-        sentence = (
-            f"The depth of body {name} is only {ratio:.2f} half-widths, less than {LEAST_DEPTH:g}: the body is so thin "
-            "that neither half-spaces nor line loads describe it."
+        found = finding(
+            "thin-body",
+            "The depth of body {body} is only {ratio:.2f} half-widths, less than {limit:g}: the body is so thin that "
+            "neither half-spaces nor line loads describe it.",
+            body=name,
+            ratio=ratio,
+            limit=LEAST_DEPTH,
         )
         what, criterion = f"Body {name} is thick", f"depth of at least {LEAST_DEPTH:g} half-widths"
-        yield ValidityCheck(what, criterion, ratio, LEAST_DEPTH, (sentence,) if ratio < LEAST_DEPTH else ())
+        yield ValidityCheck(what, criterion, ratio, LEAST_DEPTH, (found,) if ratio < LEAST_DEPTH else ())
 
 
 def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[tuple[BodyName, Body, float]]:
@@ -218,15 +236,20 @@ def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:
     if not freed:
         return
     heavy = [end for end in freed if end.requested > HEAVIEST]
-    sentences = tuple(
-        f"The images about the side face at y = {mm(end.y):.6g} would weigh {end.requested:.3g} of the surface, "
-        "including a face of the other body at the same place; above 1 refinement does not converge, so their weights "
-        "were lowered to a total of 1. Only this makes the pressure up to that end finite."
+    found = tuple(
+        finding(
+            "images-too-heavy",
+            "The images about the side face at y = {y:.6g} would weigh {weight:.3g} of the surface, including a face "
+            "of the other body at the same place; above 1 refinement does not converge, so their weights were lowered "
+            "to a total of 1. Only this makes the pressure up to that end finite.",
+            y=mm(end.y),
+            weight=end.requested,
+        )
         for end in heavy
     )
     places = mm(*(end.y for end in heavy), between=" and ")
     remark = f"Those about y = {places:.5g} were lowered to a total of 1; only this makes the pressure there finite."
     yield ValidityCheck(
         "Images about side faces", "weight of at most 1 of the surface", max(end.requested for end in freed), HEAVIEST,
-        sentences, remark if heavy else "",
+        found, remark if heavy else "",
     )  # fmt: skip

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.bodies.ends import FINITE_FROM, edge_powers
+from nonhertz.findings import Finding, finding, said
 from nonhertz.model.contact import Contact
 from nonhertz.result.end_fit import FIT_REACH, fitted_strength
 from nonhertz.result.ends import corner_ends
@@ -154,11 +155,11 @@ def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int)
     if not reaches(state.edges, state.m, side) or not pressed(problem, state.edges, state.rigid, side):
         touched = contact_of(state)
         y = touched[at][(side + 1) // 2] if touched else place
-        words = "the contact ends before both bodies do"
+        words = said("the contact ends before both bodies do")
         return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, 0.0, words)
     pressure = centre_pressure(contact, problem, state)[::-side]
     if place not in contact.interval:
-        words = "the strips end before the contact does"
+        words = said("the strips end before the contact does")
         return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, 0.0, words)
     convention = _convention(contact, problem, place, side, AT_ONE_PLACE * width)
     kappa, free = _freed(problem, place, side, AT_ONE_PLACE * width)
@@ -187,20 +188,21 @@ def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int)
     )
 
 
-def _convention(contact: Contact, problem: Problem, place: float, side: int, reach: float) -> str:
+def _convention(contact: Contact, problem: Problem, place: float, side: int, reach: float) -> Finding:
     """Describe for each body whether it ends at ``place``, and how its side face is treated there."""
-    index, words = (side + 1) // 2, []
+    index, words, short = (side + 1) // 2, [], {}
     for which, (name, body) in enumerate((("a", contact.a), ("b", contact.b))):
         face = body.faces[index]
         weight = max((end.weights[which] for end in problem.influence.ends if end.side == side), default=0.0)
         if abs(body.interval[index] - place) > reach:
             words.append(f"{name} goes on")
         elif math.isfinite(face) and abs(face - place) > reach:
-            words.append(f"{name} can touch only up to here, {mm(abs(face - place)):.3g} short of its side face")
+            words.append(f"{name} can touch only up to here, {{{name}:.3g}} short of its side face")
+            short[name] = mm(abs(face - place))
         elif body.free_faces[index]:
             words.append(f"{name} ends with its side face free")
         elif weight > 0.0:
             words.append(f"{name} ends with its side face freed by images of weight {weight:.3g}")
         else:
             words.append(f"{name} ends as a half-space")
-    return ", ".join(words)
+    return finding("how-an-end-is-treated", ", ".join(words), **short)

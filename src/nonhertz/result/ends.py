@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
+from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
 from nonhertz.result.maximum import distance_beyond, singular_y
 from nonhertz.result.protocol import Solved
@@ -124,15 +125,15 @@ def _turn(contact: Contact, place: float, step: float) -> float:
     return float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0
 
 
-def ends_in_words(ends: Iterable[SingularEnd]) -> str:
+def ends_in_words(ends: Iterable[SingularEnd]) -> Finding:
     """Return in words where pressure and stress have no limit.
 
     Examples
     --------
-    >>> ends_in_words([SingularEnd(-10.0, EdgeKind.SINGULAR), SingularEnd(9.0, EdgeKind.CORNER)])
+    >>> str(ends_in_words([SingularEnd(-10.0, EdgeKind.SINGULAR), SingularEnd(9.0, EdgeKind.CORNER)]))
     'the sharp end at y = -10 mm and the corner of the profile at y = 9 mm'
     """
-    parts = []
+    parts, numbers = [], {}
     for one, many, kind in (
         ("sharp end", "sharp ends", EdgeKind.SINGULAR),
         ("corner of the profile", "corners of the profile", EdgeKind.CORNER),
@@ -140,8 +141,9 @@ def ends_in_words(ends: Iterable[SingularEnd]) -> str:
         places = sorted({end.y for end in ends if end.kind is kind})
         if places:
             name = one if len(places) == 1 else many
-            parts.append(f"the {name} at y = {mm(*places, between=' and '):.5g}")
-    return " and ".join(parts)
+            parts.append(f"the {name} at y = {{{kind.name}:.5g}}")
+            numbers[kind.name] = mm(*places, between=" and ")
+    return finding("ends", " and ".join(parts), **numbers)
 
 
 def step_at(solution: Solved, end: SingularEnd) -> float:

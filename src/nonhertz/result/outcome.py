@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError
+from nonhertz.findings import said
 from nonhertz.model.contact import Contact
 from nonhertz.result.end_pressure import centre_pressure, corners, edge_pressures
 from nonhertz.result.ends import singular_ends
@@ -53,7 +54,7 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     if unmet is not None:
         raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))
     found = *strains(solution, problem, levels.finest), *singularities(solution)
-    return replace(solution, warnings=found)
+    return replace(solution, findings=found)
 
 
 def _shortfall(solution: Solution, problem: Problem) -> str | None:
@@ -97,7 +98,7 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
         peaks_at_corner=within,
         iterations=int(state.steps),
         error_estimate=error_estimate(problem, levels, edges, places, highest, at_corner=within),
-        warnings=(),
+        findings=(),
     )
 
 
@@ -122,7 +123,7 @@ def _with_corners(
 
 
 def _at_corner(end: EdgePressure, corner: float, pressure: float, width: float) -> EdgePressure:
-    why = "the profile turns away from the other body"
+    why = said("the profile turns away from the other body")
     return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=why)
 
 

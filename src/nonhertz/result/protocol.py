@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.solid import Shape
+from nonhertz.findings import Finding
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import ErrorEstimate, SingularEnd, Status
 
@@ -114,5 +115,9 @@ class Solved(Protocol):
         """Estimated discretisation errors."""
 
     @property
-    def warnings(self) -> tuple[str, ...]:
+    def findings(self) -> tuple[Finding, ...]:
         """What strains the model."""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The same, a sentence each."""

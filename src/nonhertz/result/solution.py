@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import end_strength
+from nonhertz.amounts import EndStrength
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding, sentences
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.result import brief
@@ -114,7 +115,7 @@ class EdgePressure:
         c [mm^-beta] of p = K s^-alpha (1 + c s^beta), within 2 % up to half a half-width; see `at`.
     correction_exponent : float
         beta [-]: 2 alpha at a mirrored end, from the eigenvalues of the wedge at a free one; zero where finite.
-    convention : str
+    convention : Finding
         What ends here and what is freed, in words.
 
     Notes
@@ -134,7 +135,7 @@ class EdgePressure:
     strength: float | None
     correction: float | None
     correction_exponent: float
-    convention: str
+    convention: Finding
 
     def at(self, distance: ArrayLike) -> Array:
         """Return the pressure K s^-alpha (1 + c s^beta) [MPa] at a ``distance`` s > 0 from the end [mm].
@@ -166,11 +167,14 @@ class EdgePressure:
     @property
     def law(self) -> str:
         """How the pressure grows towards a sharp end, as text; empty where the contact does not reach one."""
-        if self.kind is not EdgeKind.SINGULAR:
-            return ""
-        power = f"{self.exponent:.3g}"
-        known = "unknown" if self.strength is None else f"= {end_strength(self.strength, self.exponent)}"
-        return f"p ~ K / s^{power}, K {known}"
+        return str(self.growth) if self.kind is EdgeKind.SINGULAR else ""
+
+    @property
+    def growth(self) -> Finding:
+        """How the pressure grows towards a sharp end, with exponent and strength."""
+        strength = "unknown" if self.strength is None else EndStrength(self.strength, self.exponent)
+        known = "{strength}" if self.strength is None else "= {strength}"
+        return finding("growth", f"p ~ K / s^{{exponent:.3g}}, K {known}", exponent=self.exponent, strength=strength)
 
 
 @dataclass(frozen=True)
@@ -304,7 +308,7 @@ class Solution(ContactResult):
         Newton steps on the grid of the result.
     error_estimate : ErrorEstimate
         The solve's own estimate of its discretisation errors.
-    warnings : tuple of str
+    findings : tuple of Finding
         What strains the model in this case; empty when nothing does.
     """
 
@@ -326,7 +330,12 @@ class Solution(ContactResult):
     peaks_at_corner: bool
     iterations: int
     error_estimate: ErrorEstimate
-    warnings: tuple[str, ...]
+    findings: tuple[Finding, ...]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What strains the model, a sentence each, of the `findings`."""
+        return sentences(self.findings)
 
     def _said(self) -> list[str]:
         ends = [edge.kind.label.replace("-", " ") for edge in self.edge_pressure]

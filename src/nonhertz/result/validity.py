@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm, um
 from nonhertz.bodies.images import SERIES
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
 from nonhertz.result.checks import (
     HEAVIEST,
@@ -96,10 +97,10 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
     return found
 
 
-def strains(solution: Solution, problem: Problem, state: States) -> tuple[str, ...]:
-    """Return a sentence for every way in which the result leaves the model's validity."""
+def strains(solution: Solution, problem: Problem, state: States) -> tuple[Finding, ...]:
+    """Return every way in which the result leaves the model's validity."""
     return (
-        *(sentence for check in checks(solution, problem.influence.ends) for sentence in check.sentences),
+        *(found for check in checks(solution, problem.influence.ends) for found in check.findings),
         *_large_errors(solution),
         *_short_of_accuracy(solution, problem),
         *_missed_contact(solution, problem, state),
@@ -107,54 +108,68 @@ def strains(solution: Solution, problem: Problem, state: States) -> tuple[str, .
     )
 
 
-def _large_errors(solution: Solution) -> list[str]:
-    """Return a sentence for every result whose estimated error is large; a maximum without a limit has its own."""
+def _large_errors(solution: Solution) -> Iterator[Finding]:
+    """Yield every result whose estimated error is large; a maximum without a limit has a finding of its own."""
     estimate = solution.error_estimate
     approached = "approach"
     if estimate.approach > LARGE_ERROR and is_noticeable(solution.approach, solution.penetration):
         approached = "penetration"
-    sentences = [_uncertain(approached, estimate.approach), _uncertain("load", estimate.load)]
+    yield from _uncertain(approached, estimate.approach)
+    yield from _uncertain("load", estimate.load)
     if not (solution.peaks_at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in solution.edge_pressure)):
-        sentences.append(_uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR))
-    return [sentence for sentence in sentences if sentence]
+        yield from _uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR)
 
 
-def _short_of_accuracy(solution: Solution, problem: Problem) -> list[str]:
-    """Return a sentence where the accuracy that was asked for is not met; larger errors have their own."""
+def _short_of_accuracy(solution: Solution, problem: Problem) -> Iterator[Finding]:
+    """Yield that the accuracy that was asked for is not met; larger errors have findings of their own."""
     estimate, asked = solution.error_estimate, problem.accuracy
     name, error = max(("approach", estimate.approach), ("load", estimate.load), key=lambda each: each[1])
     # Strips have no part in what the modes of a whole roller leave.
     by_strips = error - LEFT_BY_MODES * has_whole_roller(problem)
-    if not problem.asked or asked is None or not asked < by_strips <= LARGE_ERROR:
-        return []
-    return [
-        f"The accuracy of {asked:g} asked for is not met: the error of the {name} is estimated at {error:.2g}, on "
-        f"{solution.strips} strips; what is left is at sharp ends, corners or in roughness that strips do not resolve."
-    ]
+    if problem.asked and asked is not None and asked < by_strips <= LARGE_ERROR:
+        yield finding(
+            "short-of-accuracy",
+            "The accuracy of {asked:g} asked for is not met: the error of the {quantity} is estimated at {error:.2g}, "
+            "on {strips} strips; what is left is at sharp ends, corners or in roughness that strips do not resolve.",
+            asked=asked,
+            quantity=name,
+            error=error,
+            strips=solution.strips,
+        )
 
 
-def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> str:
-    if not error > least:
-        return ""
+def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> Iterator[Finding]:
     if error == np.inf:
-        return f"The discretisation error of the {quantity} is not known: there is no solution on fewer strips."
-    size = f"{100.0 * error:.2g} %" if error < 1.0 else "more than its own size"
-    return f"The {quantity} is uncertain: its discretisation error is estimated at {size}; give more strips."
+        yield finding(
+            "unknown-error",
+            "The discretisation error of the {quantity} is not known: there is no solution on fewer strips.",
+            quantity=quantity,
+        )
+    elif error > least:
+        yield finding(
+            "uncertain",
+            "The {quantity} is uncertain: its discretisation error is estimated at {size}; give more strips.",
+            quantity=quantity,
+            error=error,
+            size=f"{100.0 * error:.2g} %" if error < 1.0 else "more than its own size",
+        )
 
 
-def _missed_contact(solution: Solution, problem: Problem, state: States) -> list[str]:
-    """Return a sentence where the bodies overlap although no strip there is in contact."""
+def _missed_contact(solution: Solution, problem: Problem, state: States) -> Iterator[Finding]:
+    """Yield where the bodies overlap although no strip there is in contact."""
     region = _searched(solution.contact, float(state.edges[0]), float(state.edges[-1]))
     y, overlap = overlapping(problem, state, region)
     overlap = np.where(_next_to_contact(state, y), 0.0, overlap)
     deepest = float(np.max(solution.interference[solution.line_load > 0.0]))
-    if not np.any(overlap > MISSED * deepest):
-        return []
-    worst = int(np.argmax(overlap))
-    return [
-        f"The bodies overlap by {um(overlap[worst]):.2g} at y = {mm(y[worst]):.6g}, where no strip has its centre: "
-        "a contact region is missed; give narrower strips there."
-    ]
+    if np.any(overlap > MISSED * deepest):
+        worst = int(np.argmax(overlap))
+        yield finding(
+            "missed-contact",
+            "The bodies overlap by {overlap:.2g} at y = {y:.6g}, where no strip has its centre: a contact region is "
+            "missed; give narrower strips there.",
+            overlap=um(overlap[worst]),
+            y=mm(y[worst]),
+        )
 
 
 def _searched(contact: Contact, low: float, high: float) -> tuple[float, float]:
@@ -173,46 +188,62 @@ def _next_to_contact(state: States, y: Array) -> Flags:
 
 ROUND_IT = "round it as it is in reality, by a corner_radius or a chamfer with a blend_radius beside the profile"
 _NO_LIMIT = (
-    "the value there is that of a strip {:.3g} wide, not a limit, and the maximum pressure is taken more than a "
+    "the value there is that of a strip {width:.3g} wide, not a limit, and the maximum pressure is taken more than a "
     "half-width from it"
 )
 
 
-def singularities(solution: Solution) -> tuple[str, ...]:
-    """Return a sentence for each end of the contact at which the pressure has no limit."""
+def singularities(solution: Solution) -> tuple[Finding, ...]:
+    """Return each end of the contact at which the pressure has no limit."""
     sharp = {edge.y: edge for edge in solution.edge_pressure if edge.kind is EdgeKind.SINGULAR}
-    sentences = []
+    found = []
     for end in solution.singular_ends:
-        no_limit = _NO_LIMIT.format(mm(step_at(solution, end)))
+        width = mm(step_at(solution, end))
         if end.kind is EdgeKind.SINGULAR:
             edge = sharp[end.y]
-            sentences.append(
-                f"The contact reaches the sharp end at y = {mm(edge.y):.6g} ({edge.convention}), where the pressure is "
-                f"singular, {edge.law} at small distances s: {no_limit}."
+            found.append(
+                finding(
+                    "sharp-end",
+                    "The contact reaches the sharp end at y = {y:.6g} ({convention}), where the pressure is singular, "
+                    f"{{law}} at small distances s: {_NO_LIMIT}.",
+                    y=mm(edge.y),
+                    convention=edge.convention,
+                    law=edge.growth,
+                    width=width,
+                )
             )
         else:
-            sentences.append(
-                f"The contact ends at a corner of the profile at y = {mm(end.y):.6g}, where the pressure is singular: "
-                f"{no_limit}; {ROUND_IT}."
+            found.append(
+                finding(
+                    "corner-end",
+                    "The contact ends at a corner of the profile at y = {y:.6g}, where the pressure is singular: "
+                    f"{_NO_LIMIT}; {ROUND_IT}.",
+                    y=mm(end.y),
+                    width=width,
+                )
             )
-    return tuple(sentences)
+    return tuple(found)
 
 
-def _without_limit(solution: Solution) -> list[str]:
-    """Return a sentence for a contact that the strips cut off, and for a corner within it that carries the maximum."""
-    sentences = [
-        f"The strips end at y = {mm(edge.y):.6g} while the contact goes on: the pressure there is that of bodies cut "
-        "off; give strips up to the end of the contact, or leave them out."
-        for edge in solution.edge_pressure
-        if edge.kind is EdgeKind.CUT_OFF
-    ]
+def _without_limit(solution: Solution) -> Iterator[Finding]:
+    """Yield ends at which the strips cut the contact off, and a corner within it that carries the maximum."""
+    for edge in solution.edge_pressure:
+        if edge.kind is EdgeKind.CUT_OFF:
+            yield finding(
+                "cut-off",
+                "The strips end at y = {y:.6g} while the contact goes on: the pressure there is that of bodies cut "
+                "off; give strips up to the end of the contact, or leave them out.",
+                y=mm(edge.y),
+            )
     if solution.peaks_at_corner:
         width = float(solution.strip_width[np.abs(solution.y - solution.max_pressure_y).argmin()])
-        sentences.append(
-            f"The largest pressure is at a corner of the profile near y = {mm(solution.max_pressure_y):.6g}, where it "
-            f"is singular: it is that of a strip {mm(width):.3g} wide, not a limit; {ROUND_IT}."
+        yield finding(
+            "corner-peak",
+            "The largest pressure is at a corner of the profile near y = {y:.6g}, where it is singular: it is that of "
+            f"a strip {{width:.3g}} wide, not a limit; {ROUND_IT}.",
+            y=mm(solution.max_pressure_y),
+            width=mm(width),
         )
-    return sentences
 
 
 def refuse_wide(solution: Solution, problem: Problem) -> None:

@@ -17,6 +17,7 @@ from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warni
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import OverrolledDent
+from nonhertz.findings import Finding, finding
 from nonhertz.life import Model, VolumeModel, overrolled, solve_spectrum
 from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName
@@ -95,7 +96,7 @@ def largest_stresses(
     announce("cross-section")
     y = overall.von_mises.y if station is None else station
     section = extremes(solution, y, body=body)
-    return overall, replace(section, warnings=(*section.warnings, *_near_sharp_ends(solution, y)))
+    return overall, replace(section, findings=(*section.findings, *_near_sharp_ends(solution, y)))
 
 
 def bears_something(body: Body) -> bool:
@@ -125,12 +126,17 @@ def strengths(solution: Solution, overall: Extremes, announce: Announce = in_sil
     return tuple(found)
 
 
-def _near_sharp_ends(solution: Solution, y: float) -> list[str]:
-    """Return a sentence for each singular end within a half-width."""
+def _near_sharp_ends(solution: Solution, y: float) -> list[Finding]:
+    """Return each singular end within a half-width."""
     half_width = float(np.interp(y, solution.y, solution.half_width))
     return [
-        f"The cross-section at y = {mm(y):.5g} is within a half-width of {ends_in_words([end])}, towards which the "
-        "stress has no limit: its largest values depend on the strips."
+        finding(
+            "section-near-an-end",
+            "The cross-section at y = {y:.5g} is within a half-width of {end}, towards which the stress has no limit: "
+            "its largest values depend on the strips.",
+            y=mm(y),
+            end=ends_in_words([end]),
+        )
         for end in solution.singular_ends
         if abs(y - end.y) < half_width
     ]

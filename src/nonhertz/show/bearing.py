@@ -73,7 +73,7 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
 
 
 def roller_table(solution: BearingSolution) -> Table:
-    """Return what every roller bears, in units that suit the largest loads; blank where there is nothing of the sort."""
+    """Return what every roller bears, in units that suit the largest; blank where there is nothing of the sort."""
     ribbed, ribs = solution.rib_loads.size > 0, solution.rib_load.max(axis=1, initial=0.0)
     pressed = solution.method == "strips"
     pressures = solution.max_pressure if pressed else np.zeros(solution.load.shape)

@@ -7,7 +7,6 @@ grid every case has its own grid, so each is solved separately, in parallel. Eit
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from threading import Event
@@ -16,7 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.errors import AccuracyWarning, InputError
+from nonhertz.errors import InputError
+from nonhertz.findings import warn
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
@@ -109,9 +109,8 @@ def solve_many(
     callback("announce", announce)
     prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
     shape, tasks = _laid_out(contacts, prescribed, _Options(element_of(element), strips, accuracy))
-    solutions, sentences = Run(shape, tuple(_works(tasks)), thread_count(threads)).outcome(announce)
-    for sentence in sentences:
-        warnings.warn(sentence, AccuracyWarning, stacklevel=2)
+    solutions, found = Run(shape, tuple(_works(tasks)), thread_count(threads)).outcome(announce)
+    warn(found)
     return solutions
 
 

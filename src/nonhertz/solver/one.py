@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from functools import partial
 from typing import Literal
@@ -11,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.bodies.influence import influence_of
-from nonhertz.errors import AccuracyWarning, InputError, shown
+from nonhertz.errors import InputError, shown
+from nonhertz.findings import warn
 from nonhertz.inputs.checks import finite, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -93,7 +93,7 @@ def solve(
     -----
     AccuracyWarning
         If the result strains the model's validity, the accuracy asked for was not met, or the contact ends where the
-        pressure has no limit; the sentences are in ``solution.warnings`` too.
+        pressure has no limit; the sentences are in ``solution.findings`` too.
 
     Examples
     --------
@@ -107,8 +107,7 @@ def solve(
     given = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
     problem = problem_of(contact, given, element, strips, accuracy)
     solution = outcome(contact, problem, levels_of(contact, problem, strips))
-    for sentence in solution.warnings:
-        warnings.warn(sentence, AccuracyWarning, stacklevel=2)
+    warn(solution.findings)
     return solution
 
 

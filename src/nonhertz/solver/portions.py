@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError, Interrupted, NonhertzError
+from nonhertz.findings import Finding
 from nonhertz.model.contact import Contact
 from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import read_only
@@ -195,7 +196,7 @@ class Run:
                 wait([future for future in self._futures if not future.cancelled()], PATIENCE)
         return self._so_far()
 
-    def outcome(self, announce: Callable[[Portion], object] | None) -> tuple[Solutions, tuple[str, ...]]:
+    def outcome(self, announce: Callable[[Portion], object] | None) -> tuple[Solutions, tuple[Finding, ...]]:
         """Return the solutions of all portions, and what is to be warned of.
 
         Raises
@@ -205,7 +206,7 @@ class Run:
         """
         try:
             solutions = self._finished(announce)
-            return solutions, tuple(solutions.sentences())
+            return solutions, tuple(solutions.findings())
         except KeyboardInterrupt:
             raise self._interrupted() from None
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import digits
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding
 from nonhertz.inputs.checks import listed
 from nonhertz.model.contact import Contact
 from nonhertz.result.brief import plain_text, shortened
@@ -271,19 +272,22 @@ class Solutions:
         return {case_label(number, self.shape): self._solution(number).warnings for number in found}
 
     @cached_property
-    def _strained(self) -> dict[int, str]:
-        """The first sentence on what strains the model, for each case where something does."""
+    def _strained(self) -> dict[int, Finding]:
+        """The first finding on what strains the model, for each case where something does."""
         return dict(sorted(pair for block in self._blocks for pair in block.strained()))
 
-    def sentences(self) -> Iterator[str]:
-        """Yield a sentence on the cases that strain the model, and one on those with singular ends."""
-        for number, sentence in list(self._strained.items())[:1]:
-            cases = f"{len(self._strained)} of {len(self)} cases strain the model"
-            yield f"{cases}; number {case_label(number, self.shape)}, the first: {sentence}"
+    def findings(self) -> Iterator[Finding]:
+        """Yield a finding on the cases that strain the model, and one on those with singular ends."""
+        for number, found in list(self._strained.items())[:1]:
+            yield self._of_many("strained", "cases strain the model", len(self._strained), number, found)
         for number in np.flatnonzero(self.singular)[:1].tolist():
-            cases = f"{np.count_nonzero(self.singular)} of {len(self)} contacts end where the pressure has no limit"
-            sentence = singularities(self._solution(number))[0]
-            yield f"{cases}; number {case_label(number, self.shape)}, the first: {sentence}"
+            found = singularities(self._solution(number))[0]
+            what = "contacts end where the pressure has no limit"
+            yield self._of_many("sharp-ends", what, int(np.count_nonzero(self.singular)), number, found)
+
+    def _of_many(self, kind: str, what: str, cases: int, number: int, first: Finding) -> Finding:
+        words = f"{{cases}} of {{total}} {what}; number {{number}}, the first: {{first}}"
+        return finding(kind, words, cases=cases, total=len(self), number=case_label(number, self.shape), first=first)
 
 
 def case_label(number: int, shape: tuple[int, ...]) -> Number:
@@ -386,14 +390,14 @@ class Block:
         states = [states.one(row) for states in self.states]
         return outcome(self.contact, problem, levels_from(problem, states))
 
-    def strained(self) -> Iterator[tuple[int, str]]:
-        """Yield the numbers of cases that strain the model, each with its first sentence."""
+    def strained(self) -> Iterator[tuple[int, Finding]]:
+        """Yield the numbers of cases that strain the model, each with its first finding."""
         if self.error is not None:
             return
         asked = self.contact, self.problem, self.states, self.singular, self.largest[1]
         for row in np.flatnonzero(suspected(*asked)):
             solution = self.solution(int(row))
             of_ends = singularities(solution)
-            sentences = [each for each in solution.warnings if each not in of_ends]
-            if sentences:
-                yield self.numbers[row], sentences[0]
+            found = [each for each in solution.findings if each not in of_ends]
+            if found:
+                yield self.numbers[row], found[0]

@@ -197,7 +197,7 @@ def field_at(
         below,
         stresses.reshape(*shape, 6),
         moved,
-        (*inside.extent.warnings(held), *inside.warnings),
+        (*inside.extent.findings(held), *inside.findings),
     )
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.bodies.depths.thickness import Thickness
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding
 from nonhertz.model.body import Body, BodyName
 
 Array = NDArray[np.float64]
@@ -65,13 +66,14 @@ class Extent:
         within = (np.abs(x) <= room * outer) & (z <= room * below)
         return np.asarray(within & (room * np.hypot(x, outer - z) >= inner))
 
-    def warnings(self, held: NDArray[np.bool_]) -> tuple[str, ...]:
-        """Return a sentence if some points lie where there is no material."""
+    def findings(self, held: NDArray[np.bool_]) -> tuple[Finding, ...]:
+        """Return that some points lie where there is no material, if any do."""
         missing = held.size - int(np.count_nonzero(held))
         if not missing:
             return ()
         where = "in its bore or beyond its surface" if self.round else "below its thickness"
-        return (f"At {missing} of {held.size} points body {self.name} has no material, {where}: NaN is given there.",)
+        words = f"At {{missing}} of {{points}} points body {{body}} has no material, {where}: NaN is given there."
+        return (finding("outside-the-body", words, missing=missing, points=held.size, body=self.name),)
 
     def refuse(self, y: float, z: float) -> None:
         """Reject a point where there is no material.

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.findings import Finding, sentences
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import ReadOnly, read_only
 
@@ -31,7 +32,7 @@ class Field(ReadOnly):
     displacement : ndarray, shape (..., 3), or None
         u_x, u_y, u_z [mm], u_z into the body. u_z is measured against the same reference as the approach: the point at
         the body's depth under the same y, or one far away.
-    warnings : tuple of str
+    findings : tuple of Finding
         What the numbers leave out; empty if nothing.
 
     Notes
@@ -48,7 +49,12 @@ class Field(ReadOnly):
     z: Array
     stress: Array
     displacement: Array | None = None
-    warnings: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The same, a sentence each."""
+        return sentences(self.findings)
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -21,6 +21,7 @@ from nonhertz.bodies.images import SEPARATE_LINKS, SERIES
 from nonhertz.bodies.influence import influence_within
 from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding
 from nonhertz.model.body import Body, BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.protocol import Solved
@@ -119,12 +120,12 @@ class Inside:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
 
     @property
-    def warnings(self) -> tuple[str, ...]:
+    def findings(self) -> tuple[Finding, ...]:
         """What its stress leaves out."""
         if self.body.bore is None or self.wall is not None:
             return ()
         solid = "stress below its surface is that of a solid body, without the bending of its wall"
-        return (f"The bore of body {self.name} has steps: {solid}.",)
+        return (finding("stepped-bore", f"The bore of body {{body}} has steps: {solid}.", body=self.name),)
 
     @property
     def extent(self) -> Extent:

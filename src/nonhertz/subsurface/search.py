@@ -6,6 +6,7 @@ requires, and end with a grid that shrinks around the best point of each quantit
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Unpack
 
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, finding, sentences
 from nonhertz.inputs.checks import listed, not_negative, positive
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
@@ -82,7 +84,7 @@ class Extremes(ReadOnly):
         Which body.
     von_mises, shear, orthogonal_shear : Extreme
         Largest von Mises stress, maximum shear stress and |tau_xz|.
-    warnings : tuple of str
+    findings : tuple of Finding
         What was left out and other limitations; empty if none.
     bore : Extreme or None
         Largest von Mises stress on the bore of a hollow roller, which need not be the largest of all.
@@ -92,8 +94,13 @@ class Extremes(ReadOnly):
     von_mises: Extreme
     shear: Extreme
     orthogonal_shear: Extreme
-    warnings: tuple[str, ...]
+    findings: tuple[Finding, ...]
     bore: Extreme | None = None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was left out, a sentence each."""
+        return sentences(self.findings)
 
 
 def extremes(
@@ -163,8 +170,8 @@ def extremes(
     at_bore = {} if inside.wall is None else _at_bore(inside, station, depths)
     for name, found in at_bore.items():
         largest[name] = max(largest[name], found, key=lambda each: each.max)
-    warnings = (*(_warnings(solution) if station is None else ()), *inside.warnings)
-    return Extremes(body=inside.name, warnings=warnings, bore=at_bore.get("von_mises"), **largest)
+    left_out = (*(_findings(solution) if station is None else ()), *inside.findings)
+    return Extremes(body=inside.name, findings=left_out, bore=at_bore.get("von_mises"), **largest)
 
 
 def _at_bore(inside: Inside, station: float | None, depths: tuple[float, float]) -> dict[str, Extreme]:
@@ -352,20 +359,16 @@ def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
     return int(row), int(column)
 
 
-def _warnings(solution: Solved) -> list[str]:
-    sentences = []
+def _findings(solution: Solved) -> Iterator[Finding]:
     ends = solution.singular_ends
     if ends:
-        what = f"The stress has no limit towards {ends_in_words(ends)}:"
         searched = f"within a half-width of {'them' if len(ends) > 1 else 'it'}"
-        sentences.append(
-            f"{what} {searched} nothing was searched."
-            if clear_of_ends(solution)
-            else f"{what} all of the contact lies {searched}, and the values depend on the strips."
-        )
+        rest = f"all of the contact lies {searched}, and the values depend on the strips"
+        what = f"{searched} nothing was searched" if clear_of_ends(solution) else rest
+        yield finding("stress-at-ends", f"The stress has no limit towards {{ends}}: {what}.", ends=ends_in_words(ends))
     if solution.peaks_at_corner and not any(end.kind is EdgeKind.CORNER for end in ends):
-        sentences.append(
+        yield finding(
+            "stress-at-corner",
             "The pressure is largest at a corner of the profile, where it has no limit: so is the stress right below, "
-            "and its largest values depend on the strips."
+            "and its largest values depend on the strips.",
         )
-    return sentences

@@ -186,6 +186,6 @@ def _draw_force(ax: PolarAxes, solution: BearingSolution, top: float) -> None:
         annotation_clip=False,
     )  # fmt: skip
     ax.text(
-        way + math.pi, -HOLE * top * (1.0 - 0.55), written(newton(radial)), ha="center", va="center", fontsize=SMALL_SIZE, bbox=BACKING,
-        clip_on=False,
+        way + math.pi, -HOLE * top * (1.0 - 0.55), written(newton(radial)), ha="center", va="center",
+        fontsize=SMALL_SIZE, bbox=BACKING, clip_on=False,
     )  # fmt: skip

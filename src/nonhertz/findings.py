@@ -1,0 +1,87 @@
+"""What is found about a result, as values: a kind and its numbers, of which a sentence is made where people read it."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from nonhertz.amounts import Amount, read_in
+from nonhertz.errors import AccuracyWarning
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing found about a result: a warning, a remark, a verdict.
+
+    As text it is a sentence, with its numbers in the units that people have chosen.
+
+    Attributes
+    ----------
+    kind : str
+        What it is: the same for all findings that differ in their numbers alone.
+    words : str
+        The sentence, with the names of the numbers in braces, as `str.format` has them.
+    numbers : tuple of pairs
+        Name and value of each number; also of words and of findings that are part of it.
+
+    Examples
+    --------
+    >>> from nonhertz.amounts import mm, read_in
+    >>> found = finding("cut-off", "The strips end at y = {y:.6g}.", y=mm(9.5))
+    >>> str(found), found.kind
+    ('The strips end at y = 9.5 mm.', 'cut-off')
+    >>> with read_in("us"):
+    ...     str(found)
+    'The strips end at y = 0.374016 in.'
+    """
+
+    kind: str
+    words: str
+    numbers: tuple[tuple[str, Any], ...] = ()
+
+    def __str__(self) -> str:
+        return self.words.format(**dict(self.numbers))
+
+    def as_object(self) -> dict[str, Any]:
+        """Return kind, sentence and numbers for programs: in mm, N, MPa and rad."""
+        with read_in("si"):
+            return {"kind": self.kind, "sentence": str(self), "numbers": dict(self._plain())}
+
+    def _plain(self) -> Iterator[tuple[str, Any]]:
+        for name, value in self.numbers:
+            if isinstance(value, Finding):
+                yield from value._plain()
+            elif isinstance(value, Amount):
+                values = list(value.values) if len(value.values) != 1 else value.values[0]
+                yield name, {"value": values, "unit": value.unit}
+            else:
+                yield name, value
+
+
+def finding(kind: str, words: str, /, **numbers: Any) -> Finding:
+    """Return a finding; see `Finding`."""
+    return Finding(kind, words, tuple(numbers.items()))
+
+
+def said(sentence: str, kind: str = "") -> Finding:
+    """Return a finding of which only the sentence is known."""
+    return finding(kind, "{sentence}", sentence=sentence)
+
+
+def sentences(found: Iterable[Finding]) -> tuple[str, ...]:
+    """Return what findings say, without repeats."""
+    return tuple(dict.fromkeys(map(str, found)))
+
+
+def as_warnings(found: Iterable[Finding], notes: Iterable[str] = ()) -> dict[str, Any]:
+    """Return findings as files have them: sentences, after any notes, and kinds with their numbers."""
+    objects = [each.as_object() for each in dict.fromkeys(found)]
+    return {"warnings": list(dict.fromkeys((*notes, *(each.pop("sentence") for each in objects)))), "findings": objects}
+
+
+def warn(found: Iterable[Finding], stacklevel: int = 2) -> None:
+    """Issue each finding as an `AccuracyWarning`."""
+    for each in found:
+        warnings.warn(str(each), AccuracyWarning, stacklevel=stacklevel + 1)

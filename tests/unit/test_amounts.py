@@ -1,0 +1,108 @@
+"""Numbers with their units as people read them, in SI and in US units."""
+
+from __future__ import annotations
+
+import re
+from contextvars import copy_context
+
+import pint
+import pytest
+
+from nonhertz.amounts import (
+    INCH,
+    POUND_FORCE,
+    SI,
+    US,
+    Amount,
+    amount,
+    choose_units,
+    chosen,
+    end_strength,
+    mm,
+    mpa,
+    mrad,
+    newton,
+    newton_mm,
+    read_in,
+    um,
+    with_error,
+)
+from nonhertz.errors import InputError
+
+PINT = pint.UnitRegistry()
+SPELLED = {"um": "micrometer", "µm": "micrometer", "uin": "microinch", "µin": "microinch", "mil": "milliinch"}
+
+
+@pytest.mark.parametrize("unit", US.table)
+def test_every_unit_is_as_large_as_what_stands_for_it(unit: str) -> None:
+    word, factor = US.of(unit)
+    assert size(unit) / size(word) == pytest.approx(factor, rel=1e-12)
+
+
+def size(unit: str) -> float:
+    """Return the size of a unit in SI base units."""
+    words = re.sub(r"[^\W\d]+", lambda found: SPELLED.get(found[0], found[0]), unit).replace(" ", "*")
+    return float(PINT.Quantity(1.0, PINT.parse_units(words)).to_base_units().magnitude)
+
+
+def test_inch_and_pound_are_exact() -> None:
+    assert INCH == 25.4
+    assert POUND_FORCE == 0.45359237 * 9.80665
+
+
+@pytest.mark.parametrize(
+    ("found", "spec", "si", "us"),
+    [
+        (newton(20000.0), "", "20.000 kN", "4496.2 lbf"),
+        (newton(999.9999), "", "1.0000 kN", "224.81 lbf"),
+        (um(0.032151), "", "32.151 µm", "1265.8 µin"),
+        (mm(-9.419), "4", "-9.419 mm", "-0.3708 in"),
+        (mm(0.0), "", "0 mm", "0 in"),
+        (mpa(2397.0), "", "2397.0 MPa", "347.66 ksi"),
+        (mpa(0.5), "4", "0.5000 MPa", "72.52 psi"),
+        (mpa(0.0), "", "0 MPa", "0 ksi"),
+        (mm(-9.4189, 9.4189, between=" to "), "", "-9.4189 to 9.4189 mm", "-0.37082 to 0.37082 in"),
+        (mm(46.5), "g", "46.5 mm", "1.83071 in"),
+        (mm(0.4), ".2g", "0.4 mm", "0.016 in"),
+        (newton(0.0, 11000.0, 0.0), "", "0, 11.000, 0 kN", "0, 2472.9, 0 lbf"),
+        (newton(4041.1, 4043.0, between=" and "), "", "4.0411 and 4.0430 kN", "908.48 and 908.90 lbf"),
+        (newton_mm(-15.8e3), "", "-15.800 N m", "-139.84 lbf in"),
+        (mrad(5e-4), "g", "0.5 mrad", "0.5 mrad"),
+        (amount(652630.0, "N/mm", "N/um"), "", "652.63 N/µm", "3.7266 lbf/µin"),
+        (amount(0.3, ""), "g", "0.3", "0.3"),
+        (amount((1.0, float("inf")), "MPa"), "4", "1.000, inf MPa", "145.0, inf psi"),
+    ],
+)
+def test_text_of_amounts(found: Amount, spec: str, si: str, us: str) -> None:
+    assert format(found, spec) == si
+    with read_in("us"):
+        assert format(found, spec) == us
+
+
+def test_errors_keep_their_second_digit() -> None:
+    with read_in("us"):
+        assert with_error(mm(4361.8), 1034.0) == "172 +- 41 in"
+        assert with_error(mpa(1308.0), 5.0) == "189.71 +- 0.73 ksi"
+
+
+def test_the_strength_of_an_end_has_a_power_of_a_length() -> None:
+    with read_in("us"):
+        assert end_strength(348.4, 0.5) == "10.03 ksi in^0.5"
+
+
+def test_ticks_are_round_in_the_units_that_are_read() -> None:
+    found = US.ticks(lambda low, high: [low, high], 0.0, 25.4, "mm")
+    assert found == [0.0, pytest.approx(25.4)]
+    assert US.ticks(lambda low, high: [round(high)], 0.0, 26.0, "mm") == [pytest.approx(25.4)]
+
+
+def test_units_are_chosen_for_a_context() -> None:
+    inside = copy_context()
+    inside.run(choose_units, "us")
+    assert inside.run(chosen) is US
+    assert chosen() is SI
+
+
+def test_other_units_are_refused() -> None:
+    with pytest.raises(InputError, match="units = 'cgs' must be 'si' or 'us'"):
+        choose_units("cgs")
