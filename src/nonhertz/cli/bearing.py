@@ -15,6 +15,7 @@ from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warni
 from nonhertz.files.bearing_results import as_json, as_object, comparison_files, comparison_object, files
 from nonhertz.files.bearingfile import BearingCase, placed
 from nonhertz.files.folder import write_files
+from nonhertz.findings import Finding
 from nonhertz.show.bearing import (
     OF_LARGEST,
     compared_rows,
@@ -24,6 +25,7 @@ from nonhertz.show.bearing import (
     spectrum_rows,
     summary_rows,
 )
+from nonhertz.verdict import of_bearing
 
 WIDTH = 120  # of piped output
 
@@ -33,13 +35,13 @@ def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
     try:
         solution = _solved(case)
         life, reason = case.rated(solution)
-        sentences = solution.warnings
+        strained = solution.findings
     except ConvergenceError as error:
         print(error, file=sys.stderr)
         return NOT_CONVERGED
     except InputError as error:  # of a contact, when its pressure is solved
         raise placed(error) from None
-    found = life, reason, sentences
+    found = life, reason, strained
     written = (
         () if out is None else write_files(out, files(solution, case, *found), lambda to: _draw(solution, case, to))
     )
@@ -99,12 +101,14 @@ def _draw(solution: BearingSolution, case: BearingCase, folder: Path) -> None:
 
 
 def _print_bearing(
-    case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str, sentences: Sequence[str]
+    case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str, strained: Sequence[Finding]
 ) -> None:
     speed = None if case.spectrum else case.prescribed.get("speed")
     printing = Printed(case.title, WIDTH)
-    printing.table([*summary_rows(case, solution), *spectrum_rows(case), *life_rows(life, reason, speed)])
+    found = of_bearing(solution, life)
+    rows: list[tuple[str, ...]] = [*([found.row] if found else []), *summary_rows(case, solution), *spectrum_rows(case)]
+    printing.table([*rows, *life_rows(life, reason, speed)])
     printing.blank()
     heads, rows = roller_table(solution)
     printing.table(rows, heads, left=())
-    printing.warn(*sentences)
+    printing.warn(*strained)

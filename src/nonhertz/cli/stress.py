@@ -16,6 +16,7 @@ from nonhertz.show.analysis import largest_stresses
 from nonhertz.show.stresses import sentences, stress_table
 from nonhertz.strength import Strength, assess
 from nonhertz.subsurface import Extremes
+from nonhertz.verdict import of_contact
 
 _SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
 _STATION_REMEDY = "choose a position in the body, or leave it out for the cross-section of the largest von Mises stress"
@@ -94,6 +95,8 @@ def print_stresses(solution: Solution, overall: Extremes, section: Extremes, str
     """Print the largest stresses and their positions, the effect of a pass, whether the body bears it, and warnings."""
     heads, rows = stress_table(solution, overall, section)
     printing = Printed(title)
+    found = of_contact(solution, (strength,))
+    printing.table([found.row] if found else [])
     printing.table(rows, heads, left=(0,))
     printing.say(*sentences(solution, section), *strength.sentences)
     printing.warn(*all_findings(solution, overall, section))

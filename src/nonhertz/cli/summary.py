@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from nonhertz.cli.printing import Printed
 from nonhertz.result.solution import Solution
 from nonhertz.show.summary import overview_table, summary_rows
+from nonhertz.verdict import of_contact
 
 if TYPE_CHECKING:
     from nonhertz.files.several import Attempt
@@ -29,5 +30,6 @@ def print_overview(attempts: Sequence[Attempt]) -> None:
 def print_summary(solution: Solution, title: str) -> None:
     """Print the result of a solve, with its error estimates."""
     printing = Printed(title, None)
-    printing.table(summary_rows(solution))
+    found = of_contact(solution)
+    printing.table([*([found.row] if found else []), *summary_rows(solution)])
     printing.warn(*solution.warnings)

@@ -14,7 +14,9 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.results import key_by_key, plain
+from nonhertz.findings import Finding, as_warnings
 from nonhertz.result.tables import csv_text
+from nonhertz.verdict import given_verdict, of_bearing
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
@@ -64,7 +66,7 @@ _OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
 
 @read_in("si")
 def as_object(
-    solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, warnings: Sequence[str]
+    solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, found: Sequence[Finding]
 ) -> dict[str, Any]:
     """Return a loaded bearing as plain numbers, text, lists and dictionaries, with the case it belongs to.
 
@@ -99,7 +101,8 @@ def as_object(
         "steps": solution.steps,
         "life": None if life is None else _life(life),
         "life_reason": reason,
-        "warnings": list(warnings),
+        "verdict": given_verdict(of_bearing(solution, life)),
+        **as_warnings(found),
         "units": UNITS,
         "case": case.own_document,
     }
@@ -185,11 +188,11 @@ def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
 
 @read_in("si")
 def files(
-    solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, warnings: Sequence[str]
+    solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, found: Sequence[Finding]
 ) -> dict[str, str]:
     """Return the texts of result.json, rollers.csv and lines.csv, by file name."""
     return {
-        "result.json": as_json(as_object(solution, case, life, reason, warnings)) + "\n",
+        "result.json": as_json(as_object(solution, case, life, reason, found)) + "\n",
         "rollers.csv": rollers_table(solution),
         "lines.csv": lines_table(solution, int(case.solver.get("laminae", LAMINAE))),
     }

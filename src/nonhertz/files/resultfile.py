@@ -73,7 +73,7 @@ class Result:
             case Case() as case, Solution() as solution:
                 return as_json(solution, case)
             case BearingCase() as bearing, BearingSolution() as loaded:
-                given = bearing_results.as_object(loaded, bearing, *bearing.rated(loaded), loaded.warnings)
+                given = bearing_results.as_object(loaded, bearing, *bearing.rated(loaded), loaded.findings)
                 return bearing_results.as_json(given)
         remedy = "give what the solve method of the case returned"
         raise InputError("solution", type(self.solution).__name__, "be that of the case", remedy)

@@ -16,6 +16,7 @@ from nonhertz.model.body import BODIES
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
+from nonhertz.verdict import given_verdict, of_contact
 
 if TYPE_CHECKING:
     from nonhertz.files.casefile import Case
@@ -69,6 +70,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
         "iterations": int(solution.iterations),
         "strips": solution.strips,
         "error_estimate": plain(vars(solution.error_estimate)),
+        "verdict": given_verdict(of_contact(solution)),
         **as_warnings(solution.findings),
         "units": UNITS,
         **{name: plain(column) for name, column in solution.table().items()},

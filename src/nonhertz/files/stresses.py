@@ -16,6 +16,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extreme, Extremes, Field
+from nonhertz.verdict import given_verdict, of_contact
 
 _EXTREME = {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}
 _QUANTITIES = ("von_mises", "shear", "orthogonal_shear")
@@ -54,6 +55,7 @@ def as_object(
             **_largest(section),
         },
         "strength": _strength(strength),
+        "verdict": given_verdict(of_contact(solution, (strength,))),
         **as_warnings(all_findings(solution, overall, section)),
         "units": UNITS,
     }

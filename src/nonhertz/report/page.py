@@ -29,6 +29,7 @@ from nonhertz.show.lives import sentences as life_sentences
 from nonhertz.show.stresses import sentences as stress_sentences
 from nonhertz.show.stresses import stress_table
 from nonhertz.show.summary import summary_rows
+from nonhertz.verdict import of_contact
 
 WORDS = Words(
     kind="Elastic contact, solved with strip elements",
@@ -119,6 +120,7 @@ def _part(found: CaseResults, number: int, several: bool, gallery: Gallery) -> d
         "opening": opening(found),
         "complaint": found.complaint,
         "warnings": found.warnings,
+        "verdict": None if found.complaint else of_contact(solution, found.strengths),
         "keys": keys(found),
         "figures": {name: marked(picture) for name, picture in gallery.of_solution(found).items()},
         "inputs": inputs(found.case),

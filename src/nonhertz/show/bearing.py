@@ -16,10 +16,10 @@ from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.show.summary import Row, Table
+from nonhertz.verdict import STATIC_LIMIT
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
 _PLAY = 1e-3  # mm, below which diameters are rounded
-MOST_PRESSURE = 4000.0  # MPa, the pressure by which ISO 76 defines C0
 
 
 def spectrum_rows(case: BearingCase) -> list[Row]:
@@ -286,7 +286,7 @@ def _pressure_rows(solution: BearingSolution) -> list[Row]:
         j = int(np.argmax(pressure[:, k]))
         if not pressure[j, k] > 0.0:
             continue
-        beyond = f", above the {mpa(MOST_PRESSURE):g} of C0" if pressure[j, k] > MOST_PRESSURE else ""
+        beyond = f", above the {mpa(STATIC_LIMIT):g} of C0" if pressure[j, k] > STATIC_LIMIT else ""
         name = "" if rows else "maximum pressure"
         value = f"{mpa(pressure[j, k])} at y = {mm(where[j, k]):4}"
         rows.append((name, value, f"{ring} ring, {solution.place_of(j)}{beyond}"))

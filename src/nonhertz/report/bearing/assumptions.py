@@ -29,7 +29,8 @@ from nonhertz.report.assumptions import (
 from nonhertz.report.bearing.results import BearingResults
 from nonhertz.result.checks import ValidityCheck, checks
 from nonhertz.result.solution import Solution
-from nonhertz.show.bearing import MOST_PRESSURE, most_loaded
+from nonhertz.show.bearing import most_loaded
+from nonhertz.verdict import STATIC_LIMIT
 
 # A load that turns with a tilted ring by 1 %, the difference that counts in comparisons.
 MOST_TILT = NOTABLE
@@ -87,9 +88,9 @@ def _of_strips(solution: BearingSolution) -> Iterator[Assumption]:
     yield elastic_below_yield(pressure)
     yield Assumption(
         "No lasting indentation that matters",
-        f"maximum pressure up to {mpa(MOST_PRESSURE):g}, at which ISO 76 puts 1/10000 of the rollers' diameter",
+        f"maximum pressure up to {mpa(STATIC_LIMIT):g}, at which ISO 76 puts 1/10000 of the rollers' diameter",
         f"{mpa(pressure):4}",
-        strained_if(pressure > MOST_PRESSURE),
+        strained_if(pressure > STATIC_LIMIT),
     )
 
 

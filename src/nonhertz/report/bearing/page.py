@@ -30,6 +30,7 @@ from nonhertz.show.bearing import (
     spectrum_rows,
     summary_rows,
 )
+from nonhertz.verdict import of_bearing
 
 WORDS = Words(
     kind="Whole bearing, rollers and rings in equilibrium",
@@ -63,6 +64,7 @@ def _part(found: BearingResults, number: int, several: bool, gallery: Gallery) -
         "opening": bearing_opening(case),
         "complaint": found.complaint,
         "warnings": found.warnings,
+        "verdict": None if found.solution is None else of_bearing(found.solution, found.life),
         "keys": bearing_keys(found),
         # Figures are numbered as they are drawn, so they must be drawn in the order of the page.
         "figures": {name: marked(picture) for name, picture in bearing_pictures(found, gallery).items()},
@@ -121,7 +123,7 @@ def _downloads(found: BearingResults) -> list[Download]:
     if solution is None:
         return files
     stem = PurePosixPath(case.file_name).stem
-    text = as_json(as_object(solution, case, found.life, found.reason, found.of_contacts)) + "\n"
+    text = as_json(as_object(solution, case, found.life, found.reason, found.strained)) + "\n"
     files.append(text_download(f"{stem}-rollers.csv", "all rollers", rollers_table(solution)))
     files.append(text_download(f"{stem}-result.json", "all numbers of the bearing", text))
     if found.slices is not None:

@@ -11,6 +11,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase, placed
 from nonhertz.files.held import named
+from nonhertz.findings import Finding, sentences
 from nonhertz.report.results import labels
 from nonhertz.show.analysis import Announce, in_silence
 
@@ -33,7 +34,7 @@ class BearingResults:
         How long it lasts; None if it is not rated, or if nobody asked.
     reason : str
         Why it is not rated.
-    of_contacts : tuple of str
+    strained : tuple of Finding
         What strains the model.
     slices : BearingSolution or None
         The same by slices, if a comparison was asked for.
@@ -45,7 +46,7 @@ class BearingResults:
     complaint: str = ""
     life: BearingLife | None = None
     reason: str = ""
-    of_contacts: tuple[str, ...] = ()
+    strained: tuple[Finding, ...] = ()
     slices: BearingSolution | None = None
 
     @property
@@ -56,7 +57,7 @@ class BearingResults:
     @property
     def warnings(self) -> tuple[str, ...]:
         """All warnings, without repeats."""
-        return tuple(dict.fromkeys((*self.case.notes, *self.of_contacts)))
+        return tuple(dict.fromkeys((*self.case.notes, *sentences(self.strained))))
 
 
 def settled_bearings(
@@ -112,7 +113,7 @@ def _settled(case: BearingCase, label: str, life: bool, compare: bool) -> Bearin
             solution = case.solve()
             slices = case.solve("slices") if compare and solution.method == "strips" else None
             rating, reason = case.rated(solution) if life else (None, "")
-            strained = solution.warnings
+            strained = solution.findings
         except ConvergenceError as error:
             return BearingResults(case, label, None, str(error))
         except InputError as error:  # of a contact, when its pressure is solved

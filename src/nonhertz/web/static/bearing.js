@@ -7,7 +7,7 @@ import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
 import { Polar, degrees, newtons } from "./polar.js";
-import { sayLater, writeKeyNumbers, writeRows } from "./results.js";
+import { sayLater, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
 import { drawRoller } from "./roller.js";
 import { notice, timed, watchProgram } from "./status.js";
 import { amount, parts } from "./units.js";
@@ -131,6 +131,7 @@ function show(answer, shown) {
   byId("results").classList.remove("outdated");
   byId("case-title").textContent = answer.title;
   document.title = answer.title ? `${answer.title} – nonhertz` : "nonhertz";
+  writeVerdict(answer.verdict);
   writeRows(answer.summary, answer.warnings);
   work.drawProfiles(answer.profiles);
   drawPictures();

@@ -105,8 +105,18 @@ function pinnedNumber(each, before) {
  * @param {Answer} answer
  */
 export function writeWords(answer) {
+  writeVerdict(answer.verdict);
   writeRows(answer.summary, [...(answer.complaint ? [answer.complaint] : []), ...answer.warnings]);
   sayLater(spoken(answer));
+}
+
+/** Write whether limits are met: a coloured tile. @param {Answer["verdict"]} verdict */
+export function writeVerdict(verdict) {
+  const tile = byId("verdict");
+  tile.hidden = !verdict;
+  tile.dataset.level = verdict?.level ?? "";
+  const parts = verdict ? [element("strong", {}, [verdict.words]), ` ${verdict.sentence}`] : [];
+  tile.replaceChildren(...parts);
 }
 
 /**

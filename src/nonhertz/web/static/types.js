@@ -11,6 +11,7 @@
  * }} Key
  * @typedef {{
  *   ok: true, title: string, ms: number, status: string, complaint: string, warnings: string[],
+ *   verdict: {level: string, words: string, sentence: string} | null,
  *   summary: [string, string, string][], key: Key, profiles: Profiles, interval: [number | null, number | null],
  *   line: {y: number[], pressure: (number | null)[], half_width: (number | null)[], line_load: (number | null)[]},
  *   footprint: {y: (number | null)[], half_width: (number | null)[], pressure: (number | null)[]},

@@ -22,7 +22,8 @@ from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.show.summary import summary_rows
 from nonhertz.study.quantities import LIFE_MODEL, life_of
-from nonhertz.web.view.replies import numbers
+from nonhertz.verdict import of_contact
+from nonhertz.web.view.replies import numbers, verdict_seen
 
 Array = NDArray[np.float64]
 
@@ -49,6 +50,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "status": solution.status.label,
         "complaint": complaint,
         "key": _key_numbers(solution),
+        "verdict": verdict_seen(None if complaint else of_contact(solution)),
         "summary": [list(row) for row in summary_rows(solution)],
         "warnings": list(solution.warnings),
         "line": _line(solution),

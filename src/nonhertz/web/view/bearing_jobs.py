@@ -133,7 +133,7 @@ def table(document: dict[str, Any], name: str) -> bytes | dict[str, Any]:
 
     def make(case: BearingCase, solution: BearingSolution) -> bytes:
         life, reason = case.rated(solution)
-        return files(solution, case, life, reason, solution.warnings)[name].encode()
+        return files(solution, case, life, reason, solution.findings)[name].encode()
 
     return _made(document, make)
 

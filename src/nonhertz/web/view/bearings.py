@@ -23,8 +23,9 @@ from nonhertz.show.bearing import (
     roller_table,
     summary_rows,
 )
+from nonhertz.verdict import of_bearing
 from nonhertz.web.view.answers import profiles
-from nonhertz.web.view.replies import numbers
+from nonhertz.web.view.replies import numbers, verdict_seen
 
 Array = NDArray[np.float64]
 
@@ -63,6 +64,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "force": numbers(solution.force),
         "most": most_loaded(solution),
         "contacts": _by_strips(solution) if pressed else _by_slices(solution, case.solver.get("laminae", LAMINAE)),
+        "verdict": verdict_seen(of_bearing(solution, life)),
         "summary": [list(row) for row in rows],
         "columns": list(columns),
         "rollers": [list(row) for row in rollers],

@@ -13,6 +13,7 @@ from starlette.responses import Response
 from nonhertz.errors import CaseError
 from nonhertz.files.mistakes import Mistake, path_of
 from nonhertz.files.results import plain
+from nonhertz.verdict import Verdict
 
 _UNHEARD = (403, 408, 413, 415, 431)
 #: Where the form shows errors about both bodies.
@@ -42,6 +43,13 @@ def refusal(status: int, sentence: str) -> Response:
     """
     headers = {"Retry-After": "1"} if status == 503 else {"Connection": "close"} if status in _UNHEARD else None
     return reply(broken([("", sentence)]), status, headers)
+
+
+def verdict_seen(found: Verdict | None) -> dict[str, str] | None:
+    """Return what a page shows of a verdict; None if there is none."""
+    if found is None:
+        return None
+    return {"level": found.level.name.lower(), "words": found.level.value, "sentence": found.sentence}
 
 
 def broken(mistakes: Iterable[tuple[str, str]]) -> dict[str, Any]:
