@@ -41,7 +41,7 @@ def test_a_map_is_printed_and_written_in_all_formats(case, capsys):
     assert main([*words, "--approach", "-5um:8um:14", "--tilt", "-0.2mrad:0.2mrad:5", "--out", "k.csv"]) == 0
     printed = capsys.readouterr().out
     assert printed.startswith("Crowned roller\n")
-    assert "approach -5 to 8 um, tilt -0.2 to 0.2 mrad" in printed
+    assert "approach -5 to 8 µm, tilt -0.2 to 0.2 mrad" in printed
     assert printed.endswith("wrote k.csv\n")
     lines = Path("k.csv").read_text(encoding="utf-8").splitlines()
     assert lines[0].split(",")[:3] == ["approach [mm]", "tilt [rad]", "load [N]"]

@@ -290,7 +290,7 @@ def test_rollers_of_a_tapered_row_grow_along_the_normal():
 def test_it_prints_in_um():
     said = repr(found(shaft=on_shaft(0.005), speed=1e5))
     # The raceway of the free ring grows by 38.54 um.
-    assert "radial clearance -6.043 um of 32.50 um unmounted" in said
+    assert "radial clearance -6.043 µm of 32.50 µm unmounted" in said
     assert "loosened" in said
 
 

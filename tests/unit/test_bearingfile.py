@@ -915,7 +915,7 @@ def test_what_is_prescribed_may_be_text_with_units():
         (
             "[fit.shaft]",
             "[fit]\nroller_temperature = 1000\n[fit.shaft]",
-            "fit must leave a clearance that can be, but -197.6 um must be less than 2 % of",
+            "fit must leave a clearance that can be, but -197.6 µm must be less than 2 % of",
         ),
     ],
 )

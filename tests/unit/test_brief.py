@@ -31,7 +31,7 @@ def test_a_solution_is_printed_in_ten_lines_at_most(solved):
     )
     assert "load 5.0000 kN" in repr(solved)
     assert "tilt 0.20000 mrad" in repr(solved)
-    assert f"approach {1e3 * solved.approach:.3f} um, error about" in repr(solved)
+    assert f"approach {1e3 * solved.approach:.3f} µm, error about" in repr(solved)
     assert re.search(r"maximum pressure \d+\.\d MPa at y = \S+ mm, error about", repr(solved))
     assert "run out and run out" in repr(solved)
 
@@ -77,7 +77,7 @@ def test_plane_grids_and_batches_are_printed_too():
     many = quietly(nh.solve_many, CONTACT, approach=[[5e-3, 6e-3], [7e-3, -1.0]], strips=21)
     said = repr(many)
     assert "3 of 4 cases converged, shape 2 x 2" in said
-    assert "approach 5.0000 to 7.0000 um" in said
+    assert "approach 5.0000 to 7.0000 µm" in said
     assert "failed: case (1, 1): approach = -1.0" in said
 
 

@@ -64,7 +64,7 @@ def test_it_is_shown_with_the_error_where_it_is_not_the_approach():
     lifted = nh.solve(on_plate(Lifted()), load=5e3)
     shown = {name: (value, remark) for name, value, remark in summary_rows(lifted)}
     value, remark = shown["penetration"]
-    assert value == f"{1e3 * lifted.penetration:.5g} um"
+    assert value == f"{1e3 * lifted.penetration:.5g} µm"
     assert remark.startswith("error about")
     assert shown["approach"][1] == ""
     assert "penetration" in repr(lifted)

@@ -64,9 +64,9 @@ class Quantity:
         is_more = np.abs(value) > _ROUNDING * np.abs(self.scale(solution))
         return value * is_more + 0.0  # no zero is negative
 
-    def amount(self, *values: float) -> Amount:
+    def amount(self, *values: float, between: str = ", ") -> Amount:
         """Return values of the quantity as people read them, all in one unit."""
-        return amount(values, self.unit, self.shown_unit)
+        return amount(values, self.unit, self.shown_unit, between)
 
     def text(self, solution: Solved) -> str:
         """Return the value as people read it, with its unit."""

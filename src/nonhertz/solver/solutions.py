@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.inputs.checks import listed
@@ -112,8 +111,7 @@ class Solutions:
         said = [f"{solved} of {len(self)} cases converged, shape {' x '.join(map(str, self.shape))}"]
         for name in _COLUMNS[:5] if solved else ():
             quantity, values = QUANTITIES[name], getattr(self, name)[self.converged]
-            low, high = (digits(quantity.factor * float(end)) for end in (values.min(), values.max()))
-            said.append(f"{quantity.label} {low} to {high} {quantity.shown_unit}")
+            said.append(f"{quantity.label} {quantity.amount(values.min(), values.max(), between=' to ')}")
         if self.failures:
             number, error = next(iter(self.failures.items()))
             said.append(f"failed: case {number}: {shortened(str(error))}")

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from nonhertz import __version__
-from nonhertz.amounts import digits
 from nonhertz.errors import InputError, Interrupted
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -93,8 +92,7 @@ class Sweep:
         for quantity in self.quantities:
             ends = self.extremes(quantity.name)
             if ends is not None:
-                low, high = (digits(quantity.factor * end) for end in ends)
-                said.append(f"{quantity.label} {low} to {high} {quantity.shown_unit}".rstrip())
+                said.append(f"{quantity.label} {quantity.amount(*ends, between=' to ')}")
         said += [f"failed: {times} from row {first}: {shortened(why)}" for why, times, first in self.reasons()]
         return plain_text("Sweep", said)
 

@@ -28,7 +28,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import digits
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -104,8 +103,8 @@ class Tolerance:
     def __repr__(self) -> str:
         said = [f"{len(self.sweep)} rows of {self.sweep.plan.title!r}"]
         for quantity in self.sweep.quantities:
-            found = [digits(quantity.factor * each.value) for each in self.quantiles(quantity.name)]
-            said.append(f"{quantity.label} {', '.join(found)} {quantity.shown_unit}".rstrip())
+            quantiles = (each.value for each in self.quantiles(quantity.name))
+            said.append(f"{quantity.label} {quantity.amount(*quantiles)}")
         said[0] += f"; 1 %, 50 % and 99 % of {self.independent.size} samples:" if len(said) > 1 else ""
         if self.sweep.failed:
             said.append(f"{self.sweep.failed} rows failed")
