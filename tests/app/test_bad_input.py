@@ -88,7 +88,7 @@ MISTAKES = {
     "effective length beyond the length": (
         f"{A}effective_length = 21\n{B}{LOAD}",
         [
-            "body.a.effective_length = 21.0 must not exceed the length of 20.0 mm: "
+            "body.a.effective_length = 21.0 must not exceed the length of 20 mm: "
             "give the length that can touch in mm, or leave it out for all of the body."
         ],
     ),
@@ -424,7 +424,7 @@ MISTAKES = {
             f"{FACES_REMEDY}.",
             f"body.a.images = 0 must be 'series' or a whole number from 1 to 100: {IMAGES_REMEDY}.",
             f"body.a.depth = '8 N' must have a unit of length: write {LENGTH}.",
-            "body.a.effective_length = 21.0 must not exceed the length of 20.0 mm: "
+            "body.a.effective_length = 21.0 must not exceed the length of 20 mm: "
             "give the length that can touch in mm, or leave it out for all of the body.",
         ],
     ),

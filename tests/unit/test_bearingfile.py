@@ -373,7 +373,7 @@ MISTAKES = {
     "a tapered row without enough axial load": (
         changed(TAPERED, ("9 kN", "500 N")),
         [
-            "load.axial = 500.0 must exceed 6300 N along +x, the tangent of the contact angle times the radial force: "
+            "load.axial = 500.0 must exceed 6.3 kN along +x, the tangent of the contact angle times the radial force: "
             "without that rows that bear it one way alone fall apart; or give axial_displacement."
         ],
     ),

@@ -211,7 +211,7 @@ NO_SUM = "must only be used for a body with a depth, without which it has no sum
         (lambda: roller(effective_length=0.0), "effective_length = 0.0 must be positive"),
         (
             lambda: roller(effective_length=21.0),
-            "effective_length = 21.0 must not exceed the length of 20.0 mm",
+            "effective_length = 21.0 must not exceed the length of 20 mm",
         ),
         (lambda: roller(side_faces="fre"), f"side_faces = 'fre' {NO_FACE_RULE}"),
         (lambda: roller(side_faces=("mirror", "fre")), f"side_faces[2] = 'fre' {NO_FACE_RULE}"),

@@ -218,7 +218,7 @@ def test_a_moment_beyond_the_outer_cells_is_refused():
     ("contact", "given", "sentence"),
     [
         (nh.Contact(nh.Body(diameter=10), nh.Plate()), {"load": 100.0}, "length = None must be given where nothing"),
-        (CROWNED, {"load": 1e300}, "load = 1e+300 must not exceed 3.6e+13 N for bodies of this size and stiffness"),
+        (CROWNED, {"load": 1e300}, "load = 1e+300 must not exceed 3.6e+10 kN for bodies of this size and stiffness"),
         (
             CROWNED,
             {"load": 1e13},

@@ -225,8 +225,15 @@ def test_a_result_is_read_back_to_the_last_digit(solved, tmp_path):
         one, other = getattr(solution, field.name), getattr(found.solution, field.name)
         if isinstance(one, np.ndarray):
             np.testing.assert_array_equal(other, one)
-        else:
+        elif field.name not in {"findings", "edge_pressure"}:  # of what was found there are the words
             assert other == one
+    for of in (found.solution, solution):
+        said = {each.kind: str(each) for each in of.findings}
+        assert list(said.values()) == list(solution.warnings)
+        assert list(said) == [each.kind for each in solution.findings]
+    for one, other in zip(solution.edge_pressure, found.solution.edge_pressure, strict=True):
+        assert str(one.convention) == str(other.convention)
+        assert dataclasses.replace(one, convention=other.convention) == other
     assert found.solution.max_pressure == solution.max_pressure
     assert repr(found.solution) == repr(solution)
 

@@ -178,7 +178,7 @@ def from_catalogue(
       rollers take 80 % of the pitch circle, 56 % of the section and 55 % of the width
       other numbers of rollers are less probable
       C0 of 36.50 kN is met; C of 44.00 kN is 1.15 times that of ISO 281
-      clearance 32.5 um, the middle of the normal group; reference profile of ISO 16281
+      clearance 32.5 µm, the middle of the normal group; reference profile of ISO 16281
     >>> guess.bearing.rollers, guess.bearing.pitch
     (13, 46.5)
     """

@@ -6,6 +6,7 @@ import errno
 import json
 import math
 from dataclasses import dataclass
+from itertools import starmap, zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -167,8 +168,13 @@ def _solution(found: dict[str, Any], case: Case) -> Solution:
         peaks_at_corner=bool(found["peaks_at_corner"]),
         iterations=int(found["iterations"]),
         error_estimate=ErrorEstimate(**{name: _number(value) for name, value in found["error_estimate"].items()}),
-        findings=tuple(said(str(each)) for each in found["warnings"]),
+        findings=tuple(starmap(said, zip_longest(map(str, found["warnings"]), _kinds(found), fillvalue=""))),
     )
+
+
+def _kinds(found: dict[str, Any]) -> list[str]:
+    """Return the kinds of what was found, which files of the first format do not have."""
+    return [str(each["kind"]) for each in found.get("findings", ())]
 
 
 def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSolution:
@@ -192,7 +198,7 @@ def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSoluti
 
 def _edge(found: dict[str, Any]) -> EdgePressure:
     kept = {name: value for name, value in found.items() if name not in {"kind", "converges"}}
-    return EdgePressure(kind=EdgeKind[_member(found["kind"])], **kept)
+    return EdgePressure(kind=EdgeKind[_member(found["kind"])], **kept | {"convention": said(str(found["convention"]))})
 
 
 def _member(label: str) -> str:
