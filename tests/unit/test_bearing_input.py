@@ -62,7 +62,7 @@ def tapered(**changes):
         (lambda: nh.bearing.solve(cylindrical(), radial=1e3, method="fem"), "method = 'fem' must be"),
         (
             lambda: nh.bearing.solve(tapered(), radial=10e3, axial=1e3),
-            "axial = 1000.0 must exceed 2027 N along +x, the tangent of the contact angle times the radial force",
+            "axial = 1000.0 must exceed 2.027 kN along +x, the tangent of the contact angle times the radial force",
         ),
         (lambda: nh.bearing.solve(cylindrical(), radial=1e3, method="slices").contact(0), "method = 'slices' must be"),
         (

@@ -139,7 +139,7 @@ def test_tandem_rows_share_the_load():
         (lambda: B.Paired(bearings=(TAPER,), x=(0.0,), turned=(3,)), "turned = 3 must be"),
         (
             lambda: B.solve(B.paired(TAPER, "tandem", 20.0), radial=20e3, axial=1e3),
-            "axial = 1000.0 must exceed 4200 N",
+            "axial = 1000.0 must exceed 4.2 kN",
         ),
     ],
 )
@@ -316,7 +316,7 @@ def test_a_pitch_circle_lies_between_the_raceways():
         dataclasses.replace(in_row(), pitch_diameter=48.0)
 
 
-@pytest.mark.parametrize(("outer", "said"), [(55.5, ""), (55.5184, ""), (55.55, "50.00 um"), (55.48, "-20.00 um")])
+@pytest.mark.parametrize(("outer", "said"), [(55.5, ""), (55.5184, ""), (55.55, "50.00 µm"), (55.48, "-20.00 µm")])
 def test_clearance_that_is_built_into_the_raceways_is_said_not_to_count(outer, said):
     row = dataclasses.replace(in_row(), outer=nh.Ring(diameter=-outer, depth=3.25))
     case = nh.BearingCase(row, {"radial": 1e3}, {"method": "slices"})

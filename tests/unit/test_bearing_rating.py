@@ -152,7 +152,7 @@ def test_of_preload_and_moments_alone_there_is_no_equivalent_load(moment):
     assert life.equivalent_load == life.static_load == 0.0
     assert math.isfinite(life.reference)
     rows = {name: value for name, *value in life_rows(life, "")}
-    assert rows["equivalent load"] == ["P = 0 kN, P0 = 0 kN", "knows neither preload nor moment"]
+    assert rows["equivalent load"] == ["P = 0 N, P0 = 0 N", "knows neither preload nor moment"]
     assert rows["static safety"][0] == rows["life L10"][0] == "none"
     assert "no S0 and no L10: P knows neither preload nor moment" in repr(life)
 

@@ -192,7 +192,7 @@ def test_outside_compiled_code_continues_without_a_step_and_says_so(made, tilt):
 def test_outside_the_methods_refuse(made):
     with pytest.raises(InputError, match=r"^approach = 1.0 must not exceed 0.0.* mm at a tilt of 0 rad, where the map"):
         made.at(approach=1.0)
-    with pytest.raises(InputError, match=r"^load = 20000.0 must lie in the range of the map, 0 to 10000 N: make a map"):
+    with pytest.raises(InputError, match=r"^load = 20000.0 must lie in the range of the map, 0 to 10 kN: make a map"):
         made.under(load=20e3)
     with pytest.raises(InputError, match=r"^load = -1.0 must lie in the range"):
         made.under(load=-1.0)
@@ -275,7 +275,7 @@ def test_tables_for_other_programs_hold_the_map(made, tmp_path):
 def test_a_map_prints_in_a_few_lines(made):
     said = repr(made).splitlines()
     assert said[0] == "ContactMap"
-    assert "load 0 to 10000 N, tilt -1 to 1 mrad" in said[2]
+    assert "load 0 to 10 kN, tilt -1 to 1 mrad" in said[2]
     assert 4 <= len(said) <= 8
 
 

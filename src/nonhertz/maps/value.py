@@ -280,7 +280,8 @@ class ContactMap(ReadOnly):
         if not low <= tilt <= high:
             raise InputError("tilt", tilt, f"lie in the range of the map, {low:.6g} to {high:.6g} rad", remedy)
         if name == "load":
-            raise InputError("load", value, f"lie in the range of the map, 0 to {newton(self.most_load):.6g}", remedy)
+            most = newton(0.0, self.most_load, between=" to ")
+            raise InputError("load", value, f"lie in the range of the map, {most:g}", remedy)
         found = np.empty((1, 8))
         all_loaded(self.tables, np.array([self.most_load]), np.array([tilt]), found)
         condition = f"not exceed {mm(found[0, 0]):.6g} at a tilt of {tilt:.6g} rad, where the map ends"
