@@ -30,7 +30,7 @@ _SAME = 1e-6  # relative: less than five digits show
 
 #: Sizes of the units in which people read numbers, in those of Python and files.
 SIZES: Final[Mapping[str, float]] = MappingProxyType(
-    {"um": 1e-3, "mrad": 1e-3, "N/um": 1e3, "N/mrad": 1e3, "N mm/um": 1e3, "N m/mrad": 1e6}
+    {"um": 1e-3, "m": 1e3, "km": 1e6, "mrad": 1e-3, "N/um": 1e3, "N/mrad": 1e3, "N mm/um": 1e3, "N m/mrad": 1e6}
 )
 Size = tuple[str, float]
 Ticks = Callable[[float, float], Sequence[float]]
@@ -89,6 +89,8 @@ US: Final = Units(
             "mm": ("in", 1.0 / INCH),
             "um": ("µin", 1e3 / INCH),
             "µm": ("µin", 1e3 / INCH),
+            "m": ("ft", 1e3 / (12.0 * INCH)),
+            "km": ("mi", 1e6 / (63360.0 * INCH)),
             "nm": ("µin", 1.0 / INCH),
             "1/mm": ("1/in", INCH),
             "N": ("lbf", 1.0 / POUND_FORCE),

@@ -21,7 +21,7 @@ import numpy as np
 
 from nonhertz.amounts import digits, given, mm, mpa
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, finding
+from nonhertz.findings import Finding, finding, sentences
 from nonhertz.inputs.checks import one_of
 from nonhertz.model.body import Body, BodyName
 from nonhertz.result.ends import ends_in_words, outermost
@@ -102,6 +102,11 @@ class Strength(ReadOnly):
     largest: Extremes
     core: Extremes | None
     findings: tuple[Finding, ...]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was left out, a sentence each."""
+        return sentences(self.findings)
 
     @property
     def sentences(self) -> tuple[str, ...]:

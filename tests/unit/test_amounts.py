@@ -14,10 +14,10 @@ from nonhertz.amounts import (
     SI,
     US,
     Amount,
+    EndStrength,
     amount,
     choose_units,
     chosen,
-    end_strength,
     mm,
     mpa,
     mrad,
@@ -87,7 +87,7 @@ def test_errors_keep_their_second_digit() -> None:
 
 def test_the_strength_of_an_end_has_a_power_of_a_length() -> None:
     with read_in("us"):
-        assert end_strength(348.4, 0.5) == "10.03 ksi in^0.5"
+        assert str(EndStrength(348.4, 0.5)) == "10.03 ksi in^0.5"
 
 
 def test_ticks_are_round_in_the_units_that_are_read() -> None:

@@ -371,7 +371,7 @@ def test_two_cases_are_compared_by_what_differs() -> None:
     ]
     found = settled(pair)
     rows = {row.name: row for row in results(found)}
-    assert rows["load [N]"].remarks == ("", "+100 %")
+    assert rows["load [kN]"].remarks == ("", "+100 %")
     ratio = found[1].solution.max_pressure / found[0].solution.max_pressure
     change = float(rows["maximum pressure [MPa]"].remarks[1].rstrip(" %"))
     assert change == pytest.approx(100.0 * (ratio - 1.0), rel=5e-3)  # three digits are told

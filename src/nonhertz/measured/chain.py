@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonhertz.amounts import mm, um
+from nonhertz.amounts import amount, mm, um
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding, sentences
 from nonhertz.inputs.checks import flag, listed, one_of
@@ -268,10 +268,10 @@ class Measured:
         radius = points.span**2 / (8.0 * max(float(np.ptp(bow)), 1e-300))
         if self.trace.span > LONGEST:
             words = "The line is {span:.3g} long: check the units of its positions and heights."
-            yield finding("doubtful-units", words, span=mm(self.trace.span))
+            yield finding("doubtful-units", words, span=amount(self.trace.span, "mm", "m"))
         elif radius > _LARGEST_RADIUS and np.std(bow) > _PLAIN * np.std(points.height - curve):
             words = "The line has a radius of {radius:.3g}: check the units of its positions and heights."
-            yield finding("doubtful-units", words, radius=mm(radius))
+            yield finding("doubtful-units", words, radius=amount(radius, "mm", "km"))
 
     def _coarse(self) -> Iterator[Finding]:
         """Yield that the points that were smoothed do not resolve the cutoff everywhere."""

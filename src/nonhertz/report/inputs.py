@@ -198,9 +198,11 @@ def with_unit(value: Any, key: Key | None = None, *, small: bool = False) -> tup
 
     People read ``small`` lengths in micrometres.
     """
-    unit = unit_of(key) if key and isinstance(value, float | int | list | tuple | TabulatedDiameter) else ""
+    of_list = isinstance(value, list | tuple) and key is not None and not key.tables
+    has_unit = of_list or (isinstance(value, float | int | TabulatedDiameter) and not isinstance(value, bool))
+    unit = unit_of(key) if key and has_unit else ""
     factor, word = amount((), unit, "um" if small and unit == "mm" else "").scale
-    return shown(_times(value, factor), key), "" if isinstance(value, bool) or (key and key.tables) else word
+    return shown(_times(value, factor), key), word
 
 
 def _times(value: Any, factor: float) -> Any:
