@@ -17,12 +17,12 @@ import nonhertz.report.figures
 from nonhertz.cli import main
 from nonhertz.files.bearingfile import BearingCase, read_bearing
 from nonhertz.files.held import parsed
-from nonhertz.report import MARK, BearingResults, compose, rendered_bearings, settled_bearings
+from nonhertz.report import MARK, BearingResults, compose, rendered, settled_bearings
 from nonhertz.report.assumptions import Verdict
 from nonhertz.report.bearing.assumptions import bearing_assumptions
-from nonhertz.report.bearing.differences import bearing_differences
 from nonhertz.report.bearing.inputs import bearing_inputs
 from nonhertz.report.bearing.overview import bearing_geometry, bearing_keys, bearing_opening, part_rows
+from nonhertz.report.differences import bearing_results
 
 CROWN = '{ kind = "crown", radius = 1200 }'
 PLAIN = changed(SIX, ('"six"', '"Six & <b>few</b>"')) + 'speed = "1500 rpm"\n'
@@ -147,7 +147,7 @@ def test_the_files_inside_solve_to_the_same_numbers(folder, tmp_path):
 
 @pytest.mark.slow
 def test_it_is_the_same_file_every_time(few, undrawn):
-    text = rendered_bearings([few])
+    text = rendered([few])
     assert text == compose([case_of(PLAIN)])
     assert "2026" not in text.replace("2026-", "")
 
@@ -271,7 +271,7 @@ def test_a_fit_and_a_shape_are_among_the_inputs_and_the_clearance_is_told(undraw
     assert (entries["fit.shaft.interference"].value, entries["fit.shaft.interference"].unit) == ("10", "µm")
     assert "waves = 2" in entries["bearing.outer_shape"].value
     # NSK: a raceway grows by d / F of the interference on a solid shaft.
-    (left,) = re.findall(r"([\d.]+) µm radial, in operation", Page(rendered_bearings([found])).text)
+    (left,) = re.findall(r"([\d.]+) µm radial, in operation", Page(rendered([found])).text)
     assert float(left) == pytest.approx(12.0 - 10.0 * 30.0 / 37.5, abs=0.005)  # the speed takes little
     rows = {row.name: row for row in bearing_assumptions(found)}
     assert rows["Rings keep their shape"].number == "outer ring with a shape"
@@ -336,25 +336,25 @@ def test_slices_have_no_pressures_and_say_so(undrawn):
     found = found_in(PLAIN + SLICES)
     assert "maximum pressure" not in {key.name for key in bearing_keys(found)}
     assert "Independent slices" in {row.name for row in bearing_assumptions(found)}
-    text = Page(rendered_bearings([found])).text
+    text = Page(rendered([found])).text
     assert "slices have loads alone" in text
     assert "Grid fine enough" not in text
 
 
 def test_why_a_bearing_is_not_rated_is_said(undrawn):
     found = found_in(PLAIN.replace("length = 10.0", 'length = 10.0\nmaterial = "silicon-nitride"') + SLICES)
-    assert "the bearing must be of bearing steel" in Page(rendered_bearings([found])).text
+    assert "the bearing must be of bearing steel" in Page(rendered([found])).text
     (unrated,) = settled_bearings([found.case], life=False)
-    assert "Ratings and life" not in Page(rendered_bearings([unrated])).text
+    assert "Ratings and life" not in Page(rendered([unrated])).text
 
 
 def test_a_life_under_a_spectrum_has_no_hours(undrawn):
     spectrum = '[[life.spectrum]]\nradial = "4 kN"\nshare = 0.5\n[[life.spectrum]]\nradial = "6 kN"\nshare = 0.5\n'
     found = found_in(PLAIN + SLICES + spectrum)
-    text = Page(rendered_bearings([found])).text
+    text = Page(rendered([found])).text
     assert "life under 2 loads of a spectrum" in text
     assert " hours" not in text
-    page = Page(rendered_bearings([found]))
+    page = Page(rendered([found]))
     life = json.loads(page.files()["bearing-result.json"])["life"]
     # Miner: the reciprocal of the life is the mean of those of its parts.
     assert [part["share"] for part in life["parts"]] == [0.5, 0.5]
@@ -368,25 +368,26 @@ def test_a_life_under_a_spectrum_has_no_hours(undrawn):
 def test_several_bearings_are_compared_with_the_first(few, undrawn):
     other = PLAIN.replace("12 um", "30 um").replace("five", "six")
     found = settled_bearings([case_of(PLAIN, "tight.toml"), case_of(other, "loose.toml")])
-    rows = {row.name: row for row in bearing_differences(found)}
+    rows = {row.name: row for row in bearing_results(found)}
     loads = [each.solution.load.max() for each in found]
     assert loads[1] > loads[0]
-    change = float(rows["largest load [N]"].remarks[1].rstrip(" %"))
+    change = float(rows["largest load of a contact [kN]"].remarks[1].rstrip(" %"))
     assert change == pytest.approx(100.0 * (loads[1] / loads[0] - 1.0), rel=5e-3)  # three digits are shown
     assert rows["loaded rollers"].remarks == ()
-    assert "displacement along x [µm]" not in rows
-    page = Page(rendered_bearings(found))
+    assert "displacement x [µm]" not in rows
+    page = Page(rendered(found))
     assert "2 bearings compared" in page.text
-    assert "bearing.clearance 12 µm 30 µm" in page.text
-    assert "roller.diameter" not in page.text
+    assert "bearing.clearance 12 µm 30 µm" in page.text.partition("Result")[0]
+    assert "Not all numbers compare, since more than shapes differs: bearing.clearance." in page.text
+    assert "roller.diameter" not in page.text.partition("Assumptions, inputs, method and files of tight")[0]
     assert {"tight.toml", "loose.toml", "loose-result.json"} <= set(page.files())
 
 
 @pytest.mark.slow
 def test_figures_are_drawn_and_share_no_identifier(few, pair):
-    text = rendered_bearings([few, pair])
-    figures = re.findall(r"<b>Figure (\d+)\.</b>", text)
-    assert figures == [str(number) for number in range(1, 10)]  # one of both, and four of each
-    identifiers = re.findall(r'\bid="([^"]+)"', text)
-    assert len(identifiers) == len(set(identifiers))
-    assert set(re.findall(r'(?:href="#|url\(#)([^")]+)', text)) <= set(identifiers)
+    for text, drawn in ((rendered([few]), 4), (rendered([few, pair]), 1)):
+        figures = re.findall(r"<b>Figure (\d+)\.</b>", text)
+        assert figures == [str(number) for number in range(1, drawn + 1)]
+        identifiers = re.findall(r'\bid="([^"]+)"', text)
+        assert len(identifiers) == len(set(identifiers))
+        assert set(re.findall(r'(?:href="#|url\(#)([^")]+)', text)) <= set(identifiers)

@@ -20,7 +20,7 @@ from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.held import parsed
 from nonhertz.report import CaseResults, compose, examined, rendered, settled, steps
 from nonhertz.report.assumptions import Verdict, assumptions
-from nonhertz.report.differences import differing_inputs, lives, results
+from nonhertz.report.differences import Row, basis, differing_inputs, lives, results
 from nonhertz.report.downloads import downloads
 from nonhertz.report.drawing import inline_svg
 from nonhertz.report.inputs import inputs
@@ -375,10 +375,34 @@ def test_two_cases_are_compared_by_what_differs() -> None:
     ratio = found[1].solution.max_pressure / found[0].solution.max_pressure
     change = float(rows["maximum pressure [MPa]"].remarks[1].rstrip(" %"))
     assert change == pytest.approx(100.0 * (ratio - 1.0), rel=5e-3)  # three digits are told
-    page = Page(rendered(found))
+    text = rendered(found)
+    page = Page(text)
     assert "2 cases compared" in page.text
+    assert "Not all numbers compare, since more than shapes differs: load." in page.text
+    # Nothing of one case alone is shown before it is unfolded.
+    assert text.count("<figure") == 1
+    assert [
+        part.partition("</details>")[0].count('class="inputs"') > 3 for part in text.split("<details>\n<summary>A")
+    ] == [False, True, True]
     assert {"first.toml", "second.toml", "second-table.csv"} <= set(page.files())
     assert len(page.values("id")) == len(set(page.values("id")))
+
+
+@pytest.mark.parametrize(
+    ("paths", "told"),
+    [
+        (["body.a.diameter", "body.a.profile[1].drop", "roller.corner_radius"], []),
+        (["load.load", "load.tilt"], ["load"]),
+        (
+            ["body.b.depth", "body.a.length", "solver.strips", "fit.shaft.interference"],
+            ["body.b.depth", "solver", "fit"],
+        ),
+        (["inner.material", "bearing.clearance"], ["inner.material", "bearing.clearance"]),
+    ],
+)
+def test_what_keeps_numbers_from_being_compared_is_told(paths: list[str], told: list[str]) -> None:
+    said = basis([Row(path, ("1", "2")) for path in paths])
+    assert said == ([f"Not all numbers compare, since more than shapes differs: {', '.join(told)}."] if told else [])
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,6 @@ from nonhertz.report import (
     CaseResults,
     examined,
     rendered,
-    rendered_bearings,
     settled,
     settled_bearings,
     steps,
@@ -102,33 +101,6 @@ def title_block(**lines: str) -> TitleBlock:
         raise InputError(f"--{error.field}", error.value, error.condition, error.remedy) from None
 
 
-def made(
-    cases: Sequence[Case], life: bool | None, stress: bool, block: TitleBlock
-) -> tuple[str, tuple[CaseResults, ...]]:
-    """Return the report on cases as text, and the results in it."""
-    found = settled(cases)
-    progress = Progress(steps(found, life=life, stress=stress) + 1)
-    try:
-        found = examined(found, life=life, stress=stress, announce=progress.announce)
-        progress.announce("figures")
-        return rendered(found, block), found
-    finally:
-        progress.wipe()
-
-
-def made_of_bearings(
-    cases: Sequence[BearingCase], life: bool | None, compare: bool, block: TitleBlock
-) -> tuple[str, tuple[BearingResults, ...]]:
-    """Return the report on bearings as text, and the results in it."""
-    progress = Progress(len(cases) + 1)
-    try:
-        found = settled_bearings(cases, life=life, compare=compare, announce=progress.announce)
-        progress.announce("figures")
-        return rendered_bearings(found, block), found
-    finally:
-        progress.wipe()
-
-
 def composed(
     cases: list[Case] | list[BearingCase], life: bool | None, stress: bool, compare: bool, block: TitleBlock
 ) -> tuple[str, list[str]]:
@@ -144,9 +116,18 @@ def composed(
     if contacts and compare:
         remedy = f"use 'nonhertz compare {contacts[0].path}' for strips beside the plane grid"
         raise InputError("--compare", str(contacts[0].path), "be used with bearing files", remedy)
-    text: str
-    found: Sequence[CaseResults | BearingResults]
-    text, found = made_of_bearings(bearings, life, compare, block) if bearings else made(contacts, life, stress, block)
+    of_contacts = settled(contacts)
+    progress = Progress((steps(of_contacts, life=life, stress=stress) if contacts else len(bearings)) + 1)
+    found: Sequence[CaseResults] | Sequence[BearingResults]
+    try:
+        if bearings:
+            found = settled_bearings(bearings, life=life, compare=compare, announce=progress.announce)
+        else:
+            found = examined(of_contacts, life=life, stress=stress, announce=progress.announce)
+        progress.announce("figures")
+        text = rendered(found, block)
+    finally:
+        progress.wipe()
     return text, [f"{each.label}: {each.complaint}" for each in found if each.complaint]
 
 

@@ -6,15 +6,24 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from nonhertz.amounts import Amount, digits, mpa
+from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.model.body import BODIES
+from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.inputs import Entry, InputGroup
 from nonhertz.report.results import CaseResults
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
 from nonhertz.show.lives import without_ratio
+from nonhertz.study.quantities import OF_BEARING, SolvedBearing, number_of
 
 ABSENT = "–"
+# What is not the shape of a body: sections of files, and keys of bodies.
+_CONDITIONS = {"load", "solver", "life", "fit"}
+_BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_length", "clearance"}
+_OF_LIFE = ("static_safety", "basic", "reference", "modified")
 
 
 @dataclass(frozen=True)
@@ -48,6 +57,14 @@ def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> list[Row]:
     return rows
 
 
+def basis(rows: Sequence[Row]) -> list[str]:
+    """Return a sentence on inputs that differ beside dimensions and profiles: with them not all numbers compare."""
+    paths = [(row.name, row.name.partition(".")[0], row.name.rpartition(".")[2]) for row in rows]
+    beside = [part if part in _CONDITIONS else path for path, part, key in paths if {part, key} & _BESIDE_SHAPES]
+    what = ", ".join(dict.fromkeys(beside))
+    return [f"Not all numbers compare, since more than shapes differs: {what}."] if beside else []
+
+
 def results(found: Sequence[CaseResults]) -> list[Row]:
     """Return the results of all cases, with differences from the first."""
     solutions = [each.solution for each in found]
@@ -58,6 +75,34 @@ def results(found: Sequence[CaseResults]) -> list[Row]:
             largest = [getattr(each.stress[0], key).max for each in found if each.stress]
             rows.append(compared(f"largest {name} in body a", mpa(*largest)))
     return rows
+
+
+def bearing_results(found: Sequence[BearingResults]) -> list[Row]:
+    """Return the results of all bearings, with differences from the first; what none has is left out."""
+    solved = [None if each.solution is None else SolvedBearing(each.case, each.solution) for each in found]
+    rows = []
+    for name in ("max_pressure", *(name for name in OF_BEARING if name not in {"max_pressure", "warnings"})):
+        quantity = OF_BEARING[name]
+        if name in _OF_LIFE:
+            values = [math.nan if each.life is None else float(getattr(each.life, name)) for each in found]
+        else:
+            values = [math.nan if each is None else _beside_others(quantity, each) for each in solved]
+        if name == "loaded_rollers":
+            rows.append(
+                Row(quantity.label, tuple(f"{value:g}" if math.isfinite(value) else ABSENT for value in values))
+            )
+        elif any(value and math.isfinite(value) for value in values):
+            rows.append(compared(quantity.label, quantity.amount(*values)))
+    return rows
+
+
+def _beside_others(quantity: Quantity, solved: SolvedBearing) -> float:
+    """Return a number, zero where it is rounding beside the largest load or motion."""
+    value, found = number_of(quantity, solved), solved.solution
+    load, moved = float(found.load.max()), float(np.max(np.abs(found.displacement[:3])))
+    pitch = found.bearing.rows[0].bearing.pitch
+    largest = {"N": load, "N mm": load * pitch, "mm": moved, "rad": moved / pitch}.get(quantity.unit, 0.0)
+    return 0.0 if abs(value) <= NO_LOAD * largest else value
 
 
 def lives(found: Sequence[CaseResults]) -> list[Row]:

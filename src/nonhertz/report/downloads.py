@@ -6,11 +6,15 @@ import base64
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from nonhertz.files.bearing_results import as_json as bearing_as_json
+from nonhertz.files.bearing_results import as_object as bearing_as_object
+from nonhertz.files.bearing_results import comparison_files, rollers_table
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.lives import as_json as lives_as_json
 from nonhertz.files.results import as_json, as_table
 from nonhertz.files.stresses import as_json as stresses_as_json
+from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.results import CaseResults
 
 _KINDS = {".toml": "application/toml", ".json": "application/json", ".csv": "text/csv"}
@@ -52,6 +56,22 @@ def downloads(found: CaseResults) -> list[Download]:
         files.append(text_download(f"{stem}-stress.json", "the largest stresses", text + "\n"))
     if found.lives:
         files.append(text_download(f"{stem}-life.json", "the lives", lives_as_json(found.lives) + "\n"))
+    return files
+
+
+def bearing_downloads(found: BearingResults) -> list[Download]:
+    """Return the bearing file, the files that it names, and all results."""
+    case, solution = found.case, found.solution
+    files = given_files(case, "bearing file")
+    if solution is None:
+        return files
+    stem = PurePosixPath(case.file_name).stem
+    text = bearing_as_json(bearing_as_object(solution, case, found.life, found.reason, found.strained)) + "\n"
+    files.append(text_download(f"{stem}-rollers.csv", "all rollers", rollers_table(solution)))
+    files.append(text_download(f"{stem}-result.json", "all numbers of the bearing", text))
+    if found.slices is not None:
+        for name, text in comparison_files(solution, found.slices, case.title).items():
+            files.append(text_download(f"{stem}-{name}", "strips beside slices", text))
     return files
 
 

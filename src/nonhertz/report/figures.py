@@ -8,11 +8,13 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 from nonhertz.amounts import mm, mpa
-from nonhertz.plot import dent_figure, figures, life_figure, measured_figure, stress_figures
+from nonhertz.plot import bearing_figures, dent_figure, figures, life_figure, measured_figure, stress_figures
 from nonhertz.plot.units import rewrite_units
+from nonhertz.report.bearing.overview import bearing_keys
+from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.drawing import inline_svg
 from nonhertz.report.measurements import Measurement
-from nonhertz.report.overlay import pressures, reliefs
+from nonhertz.report.overlay import all_pressed, compared_bearings, compared_contacts
 from nonhertz.report.overview import Key, keys
 from nonhertz.report.results import CaseResults
 from nonhertz.result.solution import Solution
@@ -20,6 +22,12 @@ from nonhertz.result.solution import Solution
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+_OF_BEARING = {
+    "loads": "Loads of all rollers around the bearing's axis.",
+    "pressure": "Pressure of all rollers on the centre lines of their contacts, over the angle and along the roller.",
+    "roller": "The most loaded roller: pressure on both rings, and the relief that it starts from.",
+    "displacement": "Displacement of the inner ring along the force under up to 1.5 times the load.",
+}
 _SHARP = " Where the pressure has no limit the axis is cut, with exponent and strength beside it."
 
 
@@ -105,12 +113,30 @@ class Gallery:
         summary = " ".join(words for _, words in measurement.rows)
         return self.picture(measured_figure(measurement.measured), caption, summary)
 
-    def of_all(self, found: Sequence[CaseResults]) -> Iterator[ReportFigure]:
-        """Yield pressures with half-widths, and separations, for all cases."""
-        names = ", ".join(each.label for each in found)
-        yield self.picture(pressures(found), "Pressure on the centre line and half-width of all cases.", names)
-        caption = "Separation of the bodies before loading (the reliefs of both) of all cases, as far as they touch."
-        yield self.picture(reliefs(found), caption, names)
+    def of_all(self, found: Sequence[CaseResults]) -> ReportFigure:
+        """Return pressures, half-widths and separations of all cases."""
+        caption = (
+            "Pressure on the centre line, half-width, and separation of the bodies before loading (the reliefs of "
+            "both), as far as they touch."
+        )
+        return self.picture(compared_contacts(found), caption, ", ".join(each.label for each in found))
+
+    def of_bearing(self, found: BearingResults) -> Iterator[ReportFigure]:
+        """Yield loads, and pressure, most loaded roller and displacement as far as there are any."""
+        if found.solution is None:
+            return
+        summary = f"{found.case.title}: {self.in_words(bearing_keys(found))}"
+        for name, drawn in bearing_figures(found.solution).items():
+            yield self.picture(drawn, _OF_BEARING[name], summary)
+
+    def of_bearings(self, found: Sequence[BearingResults]) -> ReportFigure | None:
+        """Return the loads of the rollers of all bearings over their angle, and pressures if all have any."""
+        solved = [each for each in found if each.solution is not None]
+        if not solved:
+            return None
+        what = "Load and maximum pressure" if all_pressed(solved) else "Load"
+        caption = f"{what} of all rollers at the inner ring, over the angle from the first one; each row has a line."
+        return self.picture(compared_bearings(solved), caption, ", ".join(each.label for each in found))
 
     def in_words(self, numbers: Iterable[Key]) -> str:
         """Return key numbers as the description of a figure, for those who do not see it."""

@@ -8,13 +8,12 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import metadata, resources
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nonhertz import __version__
 from nonhertz.amounts import chosen
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.report.figures import ReportFigure
-from nonhertz.report.measurements import Measurement
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -27,6 +26,17 @@ _PACKAGES = ("numpy", "scipy", "numba", "matplotlib")
 _ADDRESS = re.compile(r"doi:(10\.\S+?)(?=[.,;:]?(?:\s|$))|(https?://\S+?)(?=[.,;:]?(?:\s|$))")
 
 
+#: What the template lays out by a macro of its own: the macro's name, and what it is given.
+Block = tuple[str, dict[str, Any]]
+
+
+class Section(NamedTuple):
+    """A heading, empty where none is due, and what stands below it; nothing is shown of one without blocks."""
+
+    title: str
+    blocks: Sequence[Block]
+
+
 @dataclass(frozen=True)
 class Words:
     """What a page says of all cases in it.
@@ -37,23 +47,24 @@ class Words:
         The line above the title.
     what : str
         What it reports on, in the plural.
+    here : str
+        One of them, as the head of a column.
+    file, command : str
+        What it is read from, and the command that solves that.
     conventions : str
-        Units and axes.
+        Axes and signs.
     """
 
     kind: str
     what: str
+    here: str
+    file: str
+    command: str
     conventions: str
 
 
-def laid_out(
-    title: str,
-    words: Words,
-    block: TitleBlock,
-    comparison: dict[str, Any] | None,
-    parts: Sequence[dict[str, Any]],
-) -> str:
-    """Return the text of a page; comparison and parts name the templates that lay them out."""
+def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: Sequence[dict[str, Any]]) -> str:
+    """Return the text of a page, which begins with a sentence on what was solved."""
     page = (
         _environment()
         .get_template("report.html")
@@ -61,11 +72,10 @@ def laid_out(
             title=title,
             mark=_safe(MARK),
             style=_safe(_resource("style.css")),
-            kind=words.kind,
-            what=words.what,
-            conventions=f"{chosen().stated}. {words.conventions}",
+            words=words,
+            stated=chosen().stated,
             block=block,
-            comparison=comparison,
+            opening=opening,
             parts=parts,
             versions=_versions(),
         )
@@ -86,11 +96,6 @@ def merged(rows: Sequence[tuple[str, str, str]]) -> list[tuple[str, list[tuple[s
             found.append((name.strip(), []))
         found[-1][1].append((value, remark))
     return found
-
-
-def measured(measurement: Measurement, picture: ReportFigure) -> dict[str, Any]:
-    """Return a measured profile and its figure as templates show them."""
-    return {"place": measurement.place, "file": measurement.file, "rows": measurement.rows, "figure": marked(picture)}
 
 
 def linked(text: str) -> Markup:

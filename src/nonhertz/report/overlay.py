@@ -1,15 +1,16 @@
-"""Several cases in one figure: pressure and half-width along the contact, and separation before loading."""
+"""Several cases in one figure: what is along the contacts, or the rollers around the axes of bearings."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, mark_unlimited
 from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, blank, panel
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
+from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.results import CaseResults
 
 if TYPE_CHECKING:
@@ -26,91 +27,111 @@ ROOM, BEYOND = 1.08, 1.6  # axis limit over the largest value: usually, and wher
 MICROMETRES = 1e3
 
 
-class Labelled(Protocol):
-    """Results with a short name."""
-
-    @property
-    def label(self) -> str:
-        """What they are called in legends."""
-
-
-def pressures(found: Sequence[CaseResults]) -> Figure:
-    """Return a sheet with the pressure of all cases and, below, their half-widths."""
+def compared_contacts(found: Sequence[CaseResults]) -> Figure:
+    """Return a sheet with the pressure of all cases and, below, their half-widths and separations before loading."""
     with sheet_style():
-        key = key_height(found)
-        figure = blank(key + HIGH + BETWEEN + LOW + BOTTOM)
-        upper = panel(figure, LEFT, BOTTOM + LOW + BETWEEN, WIDTH - LEFT - MARGIN, HIGH)
-        lower = panel(figure, LEFT, BOTTOM, WIDTH - LEFT - MARGIN, LOW)
-        for each, (colour, dashes) in zip(found, lines_of(found), strict=True):
+        figure, (upper, middle, lower) = _sheet([HIGH, LOW, LOW], len(found))
+        tops = []
+        for each, (colour, dashes) in zip(found, lines_of(len(found)), strict=True):
             solution = each.solution
             drawn: dict[str, Any] = {"color": colour, "linestyle": dashes, "linewidth": LINE}
-            upper.plot(solution.y, solution.centre_pressure, **drawn)
-            lower.plot(solution.y, solution.half_width, **drawn)
-        sharp = any(each.solution.singular_ends for each in found)
-        upper.set_ylim(0.0, max(each.solution.max_pressure for each in found) * (BEYOND if sharp else ROOM) or 1.0)
-        lower.set_ylim(0.0, max(float(each.solution.half_width.max()) for each in found) * ROOM or 1.0)
-        mark_unlimited([each.solution for each in found], upper, [colour for colour, _ in lines_of(found)])
-        upper.set_ylabel("Centre-line pressure $p_0$ [MPa]")
-        lower.set_ylabel("Half-width $b$ [mm]")
-        _along(upper, found)
-        _along(lower, found)
-        upper.set_xlabel("")
-        upper.tick_params(labelbottom=False)
-        legend(upper, upper.lines[: len(found)], found)
-        return figure
-
-
-def reliefs(found: Sequence[CaseResults]) -> Figure:
-    """Return a sheet with the separation before loading (the sum of both reliefs) of all cases."""
-    with sheet_style():
-        key = key_height(found)
-        figure = blank(key + HIGH + BOTTOM)
-        axes = panel(figure, LEFT, BOTTOM, WIDTH - LEFT - MARGIN, HIGH)
-        tops = []
-        for each, (colour, dashes) in zip(found, lines_of(found), strict=True):
-            solution = each.solution
             separation = MICROMETRES * solution.contact.separation(solution.y)
             separation = np.where(np.isfinite(separation), separation, np.nan)
-            axes.plot(solution.y, separation, color=colour, linestyle=dashes, linewidth=LINE)
             touching = separation[solution.line_load > 0.0]
             tops.append(float(np.nanmax(touching)) if touching.size else 0.0)
-        low = min(0.0, *axes.get_ylim())
+            for axes, values in ((upper, solution.centre_pressure), (middle, solution.half_width), (lower, separation)):
+                axes.plot(solution.y, values, **drawn)
+        sharp = any(each.solution.singular_ends for each in found)
+        upper.set_ylim(0.0, max(each.solution.max_pressure for each in found) * (BEYOND if sharp else ROOM) or 1.0)
+        middle.set_ylim(0.0, max(float(each.solution.half_width.max()) for each in found) * ROOM or 1.0)
         # Beyond the contact a relief may rise to tenths of a millimetre.
-        axes.set_ylim(low, BEYOND * max(tops) or 1.0)
-        axes.set_ylabel("Separation before loading [µm]")
-        axes.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
-        _along(axes, found)
-        legend(axes, axes.lines[: len(found)], found)
+        lower.set_ylim(min(0.0, *lower.get_ylim()), BEYOND * max(tops) or 1.0)
+        lower.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+        mark_unlimited([each.solution for each in found], upper, [colour for colour, _ in lines_of(len(found))])
+        upper.set_ylabel("Centre-line pressure $p_0$ [MPa]")
+        middle.set_ylabel("Half-width $b$ [mm]")
+        lower.set_ylabel("Separation [µm]")
+        spans = [axial_range(each.solution) for each in found]
+        for axes in (upper, middle, lower):
+            axes.set_xlim(min(low for low, _ in spans), max(high for _, high in spans))
+            axes.locator_params(axis="x", steps=[1, 2, 5, 10])
+        lower.set_xlabel(AXIAL_LABEL)
+        _legend(upper, upper.lines[: len(found)], [each.label for each in found])
         return figure
 
 
-def lines_of(found: Sequence[Labelled]) -> list[tuple[str, Any]]:
-    """Return the colour and the dashes of each case."""
-    return [LINES[number % len(LINES)] for number in range(len(found))]
+def all_pressed(found: Sequence[BearingResults]) -> bool:
+    """Return whether all bearings have pressures, which slices have not."""
+    return all(each.solution is not None and each.solution.method == "strips" for each in found)
 
 
-def _along(axes: Axes, found: Sequence[CaseResults]) -> None:
-    spans = [axial_range(each.solution) for each in found]
-    axes.set_xlim(min(low for low, _ in spans), max(high for _, high in spans))
-    axes.locator_params(axis="x", steps=[1, 2, 5, 10])
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
-    axes.set_xlabel(AXIAL_LABEL)
+def compared_bearings(found: Sequence[BearingResults]) -> Figure:
+    """Return a sheet with the loads of all rollers of solved bearings and, below, their pressures if all have any."""
+    curves = {"load": "Load at the inner ring [N]"}
+    if all_pressed(found):
+        curves["max_pressure"] = "Maximum pressure [MPa]"
+    with sheet_style():
+        figure, every = _sheet([HIGH] * len(curves), len(found))
+        for axes, (name, label) in zip(every, curves.items(), strict=True):
+            handles = _around(axes, found, name)
+            axes.set_ylabel(label)
+            if axes is every[0]:
+                _legend(axes, handles, [each.label for each in found])
+        every[-1].set_xlabel("Angle of the roller [degrees]")
+        return figure
 
 
-def key_height(found: Sequence[Labelled]) -> float:
-    """Return the height of the legend above a panel [inch]."""
-    return 0.12 + ROW * len(found)
+def _around(axes: Axes, found: Sequence[BearingResults], name: str) -> list[object]:
+    """Draw a line for each row of each bearing, and return one of each bearing for the key."""
+    handles: list[object] = []
+    top = 0.0
+    for each, (colour, dashes) in zip(found, lines_of(len(found)), strict=True):
+        solution = each.solution
+        assert solution is not None
+        for row in range(len(solution.bearing.rows)):
+            these = solution.rollers_of(row)
+            angle = (np.degrees(solution.angle[these]) + 180.0) % 360.0 - 180.0
+            values = getattr(solution, name)[these, 0]
+            order = np.argsort(angle)
+            (line,) = axes.plot(
+                angle[order], values[order], color=colour, linestyle=dashes, linewidth=LINE, marker="o", markersize=3.0
+            )
+            top = max(top, float(values.max()))
+            if row == 0:
+                handles.append(line)
+    axes.set_ylim(0.0, ROOM * top or 1.0)
+    axes.set_xlim(-180.0, 180.0)
+    axes.set_xticks(np.arange(-180.0, 181.0, 45.0))
+    return handles
 
 
-def legend(axes: Axes, handles: Sequence[Any], found: Sequence[Labelled]) -> None:
+def _sheet(heights: Sequence[float], count: int) -> tuple[Figure, list[Axes]]:
+    """Return a sheet of panels one below the other, with room above for a legend of so many lines."""
+    height = BOTTOM + sum(heights) + BETWEEN * (len(heights) - 1)
+    figure, panels = blank(height + 0.12 + ROW * count), []
+    for each in heights:
+        panels.append(panel(figure, LEFT, height - each, WIDTH - LEFT - MARGIN, each))
+        height -= each + BETWEEN
+    for axes in panels:
+        for side in ("top", "right"):
+            axes.spines[side].set_visible(False)
+        axes.tick_params(labelbottom=axes is panels[-1])
+    return figure, panels
+
+
+def lines_of(count: int) -> list[tuple[str, Any]]:
+    """Return the colour and the dashes of each of so many cases."""
+    return [LINES[number % len(LINES)] for number in range(count)]
+
+
+def _legend(axes: Axes, handles: Sequence[Any], labels: Sequence[str]) -> None:
     """Put the legend above the axes, one line per case: it must not cover a curve, and names may be long."""
-    numbers = [str(number) for number in range(1, len(found) + 1)]
+    numbers = [str(number) for number in range(1, len(labels) + 1)]
     drawn = axes.legend(
         handles, numbers, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1, borderaxespad=0.2,
         borderpad=0.2, labelspacing=0.25, handlelength=3.2, frameon=False, fontsize=SMALL_SIZE,
     )  # fmt: skip
-    for text, number, each in zip(drawn.get_texts(), numbers, found, strict=True):
+    for text, number, label in zip(drawn.get_texts(), numbers, labels, strict=True):
         # A file's name: a dollar sign must not start mathtext, nor a leading underscore hide the entry.
         text.set_parse_math(False)
-        text.set_text(f"{number}  {each.label}")
+        text.set_text(f"{number}  {label}")
