@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeVar
 
 from nonhertz.errors import CaseError, ConvergenceError
 from nonhertz.files.bearingfile import BearingCase
@@ -31,6 +32,8 @@ from nonhertz.show.analysis import (
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
 
+Given = TypeVar("Given", Case, BearingCase)
+Found = TypeVar("Found")
 STRESS_STEPS = 2  # in the whole body and in a cross-section
 
 
@@ -73,7 +76,12 @@ class CaseResults:
 
 
 def settled(cases: Sequence[Case]) -> tuple[CaseResults, ...]:
-    """Return the solutions of all cases.
+    """Return the solutions of all cases; raise what `of_each` does."""
+    return of_each(cases, lambda case, label: CaseResults(case, label, *attempted(case)))
+
+
+def of_each(cases: Sequence[Given], settle: Callable[[Given, str], Found]) -> tuple[Found, ...]:
+    """Return what ``settle`` makes of each case and its label.
 
     Raises
     ------
@@ -84,13 +92,13 @@ def settled(cases: Sequence[Case]) -> tuple[CaseResults, ...]:
     """
     for case in cases:
         _ = case.document
-    found: list[CaseResults] = []
+    found: list[Found] = []
     mistakes: list[str] = []
     places: list[str] = []
     for case, label in zip(cases, labels(cases), strict=True):
         try:
             with named(case.file_name) if len(cases) > 1 else contextlib.nullcontext():
-                found.append(CaseResults(case, label, *attempted(case)))
+                found.append(settle(case, label))
         except CaseError as error:
             mistakes += error.mistakes
             places += error.places

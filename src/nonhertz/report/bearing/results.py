@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
+from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase, placed
-from nonhertz.files.held import named
 from nonhertz.findings import Finding, sentences
-from nonhertz.report.results import labels
+from nonhertz.report.results import of_each
 from nonhertz.show.analysis import Announce, in_silence
 
 
@@ -82,29 +80,15 @@ def settled_bearings(
 
     Raises
     ------
-    CaseError
-        If any bearing or its loads are refused, with every mistake; with several bearings each is prefixed by its
-        file's name.
-    InputError
-        If a bearing made in Python has something no bearing file can hold, which a report shows; before anything is
-        solved.
+    CaseError, InputError
+        As `nonhertz.report.results.of_each`.
     """
-    for case in cases:
-        _ = case.document
-    found: list[BearingResults] = []
-    mistakes: list[str] = []
-    places: list[str] = []
-    for case, label in zip(cases, labels(cases), strict=True):
+
+    def settle(case: BearingCase, label: str) -> BearingResults:
         announce(label)
-        try:
-            with named(case.file_name) if len(cases) > 1 else contextlib.nullcontext():
-                found.append(_settled(case, label, life is not False, compare))
-        except CaseError as error:
-            mistakes += error.mistakes
-            places += error.places
-    if mistakes:
-        raise CaseError(mistakes, places)
-    return tuple(found)
+        return _settled(case, label, life is not False, compare)
+
+    return of_each(cases, settle)
 
 
 def _settled(case: BearingCase, label: str, life: bool, compare: bool) -> BearingResults:
