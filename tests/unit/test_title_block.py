@@ -27,7 +27,7 @@ def folder(tmp_path: Path) -> Path:
 @pytest.mark.parametrize(("name", "read"), [("case.toml", nh.read_case), ("bearing.toml", nh.read_bearing)])
 def test_a_title_block_is_read_and_written(folder: Path, name, read) -> None:
     case = read(folder / name)
-    assert case.title_block.lines == (("project", "Gearbox"),)
+    assert case.title_block.lines == {"project": "Gearbox"}
     (folder / "new").mkdir()
     case.write(folder / "new" / "copy.toml")
     assert read(folder / "new" / "copy.toml").title_block == case.title_block
@@ -42,10 +42,9 @@ def test_all_mistakes_of_a_title_block_are_named(folder: Path) -> None:
     assert set(caught.value.places) == {f"report.{name}" for name in ("project", "author", "date", "authors")}
 
 
-def test_a_field_has_200_letters_at_most() -> None:
-    assert TitleBlock(project="A" * 200).project == "A" * 200
-    with pytest.raises(nh.InputError, match="200"):
-        TitleBlock(project="A" * 201)
+def test_what_is_given_stands_over_another() -> None:
+    found = TitleBlock(author="B", date=" ").over(TitleBlock(project="Gearbox", author="A", date="today"))
+    assert found.lines == {"project": "Gearbox", "author": "B", "date": "today"}
 
 
 def test_the_page_has_the_fields() -> None:

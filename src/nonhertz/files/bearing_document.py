@@ -21,10 +21,11 @@ from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.mistakes import Mistake, TableError
 from nonhertz.files.reading import Reading, Surroundings, read, section
-from nonhertz.files.sections import FORMAT_FIELD, combined_radius, line, of_both, sampled
+from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, sampled
 from nonhertz.files.shape_tables import read_shape, shape_tables
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
+from nonhertz.inputs.checks import one_line
 from nonhertz.inputs.fields import Input, Part, Parts, Word, default_of, described, together
 from nonhertz.life.spectrum import at_most_whole
 
@@ -61,7 +62,7 @@ class BearingFile(Input):
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
     title: Annotated[
-        str, Word("what the bearing is called in tables and figures", "write a short name", condition=line)
+        str, Word("what the bearing is called in tables and figures", "write a short name", condition=one_line)
     ] = ""
     # What a section depends on comes before it.
     roller: Rollers

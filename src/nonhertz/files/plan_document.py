@@ -10,7 +10,8 @@ from typing import Annotated, Any
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.sampling import Sampling
-from nonhertz.files.sections import FORMAT_FIELD, line
+from nonhertz.files.sections import FORMAT_FIELD
+from nonhertz.inputs.checks import one_line
 from nonhertz.inputs.fields import Count, Custom, Input, Part, Parts, Quantity, Word, described
 from nonhertz.life import MODELS, LoadCase
 
@@ -105,12 +106,14 @@ class PlanDocument(Input):
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
     title: Annotated[
-        str, Word("what the study is called in tables and figures", "write a short name", condition=line)
+        str, Word("what the study is called in tables and figures", "write a short name", condition=one_line)
     ] = ""
     case: Annotated[
         str,
         Word(
-            "the case file or bearing file that is varied, relative to the plan", "write a short name", condition=line
+            "the case file or bearing file that is varied, relative to the plan",
+            "write a short name",
+            condition=one_line,
         ),
     ]
     over: Annotated[

@@ -17,7 +17,7 @@ from nonhertz.files.dimensions import BROKEN
 from nonhertz.files.mistakes import TableError
 from nonhertz.files.reading import Surroundings, read
 from nonhertz.files.title_block import TitleBlock
-from nonhertz.inputs.checks import one_line, positive, text
+from nonhertz.inputs.checks import one_line, positive
 from nonhertz.inputs.fields import (
     Count,
     Custom,
@@ -309,12 +309,6 @@ class Life(Input):
         return tuple(model(name, **{key: given[key] for key in taken[name] if key in given}) for name in names)
 
 
-def line(name: str, value: Any, remedy: str) -> None:
-    """Refuse anything that is not one line of text."""
-    text(name, value, "put it in quotes")
-    one_line(name, value, remedy)
-
-
 def _format(name: str, value: Any, remedy: str) -> int:
     if value != FORMAT or isinstance(value, bool):
         raise InputError(name, value, f"be {FORMAT}, the newest format this release reads", remedy)
@@ -336,7 +330,7 @@ class CaseDocument(Input):
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
     title: Annotated[
-        str, Word("what the case is called in tables and figures", "write a short name", condition=line)
+        str, Word("what the case is called in tables and figures", "write a short name", condition=one_line)
     ] = ""
     body: Annotated[Bodies, Part("the two bodies", Bodies, "give both")]
     load: Annotated[Prescription, Part("what presses them together", Prescription, "give it")]

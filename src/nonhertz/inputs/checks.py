@@ -123,8 +123,9 @@ def thread_count(threads: int | None) -> int:
     return int(threads)
 
 
-def one_line(field: str, value: str, remedy: str) -> None:
-    """Refuse text with control characters or line breaks, which no table, picture or page can show."""
+def one_line(field: str, value: Any, remedy: str) -> None:
+    """Refuse what is no text, or has control characters or line breaks, which no table, picture or page can show."""
+    text(field, value, "put it in quotes")
     if any(unicodedata.category(character) in {"Cc", "Cs", "Zl", "Zp"} for character in value):
         raise InputError(field, value, "be one line of text without control characters", remedy)
 
