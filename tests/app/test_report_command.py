@@ -100,7 +100,7 @@ def test_the_head_says_what_the_file_and_the_options_say(case: str) -> None:
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["--author", "a" * 201], "--author = 'aaa"),
+        (["--author", "one\0two"], "--author = 'one\\x00two' must be one line of text"),
         (["--project", "one\ntwo"], "--project = 'one\\ntwo' must be one line of text"),
     ],
 )

@@ -12,10 +12,10 @@ from nonhertz.amounts import Amount, digits, mpa
 from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.model.body import BODIES
 from nonhertz.report.bearing.results import BearingResults
-from nonhertz.report.inputs import Entry, InputGroup
+from nonhertz.report.inputs import InputGroup
 from nonhertz.report.results import CaseResults
 from nonhertz.result.quantities import QUANTITIES, Quantity
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.solution import EdgeKind, EdgePressure
 from nonhertz.show.lives import without_ratio
 from nonhertz.study.quantities import OF_BEARING, SolvedBearing, number_of
 
@@ -47,7 +47,15 @@ class Row:
 
 def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> list[Row]:
     """Return the inputs in which cases differ, by key; each case is given by its inputs."""
-    tables = [_by_place(groups) for groups in cases]
+    tables = [
+        {
+            entry.place: f"{entry.value} {entry.unit}".strip()
+            for group in groups
+            for entries in (group.entries, *(profile.entries for profile in group.profiles))
+            for entry in entries
+        }
+        for groups in cases
+    ]
     places = dict.fromkeys(place for table in tables for place in table)
     rows = []
     for place in places:
@@ -68,8 +76,13 @@ def basis(rows: Sequence[Row]) -> list[str]:
 def results(found: Sequence[CaseResults]) -> list[Row]:
     """Return the results of all cases, with differences from the first."""
     solutions = [each.solution for each in found]
-    rows = [_compared(QUANTITIES[name], solutions) for name in _COMPARED]
-    rows[1:1] = [_ends(solutions, at, name) for at, name in ((0, "low"), (1, "high"))]
+    rows = [
+        compared(quantity.label, quantity.amount(*(float(quantity.clean(each)) for each in solutions)))
+        for quantity in map(QUANTITIES.__getitem__, _COMPARED)
+    ]
+    for at, end in enumerate(("low", "high")):
+        values, remarks = zip(*(_end(each.edge_pressure[at]) for each in solutions), strict=True)
+        rows.insert(1 + at, Row(f"pressure at the {end} end", values, remarks))
     if all(each.stress for each in found):
         for name, key in _STRESSES.items():
             largest = [getattr(each.stress[0], key).max for each in found if each.stress]
@@ -130,21 +143,6 @@ def remarks_on_lives(found: Sequence[CaseResults]) -> list[str]:
     return list(dict.fromkeys(words for each in remarks for words in each))
 
 
-def _by_place(groups: Sequence[InputGroup]) -> dict[str, str]:
-    entries = [entry for group in groups for entry in group.entries]
-    entries += [entry for group in groups for profile in group.profiles for entry in profile.entries]
-    return {entry.place: _in_words(entry) for entry in entries}
-
-
-def _in_words(entry: Entry) -> str:
-    return f"{entry.value} {entry.unit}".strip()
-
-
-def _ends(solutions: Sequence[Solution], at: int, name: str) -> Row:
-    values, remarks = zip(*(_end(each.edge_pressure[at]) for each in solutions), strict=True)
-    return Row(f"pressure at the {name} end", values, remarks)
-
-
 def _end(edge: EdgePressure) -> tuple[str, str]:
     if edge.kind is EdgeKind.RUN_OUT:
         return "runs out", ""
@@ -159,10 +157,6 @@ def _end(edge: EdgePressure) -> tuple[str, str]:
 _LEFT_OUT = {"max_pressure_y", "load_by_tilt", "moment_by_approach"}
 _COMPARED = sorted(set(QUANTITIES) - _LEFT_OUT, key=["max_pressure", *QUANTITIES].index)
 _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogonal shear stress": "orthogonal_shear"}
-
-
-def _compared(quantity: Quantity, solutions: Sequence[Solution]) -> Row:
-    return compared(quantity.label, quantity.amount(*(float(quantity.clean(each)) for each in solutions)))
 
 
 def compared(name: str, found: Amount) -> Row:

@@ -17,7 +17,6 @@ from nonhertz.report.measurements import Measurement
 from nonhertz.report.overlay import all_pressed, compared_bearings, compared_contacts
 from nonhertz.report.overview import Key, keys
 from nonhertz.report.results import CaseResults
-from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -62,7 +61,8 @@ class Gallery:
         captions = {
             "pressure": "Pressure on the centre line and half-width along the contact."
             + (_SHARP if solution.singular_ends else ""),
-            "footprint": "Contact area, coloured by its pressure" + _proportions(solution),
+            "footprint": "Contact area, coloured by its pressure"
+            + (" (the dotted line is the half-width)." if solution.element.name == "parabolic" else "."),
             "profile": "Distance of both surfaces on the centre line before and after loading.",
         }
         summary = f"{found.case.title}: {self.in_words(keys(found))}"
@@ -149,7 +149,3 @@ class Gallery:
         rewrite_units(figure)
         svg = inline_svg(figure, f"figure-{number}", caption, description)
         return ReportFigure(number, svg, caption)
-
-
-def _proportions(solution: Solution) -> str:
-    return " (the dotted line is the half-width)." if solution.element.name == "parabolic" else "."

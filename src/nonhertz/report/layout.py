@@ -71,13 +71,14 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
         .render(
             title=title,
             mark=_safe(MARK),
-            style=_safe(_resource("style.css")),
+            style=_safe(resources.files("nonhertz.report").joinpath("templates", "style.css").read_text("utf-8")),
             words=words,
             stated=chosen().stated,
             block=block,
             opening=opening,
             parts=parts,
-            versions=_versions(),
+            versions={"nonhertz": __version__, "Python": platform.python_version()}
+            | {name: metadata.version(name) for name in _PACKAGES},
         )
     )
     return page.strip() + "\n"
@@ -126,17 +127,8 @@ def _environment() -> Environment:
     return environment
 
 
-def _versions() -> list[tuple[str, str]]:
-    packages = [(name, metadata.version(name)) for name in _PACKAGES]
-    return [("nonhertz", __version__), ("Python", platform.python_version()), *packages]
-
-
 def _safe(text: str) -> Markup:
     """Return trusted text as HTML that is not escaped."""
     from markupsafe import Markup
 
     return Markup(text)
-
-
-def _resource(name: str) -> str:
-    return resources.files("nonhertz.report").joinpath("templates", name).read_text(encoding="utf-8")
