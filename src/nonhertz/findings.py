@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from nonhertz.amounts import Amount, read_in
+from nonhertz.amounts import Amount, EndStrength, read_in
 from nonhertz.errors import AccuracyWarning
 
 
@@ -56,6 +56,8 @@ class Finding:
             elif isinstance(value, Amount):
                 values = list(value.values) if len(value.values) != 1 else value.values[0]
                 yield name, {"value": values, "unit": value.unit}
+            elif isinstance(value, EndStrength):
+                yield name, {"value": value.value, "unit": f"MPa mm^{value.exponent:.3g}"}
             else:
                 yield name, value
 
