@@ -30,6 +30,7 @@ Array = NDArray[np.float64]
 # Pressure p0 of a line contact over the yield strength at the onset of yield below the surface, by Tresca's criterion:
 # K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1.
 FLOW_BEGINS = 1.67
+NO_ERROR = 1e-12  # relative: rounding
 
 
 class Verdict(enum.Enum):
@@ -151,15 +152,25 @@ def _smooth(solution: Solution) -> Assumption:
 
 def _fine(solution: Solution) -> Iterator[Assumption]:
     estimate = solution.error_estimate
-    criterion = f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %"
     # The prescribed one of the two has no error.
     name, error = max((("approach", estimate.approach), ("load", estimate.load)), key=lambda each: each[1])
-    yield Assumption(f"Grid fine enough for the {name}", criterion, percent(error), known(error))
-    corner = solution.peaks_at_corner
-    verdict = Verdict.NOT_MET if corner else known(estimate.max_pressure)
-    remark = "The largest pressure rises with every refinement." if corner else ""
-    number = "no limit" if corner else percent(estimate.max_pressure)
-    yield Assumption("Grid fine enough for the largest pressure", criterion, number, verdict, remark)
+    yield fine_enough(f"the {name}", error)
+    yield fine_enough("the largest pressure", estimate.max_pressure, at_corner=solution.peaks_at_corner)
+
+
+def fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumption:
+    """Return the assumption that a grid is fine enough for a number of this estimated error, or at a corner's peak."""
+    name, criterion = (
+        f"Grid fine enough for {what}",
+        f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %",
+    )
+    if at_corner:
+        remark = "At a corner of the profile it rises with every refinement."
+        return Assumption(name, criterion, "no limit", Verdict.NOT_MET, remark)
+    if not math.isfinite(error):
+        return Assumption(name, criterion, "unknown", Verdict.OPEN)
+    number = f"about {given(100.0 * error, 1)} %" if error > NO_ERROR else "none"
+    return Assumption(name, criterion, number, strained_if(error > NOTABLE))
 
 
 def _shape(solution: Solution) -> Assumption:
@@ -209,15 +220,3 @@ def elastic_below_yield(pressure: float, where: str = "") -> Assumption:
 def strained_if(strained: bool) -> Verdict:
     """Return the verdict on a number that is within its limit or not."""
     return Verdict.STRAINED if strained else Verdict.HOLDS
-
-
-def known(error: float) -> Verdict:
-    """Return the verdict on an estimated error."""
-    return strained_if(error > NOTABLE) if math.isfinite(error) else Verdict.OPEN
-
-
-def percent(error: float) -> str:
-    """Return an estimated error as text."""
-    if not math.isfinite(error):
-        return "unknown"
-    return f"about {given(100.0 * error, 1)} %" if error > 1e-12 else "none"

@@ -22,8 +22,7 @@ from nonhertz.report.assumptions import (
     Assumption,
     Verdict,
     elastic_below_yield,
-    known,
-    percent,
+    fine_enough,
     strained_if,
 )
 from nonhertz.report.bearing.results import BearingResults
@@ -132,17 +131,11 @@ def _ends(contacts: list[Solution]) -> Assumption:
 
 
 def _fine(contacts: list[Solution]) -> Iterator[Assumption]:
-    criterion = f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %"
-    for name, what in (("load", "the loads"), ("max_pressure", "the largest pressures")):
-        # Of contacts that bear little the errors are relative to little.
-        of_largest = [getattr(each.error_estimate, name) for each in contacts if each.load > 0.1 * contacts[0].load]
-        error = max(of_largest)
-        at_corner = any(each.peaks_at_corner for each in contacts)
-        if name == "max_pressure" and at_corner:
-            remark = "At a corner of the profile the largest pressure rises with every refinement."
-            yield Assumption(f"Grid fine enough for {what}", criterion, "no limit", Verdict.NOT_MET, remark)
-        else:
-            yield Assumption(f"Grid fine enough for {what}", criterion, percent(error), known(error))
+    # Of contacts that bear little the errors are relative to little.
+    estimates = [each.error_estimate for each in contacts if each.load > 0.1 * contacts[0].load]
+    yield fine_enough("the loads", max(each.load for each in estimates))
+    at_corner = any(each.peaks_at_corner for each in contacts)
+    yield fine_enough("the largest pressures", max(each.max_pressure for each in estimates), at_corner=at_corner)
 
 
 def _whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
