@@ -307,6 +307,19 @@ def test_a_strained_assumption_is_one_that_the_solver_warns_of(name: str) -> Non
     assert {each.verdict for each in assumptions(fine)} == {Verdict.HOLDS, Verdict.OPEN}
 
 
+def test_defaults_are_folded_and_the_contents_lead_to_every_part(text: str, page: Page) -> None:
+    body_a = text.partition("<caption>Body a</caption>")[2].partition("<caption>")[0]
+    shown, _, folded = body_a.partition("<details>")
+    assert re.findall(r"<code>(\w+)</code>", shown) == ["kind", "diameter", "length", "kind", "file", "kind", "angle"]
+    assert "side_faces" in re.findall(r"<code>(\w+)</code>", folded)
+    assert "defaults: material, " in folded
+    (contents,) = re.findall(r'<nav class="contents".*?</nav>', text, re.DOTALL)
+    parts = re.findall(r'<h2 class="part" id="(part-\d+)">(.*?)</h2>', text)
+    assert re.findall(r'href="#(.*?)">(.*?)</a>', contents) == parts
+    assert parts[0][1] == "Results"
+    assert parts[-1][1] == "Files"
+
+
 def test_only_publications_that_apply_are_named(results_of_case: CaseResults) -> None:
     told = " ".join(references(results_of_case))
     assert "de Mul" in told
@@ -381,9 +394,8 @@ def test_two_cases_are_compared_by_what_differs() -> None:
     assert "Not all numbers compare, since more than shapes differs: load." in page.text
     # Nothing of one case alone is shown before it is unfolded.
     assert text.count("<figure") == 1
-    assert [
-        part.partition("</details>")[0].count('class="inputs"') > 3 for part in text.split("<details>\n<summary>A")
-    ] == [False, True, True]
+    before, *folded = text.split("<summary>Assumptions, inputs, method and files of ")
+    assert [each.count("<caption>Body a</caption>") for each in (before, *folded)] == [0, 1, 1]
     assert {"first.toml", "second.toml", "second-table.csv"} <= set(page.files())
     assert len(page.values("id")) == len(set(page.values("id")))
 

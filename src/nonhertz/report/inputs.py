@@ -17,7 +17,6 @@ from nonhertz.files.measured import KIND as MEASURED
 from nonhertz.files.profiles import profile_tables
 from nonhertz.files.sections import Life, Solver
 from nonhertz.files.writing import profile_tables as written_profiles
-from nonhertz.inputs.fields import text_of
 from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.corner import Chamfer
@@ -88,6 +87,12 @@ class InputGroup:
     entries: tuple[Entry, ...]
     profiles: tuple[ProfileInput, ...] = ()
 
+    @property
+    def usual(self) -> list[Entry]:
+        """Those that the file leaves at their defaults, of profiles too."""
+        every = (self.entries, *(profile.entries for profile in self.profiles))
+        return [entry for entries in every for entry in entries if entry.default]
+
 
 def inputs(case: Case) -> list[InputGroup]:
     """Return all inputs of a case, grouped by the headings of its file."""
@@ -112,7 +117,7 @@ def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> 
             if name == "depth" and value is None:
                 value = body.behind.shown
             text, unit = (_ABSENT.get(name, "none"), "") if value is None else with_unit(value, key)
-            meaning, written = text_of(key.each), as_written(table, name)
+            meaning, written = key.each.meaning, as_written(table, name)
             entries.append(Entry(f"{place}.{name}", text, unit, meaning, name not in table, written))
     tables = profile_tables(table)
     made = iter(written_profiles(body.profile))
@@ -136,9 +141,9 @@ def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     for name, key in keys.items():
         if name in prescribed:
             text, unit = with_unit(prescribed[name], key)
-            yield Entry(f"load.{name}", text, unit, text_of(key.each), False, as_written(table, name))
+            yield Entry(f"load.{name}", text, unit, key.each.meaning, False, as_written(table, name))
     if not {"tilt", "moment"} & set(prescribed):
-        yield Entry("load.tilt", "0", "rad", text_of(keys["tilt"].each), True)
+        yield Entry("load.tilt", "0", "rad", keys["tilt"].each.meaning, True)
 
 
 def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
@@ -147,7 +152,7 @@ def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     values = {"element": solver["element"].name, "strips": str(solver["strips"]), "accuracy": accuracy}
     for name, key in table_of(Solver).keys.items():
         if values[name]:
-            yield Entry(f"solver.{name}", values[name], "", text_of(key.each), name not in table)
+            yield Entry(f"solver.{name}", values[name], "", key.each.meaning, name not in table)
 
 
 def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
@@ -156,9 +161,9 @@ def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
             (row,) = key.tables
             for number, case in enumerate(table[name], start=1):
                 text = ", ".join(f"{each} {_entry_within(value, row.keys[each])}" for each, value in case.items())
-                yield Entry(f"life.spectrum[{number}]", text, "", text_of(key.each), False)
+                yield Entry(f"life.spectrum[{number}]", text, "", key.each.meaning, False)
         elif name in table:
-            yield Entry(f"life.{name}", *with_unit(table[name], key), text_of(key.each), False)
+            yield Entry(f"life.{name}", *with_unit(table[name], key), key.each.meaning, False)
 
 
 def _profile_input(
@@ -170,7 +175,7 @@ def _profile_input(
     entries = [Entry(f"{place}.kind", kind, "", "relief along the axis", default)]
     for name, key in described.keys.items():
         value, is_default = _parameter(name, table, function)
-        meaning = text_of(key.each)
+        meaning = key.each.meaning
         if "drop" in table and name == determined(kind, table):
             value, is_default, meaning = made[name], False, f"{meaning}; from the drop"
         if value is not None:
