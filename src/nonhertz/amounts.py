@@ -259,6 +259,16 @@ class EndStrength:
     exponent: float
 
     @property
+    def values(self) -> tuple[float]:
+        """The strength, as an `Amount` has it."""
+        return (self.value,)
+
+    @property
+    def unit(self) -> str:
+        """Its unit in files."""
+        return f"MPa mm^{self.exponent:.3g}"
+
+    @property
     def apart(self) -> tuple[float, str, str]:
         """The strength in the units that are read, and the units of pressure and of length."""
         (pressure, stress), (length, distance) = chosen().of("MPa"), chosen().of("mm")

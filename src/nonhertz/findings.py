@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from nonhertz.amounts import Amount, EndStrength, read_in
 from nonhertz.errors import AccuracyWarning
 
@@ -53,13 +55,11 @@ class Finding:
         for name, value in self.numbers:
             if isinstance(value, Finding):
                 yield from value._plain()
-            elif isinstance(value, Amount):
+            elif isinstance(value, Amount | EndStrength):
                 values = list(value.values) if len(value.values) != 1 else value.values[0]
                 yield name, {"value": values, "unit": value.unit}
-            elif isinstance(value, EndStrength):
-                yield name, {"value": value.value, "unit": f"MPa mm^{value.exponent:.3g}"}
             else:
-                yield name, value
+                yield name, value.item() if isinstance(value, np.generic) else value
 
 
 def finding(kind: str, words: str, /, **numbers: Any) -> Finding:

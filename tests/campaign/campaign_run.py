@@ -131,7 +131,7 @@ def examined(case, number, twins="all"):
                 faults += [(f"{name}: {kind}", detail) for kind, detail in faults_of(twin, other)]
             else:
                 faults += twin_faults(name, case, ending, other, factors)
-    warned = [] if ending.solution is None else [without_numbers(one)[:90] for one in ending.solution.warnings]
+    warned = [] if ending.solution is None else [one.kind for one in ending.solution.findings]
     words = "" if ending.solution is not None else f"{ending.words} | {ending.error}"
     seconds = time.perf_counter() - start
     return Record(number, ending.kind, words, plain_case.call_text(case), seconds, faults, warned)

@@ -75,7 +75,7 @@ def test_motions_that_are_none_are_refused(given, said):
 
 
 def test_maps_lead_to_the_loads_of_strips(maps):
-    assert "2 contacts, loads up to 3000 N" in repr(maps)
+    assert "2 contacts, loads up to 3 kN" in repr(maps)
     by_maps = B.solve(row(), radial=6e3, tilt=3e-4, maps=maps)
     by_strips = B.solve(row(), radial=6e3, tilt=3e-4)
     assert_allclose(by_maps.load, by_strips.load, rtol=2e-3, atol=3.0)

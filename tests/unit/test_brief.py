@@ -27,7 +27,7 @@ def test_a_solution_is_printed_in_ten_lines_at_most(solved):
     said = repr(solved).splitlines()
     assert len(said) <= 10
     assert said[1].strip() == (
-        "roller (diameter 20, length 20 mm; ends free, depth finite) against ring (diameter 80 mm; depth none)"
+        "roller (diameter 20 mm, length 20 mm; ends free, depth finite) against ring (diameter 80 mm; depth none)"
     )
     assert "load 5.0000 kN" in repr(solved)
     assert "tilt 0.20000 mrad" in repr(solved)

@@ -118,7 +118,7 @@ def test_waves_shorter_than_cells_do_not_escape_the_estimate(wavelength):
 def test_a_pressure_without_a_limit_has_no_estimate():
     wall = solve(lambda x, y: np.where(x < 0.11, ball(x, y), math.inf))
     assert wall.error_estimate.max_pressure == math.inf
-    assert wall.warnings[-1].startswith("The contact reaches the edge of a body at x = 0.075, y = ")
+    assert wall.warnings[-1].startswith("The contact reaches the edge of a body at x = 0.075 mm, y = ")
     cut = nh.patch.solve(PLATES, gap=ball, cells=CELLS, region=((-0.8, 0.1), (-0.8, 0.8)), load=500.0)
     assert cut.error_estimate.max_pressure == math.inf
     lost = solve(ball, features=nh.patch.Dent(x=0.1, depth=0.01, diameter=0.2 * SIDE))

@@ -83,7 +83,6 @@ def springs(
     status: Status = Status.CONVERGED,
     singular: bool = False,
     spike: float = 1.0,
-    warnings: tuple[str, ...] = (),
 ) -> Solution:
     """Return a solution in which every strip answers for itself: right in shape, without the solver.
 
@@ -118,7 +117,7 @@ def springs(
         peaks_at_corner=False,
         iterations=7,
         error_estimate=ErrorEstimate(approach=1e-4, load=0.0, max_pressure=1e-3, moment=0.0, tilt=0.0),
-        warnings=warnings,
+        findings=(),
     )
 
 

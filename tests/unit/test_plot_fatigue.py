@@ -96,7 +96,7 @@ def test_what_has_no_number_is_told_in_words(solution: nh.Solution, lives: tuple
 def test_a_spectrum_is_told_by_its_ranges(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
     spectrum = [(solution, 0.5), (replace(solution, tilt=1e-3), 0.5)]
     figure = life_figure(spectrum, {"a": lives, "b": lives})
-    assert [text.get_text() for text in figure.texts] == ["Spectrum of 2 loads, 5000 N, tilt 0 to 1 mrad"]
+    assert [text.get_text() for text in figure.texts] == ["Spectrum of 2 loads, 5 kN, tilt 0 to 1 mrad"]
 
 
 def test_lines_differ_in_colour_and_dashes() -> None:

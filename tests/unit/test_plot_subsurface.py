@@ -116,7 +116,7 @@ def test_the_axial_plane_points_down_and_marks_the_largest_of_the_body(point: Fo
     expected = {"o": found.von_mises, "D": found.shear, "^": found.orthogonal_shear}
     assert marks(ax) == {marker: [[each.y, each.z]] for marker, each in expected.items()}
     assert expected["o"].y > 0.1
-    assert ax.get_title(loc="left").endswith("; body b at $x$ = 0")
+    assert ax.get_title(loc="left").endswith("; body b at $x$ = 0 mm")
     aside = f"at $x$ = ±{found.orthogonal_shear.x:.3f}, $y$ = "
     assert [aside in label for label in key(ax)[:3]] == [False, False, True]
 
@@ -202,7 +202,7 @@ def test_a_contact_wider_than_long_is_stretched_along() -> None:
     with pytest.warns(nh.AccuracyWarning):
         solution = nh.solve(nh.Contact(roller, nh.Plate()), load=2000.0)
     places = {name: Extreme(900.0, 0.0, 0.1, 0.9) for name in ("von_mises", "shear", "orthogonal_shear")}
-    found = Extremes(body="a", warnings=(), **places)
+    found = Extremes(body="a", findings=(), **places)
     z = np.linspace(0.0, 3.0 * solution.half_width.max(), 15)
     planes = {
         "axial-plane": axial_plane(solution, np.linspace(-0.4, 0.4, 15), z),

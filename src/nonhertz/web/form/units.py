@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
-from nonhertz.amounts import INCH, POUND_FORCE, chosen
+from nonhertz.amounts import INCH, POUND_FORCE, SI, chosen
 from nonhertz.errors import InputError
 from nonhertz.inputs.units import in_unit, number_and_unit
 
@@ -87,7 +87,7 @@ def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, 
     if isinstance(value, str):
         written = number_and_unit(value)
         if written is None:
-            return None, _chosen(units, chosen().of(base)[0])
+            return None, _chosen(units, _read(base)[0])
         number, unit = written
         word = unit.replace("µ", "u").replace("μ", "u")
         if word not in known:
@@ -95,10 +95,10 @@ def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, 
                 size = in_unit(name, value, base)
                 one = in_unit(name, f"1 {unit}", base)
             except InputError:
-                return None, _chosen(units, chosen().of(base)[0])
+                return None, _chosen(units, _read(base)[0])
             word = unit
             units += (Unit(word, one if math.isclose(one * float(number), size, rel_tol=_LINEAR) else None),)
-        if word not in chosen().table:
+        if chosen() is SI or word not in chosen().table:
             return number, _chosen(units, word)
         value = in_unit(name, value, base)
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
@@ -110,8 +110,14 @@ def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, 
 def _usual(base: str, name: str, value: float | None) -> tuple[str, int]:
     """Return the unit in which people write a quantity of this name and size, and with how many digits."""
     word = _of_files(base, name, value)
-    read, factor = chosen().of(word)
+    read, factor = _read(word)
     return read, _FIGURES if factor == 1.0 else _FEWER
+
+
+def _read(word: str) -> tuple[str, float]:
+    """Return the unit in which one of files is read, as files have it, and how many of it make one of that."""
+    read, factor = chosen().of(word)
+    return read.replace("µ", "u"), factor
 
 
 def _of_files(base: str, name: str, value: float | None) -> str:
