@@ -60,11 +60,6 @@ class Verdict:
         """What decides it first."""
         return str(self.findings[0]) if self.findings else ""
 
-    @property
-    def row(self) -> tuple[str, str, str]:
-        """Name, level and sentence."""
-        return "verdict", self.level.value, self.sentence
-
     def as_object(self) -> dict[str, Any]:
         """Return it for programs."""
         return {

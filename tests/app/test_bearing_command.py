@@ -25,7 +25,7 @@ from nonhertz.cli import main
 from nonhertz.files.bearing_results import UNITS
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
 from nonhertz.files.held import as_toml
-from nonhertz.show.bearing import load_zones, roller_rows, summary_rows
+from nonhertz.show.bearing import load_zones, roller_table, summary_rows
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))
 SLICES = '[solver]\nmethod = "slices"\n'
@@ -170,7 +170,7 @@ def test_warnings_that_differ_in_numbers_are_said_once(pair):
 
 
 def test_the_table_of_rollers_is_blank_where_there_is_nothing(few):
-    rows = roller_rows(few[1])
+    _, rows = roller_table(few[1])
     assert [row[0] for row in rows] == list("012345")
     assert all(row[1] == row[9] == "" for row in rows)
     assert rows[3][3:] == ("0", "0", "", "", "", "", "")

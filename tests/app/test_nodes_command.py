@@ -146,7 +146,7 @@ def test_the_command_writes_a_table_and_says_what_the_sums_are(capsys: pytest.Ca
     written("surface.csv", "\n".join(["node; x [um]; y [mm]; z", *lines]))
     assert main(["nodes", CASE, "surface.csv"]) == 0
     printed = capsys.readouterr().out
-    assert "The forces add up to 15000 N of the load of 15000 N." in printed
+    assert "The forces add up to 15.000 kN of the load of 15.000 kN." in printed
     assert "outside" not in printed
     assert "interpolated linearly between the nodes, carry" in printed
     table = list(csv.DictReader(io.StringIO(Path("surface-pressure.csv").read_text(encoding="utf-8"))))

@@ -160,7 +160,8 @@ def test_the_rows_fit_a_narrow_terminal(sharp: Solution, capsys: pytest.CaptureF
     print_summary(sharp, "sharp")
     lines = [line.rstrip() for line in capsys.readouterr().out.splitlines() if not line.startswith("warning")]
     # A row that is broken begins with the remark's column.
-    assert len(lines) == len(summary_rows(sharp)) + 1
+    assert len(lines) == len(summary_rows(sharp)) + 2
+    assert lines[1].startswith("No limit of the pressure. ")
 
 
 @pytest.mark.parametrize("name", ["sharp", "coincident", "crowned"])
@@ -180,7 +181,7 @@ def test_the_result_has_both_ends(name: str, request: pytest.FixtureRequest) -> 
             "strength": edge.strength,
             "correction": edge.correction,
             "correction_exponent": edge.correction_exponent,
-            "convention": edge.convention,
+            "convention": str(edge.convention),
             "converges": edge.kind is not nh.EdgeKind.SINGULAR,
         }
         assert set(UNITS["edge_pressure"]) <= set(entry)

@@ -11,6 +11,8 @@ from typing import Any, Literal
 import jinja2
 import pytest
 from form_reading import Inputs, document_in, parts_of, set_at, value_of
+from nonhertz.result.reading import chosen as chosen_units
+from nonhertz.result.reading import read_in
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad
@@ -23,8 +25,6 @@ from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import in_unit
 from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.materials import MATERIALS
-from nonhertz.result.reading import chosen as chosen_units
-from nonhertz.result.reading import read_in
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import ELEMENTS
 from nonhertz.web.form.form import form

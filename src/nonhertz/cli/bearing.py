@@ -105,9 +105,8 @@ def _print_bearing(
 ) -> None:
     speed = None if case.spectrum else case.prescribed.get("speed")
     printing = Printed(case.title, WIDTH)
-    found = of_bearing(solution, life)
-    rows: list[tuple[str, ...]] = [*([found.row] if found else []), *summary_rows(case, solution), *spectrum_rows(case)]
-    printing.table([*rows, *life_rows(life, reason, speed)])
+    printing.judge(of_bearing(solution, life))
+    printing.table([*summary_rows(case, solution), *spectrum_rows(case), *life_rows(life, reason, speed)])
     printing.blank()
     heads, rows = roller_table(solution)
     printing.table(rows, heads, left=())

@@ -12,6 +12,8 @@ from rich.measure import Measurement
 from rich.table import Table
 from rich.text import Text
 
+from nonhertz.verdict import Level, Verdict
+
 # Between a number and its unit, and within a unit; as a letter, since rich breaks lines at any blank.
 _TOGETHER, _GLUE = (
     re.compile(r"(?<=\d) (?=[^\W\d])|(?<=MPa|ksi|psi) (?=mm|in)|(?<=\bN) (?=m)|(?<=\bK) (?==)|(?<=K =) "),
@@ -39,6 +41,12 @@ class Printed:
         """Print sentences; as text, since rich would take [MPa] for markup."""
         for sentence in sentences:
             self._console.print(Text(str(sentence), style), soft_wrap=True)
+
+    def judge(self, found: Verdict | None) -> None:
+        """Print whether limits are met, and what decides it, if that is known."""
+        if found is not None:
+            colour = {Level.MET: "green", Level.NOT_MET: "bold red"}.get(found.level, "yellow")
+            self.say(f"{found.level.value.capitalize()}. {found.sentence}", style=colour)
 
     def warn(self, *sentences: object) -> None:
         """Print warnings."""

@@ -95,8 +95,7 @@ def print_stresses(solution: Solution, overall: Extremes, section: Extremes, str
     """Print the largest stresses and their positions, the effect of a pass, whether the body bears it, and warnings."""
     heads, rows = stress_table(solution, overall, section)
     printing = Printed(title)
-    found = of_contact(solution, (strength,))
-    printing.table([found.row] if found else [])
+    printing.judge(of_contact(solution, (strength,)))
     printing.table(rows, heads, left=(0,))
     printing.say(*sentences(solution, section), *strength.sentences)
     printing.warn(*all_findings(solution, overall, section))

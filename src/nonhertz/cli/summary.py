@@ -30,6 +30,6 @@ def print_overview(attempts: Sequence[Attempt]) -> None:
 def print_summary(solution: Solution, title: str) -> None:
     """Print the result of a solve, with its error estimates."""
     printing = Printed(title, None)
-    found = of_contact(solution)
-    printing.table([*([found.row] if found else []), *summary_rows(solution)])
+    printing.judge(of_contact(solution))
+    printing.table(summary_rows(solution))
     printing.warn(*solution.warnings)
