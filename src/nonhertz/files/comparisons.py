@@ -67,7 +67,8 @@ def files(found: Comparison, title: str) -> dict[str, str]:
 def _quantity(each: ComparedQuantity) -> dict[str, Any]:
     numbers = {name: value for name, value in vars(each).items() if name not in {"what", "at"}}
     differences = dict(zip(_STRIPS, each.differences, strict=True))
-    return plain({"name": each.name} | numbers | {"differences": differences, "remark": str(each.remark or "")})
+    found: dict[str, Any] = plain({"name": each.name} | numbers | {"differences": differences})
+    return found | {"remark": str(each.remark or "")}
 
 
 def _strips(found: Comparison, solution: Solution) -> dict[str, Any]:
