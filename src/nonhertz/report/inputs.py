@@ -117,7 +117,7 @@ def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> 
             if name == "depth" and value is None:
                 value = body.behind.shown
             text, unit = (_ABSENT.get(name, "none"), "") if value is None else with_unit(value, key)
-            meaning, written = key.each.meaning, as_written(table, name)
+            meaning, written = meaning_of(key), as_written(table, name)
             entries.append(Entry(f"{place}.{name}", text, unit, meaning, name not in table, written))
     tables = profile_tables(table)
     made = iter(written_profiles(body.profile))
@@ -141,9 +141,9 @@ def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     for name, key in keys.items():
         if name in prescribed:
             text, unit = with_unit(prescribed[name], key)
-            yield Entry(f"load.{name}", text, unit, key.each.meaning, False, as_written(table, name))
+            yield Entry(f"load.{name}", text, unit, meaning_of(key), False, as_written(table, name))
     if not {"tilt", "moment"} & set(prescribed):
-        yield Entry("load.tilt", "0", "rad", keys["tilt"].each.meaning, True)
+        yield Entry("load.tilt", "0", "rad", meaning_of(keys["tilt"]), True)
 
 
 def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
@@ -152,7 +152,7 @@ def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
     values = {"element": solver["element"].name, "strips": str(solver["strips"]), "accuracy": accuracy}
     for name, key in table_of(Solver).keys.items():
         if values[name]:
-            yield Entry(f"solver.{name}", values[name], "", key.each.meaning, name not in table)
+            yield Entry(f"solver.{name}", values[name], "", meaning_of(key), name not in table)
 
 
 def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
@@ -161,9 +161,9 @@ def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
             (row,) = key.tables
             for number, case in enumerate(table[name], start=1):
                 text = ", ".join(f"{each} {_entry_within(value, row.keys[each])}" for each, value in case.items())
-                yield Entry(f"life.spectrum[{number}]", text, "", key.each.meaning, False)
+                yield Entry(f"life.spectrum[{number}]", text, "", meaning_of(key), False)
         elif name in table:
-            yield Entry(f"life.{name}", *with_unit(table[name], key), key.each.meaning, False)
+            yield Entry(f"life.{name}", *with_unit(table[name], key), meaning_of(key), False)
 
 
 def _profile_input(
@@ -175,7 +175,7 @@ def _profile_input(
     entries = [Entry(f"{place}.kind", kind, "", "relief along the axis", default)]
     for name, key in described.keys.items():
         value, is_default = _parameter(name, table, function)
-        meaning = key.each.meaning
+        meaning = meaning_of(key)
         if "drop" in table and name == determined(kind, table):
             value, is_default, meaning = made[name], False, f"{meaning}; from the drop"
         if value is not None:
@@ -196,6 +196,11 @@ def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any]
     if known.default is known.empty:
         return _OF_BOTH if name == "radius" else _OF_THE_BODY, True
     return known.default, True
+
+
+def meaning_of(key: Key) -> str:
+    """Return what a key is, without what it could be instead."""
+    return key.each.meaning.partition(";")[0]
 
 
 def with_unit(value: Any, key: Key | None = None, *, small: bool = False) -> tuple[str, str]:

@@ -13,7 +13,7 @@ from nonhertz.bearing.verb import BearingSolver
 from nonhertz.files.bearing_document import BearingLifeConditions
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.keys import Key, table_of
-from nonhertz.report.inputs import Entry, InputGroup, as_written, body_group, shown, with_unit
+from nonhertz.report.inputs import Entry, InputGroup, as_written, body_group, meaning_of, shown, with_unit
 
 _BODIES = {"roller": "Rollers", "inner": "Inner ring", "outer": "Outer ring"}
 #: Lengths that people read in um.
@@ -88,4 +88,4 @@ def _entry(place: str, value: Any, key: Key, table: Mapping[str, Any]) -> Entry:
     written = as_written(table, name)
     # What a file says, unless that is what is shown.
     unlike = "" if written.replace("um", "µm") == f"{text} {unit}" else written
-    return Entry(place, text, unit, key.each.meaning, name not in table, unlike)
+    return Entry(place, text, unit, meaning_of(key), name not in table, unlike)
