@@ -244,7 +244,7 @@ def test_a_report_shows_what_a_drop_determined() -> None:
     (profile,) = inputs(case("kind = 'crown', drop = '20 um'", CORNERED))[0].profiles
     shown = {entry.key: (f"{entry.value} {entry.unit}".strip(), entry.default) for entry in profile.entries}
     assert shown["radius"] == ("2256.26 mm", False)
-    assert shown["drop"] == ("20 um", False)
+    assert shown["drop"] == ("20 µm", False)
     assert shown["at"] == ("the end of the land", True)
     (profile,) = inputs(case("kind = 'iso-tapered', drop = '20 um'", CORNERED))[0].profiles
     assert {entry.key: entry.value for entry in profile.entries}["scale"] == "1.19325"

@@ -229,7 +229,8 @@ def test_inputs_have_value_unit_meaning_and_say_what_is_a_default() -> None:
         "length": "from the body",
     }
     assert "ISO/TS 16281:2008" in logarithmic.source
-    assert [(entry.value, entry.unit) for entry in conical.entries if entry.key == "angle"] == [("0.1 mrad", "")]
+    (angle,) = (entry for entry in conical.entries if entry.key == "angle")
+    assert (angle.value, angle.unit, angle.written) == ("0.0001", "rad", "0.1 mrad")
 
 
 def test_steps_of_a_measured_profile_are_told_though_the_case_file_leaves_them_out(tmp_path: Path) -> None:

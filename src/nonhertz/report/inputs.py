@@ -17,6 +17,7 @@ from nonhertz.files.measured import KIND as MEASURED
 from nonhertz.files.profiles import profile_tables
 from nonhertz.files.sections import Life, Solver
 from nonhertz.files.writing import profile_tables as written_profiles
+from nonhertz.inputs.units import in_unit
 from nonhertz.measured import prepare
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.corner import Chamfer
@@ -178,8 +179,13 @@ def _profile_input(
         meaning = meaning_of(key)
         if "drop" in table and name == determined(kind, table):
             value, is_default, meaning = made[name], False, f"{meaning}; from the drop"
+        written = as_written(table, name) if unit_of(key) else ""
+        if written:
+            value = in_unit(name, written, unit_of(key))
         if value is not None:
-            entries.append(Entry(f"{place}.{name}", *with_unit(value, key), meaning, is_default))
+            entries.append(
+                Entry(f"{place}.{name}", *with_unit(value, key, small="um" in written), meaning, is_default, written)
+            )
     what = described.meaning.rstrip(".")
     return ProfileInput(what[:1].upper() + what[1:], formula(function), source(function), tuple(entries))
 
