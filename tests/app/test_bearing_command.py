@@ -313,7 +313,7 @@ def test_compare_sets_strips_beside_slices(folder, capsys, few):
     case, strips = few
     slices = case.solve("slices")
     row = next(line for line in out.splitlines() if line.startswith("displacement y"))
-    one, other, percent = re.findall(r"[-+\d.]+(?= um| %)", row)
+    one, other, percent = re.findall(r"[-+\d.]+(?= µm| %)", row)
     assert_allclose([float(one), float(other)], [1e3 * strips.displacement[1], 1e3 * slices.displacement[1]], rtol=1e-4)
     assert_allclose(float(percent), 100 * (slices.displacement[1] / strips.displacement[1] - 1), rtol=0.06)
     (first,) = [line for line in out.splitlines() if re.match(r" +0 +0\.0 ", line)]
@@ -486,12 +486,12 @@ def test_the_summary_and_the_file_say_what_takes_the_clearance(folder, capsys):
     Path("fit.toml").write_text(text + FIT, encoding="utf-8")
     assert main(["bearing", "fit.toml"]) == 0
     printed = capsys.readouterr().out
-    taken = {remark: float(value) for value, remark in re.findall(r"([-\d.]+) um +(taken by .*?) *\n", printed)}
+    taken = {remark: float(value) for value, remark in re.findall(r"([-\d.]+) µm +(taken by .*?) *\n", printed)}
     # NSK's formula, and 12.5e-6 a kelvin.
     assert taken["taken by the fit of the inner ring"] == pytest.approx(12.0 * 30.0 / 37.5, rel=1e-3)
     assert taken["taken by temperatures"] == pytest.approx(1e3 * 12.5e-6 * 20.0 * 37.5, rel=1e-3)
-    (left,) = re.findall(r"clearance +([-\d.]+) um +radial, in operation", printed)
-    (before,) = re.findall(r"before mounting +([-\d.]+) um +radial", printed)
+    (left,) = re.findall(r"clearance +([-\d.]+) µm +radial, in operation", printed)
+    (before,) = re.findall(r"before mounting +([-\d.]+) µm +radial", printed)
     assert float(left) == pytest.approx(float(before) - sum(taken.values()), abs=0.01)
     assert main(["bearing", "fit.toml", "--json"]) == 0
     found = parsed(capsys.readouterr().out)
