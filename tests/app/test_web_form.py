@@ -11,9 +11,9 @@ from typing import Any, Literal
 import jinja2
 import pytest
 from form_reading import Inputs, document_in, parts_of, set_at, value_of
-from nonhertz.result.reading import chosen as chosen_units
-from nonhertz.result.reading import read_in
 
+from nonhertz.amounts import chosen as chosen_units
+from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing

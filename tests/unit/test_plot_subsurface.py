@@ -117,7 +117,7 @@ def test_the_axial_plane_points_down_and_marks_the_largest_of_the_body(point: Fo
     assert marks(ax) == {marker: [[each.y, each.z]] for marker, each in expected.items()}
     assert expected["o"].y > 0.1
     assert ax.get_title(loc="left").endswith("; body b at $x$ = 0 mm")
-    aside = f"at $x$ = ±{found.orthogonal_shear.x:.3f}, $y$ = "
+    aside = f"at $x$ = ±{found.orthogonal_shear.x:.3f} mm, $y$ = "
     assert [aside in label for label in key(ax)[:3]] == [False, False, True]
 
 

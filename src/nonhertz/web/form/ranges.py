@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
+from nonhertz.amounts import chosen
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
@@ -25,7 +26,6 @@ from nonhertz.hertz import half_space_line_compression, line_contact
 from nonhertz.inputs.units import in_unit
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
-from nonhertz.result.reading import chosen
 
 SLIDER_STEPS: Final = 1000
 MOST_PRESSURE: Final = 3500.0
