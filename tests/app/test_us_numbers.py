@@ -27,7 +27,7 @@ DERIVED = {"bearing nu206-mounted.toml": 1, "bearing tapered-pair.toml": 2, "com
 NUMBER = r"-?\d+\.?\d*(?:e[+-]\d+)?"
 IN_A_ROW = r"-?(?:\d+\.\d+|0)(?:e[+-]\d+)?"  # a count before a size is none of its numbers
 SHOWN = re.compile(
-    rf"((?:{IN_A_ROW}(?: to |, | and | x ))*{NUMBER}) ({'|'.join(sorted(UNITS, key=len)[::-1])})(?![\w/^])"
+    rf"((?:{IN_A_ROW}(?: to |, | and | x ))*{NUMBER}) ({'|'.join(sorted(UNITS, key=len)[::-1])})(?![\w/^]| in\^)"
 )
 
 
