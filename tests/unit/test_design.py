@@ -149,6 +149,8 @@ def test_no_point_of_a_front_is_better_than_another_in_both():
     assert np.all(np.diff(found.second) >= -1e-3 * found.second[0])
     assert found.first[0] > found.first[-1]
     assert found.second[0] < found.second[-1]
+    # The point between is the best of those that have the pressure between, under the second loads.
+    assert found.second[1] == pytest.approx(0.5 * (found.second[0] + found.second[-1]), rel=1e-3)
 
 
 def test_bounds_of_a_free_profile_are_those_of_its_steps():
