@@ -258,7 +258,7 @@ def test_a_bearing_is_swept_too():
 @pytest.mark.parametrize(
     ("over", "below", "lines"),
     [
-        ({"load.tilt": [0.0, 2e-4], "load.load": [20e3]}, "load.tilt [mrad]", 1),
+        ({"load.tilt": [0.0, 2e-4], "load.load": [20e3], "body.a.diameter": [20.0]}, "load.tilt [mrad]", 1),
         ({"load.load": [5e3, 20e3], "load.tilt": [0.0, 2e-4, 4e-4]}, "load.tilt [mrad]", ["5 kN", "20 kN"]),
         ({"load.load": [5e3, 20e3], "body.a.side_faces": ["none", "free"]}, "load.load [kN]", ["none", "free"]),
     ],
@@ -269,6 +269,12 @@ def test_a_picture_has_a_line_for_each_of_few_values_or_words(over, below, lines
     assert (axes.get_xlabel(), axes.get_ylabel()) == (below, "D load / d approach [N/µm]")
     legend = axes.get_legend()
     assert lines == ([text.get_text() for text in legend.get_texts()] if legend else len(axes.lines))
+
+
+def test_samples_are_drawn_as_a_histogram_where_nothing_else_varies():
+    over = {"load.load": "normal(20 kN, 1 kN)"}
+    found = nh.sweep(CASE, over=over, samples=Sampling(20), quantities=("approach",), workers=1)
+    assert sweep_figures(found)["sweep"].axes[0].patches
 
 
 def test_small_lengths_are_shown_in_micrometres():
