@@ -120,6 +120,7 @@ def test_a_tolerance_study_ranks_what_matters():
 def test_rows_that_fail_are_left_out_of_quantiles_and_indices(tmp_path):
     over = {"load.load": "uniform(10 kN, 20 kN)", "body.a.length": "uniform(19 mm, 20 mm)"}
     found = nh.tolerance(CASE, over=over, samples=80, quantities=("approach",), out=tmp_path)
+    assert found.independent[:4].tolist() == [0, 3, 4, 7]  # first and last of a block of four
     values = found.sweep["approach"].copy()
     assert np.isfinite(values).all()
     rows = sqlite3.connect(tmp_path / FILE)
