@@ -208,6 +208,7 @@ def test_random_edits(server, capsys):
     port, pid = server
     walk, outcomes, times, memory = Walk(2026), Counter[str](), [], []
     with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as client:
+        meet_new_shapes(client)
         for number in range(EDITS):
             document = walk.step()
             path = "/form" if number % 10 == 0 else "/solve"
@@ -237,6 +238,17 @@ def test_random_edits(server, capsys):
     assert outcomes["solved"] > EDITS // 10
     assert outcomes["mistaken"] > EDITS // 10
     assert second - first < max(GROWTH, SHARE * first)
+
+
+def meet_new_shapes(client: httpx.Client) -> None:
+    """Let every process solve a roller of a shape of its own, for which it takes memory that it keeps from then on."""
+    for round_ in range(3):
+        documents = [copy.deepcopy(STARTING) for _ in range(2)]
+        for number, document in enumerate(documents):
+            document["body"]["a"]["length"] = 19.0 + 0.1 * (2 * round_ + number)
+        with ThreadPoolExecutor(len(documents)) as beside:
+            asked = [beside.submit(client.post, "/solve", json={"document": each}) for each in documents]
+        assert all(each.result().json()["ok"] for each in asked)
 
 
 def outcome_of(path: str, response: httpx.Response) -> str:
