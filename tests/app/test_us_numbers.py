@@ -21,9 +21,12 @@ UNITS = {
     "lbf in": ("lbf * inch", "N * mm"), "lbf/µin": ("lbf / microinch", "N / mm"), "lbf/mrad": ("lbf / mrad", "N / rad"),
     "lbf in/mil": ("lbf * inch / thou", "N * mm / mm"), "lbf in/mrad": ("lbf * inch / mrad", "N * mm / rad"),
 }  # fmt: skip
-#: How many numbers follow from dimensions and are in no file: the pitch circle, a diameter in the middle of a cone, the
-#: pressure of a fit per speed, the size of cells.
-DERIVED = {"bearing nu206-mounted.toml": 1, "bearing tapered-pair.toml": 2, "compare elliptical-point-contact.toml": 2}
+#: How many numbers follow from others and are in no file: the range of a stress, the pitch circle, a diameter in the
+#: middle of a cone, the size of cells.
+DERIVED = {
+    "stress crowned-roller.toml": 1, "bearing nu206-mounted.toml": 1, "bearing tapered-pair.toml": 2,
+    "compare elliptical-point-contact.toml": 2,
+}  # fmt: skip
 NUMBER = r"-?\d+\.?\d*(?:e[+-]\d+)?"
 IN_A_ROW = r"-?(?:\d+\.\d+|0)(?:e[+-]\d+)?"  # a count before a size is none of its numbers
 SHOWN = re.compile(
