@@ -30,7 +30,17 @@ _SAME = 1e-6  # relative: less than five digits show
 
 #: Sizes of the units in which people read numbers, in those of Python and files.
 SIZES: Final[Mapping[str, float]] = MappingProxyType(
-    {"um": 1e-3, "m": 1e3, "km": 1e6, "mrad": 1e-3, "N/um": 1e3, "N/mrad": 1e3, "N mm/um": 1e3, "N m/mrad": 1e6}
+    {
+        "nm": 1e-6,
+        "um": 1e-3,
+        "m": 1e3,
+        "km": 1e6,
+        "mrad": 1e-3,
+        "N/um": 1e3,
+        "N/mrad": 1e3,
+        "N mm/um": 1e3,
+        "N m/mrad": 1e6,
+    }
 )
 Size = tuple[str, float]
 Ticks = Callable[[float, float], Sequence[float]]

@@ -31,11 +31,11 @@ DIMENSIONS = ((0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (2.0, 1.0), (3.0,
 NUMBER = re.compile(r"(?<![\w.^])(?:\+-)?[-+−±]?\d+\.?\d*(?:e[-+]?\d+)?(?!\w)")
 #: Words of units, and those that stand for them.
 WORDS = {
-    "mm": {"in"}, "um": {"uin"}, "µm": {"µin"}, "nm": {"uin"}, "#/mm": {"#/in"},
+    "mm": {"in"}, "µm": {"µin"}, "nm": {"µin"}, "#/mm": {"#/in"},
     "N": {"lbf"}, "kN": {"lbf"}, "MPa": {"ksi", "psi"}, "GPa": {"ksi"}, "m": {"in"},
     "g": {"lb"}, "t/mm^3": {"lb/in^3"},
-    "N/um": {"lbf/uin"}, "N/µm": {"lbf/µin"}, "N/mrad": {"lbf/mrad"}, "N/mm": {"lbf/in"},
-    "mm/um": {"in/mil"}, "mm/µm": {"in/mil"}, "m/mrad": {"in/mrad"},
+    "N/µm": {"lbf/µin"}, "N/mrad": {"lbf/mrad"}, "N/mm": {"lbf/in"},
+    "mm/µm": {"in/mil"}, "m/mrad": {"in/mrad"},
 }  # fmt: skip
 UNIT = re.compile(rf"[\[(]?({'|'.join(sorted(map(re.escape, WORDS), key=len, reverse=True))})(?:[\])^.,;:][^/]*)?")
 
@@ -200,8 +200,9 @@ def compare_numbers(said: str, larger: str, read: str) -> set[tuple[float, float
             continue
         ratios = [INCH**-p * KSI**-q for p, q in fitting if (p, q) != (0.0, 0.0)]
         tens = [us / value / ratio for ratio in ratios]
+        rounded = spacing(one[0]) + spacing(three[0])
         same = (0.0, 0.0) in fitting and three[0] == one[0]
-        good = any(each > 0.0 and near(each, 10.0 ** round(math.log10(each)), spacing(three[0])) for each in tens)
+        good = any(each > 0.0 and near(each, 10.0 ** round(math.log10(each)), rounded) for each in tens)
         assert good or same, here
         found |= set(fitting) if len(fitting) == 1 else set()
     return found
@@ -332,9 +333,9 @@ def compare_beside(said: str, read: str) -> None:
     """Assert that numbers directly before a unit are converted to it, and that all others that change share one."""
     sizes = {
         "mm": 1.0,
-        "um": 1e-3,
+        "µm": 1e-3,
         "in": INCH,
-        "uin": 1e-3 * INCH * 1e-3,
+        "µin": 1e-6 * INCH,
         "N": 1.0,
         "kN": 1e3,
         "lbf": KSI * INCH**2 / 1e3,
@@ -344,9 +345,8 @@ def compare_beside(said: str, read: str) -> None:
     pairs = [pattern.findall(each) for each in (said, read)]
     assert len(pairs[0]) == len(pairs[1])
     for (one, unit), (other, word) in zip(*pairs, strict=True):
-        # Of a number that was rounded the last digit is that of its place, of any other the fourth.
         value, us = value_of(one) * sizes[unit], value_of(other) * sizes[word]
-        slack = 0.0 if value == 0.0 else max(spacing(other), 6e-4)
+        slack = 0.0 if value == 0.0 else spacing(one) + spacing(other)
         assert us == pytest.approx(value, rel=slack, abs=0.0), (one, unit, other, word)
 
 

@@ -14,7 +14,7 @@ from typing import ClassVar, Literal, Protocol, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import mm, mrad, um
+from nonhertz.amounts import amount, mm, mrad, um
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, one_of, positive
 from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smoothed, turns
@@ -402,7 +402,8 @@ class Thin:
         apart = np.diff(after.y) if points.land is None else np.array([land.span / (self.count - 1)])
         words = f"{len(after)} of {len(points)} points were kept, {um(float(apart.mean())):.3g} apart"
         words += "" if points.land is None else " on the land and closer at the corners"
-        words += f"; straight lines between them miss {1e6 * float(np.max(np.abs(lost))):.2g} nm at most"
+        missed = amount(float(np.max(np.abs(lost))), "mm", "nm")
+        words += f"; straight lines between them miss {missed:.2g} at most"
         words += "." if points.land is None else ", on the land."
         return StepResult(self.name, after, words, {"points": float(len(after))})
 

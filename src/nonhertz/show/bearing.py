@@ -316,7 +316,7 @@ def _stiffness_rows(solution: BearingSolution) -> list[Row]:
             (
                 "",
                 str(amount(solution.edge_stiffness, "N/mm", "N/um")),
-                f"within 10 nm: {who} at the edge of the load zone without load",
+                f"within {amount(1e-5, 'mm', 'nm'):g}: {who} at the edge of the load zone without load",
             )
         )
     return [
