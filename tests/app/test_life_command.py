@@ -112,7 +112,7 @@ def test_the_table_says_what_its_numbers_mean(case: str, capsys: pytest.CaptureF
     assert printed.err == ""
     lines = printed.out.splitlines()
     assert lines[0] == "Roller on a ring"
-    assert re.split(r"\s{2,}", lines[1].strip()) == ["life in a", "in b", "L10 [10^6 rev]", "damage"]
+    assert re.split(r"\s{2,}", lines[1].strip()) == ["life against ideal profile: a", "b", "L10 [10^6 rev]", "damage"]
     rows = {cells[0]: cells[1:] for cells in (re.split(r"\s{2,}", line.strip()) for line in lines[2:4])}
     (life,) = assess(solved(case), "lundberg-palmgren", rollers=14, body="b")
     assert float(rows["lundberg-palmgren"][1]) == pytest.approx(life.relative, rel=1e-3)

@@ -34,6 +34,8 @@ def test_a_pinned_case_stays_beside_the_next(desk: Desk) -> None:
     change = 100.0 * (now["Largest pressure"] / pinned["Largest pressure"] - 1.0)
     words = desk.page.locator('[data-key="Largest pressure"] .pinned-number b').inner_text()
     assert_allclose(float(words.removesuffix(" %")), change, atol=0.051)  # written with one decimal, or two
+    # It rises with the load, since that of the ideal profile falls faster.
+    assert desk.page.locator('[data-key="Life"] .pinned-number b').inner_text() == "under another load"
     for figure in ("pressure", "half-width", "gap"):
         caption = desk.page.locator(f'[data-figure="{figure}"] figcaption')
         assert "pinned" in caption.inner_text()

@@ -21,7 +21,6 @@ from nonhertz.show.analysis import assessed, models_for
 from nonhertz.show.lives import (
     LIFE_COLUMNS,
     RATIO,
-    REVOLUTIONS,
     life_rows,
     ratio_rows,
     sentences,
@@ -94,7 +93,7 @@ def print_lives(found: Assessment, other: Assessment | None) -> None:
         return
     printing.blank()
     printing.say(f"Compared with: {other.title}", style="bold")
-    heads = ("", "life in a", "in b", REVOLUTIONS, "first / this, a", "first / this, b")
+    heads = (*LIFE_COLUMNS[:4], "lives, first / this: a", "b")
     printing.table(ratio_rows(found, other), heads, left=(0,))
     printing.say(RATIO, *without_ratio(found, other), *sentences(other)[1:])
     _print_rest(printing, other)

@@ -19,7 +19,7 @@ RATIO = (
     "their L10."
 )
 REVOLUTIONS = "L10 [10^6 rev]"
-LIFE_COLUMNS = ("", "life in a", "in b", REVOLUTIONS, "damage")
+LIFE_COLUMNS = ("", "life against ideal profile: a", "b", REVOLUTIONS, "damage")
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
 
 

@@ -5,7 +5,10 @@ import { difference, digits } from "./numbers.js";
 import { amount, force, parts, spelled } from "./units.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
-/** @typedef {{name: string, value: string, unit: string, where: string, number: number | null}} KeyNumber */
+/**
+ * @typedef {{name: string, value: string, unit: string, where: string, number: number | null, under?: number}} KeyNumber
+ *   `under` is the load without which a number does not compare
+ */
 
 let speaking = 0;
 
@@ -52,7 +55,7 @@ export function keyNumbers(answer, stress) {
           number: stress.von_mises.value,
         }
       : { name: "von Mises stress", value: "–", unit: "", where: "not shown", number: null },
-    life(answer.life),
+    life(answer.life, key.load),
   ];
 }
 
@@ -61,12 +64,15 @@ function place({ von_mises: { y, z, at_bore }, searched }) {
   return searched ? `${at_bore ? "at the bore, " : ""}y = ${amount(y, "mm", 3)}, ${amount(z, "mm", 3)} deep` : "below the largest pressure";
 }
 
-/** The life by laminae: in revolutions where there is a rating, else over that of an even pressure. */
-function life(found) {
+/**
+ * The life by laminae: in revolutions where there is a rating, else over that of an even pressure under the same load,
+ * which rises where the load does and so compares under the same load alone.
+ */
+function life(found, load) {
   if (!found || found.relative === null) return { name: "Life", value: "–", unit: "", where: "not known", number: null };
   const model = `ISO/TS 16281, body ${found.body}${found.ends_counted ? "" : ", sharp ends not counted"}`;
   if (found.million_revolutions === null)
-    return { name: "Life", value: digits(found.relative, 3), unit: "× ideal", where: model, number: found.relative };
+    return { name: "Life", value: digits(found.relative, 3), unit: "× ideal profile", where: model, number: found.relative, under: load };
   const number = found.million_revolutions;
   return { name: "Life", value: digits(number, 4), unit: "10⁶ rev.", where: `L₁₀, ${model}`, number };
 }
@@ -94,9 +100,10 @@ export function writeKeyNumbers(numbers, pinned) {
 }
 
 function pinnedNumber(each, before) {
+  const comparable = each.under === before.under || difference(each.under, before.under) === "same";
   return element("span", { class: "pinned-number" }, [
     `pinned ${before.value} ${before.unit} `,
-    element("b", {}, [difference(each.number, before.number)]),
+    element("b", {}, [comparable ? difference(each.number, before.number) : "under another load"]),
   ]);
 }
 
