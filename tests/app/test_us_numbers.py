@@ -85,3 +85,12 @@ def test_printed_numbers_are_those_of_the_json(words, capsys, monkeypatch):
         if not any(abs(each - value) <= off for each in known):
             strange.append(f"{text} {unit}")
     assert len(strange) <= DERIVED.get(" ".join(words), 0), strange
+
+
+def test_a_table_of_several_cases_stays_in_si(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for units in ("si", "us"):
+        cases = [str(EXAMPLES / f"{name}.toml") for name in ("crowned-roller", "roller-15x20")]
+        assert main(["solve", *cases, "--out", f"{units}.csv", "--units", units]) == 0
+    assert Path("us.csv").read_text("utf-8") == Path("si.csv").read_text("utf-8")
+    assert "mm wide" in Path("us.csv").read_text("utf-8")

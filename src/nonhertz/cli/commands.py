@@ -78,11 +78,11 @@ def run(words: Sequence[str]) -> int:
     return code if isinstance(code, int) else FINE
 
 
-def _show_in(units: str) -> None:
-    """Choose the units of what is shown in the rest of the command."""
+def _show_in(units: str, as_json: bool = False) -> None:
+    """Choose the units of what is shown in the rest of the command; JSON is in SI units."""
     from nonhertz.amounts import choose_units
 
-    choose_units(units)
+    choose_units("si" if as_json else units)
 
 
 def _each_with_option(words: Sequence[str]) -> list[str]:
@@ -138,7 +138,7 @@ def solve(
     from nonhertz.cli.solve import is_table, report_one, report_several
     from nonhertz.files.changes import changes_in
 
-    _show_in(units)
+    _show_in(units, as_json)
     if not more and not (out is not None and is_table(out)):
         return report_one(case, changes_in(changes), out, as_json)
     return report_several((case, *more), changes_in(changes), out, as_json)
@@ -178,7 +178,7 @@ def bearing(
     from nonhertz.files.changes import changes_in
     from nonhertz.files.folder import refuse_unwritable
 
-    _show_in(units)
+    _show_in(units, as_json)
     if contact is not None and (compare or as_json or out is not None):
         remedy = "send the case file that it prints to a file with >"
         raise InputError("--contact", contact, "be given without --compare, --json and --out", remedy)
@@ -223,7 +223,7 @@ def compare(
     from nonhertz.files.comparisons import as_json as json_text
     from nonhertz.files.folder import refuse_unwritable
 
-    _show_in(units)
+    _show_in(units, as_json)
     problem = read_case(case, changes_in(changes))
     if out is not None:
         refuse_unwritable(out)
@@ -278,7 +278,7 @@ def stress(
     from nonhertz.files.changes import changes_in
     from nonhertz.files.folder import refuse_unwritable
 
-    _show_in(units)
+    _show_in(units, as_json)
     name = checked_body(station, body)
     problem = read_case(case, changes_in(changes))
     if out is not None:
@@ -328,7 +328,7 @@ def life(
     from nonhertz.files.folder import refuse_unwritable
     from nonhertz.files.held import named
 
-    _show_in(units)
+    _show_in(units, as_json)
     check_models(model)
     problems = [read_case(case, changes_in(changes))]
     if compared is not None:
@@ -469,7 +469,7 @@ def profile(
     from nonhertz.files.folder import refuse_unwritable
     from nonhertz.files.prepared import as_json as json_text
 
-    _show_in(units)
+    _show_in(units, as_json)
     if out is not None:
         refuse_unwritable(out)
     values = of_profile.options(
@@ -533,7 +533,7 @@ def contact_map(
     from nonhertz.files.changes import changes_in
     from nonhertz.files.folder import refuse_unwritable
 
-    _show_in(units)
+    _show_in(units, as_json)
     problem = read_case(case, changes_in(changes))
     asked = requested(approach, load, tilt, accuracy, out)
     if out is not None:
@@ -582,7 +582,7 @@ def nodes(
     from nonhertz.files.folder import refuse_unwritable
     from nonhertz.files.nodes import read_nodes
 
-    _show_in(units)
+    _show_in(units, as_json)
     path = target(out, nodes)
     problem = read_case(case, changes_in(changes))
     found = read_nodes(nodes)
@@ -633,7 +633,7 @@ def design(
     from nonhertz.files.changes import changes_in
     from nonhertz.files.folder import refuse_unwritable
 
-    _show_in(units)
+    _show_in(units, as_json)
     directory = directory_for(plan) if out is None else out
     refuse_unwritable(directory)
     if front is not None:
@@ -700,7 +700,7 @@ def sweep_plan(
     from nonhertz.files.changes import changes_in
     from nonhertz.files.workbooks import refuse_missing_writer
 
-    _show_in(units)
+    _show_in(units, as_json)
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "over", changes_in(changes))
@@ -764,7 +764,7 @@ def study_tolerance(
     from nonhertz.files.changes import changes_in
     from nonhertz.files.workbooks import refuse_missing_writer
 
-    _show_in(units)
+    _show_in(units, as_json)
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
@@ -819,7 +819,7 @@ def materials(
     """
     from nonhertz.cli.materials import report_materials
 
-    _show_in(units)
+    _show_in(units, as_json)
     report_materials(name, as_json)
     return FINE
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -99,10 +99,13 @@ def objects(attempts: Sequence[Attempt]) -> list[dict[str, Any]]:
 
 
 @read_in("si")
-def rows(attempts: Sequence[Attempt]) -> Iterator[list[Any]]:
-    """Yield the cells of a row of the table for each case; those without a number are None."""
-    for each in attempts:
-        solution = each.solution
-        numbers = [None if solution is None else plain(quantity.get(solution)) for quantity in QUANTITIES.values()]
-        warnings = () if solution is None else solution.warnings
-        yield [each.name, each.title, each.status, *numbers, " ".join(warnings), " ".join(each.complaints)]
+def rows(attempts: Sequence[Attempt]) -> list[list[Any]]:
+    """Return the cells of a row of the table for each case; those without a number are None."""
+    return [_row(each) for each in attempts]
+
+
+def _row(each: Attempt) -> list[Any]:
+    solution = each.solution
+    numbers = [None if solution is None else plain(quantity.get(solution)) for quantity in QUANTITIES.values()]
+    warnings = () if solution is None else solution.warnings
+    return [each.name, each.title, each.status, *numbers, " ".join(warnings), " ".join(each.complaints)]
