@@ -219,7 +219,7 @@ class BearingSolution(ReadOnly):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What strains the model, a sentence each, of the `findings`."""
+        """What strains the model, a sentence each, of the findings."""
         return sentences(self.findings)
 
     @cached_property

@@ -90,7 +90,7 @@ class PatchSolution(ContactResult):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What strains the model, a sentence each, of the `findings`."""
+        """What strains the model, a sentence each, of the findings."""
         return sentences(self.findings)
 
     def _said(self) -> list[str]:

@@ -334,7 +334,7 @@ class Solution(ContactResult):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What strains the model, a sentence each, of the `findings`."""
+        """What strains the model, a sentence each, of the findings."""
         return sentences(self.findings)
 
     def _said(self) -> list[str]:
