@@ -139,7 +139,7 @@ def test_a_spectrum_takes_the_place_of_the_load(case: str, capsys: pytest.Captur
     assert [each["share"] for each in found["spectrum"]] == [share for *_, share in LOADS]
     assert main(["life", case, *QUICK]) == 0
     rows = [line.split() for line in capsys.readouterr().out.splitlines() if "%" in line and "." in line]
-    assert [row[:3] for row in rows[-3:]] == [["10", "%", "20000"], ["30", "%", "12000"], ["60", "%", "5000.0"]]
+    assert [row[:3] for row in rows[-3:]] == [["10", "%", "20.000"], ["30", "%", "12.000"], ["60", "%", "5.0000"]]
     # The others go on with [load].
     assert main(["solve", case, "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["load"] == pytest.approx(12e3, rel=1e-12)
