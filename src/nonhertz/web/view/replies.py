@@ -49,7 +49,11 @@ def verdict_seen(found: Verdict | None) -> dict[str, str] | None:
     """Return what a page shows of a verdict; None if there is none."""
     if found is None:
         return None
-    return {"level": found.level.name.lower(), "words": f"{found.level.value.capitalize()}.", "sentence": found.sentence}
+    return {
+        "level": found.level.name.lower(),
+        "words": f"{found.level.value.capitalize()}.",
+        "sentence": found.sentence,
+    }
 
 
 def broken(mistakes: Iterable[tuple[str, str]]) -> dict[str, Any]:
