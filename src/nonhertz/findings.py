@@ -62,6 +62,17 @@ class Finding:
                 yield name, value.item() if isinstance(value, np.generic) else value
 
 
+class HasFindings:
+    """What things were found about, as its field ``findings``."""
+
+    findings: tuple[Finding, ...]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The findings, a sentence each."""
+        return sentences(self.findings)
+
+
 def finding(kind: str, words: str, /, **numbers: Any) -> Finding:
     """Return a finding; see `Finding`."""
     return Finding(kind, words, tuple(numbers.items()))

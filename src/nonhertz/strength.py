@@ -21,7 +21,7 @@ import numpy as np
 
 from nonhertz.amounts import digits, given, mm, mpa
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, finding, sentences
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import one_of
 from nonhertz.model.body import Body, BodyName
 from nonhertz.result.ends import ends_in_words, outermost
@@ -76,7 +76,7 @@ class Check(ReadOnly):
 
 
 @dataclass(frozen=True, repr=False)
-class Strength(ReadOnly):
+class Strength(HasFindings, ReadOnly):
     """Whether one body of a contact bears it.
 
     Attributes
@@ -102,11 +102,6 @@ class Strength(ReadOnly):
     largest: Extremes
     core: Extremes | None
     findings: tuple[Finding, ...]
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What was left out, a sentence each."""
-        return sentences(self.findings)
 
     @property
     def sentences(self) -> tuple[str, ...]:

@@ -42,7 +42,7 @@ from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.unrolled import row_slices
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, finding, sentences
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import one_of
 from nonhertz.life.catalogue import MODELS, VolumeModel
 from nonhertz.life.volume import Exposure, even_exposure, exposure, section_exposure
@@ -62,7 +62,7 @@ _LEAST = 1e-3  # of the largest pressure
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class VolumeLife(ReadOnly):
+class VolumeLife(HasFindings, ReadOnly):
     """How long rings and rollers last by a model of the stressed volume, with 90 % reliability [10^6 revolutions].
 
     Attributes
@@ -81,11 +81,6 @@ class VolumeLife(ReadOnly):
     of_rows: Array
     even: Array
     findings: tuple[Finding, ...]
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """The same, a sentence each."""
-        return sentences(self.findings)
 
     @property
     def inner(self) -> float:

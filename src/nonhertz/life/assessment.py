@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, finding, said, sentences
+from nonhertz.findings import Finding, HasFindings, finding, said
 from nonhertz.inputs.checks import listed, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
@@ -44,7 +44,7 @@ _ROLLERS_REMEDY = "give the number of rollers in the bearing"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Life(ReadOnly):
+class Life(HasFindings, ReadOnly):
     """How long one body of a contact lasts, by one model.
 
     Attributes
@@ -85,11 +85,6 @@ class Life(ReadOnly):
     y: Array
     density: Array
     findings: tuple[Finding, ...]
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What strains the model and limits the life, a sentence each."""
-        return sentences(self.findings)
 
     @property
     def no_revolutions(self) -> str:

@@ -27,7 +27,7 @@ from scipy.fft import irfft2, next_fast_len, rfft2
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, without_accuracy_warnings
-from nonhertz.findings import Finding
+from nonhertz.findings import Finding, HasFindings
 from nonhertz.inputs.checks import callback, flag, not_negative, positive, whole
 from nonhertz.life.assessment import ratio
 from nonhertz.life.catalogue import STRESSES, VolumeModel
@@ -55,7 +55,7 @@ WIDER = 1.2  # than the contact: the cells
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Overrolled(ReadOnly):
+class Overrolled(HasFindings, ReadOnly):
     """What the surroundings of a dent go through while a contact rolls over them.
 
     Attributes

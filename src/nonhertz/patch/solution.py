@@ -13,7 +13,7 @@ from nonhertz.amounts import mm
 from nonhertz.bodies.ends import FINITE_FROM, ends
 from nonhertz.bodies.solid import HERTZ, Shape
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, sentences
+from nonhertz.findings import Finding, HasFindings
 from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.footprint import half_widths
@@ -27,7 +27,7 @@ Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PatchSolution(ContactResult):
+class PatchSolution(HasFindings, ContactResult):
     """A contact solved on a plane grid.
 
     Attributes
@@ -87,11 +87,6 @@ class PatchSolution(ContactResult):
     error_estimate: ErrorEstimate
     findings: tuple[Finding, ...]
     rolls_on: bool = False
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What strains the model, a sentence each, of the findings."""
-        return sentences(self.findings)
 
     def _said(self) -> list[str]:
         singular = [str(ends_in_words([end])).removeprefix("the ") for end in self.singular_ends]

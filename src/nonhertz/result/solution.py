@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import EndStrength
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, finding, sentences
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.result import brief
@@ -266,7 +266,7 @@ class ContactResult(ReadOnly):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Solution(ContactResult):
+class Solution(HasFindings, ContactResult):
     """A solved contact.
 
     Attributes
@@ -331,11 +331,6 @@ class Solution(ContactResult):
     iterations: int
     error_estimate: ErrorEstimate
     findings: tuple[Finding, ...]
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What strains the model, a sentence each, of the findings."""
-        return sentences(self.findings)
 
     def _said(self) -> list[str]:
         ends = [edge.kind.label.replace("-", " ") for edge in self.edge_pressure]

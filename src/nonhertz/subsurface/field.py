@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.findings import Finding, sentences
+from nonhertz.findings import Finding, HasFindings
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import ReadOnly, read_only
 
@@ -18,7 +18,7 @@ SIGMA_X, SIGMA_Y, SIGMA_Z, TAU_YZ, TAU_XZ, TAU_XY = range(6)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Field(ReadOnly):
+class Field(HasFindings, ReadOnly):
     """Stress, and displacement if requested, at points inside one body of a solved contact.
 
     Attributes
@@ -50,11 +50,6 @@ class Field(ReadOnly):
     stress: Array
     displacement: Array | None = None
     findings: tuple[Finding, ...] = ()
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """The same, a sentence each."""
-        return sentences(self.findings)
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, finding, sentences
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import listed, not_negative, positive
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
@@ -75,7 +75,7 @@ class Extreme(ReadOnly):
 
 
 @dataclass(frozen=True, repr=False)
-class Extremes(ReadOnly):
+class Extremes(HasFindings, ReadOnly):
     """The largest stresses of one body, or of one cross-section of it.
 
     Attributes
@@ -96,11 +96,6 @@ class Extremes(ReadOnly):
     orthogonal_shear: Extreme
     findings: tuple[Finding, ...]
     bore: Extreme | None = None
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """What was left out, a sentence each."""
-        return sentences(self.findings)
 
 
 def extremes(
