@@ -2,8 +2,10 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+import nonhertz as nh
 from nonhertz.cli import main, warm
 from nonhertz.compiled import cache, files
 
@@ -16,9 +18,23 @@ def test_after_every_part_no_command_compiles_anything(capsys, monkeypatch):
     assert kept.startswith("machine code: ")
     assert "machine-code" in kept
     written, case = [], str(Path(__file__).parents[2] / "examples" / "crowned-roller.toml")
+    monkeypatch.setattr(cache, "read", lambda name, key: None)
     monkeypatch.setattr(cache, "write", lambda name, key, content: written.append(name))
     for words in (["solve", case], ["stress", case], ["life", case], ["compare", case, "--cells", "32", "64"]):
         main(words)
+    assert written == []
+    # Nor does what is given back to Python, arrays that cannot be written to.
+    contact = nh.read_case(case).contact
+    found = nh.solve(contact, load=5e3)
+    again = nh.solve(contact, load=5e3, strips=found.edges)
+    nh.subsurface.stress(again, found.half_width, found.y, found.half_width)
+    made = nh.map(contact, load=(0.0, 5e3), accuracy=0.1, checks=20)
+    made.strip_loads(made.at(approach=np.broadcast_to(1e-3, 2)), found.edges)
+    row = nh.bearing.CylindricalRollerBearing(
+        roller=contact.a, inner=nh.Ring(diameter=60.0), outer=nh.Ring(diameter=-100.0), rollers=6
+    )
+    loaded = nh.bearing.solve_many(row, radial=[2e3, 3e3], method="slices")
+    nh.bearing.solve_many(row, displacement=loaded.displacement, method="slices")
     assert written == []
 
 

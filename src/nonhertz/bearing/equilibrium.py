@@ -37,6 +37,7 @@ from nonhertz.bearing.balance import (
     keep,
 )
 from nonhertz.bearing.laws import OVERLAP, ContactLaw, SolvedLaw
+from nonhertz.compiled import plain_array
 from nonhertz.life.lamina import roller_stiffness
 
 Array = NDArray[np.float64]
@@ -225,7 +226,7 @@ def balanced(
     at_first = np.zeros((0, system.rollers, 3)) if motion is None else motion
     given = Given(by_force, float(depth), float(tolerance), STEPS)
     found = Found.blank(len(ring), system.rollers, system.columns)
-    target, at_first = (np.ascontiguousarray(each, dtype=float) for each in (target, at_first))
+    target, at_first = plain_array(target), plain_array(at_first)
     if system.solved:
         _asked_in_turn(system, given, target, ring, at_first, found)
     else:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.laws import MAP
+from nonhertz.compiled import plain_array
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
 from nonhertz.maps.evaluation import all_pressed
@@ -96,6 +97,6 @@ class MapLaw:
     def covers(self, approach: Array, tilt: Array) -> NDArray[np.bool_]:
         """Return which approaches and tilts the map holds."""
         found = np.empty((approach.size, 8))
-        all_pressed(self.map_.tables, np.ascontiguousarray(approach), np.ascontiguousarray(tilt), found)
+        all_pressed(self.map_.tables, plain_array(approach), plain_array(tilt), found)
         inside: NDArray[np.bool_] = found[:, 7] != 0.0
         return inside

@@ -44,7 +44,7 @@ from nonhertz.bodies.harmonic_elements import HarmonicElements, radial
 from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.quarter_space import FreeFace, free_face
 from nonhertz.bodies.stored import stored
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, plain_array
 
 Array = NDArray[np.float64]
 
@@ -122,7 +122,7 @@ class WholeRoller:
         ndarray, shape (..., places, strips)
         """
         shape = (*y.shape, edges.shape[-1] - 1)
-        places, ends = (np.ascontiguousarray(each).reshape(-1, each.shape[-1]) for each in (y, edges))
+        places, ends = (plain_array(each).reshape(-1, each.shape[-1]) for each in (y, edges))
         at_places, of_strips = map(self.outline.girths, (places, 0.5 * (ends[:, 1:] + ends[:, :-1])))
         half_length = self.outline.half_length
         found = _displaced(places, ends, half_length, self.matrix)

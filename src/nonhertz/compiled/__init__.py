@@ -12,6 +12,9 @@ import threading
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 Function = TypeVar("Function", bound=Callable[..., object])
 
 #: Nothing is fused: what is depends on the module around it, and last digits on whether it was compiled or loaded.
@@ -28,6 +31,14 @@ def compiled(function: Function, inline: str = "never") -> Function:
 def inlined(function: Function) -> Function:
     """As `compiled`, for a long function called in one place: it would be optimised again with each caller above."""
     return compiled(function, "always")
+
+
+def plain_array(values: ArrayLike) -> NDArray[np.float64]:
+    """Return numbers as an array in C order that can be written to, a copy only if they are none.
+
+    Functions are compiled once for such arrays, and for half a minute more for each other kind that comes from Python.
+    """
+    return np.require(values, np.float64, ["C", "W"])
 
 
 class Compiled:

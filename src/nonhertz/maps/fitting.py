@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
+from nonhertz.compiled import plain_array
 from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING, Tables, tilt_coordinate
 from nonhertz.maps.spline import Rows, cells, roughness, size
+from nonhertz.result.solution import read_only
 
 Array = NDArray[np.float64]
 
@@ -229,7 +231,5 @@ def tables(numbers: Array, breaks: tuple[Array, Array], mean_approach: Array, ot
         Coefficients, as `fitted` returns them.
     """
     arranged = np.moveaxis(cells(breaks, others), 0, 2)
-    return Tables(
-        np.concatenate([numbers, *breaks, cells(breaks, mean_approach).ravel()]),
-        np.ascontiguousarray(arranged).ravel(),
-    )
+    made = np.concatenate([numbers, *breaks, cells(breaks, mean_approach).ravel()]), plain_array(arranged).ravel()
+    return Tables(*map(read_only, made))

@@ -15,7 +15,7 @@ import scipy.io
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import digits, mm, mrad, newton, um
-from nonhertz.compiled import numba_for_us
+from nonhertz.compiled import numba_for_us, plain_array
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, numbers, whole
 from nonhertz.maps import files
@@ -33,7 +33,7 @@ from nonhertz.maps.fitting import tables
 from nonhertz.maps.misses import SAFETY, SampledErrors
 from nonhertz.result.brief import plain_text
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.solution import ReadOnly, read_only
+from nonhertz.result.solution import ReadOnly
 from nonhertz.result.tables import as_csv
 
 Array = NDArray[np.float64]
@@ -165,8 +165,7 @@ class ContactMap(ReadOnly):
     def tables(self) -> Tables:
         """What compiled code needs: an argument of `nonhertz.maps.pressed`, `loaded` and `pressures`."""
         numba_for_us()  # who asks for these may be about to compile a function that calls ours
-        made = tables(self.numbers, self._borders, self.mean_approach, self.others)
-        return Tables(*map(read_only, made))
+        return tables(self.numbers, self._borders, self.mean_approach, self.others)
 
     @property
     def _borders(self) -> tuple[Array, Array]:
@@ -223,7 +222,7 @@ class ContactMap(ReadOnly):
         remedy = f"give the {name} in {unit} and the tilt in rad"
         values, tilts = broadcast(remedy, numbers(name, value, remedy), numbers("tilt", tilt, remedy))
         shape = values.shape
-        first, second = np.ascontiguousarray(values).ravel(), self._within(tilts).ravel()
+        first, second = plain_array(values).ravel(), plain_array(self._within(tilts)).ravel()
         found = np.empty((first.size, 8))
         evaluate(self.tables, first, second, found)
         outside = np.flatnonzero(found[:, 7] == 0.0)
@@ -261,9 +260,9 @@ class ContactMap(ReadOnly):
         edges = self.stations if stations is None else numbers("stations", stations, remedy)
         if edges.ndim != 1 or edges.size < 2 or np.any(np.diff(edges) <= 0.0):
             raise InputError("stations", stations, "be ascending", remedy)
-        load, tilt = np.ravel(point.load), np.ravel(point.tilt)
+        load, tilt = (plain_array(each).ravel() for each in (point.load, point.tilt))
         found = np.empty((load.size, edges.size - 1))
-        all_shares(self.tables, load, tilt, edges, found)
+        all_shares(self.tables, load, tilt, plain_array(edges), found)
         return found.reshape(*np.shape(point.load), -1)
 
     def _within(self, tilt: Array) -> Array:

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import Influence, influence_of
+from nonhertz.compiled import plain_array
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
 from nonhertz.model.contact import Contact
@@ -326,7 +327,7 @@ def _with(holder: Any, part: str, value: object) -> Any:
 
 
 def _grids(solution: Solution, influence: Influence) -> Grids:
-    y, edges = solution.y[None], solution.edges[None]
+    y, edges = plain_array(solution.y)[None], plain_array(solution.edges)[None]
     nothing = np.zeros_like(y)
     at_depth = influence.at_depth(y, edges) if influence.references else np.zeros((1, 0, 0))
     return Grids(np.array([solution.strips]), edges, y, nothing, nothing, nothing, at_depth)

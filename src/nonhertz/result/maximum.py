@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, plain_array
 
 if TYPE_CHECKING:
     from nonhertz.result.protocol import Solved
@@ -86,10 +86,9 @@ def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[
     First those of the strips, then those between each and the next.
     """
     n = pressure.shape[-1]
-    # Copies: arrays that are read only would be compiled for again.
-    rows = [np.array(values, dtype=float, order="C").reshape(-1, n) for values in (y, pressure, half_width)]
+    rows = [plain_array(values).reshape(-1, n) for values in (y, pressure, half_width)]
     cases = rows[1].shape[0]
-    of_cases = np.array(np.broadcast_to(np.atleast_2d(ends), (cases, ends.shape[-1])), dtype=float, order="C")
+    of_cases = plain_array(np.broadcast_to(np.atleast_2d(ends), (cases, ends.shape[-1])))
     places, values = _counted(rows[0], rows[1], rows[2], of_cases)
     shape = (*pressure.shape[:-1], 2 * n - 1)
     return places.reshape(shape), values.reshape(shape)

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonhertz.amounts import mm, per_mm, um
-from nonhertz.compiled import compiled, inlined
+from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
 from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
@@ -78,7 +78,7 @@ def shortfall(
 
 def met_by(problem: Problem, states: States, targets: Array) -> Flags:
     """Return which of many states meet everything; ``targets`` as `Problem.target`, shape (cases, 2)."""
-    grids, given = problem.grids(states.counts, states.edges), Given(problem.prescribed, np.ascontiguousarray(targets))
+    grids, given = problem.grids(states.counts, states.edges), Given(problem.prescribed, plain_array(targets))
     return _met_by(grids, given, problem.law, states)
 
 

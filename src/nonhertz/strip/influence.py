@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonhertz.bodies.influence import Influence
-from nonhertz.compiled import compiled, inlined
+from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
 from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table
 from nonhertz.strip.records import Array, Flags, Indices, Law, Strips
@@ -318,7 +318,8 @@ def law_of(influence: Influence, element: Element) -> Law:
 def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, element: Element) -> Array:
     """Return the displacement per unit of compliance at several places ``y``, relative to the points at depth."""
     at_depth: Array = influence.at_depth(y, edges) @ (r * m)
-    return _on_the_surface(y, edges, r, m, law_of(influence, element)) - at_depth
+    places, ends, load, square = map(plain_array, (y, edges, r, m))
+    return _on_the_surface(places, ends, load, square, law_of(influence, element)) - at_depth
 
 
 @compiled

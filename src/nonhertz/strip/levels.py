@@ -18,7 +18,7 @@ from itertools import product
 
 import numpy as np
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, plain_array
 from nonhertz.errors import InputError
 from nonhertz.strip.acceptance import steadily
 from nonhertz.strip.feasible import (
@@ -249,7 +249,7 @@ class Refinement:
             fineness = Fineness(self.coarseness[left], fewer * share, STRIP_LIMIT)
             count, edges = lay_all(laid, terrain.only(left), extras[left], fineness)
             tried = settled(
-                self.problem, count, np.ascontiguousarray(edges[:, : count.max() + 1]), self.targets[left],
+                self.problem, count, plain_array(edges[:, : count.max() + 1]), self.targets[left],
                 near.only(left), tolerance=TOLERANCE if share == 1.0 else ROUGH_TOLERANCE,
                 patient=fewer == FEWER_STRIPS[-1],
             )  # fmt: skip

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from nonhertz.bodies.influence import Influence
+from nonhertz.compiled import plain_array
 from nonhertz.strip.element import Element
 from nonhertz.strip.influence import law_of
 from nonhertz.strip.newton import TOLERANCE
@@ -126,7 +127,7 @@ class Problem:
 
 def row_of(edges: Array) -> tuple[Indices, Array]:
     """Return one grid as count and edges of a single row."""
-    return np.array([edges.size - 1]), np.ascontiguousarray(edges)[None]
+    return np.array([edges.size - 1]), plain_array(edges)[None]
 
 
 def padded_rows(grids: Sequence[Array]) -> tuple[Indices, Array]:
@@ -171,7 +172,7 @@ def settled(
     targets = problem.target[None] if targets is None else targets
     found = States.unsolved(count, edges, len(targets))
     grids = problem.grids(count, edges)
-    given = Given(problem.prescribed, np.ascontiguousarray(targets, dtype=float))
+    given = Given(problem.prescribed, plain_array(targets))
     settle_all(grids, given, problem.law, near or States.none(), found, tolerance, patient)
     return found
 

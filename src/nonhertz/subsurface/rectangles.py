@@ -31,7 +31,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, plain_array
 from nonhertz.patch.kernel import edges_from
 from nonhertz.subsurface.free_faces import Spectrum
 from nonhertz.subsurface.tails import TWO_PI, Six, Three, displacement_tail, stress_tail
@@ -128,7 +128,7 @@ class Rectangles:
         if not pressure.any():
             return cls(None)
         columns, rows = _span(np.count_nonzero(pressure, axis=1)), _span(np.count_nonzero(pressure, axis=0))
-        block = np.ascontiguousarray(pressure[columns, rows], dtype=np.float64)
+        block = plain_array(pressure[columns, rows])
         x_edges = edges_from(float(x[columns.start]), block.shape[0], dx)
         return cls(_panels(x_edges, edges_from(float(y[rows.start]), block.shape[1], dy), block))
 
@@ -136,14 +136,14 @@ class Rectangles:
         """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
         out = np.zeros((points.shape[0], 6))
         if self.panels is not None:
-            _stress(np.array(points, dtype=np.float64, order="C"), poisson, self.panels, out)
+            _stress(plain_array(points), poisson, self.panels, out)
         return out
 
     def displacement(self, points: Array, poisson: float) -> Array:
         """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
         out = np.zeros((points.shape[0], 3))
         if self.panels is not None:
-            _displacement(np.array(points, dtype=np.float64, order="C"), poisson, self.panels, out)
+            _displacement(plain_array(points), poisson, self.panels, out)
         return out
 
     def spectrum(self, k: Array, y: float) -> Spectrum:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.depths.finite import bending_of
 from nonhertz.bodies.wall_stress import OPPOSITE, TOP
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, plain_array
 from nonhertz.model.body import Body
 from nonhertz.result.protocol import Solved
 from nonhertz.subsurface.extent import Extent
@@ -75,11 +75,11 @@ class Wall:
         def of_faces(points: Array) -> Array:
             return sum((each.stress(radius * points + [0.0, middle, 0.0]) for each in faces), np.zeros(6))
 
-        return cls(extent, modes - bending.of_field(of_faces), np.concatenate(rows), faces)
+        return cls(extent, plain_array(modes - bending.of_field(of_faces)), np.concatenate(rows), faces)
 
     def stress(self, points: Array, near: Callable[[Array], Array]) -> Array:
         """Return the stress [MPa] at ``points`` (n, 3), shape (n, 6), given that of the contact itself."""
-        outer, inner = self.extent.radii(points[:, 1])
+        outer, inner = map(plain_array, self.extent.radii(points[:, 1]))
         lower = points[:, 2] > outer
         opposite = np.column_stack([-points[:, 0], points[:, 1], 2.0 * outer - points[:, 2]])
         seen, opposite = np.where(lower[:, None], opposite, points), np.where(lower[:, None], points, opposite)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.quarter_space import free_face
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, plain_array
 
 if TYPE_CHECKING:
     from nonhertz.bodies.images import Images
@@ -134,7 +134,7 @@ class PointsAtDepth:
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
         shape = (*y.shape, edges.shape[-1] - 1)
-        places, ends = (np.ascontiguousarray(each).reshape(-1, each.shape[-1]) for each in (y, edges))
+        places, ends = (plain_array(each).reshape(-1, each.shape[-1]) for each in (y, edges))
         depth = self.below(places.ravel()).reshape(places.shape)
         found = _at_depth(places, depth, ends, self.poisson_factor, self.terms)
         if self.faces.size:
