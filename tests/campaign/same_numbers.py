@@ -177,12 +177,14 @@ def of_commits(commits, options):
         records, git = [], ["git", "-C", str(HERE)]
         for commit in commits:
             tree, written = Path(folder, f"tree{len(records)}"), Path(folder, f"{len(records)}.jsonl")
-            sources = tree / "src" if commit else HERE.parents[1] / "src"
+            root = tree if commit else HERE.parents[1]
             if commit:
                 subprocess.run([*git, "worktree", "add", "--quiet", "--detach", str(tree), commit], check=True)
             try:
                 words = [sys.executable, __file__, "record", str(written), *options]
-                subprocess.run(words, env=os.environ | {"PYTHONPATH": str(sources)}, check=True)
+                # Golden runs as that state makes them: commands may have changed their names and what they write.
+                paths = os.pathsep.join([str(root / "src"), str(root / "tests" / "golden")])
+                subprocess.run(words, env=os.environ | {"PYTHONPATH": paths}, check=True)
             finally:
                 if commit:
                     subprocess.run([*git, "worktree", "remove", "--force", str(tree)], check=True)
