@@ -13,16 +13,16 @@ import pytest
 from few_rollers import PAIR, SIX, changed
 
 import nonhertz as nh
-import nonhertz.report.figures
+import nonhertz.report.layout
 from nonhertz.cli import main
 from nonhertz.files.bearingfile import BearingCase, read_bearing
 from nonhertz.files.held import parsed
-from nonhertz.report import MARK, BearingResults, compose, rendered, settled_bearings
-from nonhertz.report.assumptions import Verdict
-from nonhertz.report.bearing.assumptions import bearing_assumptions
-from nonhertz.report.bearing.inputs import bearing_inputs
-from nonhertz.report.bearing.overview import bearing_geometry, bearing_keys, bearing_opening, part_rows
-from nonhertz.report.differences import bearing_results
+from nonhertz.report import MARK, BearingResults, compose, examined, rendered, settled
+from nonhertz.report.assumptions import Verdict, assumptions
+from nonhertz.report.differences import results
+from nonhertz.report.inputs import inputs
+from nonhertz.report.overview import first_numbers, geometry, opening, part_rows
+from nonhertz.show.bearing import life_rows, summary_rows
 
 CROWN = '{ kind = "crown", radius = 1200 }'
 PLAIN = changed(SIX, ('"six"', '"Six & <b>few</b>"')) + 'speed = "1500 rpm"\n'
@@ -74,8 +74,13 @@ def case_of(text: str, name: str = "bearing.toml") -> BearingCase:
     return BearingCase.of(parsed(text, name), Path(name), text, files=False)
 
 
+def numbers_of(found: BearingResults) -> dict[str, tuple[str, str]]:
+    rows = [*summary_rows(found.case, found.solution), *life_rows(found.life, found.reason, 1500.0)]
+    return {name: (value, remark) for name, value, remark in first_numbers(found, rows)}
+
+
 def found_in(text: str, *, compare: bool = False) -> BearingResults:
-    (found,) = settled_bearings([case_of(text)], compare=compare)
+    (found,) = examined(settled([case_of(text)]), compare=compare)
     return found
 
 
@@ -91,7 +96,7 @@ def pair() -> BearingResults:
 
 @pytest.fixture
 def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(nonhertz.report.figures, "inline_svg", lambda _, prefix, *__: f'<svg id="{prefix}"></svg>')
+    monkeypatch.setattr(nonhertz.report.layout, "inline_svg", lambda _, prefix, *__: f'<svg id="{prefix}"></svg>')
 
 
 @pytest.fixture
@@ -127,7 +132,7 @@ def test_a_bearing_file_becomes_one_page_with_its_files(folder, capsys):
     assert set(page.files()) == {"few.toml", "crown.csv", "few-rollers.csv", "few-result.json"}
     headings = re.findall(r"<h[23][^>]*>([^<]*)<", text)
     assert headings == [
-        "Results", "Ratings and life", "All rollers", "Assumptions and whether they hold", "Inputs", "Method",
+        "Results", "Ratings and life", "All rollers", "Inputs", "Assumptions and whether they hold", "Method",
         "References", "Files",
     ]  # fmt: skip
     identifiers = [attributes["id"] for _, attributes in page.elements if "id" in attributes]
@@ -158,7 +163,7 @@ def test_mixed_lists_are_refused_in_a_sentence(folder, capsys):
         "CASE = 'case.toml and few.toml' must be all case files or all bearing files: make a report of each kind, with "
         "'nonhertz report' twice."
     )
-    with pytest.raises(nh.InputError, match="must be all single contacts or all bearings"):
+    with pytest.raises(nh.InputError, match="must be all case files or all bearing files"):
         compose([nh.read_case("case.toml"), read_bearing("few.toml")])
 
 
@@ -198,30 +203,32 @@ def test_a_bearing_without_balance_is_reported_as_such(folder, capsys, monkeypat
 
 
 def test_key_numbers_are_those_of_the_solution(few):
-    keys = {key.name: key for key in bearing_keys(few)}
+    shown = numbers_of(few)
     solution = few.solution
-    assert float(keys["maximum pressure"].value) == pytest.approx(solution.max_pressure.max(), rel=1e-4)
-    assert float(keys["largest load"].value) == pytest.approx(1e-3 * solution.load.max(), rel=1e-4)
-    assert keys["largest load"].unit == "kN"
+    value, where = shown["maximum pressure"]
+    assert float(value.split()[0]) == pytest.approx(solution.max_pressure.max(), rel=1e-4)
+    assert where.startswith("inner ring, roller 0")
+    value, where = shown["most loaded roller"]
+    assert [float(each) for each in re.findall(r"[\d.]+", value)] == pytest.approx(1e-3 * solution.load[0], rel=1e-4)
+    assert (value[-2:], where) == ("kN", "at inner and outer ring, roller 0 at 0.0 degrees")
     # One of them bears what a force towards it alone leaves to the neighbours, which are 60 degrees off.
     loaded = np.flatnonzero(solution.load[:, 0])
-    assert keys["loaded rollers"].value == f"{loaded.size} of 6"
-    assert float(keys["radial displacement"].value) == pytest.approx(1e3 * solution.displacement[1], rel=1e-4)
+    assert shown["loaded rollers"][0] == f"{loaded.size} of 6"
+    moved = float(shown["displacement"][0].split(", ")[1])
+    assert moved == pytest.approx(1e3 * solution.displacement[1], rel=1e-4)
     # They reach the sharp ends of the rollers.
-    assert keys["modified life"].value == "none"
-    assert keys["modified life"].remark == few.life.no_reference
+    assert shown["modified life"][0] == "none"
     rounded = found_in(PLAIN.replace("length = 10.0", "length = 10.0\ncorner_radius = 0.3"))
     hours = rounded.life.modified * 1e6 / (60.0 * 1500.0)
-    (key,) = (each for each in bearing_keys(rounded) if each.name == "modified life")
-    assert float(key.remark.split()[0]) == pytest.approx(hours, rel=1e-3)
+    assert float(numbers_of(rounded)["modified life"][1].split()[0]) == pytest.approx(hours, rel=1e-3)
 
 
 def test_the_opening_says_what_loads_what(few, pair):
-    assert bearing_opening(few.case) == (
+    assert opening(few) == (
         "Cylindrical roller bearing, 6 rollers of 9 x 10 mm on a pitch circle of 46.5 mm, under a radial force of "
         "5 kN and a tilt of 0.2 mrad at 1500 1/min."
     )
-    assert bearing_opening(pair.case).startswith("Tapered roller bearing of 2 rows, 6 rollers of ")
+    assert opening(pair).startswith("Tapered roller bearing of 2 rows, 6 rollers of ")
 
 
 def test_parts_are_those_of_a_drawing(few):
@@ -233,22 +240,30 @@ def test_parts_are_those_of_a_drawing(few):
 
 
 def test_geometry_follows_from_the_dimensions(few, pair):
-    rows = {name: value for name, value, _ in bearing_geometry(few.case)}
+    rows = dict(geometry(few))
     # Six on a circle: neighbours are half a pitch diameter apart.
-    assert float(rows["room between neighbouring rollers"]) == pytest.approx(46.5 / 2.0 - 9.0, rel=1e-3)
-    assert float(rows["combined radius across, inner ring"]) == pytest.approx(1.0 / (2 / 9 + 2 / 37.5), rel=1e-4)
-    assert float(rows["combined radius across, outer ring"]) == pytest.approx(1.0 / (2 / 9 - 2 / 55.5), rel=1e-4)
+    assert float(rows["room between neighbouring rollers"].removesuffix(" mm")) == pytest.approx(
+        46.5 / 2.0 - 9.0, rel=1e-3
+    )
+    assert float(rows["combined radius across, inner ring"].removesuffix(" mm")) == pytest.approx(
+        1.0 / (2 / 9 + 2 / 37.5), rel=1e-4
+    )
+    assert float(rows["combined radius across, outer ring"].removesuffix(" mm")) == pytest.approx(
+        1.0 / (2 / 9 - 2 / 55.5), rel=1e-4
+    )
     # Steel of 7.85 g/cm3.
-    assert float(rows["mass of a roller"]) == pytest.approx(np.pi / 4 * 0.9**2 * 1.0 * 7.85, rel=1e-3)
-    rows = {name: value for name, value, _ in bearing_geometry(pair.case)}
-    inner, outer = map(float, rows["contact angles at inner and outer ring"].split(" and "))
+    assert float(rows["mass of a roller"].removesuffix(" g")) == pytest.approx(
+        np.pi / 4 * 0.9**2 * 1.0 * 7.85, rel=1e-3
+    )
+    rows = dict(geometry(pair))
+    inner, outer = map(float, rows["contact angles at inner and outer ring"].removesuffix(" degrees").split(" and "))
     cone = 2.0 * np.degrees(np.arctan(0.5 * 0.82 / 11.6))
     assert (outer, inner) == pytest.approx((12.0, 12.0 - cone), abs=1e-3)
-    assert rows["rows at x ="] == "-10 and 10"
+    assert rows["rows at x ="] == "-10 and 10 mm"
 
 
 def test_inputs_have_value_unit_and_say_what_is_a_default(few, pair):
-    entries = {entry.place: entry for group in bearing_inputs(few.case) for entry in group.entries}
+    entries = {entry.place: entry for group in inputs(few.case) for entry in group.entries}
     clearance = entries["bearing.clearance"]
     assert (clearance.value, clearance.unit, clearance.default, clearance.written) == ("12", "µm", False, "")
     assert (entries["load.radial"].value, entries["load.radial"].unit) == ("5000", "N")
@@ -257,7 +272,7 @@ def test_inputs_have_value_unit_and_say_what_is_a_default(few, pair):
     assert entries["bearing.pitch_diameter"].default
     assert entries["solver.method"].value == "strips"
     assert "bearing.contact_angle" not in entries
-    entries = {entry.place: entry for group in bearing_inputs(pair.case) for entry in group.entries}
+    entries = {entry.place: entry for group in inputs(pair.case) for entry in group.entries}
     assert (entries["bearing.pair.clearance"].value, entries["bearing.pair.clearance"].unit) == ("-40", "µm")
     assert entries["bearing.rib"].value == "end_radius = 140 mm, height = 4.8 mm"
     assert entries["roller.length"].value == "11.6"
@@ -267,13 +282,13 @@ def test_a_fit_and_a_shape_are_among_the_inputs_and_the_clearance_is_told(undraw
     fit = '[fit.shaft]\ndiameter = 30\ninterference = "10 um"\n[fit.housing]\ndiameter = 62\n'
     shape = '\nouter_shape = { terms = [{ waves = 2, amplitude = "4 um" }] }'
     found = found_in(PLAIN.replace("rollers = 6", f"rollers = 6{shape}") + fit)
-    entries = {entry.place: entry for group in bearing_inputs(found.case) for entry in group.entries}
+    entries = {entry.place: entry for group in inputs(found.case) for entry in group.entries}
     assert (entries["fit.shaft.interference"].value, entries["fit.shaft.interference"].unit) == ("10", "µm")
     assert "waves = 2" in entries["bearing.outer_shape"].value
     # NSK: a raceway grows by d / F of the interference on a solid shaft.
     (left,) = re.findall(r"([\d.]+) µm radial, in operation", Page(rendered([found])).text)
     assert float(left) == pytest.approx(12.0 - 10.0 * 30.0 / 37.5, abs=0.005)  # the speed takes little
-    rows = {row.name: row for row in bearing_assumptions(found)}
+    rows = {row.name: row for row in assumptions(found)}
     assert rows["Rings keep their shape"].number == "outer ring with a shape"
 
 
@@ -281,7 +296,7 @@ def test_a_fit_and_a_shape_are_among_the_inputs_and_the_clearance_is_told(undraw
 
 
 def test_what_is_neglected_is_named_and_not_judged(few):
-    rows = {row.name: row for row in bearing_assumptions(few)}
+    rows = {row.name: row for row in assumptions(few)}
     neglected = {"Rollers do not skew", "No friction, no film", "Rings keep their shape", "Even cage", "Surfaces"}
     assert neglected <= set(rows)
     assert {rows[name].verdict for name in neglected} == {Verdict.OPEN}
@@ -294,7 +309,7 @@ def test_what_is_neglected_is_named_and_not_judged(few):
 def test_a_strained_contact_is_found_wherever_it_is():
     """Crowns as sharp as the rollers are round make contacts that are wider than long, at the outer ring first."""
     found = found_in(PLAIN.replace("radius = 1200", "radius = 4.3").replace("5 kN", "100 N"))
-    rows = {row.name: row for row in bearing_assumptions(found)}
+    rows = {row.name: row for row in assumptions(found)}
     wide = rows["Strips across a contact that is long"]
     assert wide.verdict is Verdict.STRAINED
     inner, outer = map(float, re.findall(r"([\d.]+) at the", wide.number))
@@ -308,18 +323,18 @@ def test_a_strained_contact_is_found_wherever_it_is():
 def test_too_high_a_pressure_and_too_large_a_tilt_are_strained(few):
     found = found_in(PLAIN.replace("5 kN", "60 kN").replace("0.2 mrad", "0 mrad"))
     assert found.solution.max_pressure.max() > 4000.0
-    rows = {row.name: row for row in bearing_assumptions(found)}
+    rows = {row.name: row for row in assumptions(found)}
     assert rows["No lasting indentation that matters"].verdict is Verdict.STRAINED
     assert rows["Contact angles stay as they are"].verdict is Verdict.HOLDS
-    rows = {row.name: row for row in bearing_assumptions(few)}
+    rows = {row.name: row for row in assumptions(few)}
     assert rows["No lasting indentation that matters"].verdict is Verdict.HOLDS
     tilted = found_in(PLAIN.replace("0.2 mrad", "11 mrad") + SLICES)
-    rows = {row.name: row for row in bearing_assumptions(tilted)}
+    rows = {row.name: row for row in assumptions(tilted)}
     assert rows["Contact angles stay as they are"].verdict is Verdict.STRAINED
 
 
 def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
-    (rib,) = [row for row in bearing_assumptions(pair) if row.name.startswith("Ellipse on the ribs")]
+    (rib,) = [row for row in assumptions(pair) if row.name.startswith("Ellipse on the ribs")]
     ellipse = max(
         (pair.solution.rib_contact(j) for j in range(12)), key=lambda each: 0.0 if each is None else each.load
     )
@@ -328,14 +343,14 @@ def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
     assert rib.verdict is (Verdict.STRAINED if ellipse.half_length > edge else Verdict.HOLDS)
     assert "bearing.rib.edge" in rib.remark
     guessed = found_in(TAPERED.replace("rib = { end_radius = 140, height = 4.8 }\n", ""))
-    (rib,) = [row for row in bearing_assumptions(guessed) if row.name.startswith("Ellipse on the ribs")]
+    (rib,) = [row for row in assumptions(guessed) if row.name.startswith("Ellipse on the ribs")]
     assert "is a guess" in rib.remark
 
 
 def test_slices_have_no_pressures_and_say_so(undrawn):
     found = found_in(PLAIN + SLICES)
-    assert "maximum pressure" not in {key.name for key in bearing_keys(found)}
-    assert "Independent slices" in {row.name for row in bearing_assumptions(found)}
+    assert numbers_of(found)["maximum pressure"][0] == "none"
+    assert "Independent slices" in {row.name for row in assumptions(found)}
     text = Page(rendered([found])).text
     assert "slices have loads alone" in text
     assert "Grid fine enough" not in text
@@ -344,7 +359,7 @@ def test_slices_have_no_pressures_and_say_so(undrawn):
 def test_why_a_bearing_is_not_rated_is_said(undrawn):
     found = found_in(PLAIN.replace("length = 10.0", 'length = 10.0\nmaterial = "silicon-nitride"') + SLICES)
     assert "the bearing must be of bearing steel" in Page(rendered([found])).text
-    (unrated,) = settled_bearings([found.case], life=False)
+    (unrated,) = examined(settled([found.case]), life=False)
     assert "Ratings and life" not in Page(rendered([unrated])).text
 
 
@@ -367,20 +382,34 @@ def test_a_life_under_a_spectrum_has_no_hours(undrawn):
 @pytest.mark.slow
 def test_several_bearings_are_compared_with_the_first(few, undrawn):
     other = PLAIN.replace("12 um", "30 um").replace("five", "six")
-    found = settled_bearings([case_of(PLAIN, "tight.toml"), case_of(other, "loose.toml")])
-    rows = {row.name: row for row in bearing_results(found)}
+    found = examined(settled([case_of(PLAIN, "tight.toml"), case_of(other, "loose.toml")]))
+    rows = {name: cells for name, *cells in results(found)}
     loads = [each.solution.load.max() for each in found]
     assert loads[1] > loads[0]
-    change = float(rows["largest load of a contact [kN]"].remarks[1].rstrip(" %"))
+    change = float(rows["largest load of a contact [kN]"][1].remark.rstrip(" %"))
     assert change == pytest.approx(100.0 * (loads[1] / loads[0] - 1.0), rel=5e-3)  # three digits are shown
-    assert rows["loaded rollers"].remarks == ()
+    assert all(isinstance(each, str) for each in rows["loaded rollers"])
+    for k, ring in enumerate(("inner", "outer")):
+        shown = [float(cell.text) for cell in rows[f"maximum pressure at the {ring} ring [MPa]"]]
+        assert shown == pytest.approx([each.solution.max_pressure[:, k].max() for each in found], rel=1e-4)
+    assert not any(name.startswith("largest rib load") for name in rows)
     assert "displacement x [µm]" not in rows
     page = Page(rendered(found))
     assert "2 bearings compared" in page.text
     assert "bearing.clearance 12 µm 30 µm" in page.text.partition("Result")[0]
     assert "Not all numbers compare, since more than shapes differs: bearing.clearance." in page.text
-    assert "roller.diameter" not in page.text.partition("Assumptions, inputs, method and files of tight")[0]
+    # What both were given stands there once, what neither was given not before it is unfolded.
+    before = page.text.partition("Assumptions, inputs, method and files of tight")[0]
+    assert "roller.diameter 9 mm" in before.partition("Inputs that are the same")[2]
+    assert "roller.chamfer" not in before
     assert {"tight.toml", "loose.toml", "loose-result.json"} <= set(page.files())
+
+
+def test_the_largest_load_of_a_rib_is_compared(pair):
+    rows = {name: cells for name, *cells in results([pair, pair])}
+    first, second = rows["largest rib load [N]"]
+    assert float(first.text) == pytest.approx(pair.solution.rib_load.max(), rel=1e-4)
+    assert second == (first.text, "0 %")
 
 
 @pytest.mark.slow

@@ -8,7 +8,7 @@ import pytest
 
 import nonhertz as nh
 import nonhertz.cli.report
-import nonhertz.report.figures
+import nonhertz.report.layout
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
@@ -36,7 +36,7 @@ QUICK = ["--no-stress"]
 def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     monkeypatch.chdir(tmp_path)
     # Figures take the time, and tests/unit/test_report.py looks at them.
-    monkeypatch.setattr(nonhertz.report.figures, "inline_svg", lambda *_: "<svg></svg>")
+    monkeypatch.setattr(nonhertz.report.layout, "inline_svg", lambda *_: "<svg></svg>")
     Path("case.toml").write_text(CASE, encoding="utf-8")
     return "case.toml"
 

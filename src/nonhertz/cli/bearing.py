@@ -3,28 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 from pathlib import Path
 
-from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.cli import FINE, NOT_CONVERGED
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import Printed, print_written
+from nonhertz.cli.printing import print_result
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.files.bearing_results import as_json, as_object, comparison_files, comparison_object, files
 from nonhertz.files.bearingfile import BearingCase, placed
 from nonhertz.files.folder import write_files
-from nonhertz.findings import Finding
-from nonhertz.show.bearing import (
-    OF_LARGEST,
-    compared_rows,
-    compared_table,
-    life_rows,
-    roller_table,
-    spectrum_rows,
-    summary_rows,
-)
+from nonhertz.show.bearing import compared_sections, sections
 from nonhertz.verdict import of_bearing
 
 WIDTH = 120  # of piped output
@@ -48,8 +37,9 @@ def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
     if json:
         print(as_json(as_object(solution, case, *found)))
         return FINE
-    _print_bearing(case, solution, *found)
-    print_written(written)
+    shown = sections(case, solution, life, reason)
+    verdict = of_bearing(solution, life)
+    print_result(case.title, shown, verdict=verdict, warnings=strained, written=written, piped=WIDTH)
     return FINE
 
 
@@ -64,13 +54,7 @@ def report_comparison(case: BearingCase, out: Path | None, json: bool) -> int:
     if json:
         print(as_json(comparison_object(strips, slices, case.title)))
         return FINE
-    printing = Printed(case.title, WIDTH)
-    printing.table(compared_rows(strips, slices), ("", "strips", "slices", "difference"), left=(0,))
-    printing.blank()
-    heads, rows = compared_table(strips, slices)
-    printing.table(rows, heads, left=())
-    printing.say(OF_LARGEST)
-    print_written(written)
+    print_result(case.title, compared_sections(strips, slices), written=written, piped=WIDTH)
     return FINE
 
 
@@ -98,16 +82,3 @@ def _draw(solution: BearingSolution, case: BearingCase, folder: Path) -> None:
 
     for name, figure in plot.bearing_figures(solution, case.title).items():
         plot.save(figure, folder / name)
-
-
-def _print_bearing(
-    case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str, strained: Sequence[Finding]
-) -> None:
-    speed = None if case.spectrum else case.prescribed.get("speed")
-    printing = Printed(case.title, WIDTH)
-    printing.judge(of_bearing(solution, life))
-    printing.table([*summary_rows(case, solution), *spectrum_rows(case), *life_rows(life, reason, speed)])
-    printing.blank()
-    heads, rows = roller_table(solution)
-    printing.table(rows, heads, left=())
-    printing.warn(*strained)

@@ -217,11 +217,13 @@ def compare(
     as_json : bool
         Print one JSON object with all numbers instead of the table.
     """
-    from nonhertz.cli.compare import compared, comparison_written, print_comparison
+    from nonhertz.cli.compare import compared, comparison_written
+    from nonhertz.cli.printing import print_result
     from nonhertz.files.casefile import read_case
     from nonhertz.files.changes import changes_in
     from nonhertz.files.comparisons import as_json as json_text
     from nonhertz.files.folder import refuse_unwritable
+    from nonhertz.show.comparison import sections
 
     _show_in(units, as_json)
     problem = read_case(case, changes_in(changes))
@@ -236,9 +238,7 @@ def compare(
     if as_json:
         print(json_text(found, problem.title))
         return FINE
-    print_comparison(found, problem.title)
-    for path in written:
-        print(f"wrote {path}")
+    print_result(problem.title, sections(found), warnings=found.warnings, written=written)
     return FINE
 
 

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 from nonhertz import comparison as methods
-from nonhertz.amounts import amount, digits, mm
-from nonhertz.cli.printing import Printed
 from nonhertz.cli.verify import Progress
-from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
+from nonhertz.comparison import Comparison
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import Case, placed
 
@@ -50,71 +47,3 @@ def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[
     return write_files(
         directory, files(found, title), lambda folder: save(comparison(found, title), folder / "comparison")
     )
-
-
-def print_comparison(found: Comparison, title: str) -> None:
-    """Print results side by side, run times, where the methods differ, and warnings."""
-    printing = Printed(title)
-    heads = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
-    printing.table(comparison_rows(found), heads, left=(0,))
-    printing.say(*sentences(found))
-    printing.warn(*found.warnings)
-
-
-def comparison_rows(found: Comparison) -> list[tuple[str, ...]]:
-    """Return name, value on the plane grid, and value and difference for both strip elements, for each quantity."""
-    rows = [_row(each) for each in found.quantities]
-    seconds = found.seconds
-    times = [_time(each) for each in (seconds.patch, seconds.semi_elliptic, seconds.parabolic)]
-    across, along = found.patch.cells
-    sizes = [f"{across} x {along} cells", *(f"{each.strips} strips" for each in found.strips)]
-    return [*rows, ("size", sizes[0], sizes[1], "", sizes[2], ""), ("time", times[0], times[1], "", times[2], "")]
-
-
-def sentences(found: Comparison) -> list[str]:
-    """Return how times were taken, remarks on quantities, and every stretch that differs."""
-    lines = [
-        f"Times: one solve on the plane grid, the median of {found.seconds.runs} on strips; compilation is not counted."
-    ]
-    remarks: dict[str, list[str]] = {}
-    for each in found.quantities:
-        if each.remark is not None:
-            remarks.setdefault(str(each.remark), []).append(each.name)
-    lines += [f"{' and '.join(names)}: {remark}." for remark, names in remarks.items()]
-    if not found.stretches:
-        return [*lines, "Along the line, strips and plane grid differ by less than 1 % everywhere."]
-    lines.append("Along the line, they differ by more than 1 % of the pressure there:")
-    lines += [f"- {_sentence(each)}" for each in found.stretches]
-    return lines
-
-
-def _row(each: ComparedQuantity) -> tuple[str, ...]:
-    of_semi, of_parabola = (_difference(value, each) for value in each.differences)
-    values = each.patch, each.semi_elliptic, each.parabolic
-    factor, unit = amount(values, each.unit).scale
-    patch, semi, parabola = (digits(factor * value, 6) if math.isfinite(value) else "none" for value in values)
-    return each.name, f"{patch} {unit}" if math.isfinite(each.patch) else patch, semi, of_semi, parabola, of_parabola
-
-
-def _difference(value: float, each: ComparedQuantity) -> str:
-    if not math.isfinite(value):
-        return ""
-    if each.absolute:
-        return f"{'+' * (value > 0.0)}{amount(value, each.unit):.2g}" if value else "0"
-    # A prescribed load, for example, is met to rounding error.
-    return _percent(value) if abs(value) > 1e-10 else "0"
-
-
-def _percent(relative: float) -> str:
-    percent = 100.0 * relative
-    return f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.2g} %"
-
-
-def _time(seconds: float) -> str:
-    return f"{1e3 * seconds:.3g} ms" if seconds < 0.9995 else f"{seconds:.3g} s"
-
-
-def _sentence(each: Stretch) -> str:
-    worst = _percent(each.largest) if math.isfinite(each.largest) else "the plane grid has no contact"
-    where = mm(each.low, each.high, between=" to ")
-    return f"{each.element} strips, y = {where:.5g} ({worst} at {mm(each.at):.5g})."

@@ -13,13 +13,14 @@ from typing import Any
 import numpy as np
 
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import Printed, print_written
+from nonhertz.cli.printing import print_result
 from nonhertz.files.folder import write_files
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.inputs.files import legible
 from nonhertz.result.tables import csv_text
-from nonhertz.show.studies import BAND_COLUMNS, START_COLUMNS, band_rows, design_rows, start_rows
+from nonhertz.show.sections import Said, Section
+from nonhertz.show.studies import design_sections
 from nonhertz.study.design import Design, best
 
 
@@ -85,12 +86,7 @@ def as_json(found: Design, files: Sequence[Path]) -> str:
 
 def print_design(found: Design, files: Sequence[Path]) -> None:
     """Print the goal before and after, what is best, how flat that is, the searches, and the files."""
-    printing = Printed(found.was.title)
-    for heads, rows in (((), design_rows(found)), (BAND_COLUMNS, band_rows(found)), (START_COLUMNS, start_rows(found))):
-        if rows:
-            printing.table(rows, heads)
-            printing.blank()
-    print_written(files)
+    print_result(found.was.title, [*design_sections(found), Section("", [Said([f"wrote {path}" for path in files])])])
 
 
 def _profile(found: Design) -> str:

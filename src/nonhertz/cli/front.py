@@ -15,6 +15,7 @@ from nonhertz.files.folder import write_files
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.result.tables import csv_text
+from nonhertz.show.sections import Table
 from nonhertz.study.design import Front, front
 from nonhertz.study.pictures import front_figure
 
@@ -82,7 +83,7 @@ def print_front(found: Front, files: Sequence[Path]) -> None:
     columns += [[f"{digits(each)} {found.units.get(path, '')}".rstrip() for each in of] for path, of in numbers.items()]
     rows = [(str(number), *cells) for number, cells in enumerate(zip(*columns, strict=True), start=1)]
     printing = Printed()
-    printing.table(rows, ("point", *(f"{unit} {group}" for group in GROUPS), *numbers))
+    printing.table(Table(rows, ("point", *(f"{unit} {group}" for group in GROUPS), *numbers)))
     printing.blank()
     print_written(files)
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from nonhertz.cli import FINE, NOT_CONVERGED
-from nonhertz.cli.printing import Printed, print_written
+from nonhertz.cli.printing import print_result
 from nonhertz.cli.solve import spectrum_or_not
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
@@ -18,15 +18,8 @@ from nonhertz.files.lives import Assessment
 from nonhertz.files.lives import as_json as as_json_text
 from nonhertz.life import MODELS
 from nonhertz.show.analysis import assessed, models_for
-from nonhertz.show.lives import (
-    LIFE_COLUMNS,
-    RATIO,
-    life_rows,
-    ratio_rows,
-    sentences,
-    spectrum_table,
-    without_ratio,
-)
+from nonhertz.show.lives import compared_sections, sections
+from nonhertz.show.sections import Said, Section
 
 WIDTH = 120  # of piped output
 
@@ -64,8 +57,7 @@ def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_j
     if as_json:
         print(as_json_text(assessment, other))
         return FINE
-    print_lives(assessment, other)
-    print_written(written)
+    print_result(assessment.title, _shown(assessment, other), written=written, piped=WIDTH)
     return FINE
 
 
@@ -83,25 +75,8 @@ def _lives_written(directory: Path, found: Assessment, other: Assessment | None)
     return write_files(directory, files(found, other), draw)
 
 
-def print_lives(found: Assessment, other: Assessment | None) -> None:
-    """Print the lives by all models, what they are relative to, those of another case, and warnings."""
-    printing = Printed(found.title, WIDTH)
-    printing.table(life_rows(found), LIFE_COLUMNS, left=(0, 4))
-    printing.say(*sentences(found))
-    _print_rest(printing, found)
-    if other is None:
-        return
-    printing.blank()
-    printing.say(f"Compared with: {other.title}", style="bold")
-    heads = (*LIFE_COLUMNS[:4], "lives, first / this: a", "b")
-    printing.table(ratio_rows(found, other), heads, left=(0,))
-    printing.say(RATIO, *without_ratio(found, other), *sentences(other)[1:])
-    _print_rest(printing, other)
-
-
-def _print_rest(printing: Printed, found: Assessment) -> None:
-    """Print the loads, if there are several, and warnings."""
-    if len(found.spectrum) > 1:
-        heads, rows = spectrum_table(found)
-        printing.table(rows, heads, left=())
-    printing.warn(*found.warnings)
+def _shown(found: Assessment, other: Assessment | None) -> list[Section]:
+    """Return the lives by all models, what they are relative to, those of another case, and warnings of both."""
+    parts = [(found, sections(found))] + ([] if other is None else [(other, compared_sections(found, other))])
+    warned = ((shown, Said([f"warning: {each}" for each in of.warnings], "warning")) for of, shown in parts)
+    return [Section(each.title, [*each.blocks, words]) for shown, words in warned for each in shown]

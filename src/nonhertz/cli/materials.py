@@ -9,6 +9,7 @@ from nonhertz.amounts import given, mpa
 from nonhertz.cli.printing import Printed
 from nonhertz.files.materials import as_object
 from nonhertz.model.materials import LIBRARY, Listed, listed_as
+from nonhertz.show.sections import Table
 
 
 def report_materials(name: str | None, as_json: bool) -> None:
@@ -28,7 +29,7 @@ def report_materials(name: str | None, as_json: bool) -> None:
     for group, members in groupby(entries, key=lambda each: each.group):
         rows += [(group,), *(_row(each, factor) for each in members)]
     yielding, core, limit = (f"{what} [{unit}]" for what in ("yield", "core", "pressure limit"))
-    printing.table(rows, ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit), left=(0,))
+    printing.table(Table(rows, ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit), (0,)))
     if name is None:
         printing.say("Where a number comes from, and what limits its use: nonhertz materials NAME")
     else:

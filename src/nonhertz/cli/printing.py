@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
+from typing import TypeGuard
 
 from rich.console import Console
 from rich.measure import Measurement
-from rich.table import Table
+from rich.table import Table as Grid
 from rich.text import Text
 
+from nonhertz.show.sections import SUMMARY, Said, Section, Table, shown_columns
 from nonhertz.verdict import Level, Verdict
 
 # Between a number and its unit, and within a unit; as a letter, since rich breaks lines at any blank.
@@ -19,6 +22,7 @@ _TOGETHER, _GLUE = (
     re.compile(r"(?<=\d) (?=[^\W\d])|(?<=MPa|ksi|psi) (?=mm|in)|(?<=\bN) (?=m)|(?<=\bK) (?==)|(?<=K =) "),
     "\ue000",
 )
+_STYLES = {"head": "bold", "warning": "yellow"}
 
 
 class Printed:
@@ -52,24 +56,39 @@ class Printed:
         """Print warnings."""
         self.say(*(f"warning: {sentence}" for sentence in sentences), style="yellow")
 
-    def table(
-        self,
-        rows: Sequence[Sequence[str]],
-        heads: Sequence[str] = (),
-        *,
-        left: Sequence[int] | None = None,
-        room: int = 0,
-    ) -> None:
+    def show(self, sections: Iterable[Section]) -> None:
+        """Print sections one below the other, with an empty line between them.
+
+        Summaries that follow each other are one table.
+        """
+        groups: list[list[Table | Said]] = []
+        for section in sections:
+            blocks = [each for each in section.blocks if isinstance(each, Table | Said) and len(each)]
+            if groups and blocks and _is_summary(first := blocks[0]) and _is_summary(before := groups[-1][-1]):
+                groups[-1][-1] = replace(before, rows=[*before.rows, *first.rows])
+                groups[-1] += blocks[1:]
+            elif blocks:
+                groups.append(blocks)
+        for number, blocks in enumerate(groups):
+            if number:
+                self.blank()
+            for block in blocks:
+                if isinstance(block, Table):
+                    self.table(block)
+                else:
+                    self.say(*block.sentences, style=_STYLES.get(block.layout, ""))
+
+    def table(self, shown: Table, *, room: int = 0) -> None:
         """Print rows, without the columns that are blank throughout: numbers to the right, words to the left.
 
-        Columns ``left`` have words, all by default; the second has ``room`` for a title, which may be broken. A row of
-        one cell is a heading. A table is wider than the terminal if need be: a truncated number looks like a different
-        one.
+        The second column has ``room`` for a title, which may be broken. A table is wider than the terminal if need be:
+        a truncated number looks like a different one.
         """
-        if not rows:
+        if not shown.rows:
             return
-        columns = [at for at in range(max(map(len, rows))) if any(len(row) > at and row[at] for row in rows)]
-        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=bool(heads), header_style="dim")
+        heads, left = shown.heads, shown.words
+        columns = shown_columns(shown)
+        table = Grid(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=bool(heads), header_style="dim")
         for at in columns:
             words = left is None or at in left
             table.add_column(
@@ -78,14 +97,35 @@ class Printed:
                 no_wrap=not words or (room > 0 and at != 1),
                 min_width=room if at == 1 and room else None,
             )
-        for row in rows:
+        for row in shown.rows:
             heading = "bold" if len(row) == 1 else ""
-            table.add_row(*(Text(row[at] if at < len(row) else "", heading) for at in columns))
+            table.add_row(*(Text(str(row[at]) if at < len(row) else "", heading) for at in columns))
         print_table(self._console, table)
 
     def blank(self) -> None:
         """Print an empty line."""
         self._console.print()
+
+
+def print_result(
+    title: str,
+    sections: Iterable[Section],
+    *,
+    verdict: Verdict | None = None,
+    warnings: Iterable[object] = (),
+    written: Iterable[Path] = (),
+    piped: int | None = 100,
+) -> None:
+    """Print a result: its verdict, its sections, warnings, and the files that were written."""
+    printing = Printed(title, piped)
+    printing.judge(verdict)
+    printing.show(sections)
+    printing.warn(*warnings)
+    print_written(written)
+
+
+def _is_summary(block: Table | Said) -> TypeGuard[Table]:
+    return isinstance(block, Table) and block.layout == SUMMARY
 
 
 def print_written(written: Iterable[Path]) -> None:
@@ -94,7 +134,7 @@ def print_written(written: Iterable[Path]) -> None:
         print(f"wrote {path}")
 
 
-def print_table(printing: Console, table: Table) -> None:
+def print_table(printing: Console, table: Grid) -> None:
     """Print a table, wider than the terminal if need be.
 
     No line breaks between a number and its unit, and none ends in blanks.
@@ -110,7 +150,7 @@ def print_table(printing: Console, table: Table) -> None:
     print(*(line.rstrip() for line in captured.get().replace(_GLUE, " ").splitlines()), sep="\n")
 
 
-def _least_width(printing: Console, table: Table) -> int:
+def _least_width(printing: Console, table: Grid) -> int:
     """Return the width at which no cell is truncated and no word is broken."""
     options = printing.options.update(width=sys.maxsize)
     _, right, _, left = table.padding

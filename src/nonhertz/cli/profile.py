@@ -17,6 +17,7 @@ from nonhertz.files.prepared import files
 from nonhertz.inputs.checks import one_of
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
+from nonhertz.show.sections import Table
 
 BEST = "best"
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
@@ -108,9 +109,9 @@ def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:
     """Print the steps, the roughness, the fits and warnings."""
     printing = Printed(measured.trace.name)
     printing.say(*measured.trace.notes)
-    printing.table(profile_rows(measured))
+    printing.table(Table(profile_rows(measured)))
     heads = ("fit", "parameters and standard errors", "rms", "largest", "behind")
-    printing.table(fit_rows(fits), heads, left=(0, 1))
+    printing.table(Table(fit_rows(fits), heads, (0, 1)))
     printing.warn(*measured.warnings)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from nonhertz.cli.options import named_as
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase
@@ -14,42 +15,21 @@ from nonhertz.files.folder import write_files
 from nonhertz.files.held import named
 from nonhertz.files.planfile import read_any
 from nonhertz.files.title_block import TitleBlock
-from nonhertz.report import (
-    MARK,
-    BearingResults,
-    CaseResults,
-    examined,
-    rendered,
-    settled,
-    settled_bearings,
-    steps,
-)
+from nonhertz.report import MARK, examined, rendered, settled, steps
+from nonhertz.report.results import of_one_kind
 
 _REMEDY = "give the name of a file such as report.html"
 _NEAR = 2000  # characters at the beginning of a report, which include its mark
 
 
-def read_cases(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case] | list[BearingCase]:
+def read_cases(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case | BearingCase]:
     """Return the cases in files, or the bearings in bearing files, with other values by path.
 
     Raises
     ------
     CaseError
         With every mistake in all of them; with several files each is prefixed by its path.
-    InputError
-        If some are case files and some bearing files.
     """
-    cases = _read_all(paths, changes)
-    contacts = [case for case in cases if isinstance(case, Case)]
-    bearings = [case for case in cases if isinstance(case, BearingCase)]
-    if contacts and bearings:
-        both = f"{contacts[0].path} and {bearings[0].path}"
-        remedy = "make a report of each kind, with 'nonhertz report' twice"
-        raise InputError("CASE", both, "be all case files or all bearing files", remedy)
-    return bearings or contacts
-
-
-def _read_all(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case | BearingCase]:
     if len(paths) == 1:
         return [_silently(paths[0], changes)]
     cases: list[Case | BearingCase] = []
@@ -102,28 +82,24 @@ def title_block(**lines: str) -> TitleBlock:
 
 
 def composed(
-    cases: list[Case] | list[BearingCase], life: bool | None, stress: bool, compare: bool, block: TitleBlock
+    cases: Sequence[Case | BearingCase], life: bool | None, stress: bool, compare: bool, block: TitleBlock
 ) -> tuple[str, list[str]]:
     """Return the report on cases or bearings as text, and a line for each that was not solved.
 
     Raises
     ------
     InputError
-        If strips and slices are to be compared where there is no bearing.
+        If there are cases of both kinds, or strips and slices are to be compared where there is no bearing.
     """
-    bearings = [case for case in cases if isinstance(case, BearingCase)]
-    contacts = [case for case in cases if isinstance(case, Case)]
-    if contacts and compare:
-        remedy = f"use 'nonhertz compare {contacts[0].path}' for strips beside the plane grid"
-        raise InputError("--compare", str(contacts[0].path), "be used with bearing files", remedy)
-    of_contacts = settled(contacts)
-    progress = Progress((steps(of_contacts, life=life, stress=stress) if contacts else len(bearings)) + 1)
-    found: Sequence[CaseResults] | Sequence[BearingResults]
+    with named_as(cases="CASE"):
+        first = of_one_kind(cases)[0]
+    if compare and isinstance(first, Case):
+        remedy = f"use 'nonhertz compare {first.path}' for strips beside the plane grid"
+        raise InputError("--compare", str(first.path), "be used with bearing files", remedy)
+    found = settled(cases)
+    progress = Progress(steps(found, life=life, stress=stress) + 1)
     try:
-        if bearings:
-            found = settled_bearings(bearings, life=life, compare=compare, announce=progress.announce)
-        else:
-            found = examined(of_contacts, life=life, stress=stress, announce=progress.announce)
+        found = examined(found, life=life, stress=stress, compare=compare, announce=progress.announce)
         progress.announce("figures")
         text = rendered(found, block)
     finally:

@@ -62,11 +62,9 @@ def report_one(path: Path, changes: Mapping[str, Any], out: Path | None, as_json
     if as_json:
         print(json_text(solution, case))
     else:
-        from nonhertz.cli.printing import print_written
         from nonhertz.cli.summary import print_summary
 
-        print_summary(solution, case.title)
-        print_written(written)
+        print_summary(solution, case.title, written)
     if complaint:
         sys.stdout.flush()
         print(complaint, file=sys.stderr)

@@ -6,15 +6,15 @@ import math
 from pathlib import Path
 
 from nonhertz.amounts import mm
-from nonhertz.cli.printing import Printed, print_written
+from nonhertz.cli.printing import print_result
 from nonhertz.cli.verify import Progress
 from nonhertz.errors import InputError
 from nonhertz.files.stresses import all_findings
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import largest_stresses
-from nonhertz.show.stresses import sentences, stress_table
-from nonhertz.strength import Strength, assess
+from nonhertz.show.stresses import sections
+from nonhertz.strength import assess
 from nonhertz.subsurface import Extremes
 from nonhertz.verdict import of_contact
 
@@ -71,8 +71,13 @@ def report_stresses(
     if as_json:
         print(text)
         return
-    print_stresses(solution, overall, section, strength, title)
-    print_written(written)
+    print_result(
+        title,
+        sections(solution, overall, section, (strength,)),
+        verdict=of_contact(solution, (strength,)),
+        warnings=all_findings(solution, overall, section),
+        written=written,
+    )
 
 
 def _stresses_written(
@@ -89,16 +94,6 @@ def _stresses_written(
             save(figure, folder / name)
 
     return write_files(directory, files(text, planes), draw)
-
-
-def print_stresses(solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str) -> None:
-    """Print the largest stresses and their positions, the effect of a pass, whether the body bears it, and warnings."""
-    heads, rows = stress_table(solution, overall, section)
-    printing = Printed(title)
-    printing.judge(of_contact(solution, (strength,)))
-    printing.table(rows, heads, left=(0,))
-    printing.say(*sentences(solution, section), *strength.sentences)
-    printing.warn(*all_findings(solution, overall, section))
 
 
 def _check_station(solution: Solution, station: float, body: BodyName) -> None:

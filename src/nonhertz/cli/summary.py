@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nonhertz.cli.printing import Printed
+from nonhertz.cli.printing import Printed, print_result
 from nonhertz.result.solution import Solution
-from nonhertz.show.summary import overview_table, summary_rows
+from nonhertz.show.summary import overview_table, sections
 from nonhertz.verdict import of_contact
 
 if TYPE_CHECKING:
@@ -20,16 +21,14 @@ _TITLE = 30  # columns at least for a title, which may be broken
 def print_overview(attempts: Sequence[Attempt]) -> None:
     """Print a row for each case, and the warnings of all."""
     printing = Printed(piped=WIDTH)
-    heads, rows = overview_table(attempts)
-    printing.table(rows, heads, left=(0, 1, len(heads) - 1), room=_TITLE)
+    printing.table(overview_table(attempts), room=_TITLE)
     for each in attempts:
         if each.solution is not None:
             printing.warn(*(f"{each.name}: {warning}" for warning in each.solution.warnings))
 
 
-def print_summary(solution: Solution, title: str) -> None:
+def print_summary(solution: Solution, title: str, written: Iterable[Path] = ()) -> None:
     """Print the result of a solve, with its error estimates."""
-    printing = Printed(title, None)
-    printing.judge(of_contact(solution))
-    printing.table(summary_rows(solution))
-    printing.warn(*solution.warnings)
+    print_result(
+        title, sections(solution), verdict=of_contact(solution), warnings=solution.warnings, written=written, piped=None
+    )

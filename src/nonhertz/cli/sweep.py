@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import Printed, print_written
+from nonhertz.cli.printing import print_result
 from nonhertz.errors import InputError
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.planfile import Plan, case_or_bearing_in
 from nonhertz.inputs.files import legible
-from nonhertz.show.studies import SWEEP_COLUMNS, failure_rows, sweep_rows, varied_rows
+from nonhertz.show.studies import sweep_sections
 from nonhertz.study.sweeps import Progress, Sweep, sweep
 
 
@@ -94,15 +94,7 @@ def as_json(found: Sweep, files: Sequence[Path]) -> str:
 
 def print_sweep(found: Sweep, files: Sequence[Path]) -> None:
     """Print what was varied, between which numbers the results lie, why rows failed, and the files."""
-    failed = f", {found.failed} of them failed" if found.failed else ""
-    printing = Printed(found.plan.title)
-    printing.say(f"{len(found)} rows{failed}")
-    printing.blank()
-    printing.table(varied_rows(found))
-    printing.blank()
-    printing.table(sweep_rows(found), SWEEP_COLUMNS, left=(0, 3))
-    printing.say(*failure_rows(found), style="yellow")
-    print_written(files)
+    print_result(found.plan.title, sweep_sections(found), written=files)
 
 
 def _path_and_values(word: str) -> tuple[str, str]:

@@ -9,18 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import Printed, print_written
+from nonhertz.cli.printing import print_result
 from nonhertz.cli.sweep import progress
 from nonhertz.files.planfile import Plan
-from nonhertz.show.studies import (
-    INDEX_COLUMNS,
-    QUANTILE_COLUMNS,
-    alike_rows,
-    failure_rows,
-    index_rows,
-    quantile_rows,
-    varied_rows,
-)
+from nonhertz.show.studies import tolerance_sections
 from nonhertz.study.tolerances import Tolerance, tolerance
 
 
@@ -77,22 +69,7 @@ def as_json(found: Tolerance, files: Sequence[Path]) -> str:
 
 def print_tolerance(found: Tolerance, files: Sequence[Path]) -> None:
     """Print what is distributed, quantiles, what matters, why rows failed, and the files."""
-    sweep = found.sweep
-    failed = f", {sweep.failed} of them failed" if sweep.failed else ""
-    printing = Printed(sweep.plan.title)
-    printing.say(f"{len(sweep)} rows{failed}; {found.independent.size} independent samples")
-    tables: list[tuple[Sequence[str], Sequence[Sequence[str]], Sequence[int]]] = [
-        ((), [row[:2] for row in varied_rows(sweep)], (0, 1)),
-        (QUANTILE_COLUMNS, quantile_rows(found), (0, 3, 4)),
-        ((), alike_rows(found), (0, 1, 2)),
-        *(((label, *INDEX_COLUMNS[1:]), rows, (0, 3)) for label, rows in index_rows(found)),
-    ]
-    for heads, rows, left in tables:
-        if rows:
-            printing.blank()
-        printing.table(rows, heads, left=left)
-    printing.say(*failure_rows(sweep), style="yellow")
-    print_written(files)
+    print_result(found.sweep.plan.title, tolerance_sections(found), written=files)
 
 
 def _finite(numbers: dict[str, float]) -> dict[str, float | None]:

@@ -1,45 +1,55 @@
-"""What the result rests on: each assumption with its criterion, this case's number, and whether it holds.
+"""What a result rests on: each assumption with its criterion, this case's number, and whether it holds.
 
 The limits are those at which the solver warns, and for errors the difference above which a comparison of methods names
-the place. Where no input shows whether an assumption holds, it is marked as not judged.
+the place. Where no input shows whether an assumption holds, it is marked as not judged. A single contact and all those
+of a bearing are judged alike.
 """
 
 from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nonhertz.amounts import digits, given, mm, mpa
+from nonhertz.amounts import digits, given, mm, mpa, mrad, newton
+from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.equilibrium import TOLERANCE
+from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bodies.ends import ends
 from nonhertz.comparison.value import NOTABLE
-from nonhertz.report.results import CaseResults
-from nonhertz.result.checks import LEAST_DEPTH, checks
+from nonhertz.report.results import BearingResults, CaseResults, Results
+from nonhertz.result.checks import LEAST_DEPTH, ValidityCheck, checks
 from nonhertz.result.ends import leaves_stress
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 from nonhertz.result.validity import ROUND_IT
+from nonhertz.show.bearing import most_loaded
 from nonhertz.strength import Verdict as StrengthVerdict
 from nonhertz.strip.element import SEMI_ELLIPTIC
-
-Array = NDArray[np.float64]
+from nonhertz.verdict import STATIC_LIMIT
 
 # Pressure p0 of a line contact over the yield strength at the onset of yield below the surface, by Tresca's criterion:
 # K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1.
 FLOW_BEGINS = 1.67
 NO_ERROR = 1e-12  # relative: rounding
+# A load that turns with a tilted ring by 1 %, the difference that counts in comparisons.
+MOST_TILT = NOTABLE
+COUNTS = 0.1  # of the largest load: of contacts that bear less the errors are relative to little
+NO_INPUT = "not an input"
+_PARTS = {"Body a is thick": "Rollers are thick", "Body b is thick": "Rings are thick"}
 
 
 class Verdict(enum.Enum):
-    """Whether an assumption holds; each member's value is what the reader sees."""
+    """Whether an assumption holds, from the best to the worst; each member's value is what the reader sees."""
 
     HOLDS = "holds"
+    OPEN = "not judged"
     STRAINED = "strained"
     NOT_MET = "not met"
-    OPEN = "not judged"
 
 
 @dataclass(frozen=True)
@@ -63,50 +73,22 @@ class Assumption:
     name: str
     criterion: str
     number: str
-    verdict: Verdict
+    verdict: Verdict = Verdict.OPEN
     remark: str = ""
 
 
-SURFACES = Assumption(
-    "Surfaces", "dry, smooth, without friction", "not an input", Verdict.OPEN, "Roughness is neglected."
+SURFACES = Assumption("Surfaces", "dry, smooth, without friction", NO_INPUT, remark="Roughness is neglected.")
+_NEGLECTED = (
+    Assumption("Rollers do not skew", "axes stay in planes with that of the bearing", NO_INPUT),
+    Assumption("No friction, no film", "contacts and ribs transmit normal loads alone", NO_INPUT),
+    Assumption("Even cage", "rollers keep their distances", NO_INPUT, remark="The cage takes no load."),
+    Assumption(
+        "Steady state",
+        "one position of the rollers, the first where the angle is zero",
+        NO_INPUT,
+        remark="Centrifugal loads follow from the speed; vibrations do not.",
+    ),
 )
-
-
-def assumptions(found: CaseResults) -> list[Assumption]:
-    """Return the assumptions behind a result and whether they hold."""
-    solution = found.solution
-    rows = [_converged(solution)]
-    if solution.contact_y and solution.status is Status.CONVERGED:
-        rows += [*_valid(solution), *_ends(solution)]
-        rows += [_smooth(solution), *_fine(solution), _shape(solution), *_elastic(found)]
-    rows.append(SURFACES)
-    return rows
-
-
-def _converged(solution: Solution) -> Assumption:
-    fine = solution.status is Status.CONVERGED
-    remark = "" if fine else "The numbers are those at which the solver stopped. They are meaningless."
-    return Assumption(
-        "Solved",
-        "every contact condition is met",
-        f"{solution.status.label}, {solution.iterations} Newton steps",
-        Verdict.HOLDS if fine else Verdict.NOT_MET,
-        remark,
-    )
-
-
-def _valid(solution: Solution) -> Iterator[Assumption]:
-    """Yield the checks behind the solver's warnings, and a note for each body without a depth."""
-    for check in checks(solution, ends(solution.contact)):
-        number = digits(check.value, 3)
-        yield Assumption(check.assumption, check.criterion, number, strained_if(not check.holds), check.remark)
-    for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        if body.behind.below(body, solution.element) is None:
-            remark = "A half-space of infinite depth: the approach is measured against a distant point."
-            criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
-            yield Assumption(f"Body {name} is thick", criterion, "no depth given", Verdict.OPEN, remark)
-
-
 #: The verdict on each kind of end, and its consequence.
 ENDS = {
     EdgeKind.RUN_OUT: (Verdict.HOLDS, ""),
@@ -118,21 +100,170 @@ ENDS = {
     EdgeKind.CORNER: (Verdict.NOT_MET, "The pressure has no limit at a corner of the profile: give it a radius."),
     EdgeKind.CUT_OFF: (Verdict.NOT_MET, "The strips end before the contact does: give more strips."),
 }
-
-
 _LEAVES_STRESS = (
     Verdict.STRAINED,
     "Freed of shear, not of normal stress: the true pressure at the end is lower.",
 )
+Contacts = Mapping[str, Sequence[Solution]]  # by the name of their ring, empty for a single contact; the first counts
 
 
-def _ends(solution: Solution) -> Iterator[Assumption]:
-    for edge, name in zip(solution.edge_pressure, ("low", "high"), strict=True):
-        verdict, remark = ENDS[edge.kind]
-        if edge.kind is EdgeKind.FINITE and leaves_stress(solution.contact, edge):
-            verdict, remark = _LEAVES_STRESS
-        what = f"Contact ends inside the bodies at {name} y"
-        yield Assumption(what, "pressure falls to zero before a body ends", _end(edge), verdict, remark)
+def assumptions(found: Results) -> list[Assumption]:
+    """Return the assumptions behind a result and whether they hold."""
+    return [*(_of_bearing(found) if isinstance(found, BearingResults) else _of_contact(found)), SURFACES]
+
+
+def _of_contact(found: CaseResults) -> Iterator[Assumption]:
+    solution = found.solution
+    fine = solution.status is Status.CONVERGED
+    yield Assumption(
+        "Solved",
+        "every contact condition is met",
+        f"{solution.status.label}, {solution.iterations} Newton steps",
+        Verdict.HOLDS if fine else Verdict.NOT_MET,
+        "" if fine else "The numbers are those at which the solver stopped. They are meaningless.",
+    )
+    if not (fine and solution.contact_y):
+        return
+    yield from _of_contacts({"": [solution]})
+    for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
+        if body.behind.below(body, solution.element) is None:
+            remark = "A half-space of infinite depth: the approach is measured against a distant point."
+            criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
+            yield Assumption(f"Body {name} is thick", criterion, "no depth given", remark=remark)
+    for each in found.strengths:
+        largest = each.largest.von_mises
+        told = [check for check in each.checks if check.name in {"yield", "bore", "core"}]
+        yield Assumption(
+            f"Linear elastic below the surface of body {each.body}",
+            "von Mises stress below the yield strength",
+            f"{mpa(largest.max)} {largest.site}z = {mm(largest.z):3}",
+            _of_strength({check.verdict for check in told}),
+            " ".join(check.sentence for check in told),
+        )
+
+
+def _of_bearing(found: BearingResults) -> Iterator[Assumption]:
+    solution = found.solution
+    if solution is None:
+        words = "Solved", "rollers and rings are in balance", "no balance"
+        yield Assumption(*words, Verdict.NOT_MET, "There are no results.")
+        return
+    number = f"{solution.residual:.1g} of the loads left, {solution.steps} Newton steps"
+    criterion = f"at most {TOLERANCE:.1g} of the loads is left unbalanced"
+    yield Assumption("Rollers and rings in balance", criterion, number, strained_if(solution.residual > TOLERANCE))
+    tilt = float(np.max(np.abs(solution.displacement[3:])))
+    yield Assumption(
+        "Contact angles stay as they are",
+        f"the inner ring tilts by less than {mrad(MOST_TILT):g}, which turns a load by 1 %",
+        f"{mrad(tilt):4}",
+        strained_if(tilt > MOST_TILT),
+        _angles(solution.bearing.rows[0].bearing),
+    )
+    contacts = loaded_contacts(solution) if solution.method == "strips" else {}
+    if contacts:
+        yield from _of_contacts(contacts)
+        pressure = float(solution.max_pressure.max())
+        yield Assumption(
+            "No lasting indentation that matters",
+            f"maximum pressure up to {mpa(STATIC_LIMIT):g}, at which ISO 76 puts 1/10000 of the rollers' diameter",
+            f"{mpa(pressure):4}",
+            strained_if(pressure > STATIC_LIMIT),
+        )
+        yield from _whole_rollers(solution)
+    if solution.method != "strips":
+        yield from _of_slices(solution)
+    yield from _ribs(solution)
+    yield from _shapes(solution)
+    yield from _NEGLECTED
+
+
+def loaded_contacts(solution: BearingSolution) -> Contacts:
+    """Return the loaded contacts at each ring, the most loaded first; equal ones once."""
+    found = {}
+    for ring in RINGS:
+        every = (solution.contact(j, ring) for j in range(solution.angle.size))
+        distinct = {id(each): each for each in every if each is not None}
+        if distinct:
+            found[ring] = sorted(distinct.values(), key=lambda each: -each.load)
+    return found
+
+
+def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
+    """Yield what the strips of a contact, or of all contacts of a bearing, rest on."""
+    every = [each for ring in contacts.values() for each in ring]
+    corner = any(each.peaks_at_corner for each in every)
+    yield from _valid(contacts)
+    yield _ends(every)
+    bends = max(sum(low < y < high for y in each.contact.bends) for each in every for low, high in [_span(each)])
+    yield Assumption(
+        "Smooth along y",
+        "no corner of the profile bears the largest pressure",
+        "1 bend of the relief in contact" if bends == 1 else f"{bends or 'no'} bends of the relief in contact",
+        Verdict.NOT_MET if corner else Verdict.HOLDS,
+        f"The largest pressure has no limit: {ROUND_IT}." if corner else "",
+    )
+    most = max(each.load for each in every)
+    estimates = [each.error_estimate for each in every if each.load > COUNTS * most]
+    # The prescribed one of the two has no error.
+    error, name = max((getattr(each, name), name) for each in estimates for name in ("approach", "load"))
+    yield _fine_enough(f"the {name}", error)
+    yield _fine_enough("the largest pressure", max(each.max_pressure for each in estimates), at_corner=corner)
+    element = every[0].element
+    remark = "'nonhertz compare' solves a single contact on a plane grid that assumes no shape."
+    if element is not SEMI_ELLIPTIC:
+        remark = f"The parabola has an error of about 1 % that no refinement removes. {remark}"
+    yield Assumption("Pressure across", "has the shape of the strips' element", element.name, remark=remark)
+    pressure = max(each.max_pressure for each in every)
+    where = " away from singular ends" if any(each.singular_ends for each in every) else ""
+    yield Assumption(
+        "Linear elastic bodies",
+        f"p0 below {FLOW_BEGINS:g} times the yield strength (line contact, Tresca; Johnson 1985, section 6.1)",
+        f"p0 = {mpa(pressure)}{where}",
+        remark=f"The yield strength must be above {mpa(pressure / FLOW_BEGINS):4}.",
+    )
+
+
+def _span(solution: Solution) -> tuple[float, float]:
+    pieces = solution.contact_y or ((0.0, 0.0),)
+    return pieces[0][0], pieces[-1][1]
+
+
+def _valid(contacts: Contacts) -> Iterator[Assumption]:
+    """Yield each condition of the contacts once: at each ring the most loaded contact that violates it, or of all."""
+    made = {
+        ring: [{check.assumption: check for check in checks(each, ends(each.contact))} for each in every]
+        for ring, every in contacts.items()
+    }
+    for name in dict.fromkeys(name for ring in made.values() for each in ring for name in each):
+        shown: list[tuple[str, ValidityCheck]] = []
+        for ring, these in made.items():
+            having = [each[name] for each in these if name in each]
+            if having:
+                shown.append((ring, next((check for check in having if not check.holds), having[0])))
+        failing = [check for _, check in shown if not check.holds]
+        words = ", ".join(f"{digits(check.value, 3)}{ring and f' at the {ring} ring'}" for ring, check in shown)
+        first = failing[0] if failing else shown[0][1]
+        called = name if "" in contacts else _PARTS.get(name, name)
+        yield Assumption(called, first.criterion, words, strained_if(bool(failing)), first.remark)
+
+
+def _ends(contacts: Sequence[Solution]) -> Assumption:
+    """Return the worst of all ends; those of a single contact are named, of several counted."""
+    every = [(contact, edge) for contact in contacts for edge in contact.edge_pressure]
+    judged = [
+        _LEAVES_STRESS if edge.kind is EdgeKind.FINITE and leaves_stress(contact.contact, edge) else ENDS[edge.kind]
+        for contact, edge in every
+    ]
+    verdict = max((each for each, _ in judged), key=[*Verdict].index, default=Verdict.HOLDS)
+    kinds = Counter(edge.kind.label.replace("-", " ") for _, edge in every)
+    words = [f"{number} {kind}" for kind, number in kinds.most_common()]
+    return Assumption(
+        "Contact ends inside the bodies",
+        "pressure falls to zero before a body ends",
+        "; ".join([_end(edge) for _, edge in every] if len(contacts) == 1 else [f"ends: {', '.join(words)}"]),
+        verdict,
+        " ".join(dict.fromkeys(remark for each, remark in judged if each is verdict)),
+    )
 
 
 def _end(edge: EdgePressure) -> str:
@@ -140,83 +271,95 @@ def _end(edge: EdgePressure) -> str:
     return f"{kind} at y = {mm(edge.y):.5g}" + (f", {edge.law}" if edge.law else "")
 
 
-def _smooth(solution: Solution) -> Assumption:
-    low, high = solution.contact_y[0][0], solution.contact_y[-1][1]
-    bends = sum(low < y < high for y in solution.contact.bends)
-    number = "1 bend of the relief in contact" if bends == 1 else f"{bends or 'no'} bends of the relief in contact"
-    corner = solution.peaks_at_corner
-    remark = f"The largest pressure has no limit: {ROUND_IT}." if corner else ""
-    criterion = "no corner of the profile bears the largest pressure"
-    return Assumption("Smooth along y", criterion, number, Verdict.NOT_MET if corner else Verdict.HOLDS, remark)
-
-
-def _fine(solution: Solution) -> Iterator[Assumption]:
-    estimate = solution.error_estimate
-    # The prescribed one of the two has no error.
-    name, error = max((("approach", estimate.approach), ("load", estimate.load)), key=lambda each: each[1])
-    yield fine_enough(f"the {name}", error)
-    yield fine_enough("the largest pressure", estimate.max_pressure, at_corner=solution.peaks_at_corner)
-
-
-def fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumption:
+def _fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumption:
     """Return the assumption that a grid is fine enough for a number of this estimated error, or at a corner's peak."""
-    name, criterion = (
-        f"Grid fine enough for {what}",
-        f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %",
-    )
+    name = f"Grid fine enough for {what}"
+    criterion = f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %"
     if at_corner:
         remark = "At a corner of the profile it rises with every refinement."
         return Assumption(name, criterion, "no limit", Verdict.NOT_MET, remark)
     if not math.isfinite(error):
-        return Assumption(name, criterion, "unknown", Verdict.OPEN)
+        return Assumption(name, criterion, "unknown")
     number = f"about {given(100.0 * error, 1)} %" if error > NO_ERROR else "none"
     return Assumption(name, criterion, number, strained_if(error > NOTABLE))
 
 
-def _shape(solution: Solution) -> Assumption:
-    remark = "'nonhertz compare' solves the case on a plane grid that assumes no shape."
-    if solution.element is not SEMI_ELLIPTIC:
-        remark = f"The parabola has an error of about 1 % that no refinement removes. {remark}"
-    return Assumption(
-        "Pressure across", "has the shape of the strips' element", solution.element.name, Verdict.OPEN, remark
-    )
-
-
-def _elastic(found: CaseResults) -> Iterator[Assumption]:
-    solution = found.solution
-    where = " away from singular ends" if solution.singular_ends else ""
-    yield elastic_below_yield(solution.max_pressure, where)
-    for each in found.strengths:
-        largest, checks = (
-            each.largest.von_mises,
-            [check for check in each.checks if check.name in {"yield", "bore", "core"}],
-        )
-        yield Assumption(
-            f"Linear elastic below the surface of body {each.body}",
-            "von Mises stress below the yield strength",
-            f"{mpa(largest.max)} {largest.site}z = {mm(largest.z):3}",
-            _of_strength({check.verdict for check in checks}),
-            " ".join(check.sentence for check in checks),
-        )
-
-
-def _of_strength(found: set[StrengthVerdict]) -> Verdict:
+def _of_strength(found: Iterable[StrengthVerdict]) -> Verdict:
     if StrengthVerdict.OVER in found:
         return Verdict.STRAINED
     return Verdict.OPEN if StrengthVerdict.UNKNOWN in found else Verdict.HOLDS
 
 
-def elastic_below_yield(pressure: float, where: str = "") -> Assumption:
-    """Return the assumption that no body yields under a maximum pressure [MPa]; ``where`` it is, after a blank."""
-    return Assumption(
-        "Linear elastic bodies",
-        f"p0 below {FLOW_BEGINS:g} times the yield strength (line contact, Tresca; Johnson 1985, section 6.1)",
-        f"p0 = {mpa(pressure)}{where}",
-        Verdict.OPEN,
-        f"The yield strength must be above {mpa(pressure / FLOW_BEGINS):4}.",
-    )
-
-
 def strained_if(strained: bool) -> Verdict:
     """Return the verdict on a number that is within its limit or not."""
     return Verdict.STRAINED if strained else Verdict.HOLDS
+
+
+# Of bearings alone
+
+
+def _angles(row: RollerBearing) -> str:
+    inner, outer = (math.degrees(each) for each in row.contact_angles)
+    if inner == outer:
+        return f"The contact angle is {digits(inner, 4)} degrees." if inner else ""
+    return f"Contact angles are {digits(inner, 4)} degrees at the inner and {digits(outer, 4)} at the outer ring."
+
+
+def _whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
+    if solution.bearing.rows[0].bearing.roller.behind.shown != "finite":
+        return
+    j = most_loaded(solution)
+    loads, tilts = newton(*solution.load[j], between=" and "), mrad(*solution.tilt[j], between=" and ")
+    number = f"{loads:4}, tilted by {tilts:4}, at inner and outer ring"
+    remark = "The whole roller is elastic. Where its contacts differ, the odd part of its deformation is neglected."
+    yield Assumption("Rollers are pressed alike from both sides", "same load and tilt", number, remark=remark)
+
+
+def _of_slices(solution: BearingSolution) -> Iterator[Assumption]:
+    remark = "Solve by strips for pressures, and for rings and rollers of other stiffness than the standard's."
+    criterion = "slices of ISO/TS 16281 do not feel each other"
+    yield Assumption("Independent slices", criterion, "by slices", remark=remark)
+    if isinstance(solution.bearing.rows[0].bearing, TaperedRollerBearing):
+        remark = "Slices know no ribs of tapered rows: what presses on the raceways is left."
+        yield Assumption("Ribs", "bear part of the load", "none", remark=remark)
+
+
+def _ribs(solution: BearingSolution) -> Iterator[Assumption]:
+    """Yield whether the contacts of the ribs of each ring stay on flank and roller."""
+    rib_of = getattr(solution.bearing.rows[0].bearing, "rib", None)
+    remark = "Where the ribs touch is a guess: give bearing.rib." if rib_of is None else ""
+    if rib_of is not None and rib_of.edge is None:
+        remark = "Where the flank ends is not known: give bearing.rib.edge. Compared with the roller's end alone."
+    for ring in RINGS:
+        loads = [
+            (load, rib)
+            for number, each in enumerate(solution.bearing.rows)
+            for line in solution.rib_loads[solution.rollers_of(number)].tolist()
+            for load, rib in zip(line, each.bearing.rib_contacts, strict=False)
+            if rib.ring == ring and load > 0.0
+        ]
+        if not loads:
+            continue
+        load, rib = max(loads, key=lambda each: each[0])
+        beyond = rib.reaches_an_edge(load)
+        more = "Where it reaches an edge the pressure is higher than Hertz's." if beyond else ""
+        yield Assumption(
+            f"Ellipse on the ribs of the {ring} ring",
+            f"reaches no edge, {mm(rib.room):3} away along the flank",
+            f"{mm(rib.under(load).half_length):3} under {newton(load)}",
+            Verdict.STRAINED if beyond else Verdict.OPEN if rib_of is None else Verdict.HOLDS,
+            f"{more} {remark}".strip(),
+        )
+
+
+def _shapes(solution: BearingSolution) -> Iterator[Assumption]:
+    row = solution.bearing.rows[0].bearing
+    shaped = [ring for ring in RINGS if getattr(row, f"{ring}_shape") is not None]
+    said = f"{' and '.join(shaped)} ring{'s' if len(shaped) > 1 else ''} with a shape" if shaped else "round rings"
+    remark = "Rings do not bend under the rollers: give soft housings and ovality as shapes."
+    if "inner" in shaped:
+        remark += " The shape of the inner ring is that of one moment: it turns."
+    yield Assumption("Rings keep their shape", "stiff in shaft and housing", said, remark=remark)
+    if isinstance(row, CylindricalRollerBearing) and not row.rib_contacts:
+        number = f"design {row.design}"
+        yield Assumption("Ribs bear nothing", "rings free along the axis", number, remark="They guide rollers.")

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from nonhertz.amounts import Amount, digits, mpa
 from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.model.body import BODIES
-from nonhertz.report.bearing.results import BearingResults
 from nonhertz.report.inputs import InputGroup
-from nonhertz.report.results import CaseResults
+from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure
 from nonhertz.show.lives import without_ratio
+from nonhertz.show.sections import Cell
 from nonhertz.study.quantities import OF_BEARING, SolvedBearing, number_of
 
 ABSENT = "–"
@@ -26,63 +25,51 @@ _BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_le
 _OF_LIFE = ("static_safety", "basic", "reference", "modified")
 
 
-@dataclass(frozen=True)
-class Row:
-    """One quantity for all cases.
+#: What it is, with its unit, and a cell for each case, whose remark is usually the difference from the first.
+Compared = tuple[str | Cell, ...]
 
-    Attributes
-    ----------
-    name : str
-        What it is, with its unit.
-    values : tuple of str
-        One for each case.
-    remarks : tuple of str
-        A remark on each, usually its difference from the first in per cent; may be empty.
+
+def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> tuple[list[Compared], list[Compared]]:
+    """Return the inputs in which cases differ, by key, and those given in a file that are the same in all.
+
+    Each case is given by its inputs.
     """
-
-    name: str
-    values: tuple[str, ...]
-    remarks: tuple[str, ...] = ()
-
-
-def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> list[Row]:
-    """Return the inputs in which cases differ, by key; each case is given by its inputs."""
-    tables = [
-        {
-            entry.place: f"{entry.value} {entry.unit}".strip()
-            for group in groups
-            for entries in (group.entries, *(profile.entries for profile in group.profiles))
-            for entry in entries
-        }
-        for groups in cases
-    ]
-    places = dict.fromkeys(place for table in tables for place in table)
-    rows = []
-    for place in places:
-        values = tuple(table.get(place, ABSENT) for table in tables)
+    tables = [{entry.place: entry for group in groups for entry in group.every} for groups in cases]
+    differing: list[Compared] = []
+    same: list[Compared] = []
+    for place in dict.fromkeys(place for table in tables for place in table):
+        values = [table[place].shown if place in table else ABSENT for table in tables]
         if len(set(values)) > 1:
-            rows.append(Row(place, values))
-    return rows
+            differing.append((place, *values))
+        elif not all(table[place].default for table in tables):
+            same.append((place, values[0], tables[0][place].meaning))
+    return differing, same
 
 
-def basis(rows: Sequence[Row]) -> list[str]:
+def basis(places: Iterable[str]) -> list[str]:
     """Return a sentence on inputs that differ beside dimensions and profiles: with them not all numbers compare."""
-    paths = [(row.name, row.name.partition(".")[0], row.name.rpartition(".")[2]) for row in rows]
+    paths = [(place, place.partition(".")[0], place.rpartition(".")[2]) for place in places]
     beside = [part if part in _CONDITIONS else path for path, part, key in paths if {part, key} & _BESIDE_SHAPES]
     what = ", ".join(dict.fromkeys(beside))
     return [f"Not all numbers compare, since more than shapes differs: {what}."] if beside else []
 
 
-def results(found: Sequence[CaseResults]) -> list[Row]:
-    """Return the results of all cases, with differences from the first."""
+def results(found: Sequence[Results]) -> list[Compared]:
+    """Return the results of all cases or bearings, with differences from the first; what none has is left out."""
+    contacts = [each for each in found if isinstance(each, CaseResults)]
+    bearings = [each for each in found if isinstance(each, BearingResults)]
+    return _of_contacts(contacts) if contacts else _of_bearings(bearings)
+
+
+def _of_contacts(found: Sequence[CaseResults]) -> list[Compared]:
     solutions = [each.solution for each in found]
     rows = [
         compared(quantity.label, quantity.amount(*(float(quantity.clean(each)) for each in solutions)))
         for quantity in map(QUANTITIES.__getitem__, _COMPARED)
     ]
     for at, end in enumerate(("low", "high")):
-        values, remarks = zip(*(_end(each.edge_pressure[at]) for each in solutions), strict=True)
-        rows.insert(1 + at, Row(f"pressure at the {end} end", values, remarks))
+        cells = [_end(each.edge_pressure[at]) for each in solutions]
+        rows.insert(1 + at, (f"pressure at the {end} end", *cells))
     if all(each.stress for each in found):
         for name, key in _STRESSES.items():
             largest = [getattr(each.stress[0], key).max for each in found if each.stress]
@@ -90,20 +77,17 @@ def results(found: Sequence[CaseResults]) -> list[Row]:
     return rows
 
 
-def bearing_results(found: Sequence[BearingResults]) -> list[Row]:
-    """Return the results of all bearings, with differences from the first; what none has is left out."""
+def _of_bearings(found: Sequence[BearingResults]) -> list[Compared]:
     solved = [None if each.solution is None else SolvedBearing(each.case, each.solution) for each in found]
-    rows = []
-    for name in ("max_pressure", *(name for name in OF_BEARING if name not in {"max_pressure", "warnings"})):
+    rows: list[Compared] = []
+    for name in sorted(set(OF_BEARING) - {"warnings"}, key=["max_pressure", *OF_BEARING].index):
         quantity = OF_BEARING[name]
         if name in _OF_LIFE:
             values = [math.nan if each.life is None else float(getattr(each.life, name)) for each in found]
         else:
             values = [math.nan if each is None else _beside_others(quantity, each) for each in solved]
         if name == "loaded_rollers":
-            rows.append(
-                Row(quantity.label, tuple(f"{value:g}" if math.isfinite(value) else ABSENT for value in values))
-            )
+            rows.append((quantity.label, *(f"{each:g}" if math.isfinite(each) else ABSENT for each in values)))
         elif any(value and math.isfinite(value) for value in values):
             rows.append(compared(quantity.label, quantity.amount(*values)))
     return rows
@@ -118,21 +102,21 @@ def _beside_others(quantity: Quantity, solved: SolvedBearing) -> float:
     return 0.0 if abs(value) <= NO_LOAD * largest else value
 
 
-def lives(found: Sequence[CaseResults]) -> list[Row]:
+def lives(found: Sequence[CaseResults]) -> list[Compared]:
     """Return the lives of all cases that have any, with ratios to the first case; empty if the first has none."""
     first = found[0].lives
     if first is None or sum(each.lives is not None for each in found) < 2:
         return []
-    rows = []
+    rows: list[Compared] = []
     for number, life in enumerate(first.lives["a"]):
         for body in BODIES:
-            own, ratios = [], []
+            cells = []
             for each in found:
-                has = each.lives is not None
-                own.append(_number(each.lives.lives[body][number].relative) if each.lives else ABSENT)
+                own = _number(each.lives.lives[body][number].relative) if each.lives else ABSENT
                 ratio = each.lives.over(first, body, number) if each.lives else math.nan
-                ratios.append(f"× {digits(ratio, 4)}" if has and each is not found[0] and math.isfinite(ratio) else "")
-            rows.append(Row(f"{life.model.name}, body {body}", tuple(own), tuple(ratios)))
+                compares = each is not found[0] and math.isfinite(ratio)
+                cells.append(Cell(own, f"× {digits(ratio, 4)}" if compares else ""))
+            rows.append((f"{life.model.name}, body {body}", *cells))
     return rows
 
 
@@ -143,14 +127,16 @@ def remarks_on_lives(found: Sequence[CaseResults]) -> list[str]:
     return list(dict.fromkeys(words for each in remarks for words in each))
 
 
-def _end(edge: EdgePressure) -> tuple[str, str]:
-    if edge.kind is EdgeKind.RUN_OUT:
-        return "runs out", ""
-    if edge.kind is EdgeKind.CORNER:
-        return "no limit", "at a corner of the profile"
-    if edge.kind is not EdgeKind.SINGULAR:
-        return f"{mpa(edge.pressure)}", edge.kind.label.replace("-", " ")
-    return "no limit", edge.law
+def _end(edge: EdgePressure) -> Cell:
+    match edge.kind:
+        case EdgeKind.RUN_OUT:
+            return Cell("runs out")
+        case EdgeKind.CORNER:
+            return Cell("no limit", "at a corner of the profile")
+        case EdgeKind.SINGULAR:
+            return Cell("no limit", edge.law)
+        case _:
+            return Cell(f"{mpa(edge.pressure)}", edge.kind.label.replace("-", " "))
 
 
 # The largest pressure comes first; its position and the coupling stiffnesses are left out.
@@ -159,11 +145,12 @@ _COMPARED = sorted(set(QUANTITIES) - _LEFT_OUT, key=["max_pressure", *QUANTITIES
 _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogonal shear stress": "orthogonal_shear"}
 
 
-def compared(name: str, found: Amount) -> Row:
+def compared(name: str, found: Amount) -> Compared:
     """Return a row of numbers, with differences from the first in per cent; NaN is absent."""
     (factor, unit), values = found.scale, found.values
     changes = ("", *(_change(value, values[0]) for value in values[1:]))
-    return Row(f"{name} [{unit}]" if unit else name, tuple(_number(factor * value) for value in values), changes)
+    cells = (Cell(_number(factor * value), change) for value, change in zip(values, changes, strict=True))
+    return (f"{name} [{unit}]" if unit else name, *cells)
 
 
 def _number(value: float) -> str:

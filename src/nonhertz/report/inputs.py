@@ -1,6 +1,7 @@
 """Every input of a case with value, unit and meaning, and whether it is a default.
 
-Meanings and units come from what the fields of inputs say, values from the bodies made of the file.
+Meanings and units come from what the fields of inputs say, values from what was made of the file. A case and a bearing
+are lists of the same tables.
 """
 
 from __future__ import annotations
@@ -11,6 +12,13 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from nonhertz.amounts import amount, given, mpa
+from nonhertz.bearing.bearings import Pair, Paired, RollerBearing
+from nonhertz.bearing.clearance import Housing, Mounting, Shaft
+from nonhertz.bearing.prescribed import BearingLoad
+from nonhertz.bearing.ribs import Rib
+from nonhertz.bearing.verb import BearingSolver
+from nonhertz.files.bearing_document import BearingLifeConditions
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.keys import Key, Table, profile_kinds, table_of, unit_of
 from nonhertz.files.measured import KIND as MEASURED
@@ -37,6 +45,9 @@ _BORNE = {
     "pressure_limit": "limit of pressure",
 }  # fmt: skip
 _OF_THE_BODY, _OF_BOTH, _AT_THE_END = "from the body", "from both bodies", "the end of the land"
+_PARTS = {"roller": "Rollers", "inner": "Inner ring", "outer": "Outer ring"}
+#: Lengths of bearings that people read in um.
+_SMALL = {"interference", "smoothing", "clearance", "axial_clearance", "radial_displacement", "axial_displacement"}
 
 
 @dataclass(frozen=True)
@@ -66,8 +77,13 @@ class Entry:
 
     @property
     def key(self) -> str:
-        """The last part of the place."""
-        return self.place.rpartition(".")[2]
+        """The last part of the place, of fits with what is fitted."""
+        return self.place.removeprefix("fit.") if self.place.startswith("fit.") else self.place.rpartition(".")[2]
+
+    @property
+    def shown(self) -> str:
+        """The value with its unit."""
+        return f"{self.value} {self.unit}".strip()
 
 
 @dataclass(frozen=True)
@@ -89,82 +105,119 @@ class InputGroup:
     profiles: tuple[ProfileInput, ...] = ()
 
     @property
-    def usual(self) -> list[Entry]:
-        """Those that the file leaves at their defaults, of profiles too."""
-        every = (self.entries, *(profile.entries for profile in self.profiles))
-        return [entry for entries in every for entry in entries if entry.default]
+    def every(self) -> tuple[Entry, ...]:
+        """All of them, of profiles too."""
+        return (*self.entries, *(each for profile in self.profiles for each in profile.entries))
 
 
-def inputs(case: Case) -> list[InputGroup]:
-    """Return all inputs of a case, grouped by the headings of its file."""
-    document, contact = case.document, case.contact
-    groups = [
-        body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
-        for name, body in (("a", contact.a), ("b", contact.b))
-    ]
-    groups.append(InputGroup("Prescription", tuple(_load_entries(case, document.get("load", {})))))
-    groups.append(InputGroup("Solver", tuple(_solver_entries(case, document.get("solver", {})))))
+def inputs(case: Case | BearingCase) -> list[InputGroup]:
+    """Return all inputs of a case, or of a bearing, grouped by the headings of its file."""
+    document = case.document
+    groups = list(_of_bearing(case) if isinstance(case, BearingCase) else _of_contact(case))
     if document.get("life"):
-        groups.append(InputGroup("Life", tuple(_life_entries(document["life"]))))
+        cls, values = (BearingLifeConditions, case.life) if isinstance(case, BearingCase) else (Life, {})
+        groups.append(InputGroup("Life", tuple(_entries("life", cls, document["life"], values))))
     return groups
 
 
-def body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> InputGroup:
+def _of_contact(case: Case) -> Iterator[InputGroup]:
+    document, contact, load = case.document, case.contact, case.document.get("load", {})
+    for name, body in (("a", contact.a), ("b", contact.b)):
+        yield _body_group(f"Body {name}", f"body.{name}", document["body"][name], body)
+    entries = [*_entries("load", Prescription, load, case.prescribed)]
+    if not {"tilt", "moment"} & set(case.prescribed):
+        meaning = _meaning_of(table_of(Prescription).keys["tilt"])
+        entries.append(Entry("load.tilt", "0", "rad", meaning, True))
+    yield InputGroup("Prescription", tuple(entries))
+    values = case.solver | {"element": case.solver["element"].name}
+    yield InputGroup("Solver", tuple(_entries("solver", Solver, document.get("solver", {}), values, defaults=True)))
+
+
+def _of_bearing(case: BearingCase) -> Iterator[InputGroup]:
+    document, row = case.document, case.bearing.rows[0].bearing
+    yield InputGroup("Bearing", tuple(_bearing_entries(case, document["bearing"])))
+    for name, title in _PARTS.items():
+        yield _body_group(title, name, document.get(name, {}), getattr(row, name))
+    yield InputGroup("Load", tuple(_entries("load", BearingLoad, document.get("load", {}), case.prescribed)))
+    if case.fit:
+        fit = document["fit"]
+        parts = [_entries(f"fit.{name}", cls, fit[name], vars(case.fit[name])) for name, cls in _FITTED.items()]
+        rest = {name: value for name, value in fit.items() if name not in _FITTED}
+        entries = (each for part in (*parts, _entries("fit", Mounting, rest, case.fit)) for each in part)
+        yield InputGroup("Fits and temperatures", tuple(entries))
+    solver = document.get("solver", {})
+    yield InputGroup("Solver", tuple(_entries("solver", BearingSolver, solver, case.solver, defaults=True)))
+
+
+_FITTED: dict[str, Any] = {"shaft": Shaft, "housing": Housing}
+
+
+def _bearing_entries(case: BearingCase, table: Mapping[str, Any]) -> Iterator[Entry]:
+    row = case.bearing.rows[0].bearing
+    yield Entry("bearing.kind", shown(table["kind"]), "", "what it is", False)
+    for name, key in table_of(RollerBearing).keys.items():
+        if name == "pair" and name in table:
+            rows, values = case.bearing, {}
+            if isinstance(rows, Paired):
+                values = {"distance": rows.x[-1] - rows.x[0], "clearance": rows.clearance}
+            yield from _entries("bearing.pair", Pair, table["pair"], values)
+        elif hasattr(row, name):
+            value = table.get(name) if name.endswith("_shape") else getattr(row, name)
+            if value is None and name not in table:
+                guessed = name == "rib" and bool(row.rib_contacts)
+                value = {"pitch_diameter": row.pitch}.get(name, "a guess" if guessed else "none")
+            yield _entry(f"bearing.{name}", value, key, table)
+
+
+def _entries(
+    place: str, cls: Any, table: Mapping[str, Any], values: Mapping[str, Any], *, defaults: bool = False
+) -> Iterator[Entry]:
+    """Yield the keys that a table has, with the values that were made of them, and on request its defaults.
+
+    Of a list of tables each is an entry.
+    """
+    for name, key in table_of(cls).keys.items():
+        value = values.get(name, table.get(name, key.usual))
+        given_tables = table.get(name)
+        if isinstance(given_tables, list) and key.tables:
+            for number, each in enumerate(given_tables, start=1):
+                yield Entry(f"{place}.{name}[{number}]", shown(each, key), "", _meaning_of(key), False)
+        elif name in table or (defaults and value is not None):
+            yield _entry(f"{place}.{name}", value, key, table)
+
+
+def _entry(place: str, value: Any, key: Key, table: Mapping[str, Any]) -> Entry:
+    name = place.rpartition(".")[2]
+    if isinstance(value, Rib):
+        value = {name: each for name, each in vars(value).items() if each is not None}
+    text, unit = _with_unit(value, key, small=name in _SMALL)
+    written = _as_written(table, name)
+    # What a file says, unless that is what is shown.
+    unlike = "" if written.replace("um", "µm") == f"{text} {unit}" else written
+    return Entry(place, text, unit, _meaning_of(key), name not in table, unlike)
+
+
+def _body_group(title: str, place: str, table: Mapping[str, Any], body: Body) -> InputGroup:
     """Return the inputs of a body, from its table and from what was made of that."""
-    entries = [Entry(f"{place}.kind", *_kind(table, body), "kind" not in table)]
+    made = type(body).__name__.lower()
+    kind = table.get("kind") or ("any body" if made == "body" else made)
+    entries = [Entry(f"{place}.kind", kind, "", "what the body is", "kind" not in table)]
     for name, key in table_of(Body).keys.items():
         if name != "profile":
             value = getattr(body, name)
             if name == "depth" and value is None:
                 value = body.behind.shown
-            text, unit = (_ABSENT.get(name, "none"), "") if value is None else with_unit(value, key)
-            meaning, written = meaning_of(key), as_written(table, name)
-            entries.append(Entry(f"{place}.{name}", text, unit, meaning, name not in table, written))
+            entries.append(_entry(f"{place}.{name}", _ABSENT.get(name, "none") if value is None else value, key, table))
     tables = profile_tables(table)
-    made = iter(written_profiles(body.profile))
+    drawn = iter(written_profiles(body.profile))
     profiles = tuple(
         # A straight profile is left out of what was made.
-        _profile_input(f"{place}.profile[{number}]", profile, {} if profile["kind"] == "straight" else next(made))
+        _profile_input(f"{place}.profile[{number}]", profile, {} if profile["kind"] == "straight" else next(drawn))
         for number, profile in enumerate(tables, start=1)
     )
     if not tables:
         profiles = (_profile_input(f"{place}.profile", {"kind": "straight"}, {}, default=True),)
     return InputGroup(title, tuple(entries), profiles)
-
-
-def _kind(table: Mapping[str, Any], body: Body) -> tuple[str, str, str]:
-    made = type(body).__name__.lower()
-    return (table.get("kind") or ("any body" if made == "body" else made)), "", "what the body is"
-
-
-def _load_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
-    prescribed, keys = case.prescribed, table_of(Prescription).keys
-    for name, key in keys.items():
-        if name in prescribed:
-            text, unit = with_unit(prescribed[name], key)
-            yield Entry(f"load.{name}", text, unit, meaning_of(key), False, as_written(table, name))
-    if not {"tilt", "moment"} & set(prescribed):
-        yield Entry("load.tilt", "0", "rad", meaning_of(keys["tilt"]), True)
-
-
-def _solver_entries(case: Case, table: Mapping[str, Any]) -> Iterator[Entry]:
-    solver = case.solver
-    accuracy = "" if solver["accuracy"] is None else f"{solver['accuracy']:g}"
-    values = {"element": solver["element"].name, "strips": str(solver["strips"]), "accuracy": accuracy}
-    for name, key in table_of(Solver).keys.items():
-        if values[name]:
-            yield Entry(f"solver.{name}", values[name], "", meaning_of(key), name not in table)
-
-
-def _life_entries(table: Mapping[str, Any]) -> Iterator[Entry]:
-    for name, key in table_of(Life).keys.items():
-        if name == "spectrum" and table.get(name):
-            (row,) = key.tables
-            for number, case in enumerate(table[name], start=1):
-                text = ", ".join(f"{each} {_entry_within(value, row.keys[each])}" for each, value in case.items())
-                yield Entry(f"life.spectrum[{number}]", text, "", meaning_of(key), False)
-        elif name in table:
-            yield Entry(f"life.{name}", *with_unit(table[name], key), meaning_of(key), False)
 
 
 def _profile_input(
@@ -176,16 +229,15 @@ def _profile_input(
     entries = [Entry(f"{place}.kind", kind, "", "relief along the axis", default)]
     for name, key in described.keys.items():
         value, is_default = _parameter(name, table, function)
-        meaning = meaning_of(key)
+        meaning = _meaning_of(key)
         if "drop" in table and name == determined(kind, table):
             value, is_default, meaning = made[name], False, f"{meaning}; from the drop"
-        written = as_written(table, name) if unit_of(key) else ""
+        written = _as_written(table, name) if unit_of(key) else ""
         if written:
             value = in_unit(name, written, unit_of(key))
         if value is not None:
-            entries.append(
-                Entry(f"{place}.{name}", *with_unit(value, key, small="um" in written), meaning, is_default, written)
-            )
+            text, unit = _with_unit(value, key, small="um" in written)
+            entries.append(Entry(f"{place}.{name}", text, unit, meaning, is_default, written))
     what = described.meaning.rstrip(".")
     return ProfileInput(what[:1].upper() + what[1:], formula(function), source(function), tuple(entries))
 
@@ -204,12 +256,12 @@ def _parameter(name: str, table: Mapping[str, Any], function: Callable[..., Any]
     return known.default, True
 
 
-def meaning_of(key: Key) -> str:
+def _meaning_of(key: Key) -> str:
     """Return what a key is, without what it could be instead."""
     return key.each.meaning.partition(";")[0]
 
 
-def with_unit(value: Any, key: Key | None = None, *, small: bool = False) -> tuple[str, str]:
+def _with_unit(value: Any, key: Key | None = None, *, small: bool = False) -> tuple[str, str]:
     """Return a value as text and its unit; text of a file has its own unit, and tables say theirs within them.
 
     People read ``small`` lengths in micrometres.
@@ -244,12 +296,9 @@ def shown(value: Any, key: Key | None = None) -> str:
         value = asdict(value)
     if isinstance(value, dict):
         keys = {name: each for table in (key.tables if key else ()) for name, each in table.keys.items()}
-        return ", ".join(f"{name} = {_entry_within(entry, keys.get(name))}" for name, entry in value.items())
+        cells = ((name, " ".join(_with_unit(entry, keys.get(name))).rstrip()) for name, entry in value.items())
+        return ", ".join(f"{name} = {cell}" for name, cell in cells)
     return _sequence(value, key) if isinstance(value, list | tuple) else str(value)
-
-
-def _entry_within(value: Any, key: Key | None) -> str:
-    return " ".join(with_unit(value, key)).rstrip()
 
 
 def _sequence(values: Sequence[Any], key: Key | None = None) -> str:
@@ -269,11 +318,7 @@ def _material(material: Material) -> str:
     return f"{name} ({', '.join(constants)})" if name else ", ".join(constants)
 
 
-def as_written(table: Mapping[str, Any], name: str) -> str:
+def _as_written(table: Mapping[str, Any], name: str) -> str:
     """Return a quantity as written in the case file if it is text with a unit, recognised by its digits."""
     value = table.get(name)
-    return value if isinstance(value, str) and _has_digit(value) else ""
-
-
-def _has_digit(text: str) -> bool:
-    return any(letter.isdigit() for letter in text)
+    return value if isinstance(value, str) and any(letter.isdigit() for letter in value) else ""

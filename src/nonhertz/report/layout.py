@@ -8,12 +8,19 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import metadata, resources
-from typing import TYPE_CHECKING, Any, NamedTuple
+from itertools import count
+from typing import TYPE_CHECKING
 
 from nonhertz import __version__
 from nonhertz.amounts import chosen
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
 from nonhertz.files.title_block import TitleBlock
-from nonhertz.report.figures import ReportFigure
+from nonhertz.plot.units import rewrite_units
+from nonhertz.report.downloads import Download
+from nonhertz.report.drawing import inline_svg
+from nonhertz.report.results import Results
+from nonhertz.show.sections import Block, Picture, Row, Section, shown_columns
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -26,15 +33,54 @@ _PACKAGES = ("numpy", "scipy", "numba", "matplotlib")
 _ADDRESS = re.compile(r"doi:(10\.\S+?)(?=[.,;:]?(?:\s|$))|(https?://\S+?)(?=[.,;:]?(?:\s|$))")
 
 
-#: What the template lays out by a macro of its own: the macro's name, and what it is given.
-Block = tuple[str, dict[str, Any]]
+@dataclass(frozen=True)
+class Files(Block):
+    """A block of a page: the files embedded in it, and the text of the first.
+
+    Attributes
+    ----------
+    case : Case or BearingCase
+        What was solved.
+    downloads : sequence of Download
+        The files.
+    """
+
+    case: Case | BearingCase
+    downloads: Sequence[Download]
+
+    @property
+    def left_out(self) -> list[str]:
+        """The files that the case names but the page does not include."""
+        origin = self.case.origin
+        return [] if origin is None else [name for name in origin.files if name not in self.case.attachments]
 
 
-class Section(NamedTuple):
-    """A heading, empty where none is due, and what stands below it; nothing is shown of one without blocks."""
+@dataclass(frozen=True, eq=False)
+class Part:
+    """What a page shows of one result, or beside each other of several.
 
-    title: str
-    blocks: Sequence[Block]
+    Attributes
+    ----------
+    found : CaseResults or BearingResults or None
+        The result; None for several.
+    sections : sequence of Section
+        What is shown.
+    folded : sequence of Section
+        What is shown once it is unfolded.
+    numbers : sequence of rows
+        Name, value and remark of the numbers that are looked for first.
+    anchor : str
+        Its identifier, if it is one of several.
+    opening : str
+        What was solved, if it is one of several.
+    """
+
+    found: Results | None
+    sections: Sequence[Section] = ()
+    folded: Sequence[Section] = ()
+    numbers: Sequence[Row] = ()
+    anchor: str = ""
+    opening: str = ""
 
 
 @dataclass(frozen=True)
@@ -63,8 +109,9 @@ class Words:
     conventions: str
 
 
-def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: Sequence[dict[str, Any]]) -> str:
+def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: Sequence[Part]) -> str:
     """Return the text of a page, which begins with a sentence on what was solved."""
+    numbers = count(1)  # of figures, in the order of the page
     page = (
         _environment()
         .get_template("report.html")
@@ -77,6 +124,9 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
             block=block,
             opening=opening,
             parts=parts,
+            kind_of=lambda block: type(block).__name__,
+            drawn=lambda picture: _drawn(picture, next(numbers)),
+            columns=shown_columns,
             versions={"nonhertz": __version__, "Python": platform.python_version()}
             | {name: metadata.version(name) for name in _PACKAGES},
         )
@@ -84,19 +134,10 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
     return page.strip() + "\n"
 
 
-def marked(picture: ReportFigure) -> dict[str, Any]:
-    """Return a figure as templates show it."""
-    return {"number": picture.number, "svg": _safe(picture.svg), "caption": picture.caption}
-
-
-def merged(rows: Sequence[tuple[str, str, str]]) -> list[tuple[str, list[tuple[str, str]]]]:
-    """Return names with their values and remarks; a row without a name continues the one before."""
-    found: list[tuple[str, list[tuple[str, str]]]] = []
-    for name, value, remark in rows:
-        if name or not found:
-            found.append((name.strip(), []))
-        found[-1][1].append((value, remark))
-    return found
+def _drawn(picture: Picture, number: int) -> tuple[int, Markup]:
+    """Return the number of a figure, and the figure."""
+    rewrite_units(picture.figure)
+    return number, _safe(inline_svg(picture.figure, f"figure-{number}", picture.caption, picture.description))
 
 
 def linked(text: str) -> Markup:

@@ -10,20 +10,54 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from nonhertz.bearing.ratings import rating
 from nonhertz.files.origin import body_tables
 from nonhertz.files.profiles import profile_tables
+from nonhertz.hertz import point_contact
 from nonhertz.life import MODELS
 from nonhertz.model.body import Body
 from nonhertz.model.profile import CATALOGUE
-from nonhertz.report.results import CaseResults
+from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.strip.element import Element
 from nonhertz.subsurface import stress
 
 _REFERENCES = re.compile(r"^References\n-+\n(.*?)(?=\n\n\w+\n---|\Z)", re.DOTALL | re.MULTILINE)
 _NO_SOURCE = re.compile(r"^(Geometry|See |ISO[^;]*; see )")
+_BOUSSINESQ = "J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885."
 _SHARP_ENDS = (
     "M. Comninou, Stress singularity at a sharp edge in contact problems with friction, Zeitschrift für angewandte "
     "Mathematik und Physik 27 (1976), doi:10.1007/BF01594906; here the case without friction."
+)
+_BEARINGS = (
+    "J. M. de Mul, J. M. Vree, D. A. Maas, Equilibrium and associated load distribution in ball and roller bearings "
+    "loaded in five degrees of freedom while neglecting friction, Journal of Tribology 111 (1989) 142-155."
+)
+_STANDARDS = (
+    "ISO 281, Rolling bearings: dynamic load ratings and rating life.",
+    "ISO 76, Rolling bearings: static load ratings.",
+)
+_REFERENCE_LIFE = (
+    "ISO/TS 16281, Methods for calculating the modified reference rating life for universally loaded bearings."
+)
+_STRIPS = (
+    "Each carries a load and a half-width, its pressure is {element} across, and all strips act on each other through "
+    "both elastic bodies."
+)
+_IN_CONTACT = (
+    "The contact is cut along y into {strips} strips. {each} One Newton loop finds all loads and half-widths, approach "
+    "and tilt together, so that both surfaces touch on the centre line of every strip that bears load, to second order "
+    "across, and no strip pulls. Bodies are linear elastic half-spaces (Boussinesq), without friction, and the "
+    "separation across the contact is parabolic."
+)
+_IN_BEARING = (
+    "The inner ring has five degrees of freedom, the outer one is at rest. Each roller is in balance by itself: "
+    "between both raceways and, where they bear loads, ribs, and under centrifugal force and gyroscopic moment. "
+    "Its motion is eliminated exactly, which leaves the stiffness of the ring, and Newton's method finds the "
+    "motion that goes with the given forces, moments and displacements. Rollers without load are part of it."
+)
+_BEYOND = (
+    "Beyond these: bodies keep their shape apart from the contact (no bending of rollers, rings or shafts), and no "
+    "other contact acts on them but the equal one on the opposite side of a whole roller."
 )
 
 
@@ -42,51 +76,78 @@ def source(documented: Any) -> str:
     return _flowing(found[1]) if found else ""
 
 
-def paragraphs(found: CaseResults) -> list[str]:
-    """Return how the case was solved, a paragraph for each part of the method."""
+def method(found: Results) -> tuple[list[str], list[str]]:
+    """Return how it was solved, a paragraph for each part of the method, and the publications behind that.
+
+    References have no repeats.
+    """
+    parts = list(_of_bearing(found) if isinstance(found, BearingResults) else _of_contact(found))
+    references = dict.fromkeys(each for _, sources in parts for each in sources if each)
+    return [words for words, _ in parts if words], list(references)
+
+
+def _of_contact(found: CaseResults) -> Iterator[tuple[str, list[str]]]:
     solution = found.solution
     contact = solution.contact
-    parts = [
-        f"The contact is cut along y into {solution.strips} strips. Each carries a load and a half-width, its pressure "
-        f"is {solution.element.name} across, and all strips act on each other through both elastic bodies. One Newton "
-        "loop finds all loads and half-widths, approach and tilt together, so that both surfaces touch on the centre "
-        "line of every strip that bears load, to second order across, and no strip pulls. Bodies are linear elastic "
-        "half-spaces (Boussinesq), without friction, and the separation across the contact is parabolic.",
-    ]
-    parts += [" ".join(body_words(name, body)) for name, body in (("body a", contact.a), ("body b", contact.b))]
+    each = _STRIPS.format(element=solution.element.name)
+    sources = [source(Element), _BOUSSINESQ, *_profile_sources(found.case.document)]
+    yield _IN_CONTACT.format(strips=solution.strips, each=each), sources
+    for name, body in (("body a", contact.a), ("body b", contact.b)):
+        yield _body_words(name, body), [source(type(body.behind))]
+    yield _BEYOND, [_SHARP_ENDS] if solution.singular_ends else []
     if found.stress:
-        parts.append(
+        words = (
             "Stress below the surface is integrated from the pressure of the strips, which follows it between their "
             "centres, with the same images behind side faces. The largest values are searched for throughout body "
             f"{found.stress[0].body} below the contact."
         )
+        yield words, [source(stress)]
     if found.lives:
-        parts.append(
+        words = (
             "Life follows from the stresses that every point of both bodies undergoes during a pass of the load. It is "
             "given relative to the life under Hertz's line pressure with the load spread evenly."
         )
-    return parts
+        yield words, [source(stress), *(source(MODELS[life.model.name]) for life in found.lives.lives["a"])]
 
 
-def references(found: CaseResults) -> list[str]:
-    """Return the publications that this case draws on, without repeats."""
-    parts = [
-        source(Element),
-        "J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885.",
-        *profile_sources(found.case.document),
-    ]
-    bodies = found.solution.contact.a, found.solution.contact.b
-    parts += [source(type(body.behind)) for body in bodies]
-    if found.solution.singular_ends:
-        parts.append(_SHARP_ENDS)
-    if found.stress or found.lives:
-        parts.append(source(stress))
-    if found.lives:
-        parts += [source(MODELS[life.model.name]) for life in found.lives.lives["a"]]
-    return list(dict.fromkeys(each for each in parts if each))
+def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
+    strips = found.case.solver.get("method", "strips") == "strips"
+    row = found.case.bearing.rows[0].bearing
+    profiles = [*_profile_sources(found.case.document)]
+    yield _IN_BEARING, [_BEARINGS]
+    if strips:
+        words = (
+            "Each contact of a roller with a raceway is solved at its approach and tilt: it is cut along the roller "
+            f"into strips on an automatic grid. {_STRIPS.format(element='semi-elliptic')}"
+        )
+        yield words, [source(Element), _BOUSSINESQ, *profiles]
+        for name, body in (("a roller", row.roller), ("the inner ring", row.inner), ("the outer ring", row.outer)):
+            yield _body_words(name, body), [source(type(body.behind))]
+    else:
+        words = (
+            "Contacts are the slices of ISO/TS 16281: independent of each other, of equal stiffness at both rings, "
+            "without pressures."
+        )
+        yield words, [*profiles, _REFERENCE_LIFE]
+    if row.rib_contacts:
+        words = "Ribs press on the spherical ends of the rollers over ellipses after Hertz." if strips else ""
+        yield words, [source(point_contact)]
+    if found.life is not None:
+        edges = " The edges of the laminae take the pressures of the strips." if strips else ""
+        words = (
+            "Ratings are those of ISO 281 and ISO 76 unless given. L10 follows from the equivalent load, L10r from the "
+            f"loads of all laminae of all rollers, and the modified life from lubrication and reliability.{edges}"
+        )
+        yield words, [*_STANDARDS, source(rating), _REFERENCE_LIFE]
+    if found.slices is not None:
+        words = (
+            "For comparison the bearing was solved once more by the independent slices of ISO/TS 16281, two equal "
+            "contacts in series for each roller."
+        )
+        yield words, [_REFERENCE_LIFE]
 
 
-def profile_sources(document: Mapping[str, Any]) -> Iterator[str]:
+def _profile_sources(document: Mapping[str, Any]) -> Iterator[str]:
     """Yield the publications behind the profiles in a document."""
     for _, body in body_tables(document):
         for table in profile_tables(body):
@@ -95,22 +156,23 @@ def profile_sources(document: Mapping[str, Any]) -> Iterator[str]:
                 yield words
 
 
-def body_words(name: str, body: Body) -> Iterator[str]:
-    """Yield how side faces and depth of a body are modelled; ``name`` is what the sentences call it."""
+def _body_words(name: str, body: Body) -> str:
+    """Return how side faces and depth of a body are modelled; ``name`` is what the sentences call it."""
+    said = []
     sides = zip(body.face_weights, body.free_faces, strict=True)
     if any(body.free_faces):
-        yield (
+        said.append(
             f"Side faces of {name} are free of shear and of normal stress, as those of an elastic quarter-space, below "
             "the surface, too."
         )
     weights = [weight for weight, free in sides if weight > 0.0 and not free]
     if weights:
         parts = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
-        yield (
+        said.append(
             f"Side faces of {name} are freed of shear by mirror images of the pressure with the weight {parts}. A "
             "normal stress remains on them, so the true pressure at an end is lower."
         )
-    yield f"Displacement of {name} is measured against {body.behind.place}."
+    return " ".join([*said, f"Displacement of {name} is measured against {body.behind.place}."])
 
 
 def _flowing(text: str) -> str:

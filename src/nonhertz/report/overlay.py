@@ -10,8 +10,7 @@ import numpy as np
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, mark_unlimited
 from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, blank, panel
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
-from nonhertz.report.bearing.results import BearingResults
-from nonhertz.report.results import CaseResults
+from nonhertz.report.results import BearingResults, CaseResults
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

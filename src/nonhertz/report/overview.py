@@ -1,182 +1,221 @@
-"""The overview of a solution: what was solved, the key numbers, the geometry, and the ends, in words."""
+"""What was solved, in a sentence; the numbers that are looked for first; and what follows from the dimensions."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from itertools import pairwise
+from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
-from nonhertz.amounts import Amount, amount, mm, mpa, mrad, newton, newton_mm, um
+from nonhertz.amounts import Amount, amount, given, mm, mpa, mrad, newton, newton_mm, um
+from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.frames import RINGS
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.contact import Contact
 from nonhertz.model.materials import MATERIALS
-from nonhertz.report.results import CaseResults
-from nonhertz.result.brief import where_largest
-from nonhertz.result.maximum import largest_half_width, singular_y
-from nonhertz.result.penetration import is_noticeable
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.report.inputs import shown
+from nonhertz.report.results import BearingResults, CaseResults, Results
+from nonhertz.show.sections import Row
+
+Array = NDArray[np.float64]
 
 SAMPLES = 401  # points on the interval in which both bodies can touch
 FARTHEST = 1e3  # mm; cuts an unbounded interval
+NEAR_ENDS = 0.9  # of what can touch
+PARTS = ("roller", *RINGS)
+PART_COLUMNS = ("", "rollers", "inner ring", "outer ring")
+#: Names of the rows of summaries that are looked for first.
+FIRST: Final = frozenset(
+    {
+        *("maximum pressure", "approach", "penetration", "largest half-width", "load"),
+        *("most loaded roller", "loaded rollers", "largest rib load", "displacement", "tilt of the inner ring"),
+        *("static safety", "modified life"),
+    }
+)
+_PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {
+    "radial": ("a radial force of", newton),
+    "axial": ("an axial force of", newton),
+    "load": ("a load of", newton),
+    "approach": ("an approach of", um),
+    "moment": ("a moment of", newton_mm),
+    "radial_displacement": ("a radial displacement of", um),
+    "axial_displacement": ("an axial displacement of", um),
+    "tilt": ("a tilt of", mrad),
+}
 
 
-@dataclass(frozen=True)
-class Key:
-    """A number that the reader looks for first.
-
-    Attributes
-    ----------
-    name : str
-        What it is.
-    value, unit : str
-        The number, or a word where there is none.
-    remark : str
-        Where it is, or what it is instead.
-    """
-
-    name: str
-    value: str
-    unit: str
-    remark: str = ""
-
-    @classmethod
-    def of(cls, name: str, found: Amount, remark: str = "", spec: str = "") -> Key:
-        """Return a number in the units that are read."""
-        (value,), unit = found.apart(spec)
-        return cls(name, value, unit, remark)
-
-
-def opening(found: CaseResults) -> str:
-    """Return one sentence on what was solved."""
-    solution, prescribed = found.solution, found.case.prescribed
-    a, b = solution.contact.a, solution.contact.b
-    load = prescribed.get("load")
-    pressed = _by_approach(prescribed["approach"]) if load is None else f"with {newton(load):g}"
-    turned = ""
-    if prescribed.get("tilt"):
-        turned = f" and tilted by {mrad(prescribed['tilt']):.4g}"
-    elif "moment" in prescribed:
-        turned = f" under a moment of {newton_mm(prescribed['moment']):g}"
-    return f"{_body(a, 'a')} and {_body(b, 'b')} are pressed together {pressed}{turned}."
-
-
-def keys(found: CaseResults) -> list[Key]:
-    """Return the key numbers."""
-    solution = found.solution
-    if not solution.contact_y:
-        return [Key("contact", "none", "")]
-    half_width, widest = largest_half_width(solution.y, solution.half_width, singular_y(solution))
-    shown = [
-        *_pressures(solution),
-        Key.of("approach", um(solution.approach)),
-        *_penetration(solution),
-        Key.of("largest half-width", mm(float(half_width)), _at(float(widest))),
-    ]
-    if "load" not in found.case.prescribed:
-        shown.append(Key.of("load", newton(solution.load)))
-    if found.stress:
+def first_numbers(found: Results, rows: Iterable[Row]) -> list[Row]:
+    """Return the rows of summaries that are looked for first, with the row below, and the largest stress if any."""
+    numbers: list[Row] = []
+    for (name, value, remark), below in pairwise([*rows, ("end", "", "")]):
+        if name in FIRST:
+            more = " ".join(below[1:]).strip() if not below[0] else ""
+            numbers.append((name, value, ", ".join(filter(None, (remark, more)))))
+    if isinstance(found, CaseResults) and found.stress:
         largest = found.stress[0].von_mises
         where = f"{largest.site}y = {mm(largest.y):4}, z = {mm(largest.z):3}"
-        shown.append(Key.of(f"largest von Mises stress in body {found.stress[0].body}", mpa(largest.max), where))
-    return shown
+        numbers.append((f"largest von Mises stress in body {found.stress[0].body}", f"{mpa(largest.max)}", where))
+    return numbers
 
 
-def _penetration(solution: Solution) -> list[Key]:
-    if not is_noticeable(solution.approach, solution.penetration):
-        return []
-    return [Key.of("penetration", um(solution.penetration), "approach beyond first touch")]
+def opening(found: Results) -> str:
+    """Return one sentence on what was solved."""
+    prescribed = found.case.prescribed
+    acting = [_acting(name, prescribed[name]) for name in _PRESCRIBED if name in prescribed and prescribed[name] != 0.0]
+    under = f"under {', '.join(acting[:-1])}{' and ' * (len(acting) > 1)}{acting[-1]}" if acting else "without a load"
+    if isinstance(found, CaseResults):
+        a, b = (f"{_body(body, letter)}" for body, letter in _bodies(found.solution.contact))
+        return f"{a[0].upper()}{a[1:]} and {b} {under}."
+    case = found.case
+    row, rows = case.bearing.rows[0].bearing, len(case.bearing.rows)
+    size = f"{mm(row.roller_diameter, row.roller_length, between=' x '):.5g}"
+    what = f"{row.kind}{f' of {rows} rows' if rows > 1 else ''}".capitalize()
+    each = " in each row" if rows > 1 else ""
+    speed = f" at {given(float(prescribed['speed']))} 1/min" if prescribed.get("speed") else ""
+    circle = f"on a pitch circle of {mm(row.pitch):.5g}"
+    return f"{what}, {row.rollers} rollers of {size}{each} {circle}, {under}{speed}."
 
 
-def geometry(solution: Solution) -> list[tuple[str, str, str]]:
-    """Return name, value and unit of quantities derived from the inputs alone."""
-    contact = solution.contact
-    low, high = contact.interval
-    y = np.linspace(max(low, -FARTHEST), min(high, FARTHEST), SAMPLES)
-    if not math.isfinite(high - low) and solution.contact_y:
-        y = np.linspace(solution.contact_y[0][0], solution.contact_y[-1][1], SAMPLES)
-    radius = 1.0 / contact.curvature(y)
-    relief = contact.separation(y)
-    shown = [
-        ("both bodies can touch", *_interval(low, high)),
-        ("combined radius of curvature across", *_span(radius, "mm")),
-        ("combined curvature across", *_span(1.0 / radius, "1/mm")),
-    ]
-    if np.isfinite(relief[[0, -1]]).all():
-        where = f"{mm(y[0], y[-1], between=' and '):g}"
-        ends, unit = um(*relief[[0, -1]]).apart("4")
-        shown.append((f"separation (both reliefs) at y = {where}", " and ".join(ends), unit))
-    modulus = 1.0 / (math.pi * contact.compliance)
-    shown.append(("contact modulus, 1/E* = sum of (1 - ν²) / E", *_one(mpa(modulus))))
-    return shown
+def _acting(name: str, value: Any) -> str:
+    words, kind = _PRESCRIBED[name]
+    values = value if hasattr(value, "__iter__") else (value,)
+    return f"{words} {kind(*values, between=' and '):.5g}"
 
 
-def ends_in_words(solution: Solution) -> list[str]:
-    """Return, for both ends of the contact, what kind of number the pressure is there."""
-    return [_end_in_words(edge) for edge in solution.edge_pressure] if solution.contact_y else []
-
-
-def _end_in_words(edge: EdgePressure) -> str:
-    shown = f"At y = {mm(edge.y):.5g}: {edge.kind.value[0].lower()}{edge.kind.value[1:]}"
-    match edge.kind:
-        case EdgeKind.RUN_OUT | EdgeKind.CORNER:
-            return shown
-        case EdgeKind.SINGULAR:
-            return f"{shown} With the distance s it varies as {edge.law} ({edge.convention})."
-        case _:
-            return f"{shown} It is {mpa(edge.pressure)} ({edge.convention})."
-
-
-def _pressures(solution: Solution) -> list[Key]:
-    remark = "no limit, at a corner of the profile" if solution.peaks_at_corner else where_largest(solution, 4)
-    shown = [Key.of("maximum pressure", mpa(solution.max_pressure), remark)]
-    sharp = [edge for edge in solution.edge_pressure if edge.law]
-    if sharp:
-        highest = max(sharp, key=lambda edge: edge.pressure)
-        shown.append(Key("pressure at the sharp end", "no limit", "", f"{highest.law}, at y = {mm(highest.y):.5g}"))
-    return shown
+def _bodies(contact: Contact) -> list[tuple[Body, str]]:
+    return [(contact.a, "a"), (contact.b, "b")]
 
 
 def _body(body: Body, letter: str) -> str:
     kind = type(body).__name__.lower()
-    words = (
-        f"{'A' if letter == 'a' else 'a'} {kind}" if kind != "body" else f"{'B' if letter == 'a' else 'b'}ody {letter}"
-    )
-    sizes = []
-    if isinstance(body.diameter, float | int):
-        sizes.append(f"diameter {mm(float(abs(body.diameter))):g}{', concave' if body.diameter < 0.0 else ''}")
-    elif isinstance(body.diameter, TabulatedDiameter):
-        sizes.append(f"diameter {' '.join(_span(np.array(body.diameter.diameter), 'mm'))}")
-    else:
-        sizes.append("flat")
+    diameter = _diameter(body).removeprefix("-")
+    sizes = [{"flat": "flat", "varies": "diameter varying"}.get(diameter, f"diameter {diameter} {mm().scale[1]}")]
+    if isinstance(body.diameter, float | int) and body.diameter < 0.0:
+        sizes.append("concave")
     if body.length is not None:
         sizes.append(f"length {mm(body.length):g}")
-    name = next((name for name, known in MATERIALS.items() if known == body.material), "")
-    sizes.append(name or f"E = {mpa(body.material.modulus):g}")
-    return f"{words} ({', '.join(sizes)})"
+    return f"{f'body {letter}' if kind == 'body' else f'a {kind}'} ({', '.join([*sizes, _material(body)])})"
 
 
-def _by_approach(approach: float) -> str:
-    return f"until they have approached by {um(approach):g}"
+def geometry(found: Results) -> list[tuple[str, str]]:
+    """Return name and value of what follows from the dimensions."""
+    if isinstance(found, BearingResults):
+        return list(_of_bearing(found.case))
+    contact = found.solution.contact
+    low, high = contact.interval
+    y = np.linspace(max(low, -FARTHEST), min(high, FARTHEST), SAMPLES)
+    pieces = found.solution.contact_y
+    if not math.isfinite(high - low) and pieces:
+        y = np.linspace(pieces[0][0], pieces[-1][1], SAMPLES)
+    curvature, relief = contact.curvature(y), contact.separation(y)
+    rows = [
+        ("both bodies can touch", _interval(low, high)),
+        ("combined radius of curvature across", _span(1.0 / curvature, "mm")),
+        ("combined curvature across", _span(curvature, "1/mm")),
+    ]
+    if np.isfinite(relief[[0, -1]]).all():
+        where = f"{mm(y[0], y[-1], between=' and '):g}"
+        ends = um(*relief[[0, -1]], between=" and ")
+        rows.append((f"separation (both reliefs) at y = {where}", f"{ends:4}"))
+    return [*rows, ("contact modulus, 1/E* = sum of (1 - ν²) / E", f"{mpa(1.0 / (math.pi * contact.compliance))}")]
 
 
-def _at(y: float) -> str:
-    return f"at y = {mm(y):4}"
-
-
-def _interval(low: float, high: float) -> tuple[str, str]:
+def _interval(low: float, high: float) -> str:
     if math.isinf(low) and math.isinf(high):
-        return "everywhere", ""
+        return "everywhere"
     numbers, unit = mm(low, high).apart("g")
     ends = (word if math.isfinite(y) else "no end" for y, word in zip((low, high), numbers, strict=True))
-    return " to ".join(ends), unit
+    return f"{' to '.join(ends)} {unit}"
 
 
-def _one(found: Amount) -> tuple[str, str]:
-    (number,), unit = found.apart()
-    return number, unit
+def _span(values: Array, unit: str) -> str:
+    low, high = sorted((float(values.min()), float(values.max())), key=abs)
+    same = math.isclose(low, high, rel_tol=1e-9)
+    return f"{amount((low,) if same else sorted((low, high)), unit, between=' to '):.5g}"
 
 
-def _span(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]], unit: str) -> tuple[str, str]:
-    low, high = float(values.min()), float(values.max())
-    numbers, unit = amount((low,) if math.isclose(low, high, rel_tol=1e-9) else (low, high), unit).apart(".5g")
-    return " to ".join(numbers), unit
+# Of bearings alone
+
+
+def part_rows(case: BearingCase) -> list[tuple[str, ...]]:
+    """Return the cells of `PART_COLUMNS`: what a drawing says of rollers and rings."""
+    row = case.bearing.rows[0].bearing
+    bodies = [getattr(row, name) for name in PARTS]
+    places, (factor, unit), (_, micro) = mm(*_near_ends(row), between=" and "), mm().scale, um().scale
+    rows: list[tuple[str, ...]] = [
+        (f"diameter [{unit}]", *map(_diameter, bodies)),
+        (f"length [{unit}]", *("–" if body.length is None else given(factor * body.length) for body in bodies)),
+        ("corner", *map(_corner, bodies)),
+        (f"relief at y = {places:.4g} [{micro}]", *(_relief(body, _near_ends(row)) for body in bodies)),
+        ("material", *map(_material, bodies)),
+        ("bore, thickness", *map(_behind, bodies)),
+        ("ends", *("–" if body.length is None else shown(body.side_faces) for body in bodies)),
+    ]
+    return [each for each in rows if any(cell not in {"", "–"} for cell in each[1:])]
+
+
+def _diameter(body: Body) -> str:
+    if body.diameter is None:
+        return "flat"
+    if isinstance(body.diameter, TabulatedDiameter):
+        return " to ".join(mm(body.diameter.diameter[0], body.diameter.diameter[-1]).apart(".5g")[0])
+    return mm(body.diameter).apart("g")[0][0] if isinstance(body.diameter, float | int) else "varies"
+
+
+def _corner(body: Body) -> str:
+    if body.chamfer is not None:
+        return f"{mm(body.chamfer.length):g} at {given(math.degrees(body.chamfer.angle), 4)}°"
+    return "–" if body.corner_radius is None else f"R {mm(body.corner_radius):g}"
+
+
+def _relief(body: Body, y: Array) -> str:
+    """Return the relief of a body near the ends of what can touch, without the arcs of barrels."""
+    ends = body.relief(y)
+    return " and ".join(um(*ends).apart("3")[0]) if np.any(ends != 0.0) else "–"
+
+
+def _near_ends(row: RollerBearing) -> Array:
+    """Return where reliefs are shown [mm]: at the very end some have none."""
+    return NEAR_ENDS * np.array(row.contacts[0].interval)
+
+
+def _material(body: Body) -> str:
+    name = next((name for name, known in MATERIALS.items() if known == body.material), "")
+    return name or f"E = {mpa(body.material.modulus):g}"
+
+
+def _behind(body: Body) -> str:
+    if body.bore is not None:
+        return f"bore {_diameter(Body(diameter=body.bore))} {mm().scale[1]}"
+    depth = body.behind.shown
+    return "solid" if depth == "finite" else depth
+
+
+def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
+    row = case.bearing.rows[0].bearing
+    between = row.pitch * math.sin(math.pi / row.rollers) - row.roller_diameter
+    yield "pitch diameter", f"{mm(row.pitch):g}"
+    yield "room between neighbouring rollers", f"{mm(between):4}" if row.rollers > 1 else "no neighbour"
+    if row.nominal_angle and not isinstance(row, CylindricalThrustBearing):
+        yield "contact angles at inner and outer ring", _degrees(*row.contact_angles)
+    if isinstance(row, TaperedRollerBearing):
+        yield "half cone angle of the rollers", _degrees(row.half_cone_angle)
+    if isinstance(case.bearing, Paired):
+        yield "rows at x =", f"{mm(*(each.x for each in case.bearing.rows), between=' and '):g}"
+    for ring, contact in zip(RINGS, row.contacts, strict=True):
+        yield f"combined radius across, {ring} ring", f"{mm(1.0 / float(contact.curvature(np.zeros(1))[0]))}"
+    for ring in RINGS:
+        rib = next((each for each in row.rib_contacts if each.ring == ring), None)
+        if rib is not None:
+            radii = mm(rib.radius_around, rib.radius_along, between=" and ")
+            yield f"combined radii on the ribs, {ring} ring, around and along the flank", f"{radii:4}"
+    if row.roller_density is not None:
+        yield "mass of a roller", f"{amount(1e6 * row.inertia.mass, 'g'):.4g}"
+
+
+def _degrees(*angles: float) -> str:
+    return f"{' and '.join(given(math.degrees(each), 5) for each in angles)} degrees"

@@ -1,21 +1,22 @@
-"""Results of the cases in a report: solutions, then stress below the surface and life."""
+"""Results of the cases or bearings in a report: solutions first, then stress below the surface, life and slices."""
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TypeVar
 
-from nonhertz.errors import CaseError, ConvergenceError
-from nonhertz.files.bearingfile import BearingCase
+from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
+from nonhertz.files.bearingfile import BearingCase, placed
 from nonhertz.files.casefile import Case
 from nonhertz.files.held import named
 from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import Life
 from nonhertz.files.stresses import all_findings
-from nonhertz.findings import sentences
+from nonhertz.findings import Finding, sentences
 from nonhertz.inputs.files import legible
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
@@ -31,9 +32,8 @@ from nonhertz.show.analysis import (
 )
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
+from nonhertz.verdict import Verdict, of_bearing, of_contact
 
-Given = TypeVar("Given", Case, BearingCase)
-Found = TypeVar("Found")
 STRESS_STEPS = 2  # in the whole body and in a cross-section
 
 
@@ -68,6 +68,11 @@ class CaseResults:
     lives: Assessment | None = None
 
     @property
+    def verdict(self) -> Verdict | None:
+        """Whether it bears its load."""
+        return None if self.complaint else of_contact(self.solution, self.strengths)
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         """All warnings, without repeats."""
         of_lives = self.lives.warnings if self.lives else ()
@@ -75,30 +80,91 @@ class CaseResults:
         return tuple(dict.fromkeys((*self.case.notes, *of_stress, *of_lives)))
 
 
-def settled(cases: Sequence[Case]) -> tuple[CaseResults, ...]:
-    """Return the solutions of all cases; raise what `of_each` does."""
-    return of_each(cases, lambda case, label: CaseResults(case, label, *attempted(case)))
+@dataclass(frozen=True, eq=False)
+class BearingResults:
+    """The results of one bearing.
+
+    Attributes
+    ----------
+    case : BearingCase
+        The bearing and its loads.
+    label : str
+        Short name that distinguishes it from other bearings.
+    solution : BearingSolution or None
+        The loaded bearing; None if no balance was found.
+    complaint : str
+        Why there is no solution; empty if there is one.
+    life : BearingLife or None
+        How long it lasts; None if it is not rated, or if nobody asked.
+    reason : str
+        Why it is not rated.
+    strained : tuple of Finding
+        What strains the model.
+    slices : BearingSolution or None
+        The same by slices, if a comparison was asked for.
+    """
+
+    case: BearingCase
+    label: str
+    solution: BearingSolution | None
+    complaint: str = ""
+    life: BearingLife | None = None
+    reason: str = ""
+    strained: tuple[Finding, ...] = ()
+    slices: BearingSolution | None = None
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """Whether it bears its load."""
+        return None if self.solution is None else of_bearing(self.solution, self.life)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """All warnings, without repeats."""
+        return tuple(dict.fromkeys((*self.case.notes, *sentences(self.strained))))
 
 
-def of_each(cases: Sequence[Given], settle: Callable[[Given, str], Found]) -> tuple[Found, ...]:
-    """Return what ``settle`` makes of each case and its label.
+Results = CaseResults | BearingResults
+
+
+def of_one_kind(cases: Sequence[Case | BearingCase]) -> Sequence[Case | BearingCase]:
+    """Return the cases, which must be all of one kind.
+
+    Raises
+    ------
+    InputError
+        If there are contacts and bearings.
+    """
+    contacts = [case for case in cases if isinstance(case, Case)]
+    bearings = [case for case in cases if isinstance(case, BearingCase)]
+    if contacts and bearings:
+        both = f"{contacts[0].path} and {bearings[0].path}"
+        remedy = "make a report of each kind, with 'nonhertz report' twice"
+        raise InputError("cases", both, "be all case files or all bearing files", remedy)
+    return cases
+
+
+def settled(cases: Sequence[Case | BearingCase]) -> tuple[Results, ...]:
+    """Return the solutions of all cases, or of all bearings.
 
     Raises
     ------
     CaseError
         If the solver rejects any case, with every mistake; with several cases each is prefixed by its file's name.
     InputError
-        If a case made in Python has something no case file can hold, which a report shows; before anything is solved.
+        If a case made in Python has something no case file can hold, which a report shows, or there are cases of both
+        kinds; before anything is solved.
     """
-    for case in cases:
+    same = of_one_kind(cases)
+    for case in same:
         _ = case.document
-    found: list[Found] = []
+    found: list[Results] = []
     mistakes: list[str] = []
     places: list[str] = []
-    for case, label in zip(cases, labels(cases), strict=True):
+    for case, label in zip(same, labels(same), strict=True):
         try:
-            with named(case.file_name) if len(cases) > 1 else contextlib.nullcontext():
-                found.append(settle(case, label))
+            with named(case.file_name) if len(same) > 1 else contextlib.nullcontext():
+                found.append(_solved(case, label))
         except CaseError as error:
             mistakes += error.mistakes
             places += error.places
@@ -107,41 +173,71 @@ def of_each(cases: Sequence[Given], settle: Callable[[Given, str], Found]) -> tu
     return tuple(found)
 
 
+def _solved(case: Case | BearingCase, label: str) -> Results:
+    if isinstance(case, Case):
+        return CaseResults(case, label, *attempted(case))
+    with without_accuracy_warnings():
+        try:
+            solution = case.solve()
+            return BearingResults(case, label, solution, strained=solution.findings)
+        except ConvergenceError as error:
+            return BearingResults(case, label, None, str(error))
+        except InputError as error:  # of a contact, when its pressure is solved
+            raise placed(error) from None
+
+
 def examined(
-    found: Sequence[CaseResults], *, life: bool | None = None, stress: bool = True, announce: Announce = in_silence
-) -> tuple[CaseResults, ...]:
-    """Return the results with stress below the surface and life, where requested and the case has converged.
+    found: Sequence[Results],
+    *,
+    life: bool | None = None,
+    stress: bool = True,
+    compare: bool = False,
+    announce: Announce = in_silence,
+) -> tuple[Results, ...]:
+    """Return results with all that follows from the solutions, where requested and the case has converged.
 
     Parameters
     ----------
-    found : sequence of CaseResults
+    found : sequence of CaseResults or of BearingResults
         What `settled` returned.
     life : bool or None
-        Whether to assess lives; None for only those cases that mention life.
+        Whether to assess lives; None for only those cases that mention life, and for all bearings.
     stress : bool
-        Whether to search for the largest stresses.
+        Whether to search for the largest stresses below the surface; bearings have none.
+    compare : bool
+        Whether to solve bearings by slices as well.
     announce : callable
         Called with the name of each step as it begins; `steps` returns how often.
     """
-    found = [_stressed(each, announce) if stress else each for each in found]
-    living = [each for each in found if _wants_life(each, life)]
+    after = [_after(each, life is not False, stress, compare, announce) for each in found]
+    living = [each for each in after if isinstance(each, CaseResults) and _wants_life(each, life)]
     with_lives = iter(_assessed(living, announce))
-    return tuple(next(with_lives) if each in living else each for each in found)
+    return tuple(next(with_lives) if each in living else each for each in after)
 
 
-def steps(found: Sequence[CaseResults], *, life: bool | None = None, stress: bool = True) -> int:
+def steps(found: Sequence[Results], *, life: bool | None = None, stress: bool = True) -> int:
     """Return how many steps `examined` will announce."""
+    contacts = [each for each in found if isinstance(each, CaseResults)]
     searches = sum(
-        STRESS_STEPS + bears_something(each.solution.contact.b) for each in found if stress and not each.complaint
+        STRESS_STEPS + bears_something(each.solution.contact.b) for each in contacts if stress and not each.complaint
     )
-    return searches + sum(each.case.life.steps for each in found if _wants_life(each, life))
+    return searches + sum(each.case.life.steps for each in contacts if _wants_life(each, life))
 
 
-def _stressed(found: CaseResults, announce: Announce) -> CaseResults:
-    if found.complaint:
+def _after(found: Results, rated: bool, stress: bool, compare: bool, announce: Announce) -> Results:
+    """Return results with stress, or with rating and slices."""
+    if found.complaint or found.solution is None:
         return found
-    stress = largest_stresses(found.solution, announce=announce)
-    return replace(found, stress=stress, strengths=strengths(found.solution, stress[0], announce))
+    if isinstance(found, BearingResults):
+        with without_accuracy_warnings():
+            life, reason = found.case.rated(found.solution) if rated else (None, "")
+            by_strips = found.solution.method == "strips"
+            slices = found.case.solve("slices") if compare and by_strips else None
+        return replace(found, life=life, reason=reason, slices=slices)
+    if not stress:
+        return found
+    largest = largest_stresses(found.solution, announce=announce)
+    return replace(found, stress=largest, strengths=strengths(found.solution, largest[0], announce))
 
 
 def _wants_life(found: CaseResults, life: bool | None) -> bool:

@@ -15,11 +15,31 @@ from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.show.summary import Row, Table
+from nonhertz.show.sections import Row, Said, Section, Table, summary
 from nonhertz.verdict import STATIC_LIMIT
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
 _PLAY = 1e-3  # mm, below which diameters are rounded
+
+
+def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str) -> list[Section]:
+    """Return what is shown of a loaded bearing; nothing of its life if neither that nor a reason is given."""
+    speed = None if case.spectrum else case.prescribed.get("speed")
+    lives = [*spectrum_rows(case), *life_rows(life, reason, speed)] if life is not None or reason else []
+    return [
+        Section("Results", [summary(summary_rows(case, solution))]),
+        Section("Ratings and life", [summary(lives)] if lives else []),
+        Section("All rollers", [roller_table(solution)]),
+    ]
+
+
+def compared_sections(strips: BearingSolution, slices: BearingSolution) -> list[Section]:
+    """Return what is shown of a bearing by strips and by slices."""
+    whole = Table(compared_rows(strips, slices), ("", "strips", "slices", "difference"), (0,))
+    return [
+        Section("Strips beside slices", [whole]),
+        Section("", [compared_table(strips, slices), Said([OF_LARGEST])]),
+    ]
 
 
 def spectrum_rows(case: BearingCase) -> list[Row]:
@@ -97,7 +117,7 @@ def roller_table(solution: BearingSolution) -> Table:
                 digits(rib * ribs[j], 4) if ribbed else "",
             )
         )  # fmt: skip
-    return heads, rows
+    return Table(rows, heads, (), "numbers narrow")
 
 
 def compared_rows(strips: BearingSolution, slices: BearingSolution) -> list[tuple[str, str, str, str]]:
@@ -140,7 +160,7 @@ def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
             change = _percent((other - one) / most) if most > 0.0 and one != other else ""
             cells += [digits(factor * one), digits(factor * other), change]
         rows.append(tuple(cells))
-    return heads, rows
+    return Table(rows, heads, (), "numbers narrow")
 
 
 def load_zones(solution: BearingSolution) -> list[list[tuple[float, float]]]:
@@ -248,8 +268,8 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
     tilts = _tilts(solution)[j]
     rows = [
         ("loaded rollers", f"{loaded} of {solution.angle.size}", _zones(solution)),
-        ("most loaded roller", solution.place_of(j), ""),
-        ("", str(newton(*solution.load[j], between=" and ")), "at inner and outer ring"),
+        ("most loaded roller", str(newton(*solution.load[j], between=" and ")), "at inner and outer ring"),
+        ("", solution.place_of(j), ""),
     ]
     if np.any(tilts != 0.0):
         rows.append(("", f"tilted by {mrad(*tilts, between=' and '):4}", "against inner and outer ring"))
@@ -288,8 +308,8 @@ def _pressure_rows(solution: BearingSolution) -> list[Row]:
             continue
         beyond = f", above the {mpa(STATIC_LIMIT):g} of C0" if pressure[j, k] > STATIC_LIMIT else ""
         name = "" if rows else "maximum pressure"
-        value = f"{mpa(pressure[j, k])} at y = {mm(where[j, k]):4}"
-        rows.append((name, value, f"{ring} ring, {solution.place_of(j)}{beyond}"))
+        place = f"{ring} ring, {solution.place_of(j)}, y = {mm(where[j, k]):4}{beyond}"
+        rows.append((name, str(mpa(pressure[j, k])), place))
     return rows
 
 

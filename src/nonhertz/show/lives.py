@@ -8,7 +8,7 @@ from nonhertz.amounts import digits, mpa, mrad, newton
 from nonhertz.files.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.model.body import BODIES
-from nonhertz.show.summary import Table
+from nonhertz.show.sections import Said, Section, Table
 
 _IDEAL = (
     "1 is the life of the same bodies under Hertz's line pressure, the load spread evenly over the length on which "
@@ -21,6 +21,20 @@ RATIO = (
 REVOLUTIONS = "L10 [10^6 rev]"
 LIFE_COLUMNS = ("", "life against ideal profile: a", "b", REVOLUTIONS, "damage")
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
+
+
+def sections(found: Assessment) -> list[Section]:
+    """Return what is shown of the lives of a case."""
+    blocks = [Table(life_rows(found), LIFE_COLUMNS, (0, 4)), Said(sentences(found)), *_spectrum(found)]
+    return [Section("Life", blocks)]
+
+
+def compared_sections(found: Assessment, other: Assessment) -> list[Section]:
+    """Return what is shown of the lives of another case, with the ratios of those of the first case to them."""
+    heads = (*LIFE_COLUMNS[:4], "lives, first / this: a", "b")
+    notes = [RATIO, *without_ratio(found, other), *sentences(other)[1:]]
+    blocks = [Table(ratio_rows(found, other), heads, (0,)), Said(notes), *_spectrum(other)]
+    return [Section("", [Said([f"Compared with: {other.title}"], "head"), *blocks])]
 
 
 def life_rows(found: Assessment) -> list[tuple[str, ...]]:
@@ -88,8 +102,10 @@ def without_ratio(found: Assessment, other: Assessment) -> list[str]:
     return []
 
 
-def spectrum_table(found: Assessment) -> Table:
-    """Return share, load, tilt and largest pressure of every load."""
+def _spectrum(found: Assessment) -> list[Table]:
+    """Return share, load, tilt and largest pressure of every load, if there are several."""
+    if len(found.spectrum) < 2:
+        return []
     solutions = [solution for solution, _ in found.spectrum]
     loads, pressures = newton(*(each.load for each in solutions)), mpa(*(each.max_pressure for each in solutions))
     tilts = mrad(*(each.tilt for each in solutions))
@@ -99,7 +115,7 @@ def spectrum_table(found: Assessment) -> Table:
         (f"{100.0 * share:.4g} %", load, tilt, pressure + (", away from singular ends" if each.singular_ends else ""))
         for (each, share), load, tilt, pressure in zip(found.spectrum, *columns, strict=True)
     ]
-    return heads, rows
+    return [Table(rows, heads, ())]
 
 
 def _lives(found: Assessment, number: int) -> tuple[str, ...]:

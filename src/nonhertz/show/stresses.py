@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from nonhertz.amounts import digits, mm, mpa
 from nonhertz.files.stresses import poisson, there
 from nonhertz.result.solution import Solution
-from nonhertz.show.summary import Table
+from nonhertz.show.sections import Said, Section, Table
+from nonhertz.strength import Strength
 from nonhertz.subsurface import Extreme, Extremes
 
 #: Names of the quantities in tables.
 NAMES = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
+
+
+def sections(solution: Solution, overall: Extremes, section: Extremes, strengths: Iterable[Strength]) -> list[Section]:
+    """Return what is shown of the largest stresses, and whether the bodies bear them."""
+    borne = [sentence for each in strengths for sentence in each.sentences]
+    blocks = [stress_table(solution, overall, section), Said(sentences(solution, section)), Said(borne, "bullets")]
+    return [Section("Stress below the surface", blocks)]
 
 
 def stress_table(solution: Solution, overall: Extremes, section: Extremes) -> Table:
@@ -26,13 +36,13 @@ def stress_table(solution: Solution, overall: Extremes, section: Extremes) -> Ta
 
     heads = ("", f"largest [{of_stress}]", "of p0 there", *(f"{axis} [{of_length}]" for axis in "xyz"))
     places = {f"in body {overall.body}": overall, f"at y = {mm(section.von_mises.y):.5g}": section}
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for where, found in places.items():
-        rows.append((where, *[""] * (len(heads) - 1)))
+        rows.append((where,))
         rows += [row(name, getattr(found, key)) for key, name in NAMES.items()]
         if found.bore is not None and not found.von_mises.at_bore:
             rows.append(row("von Mises", found.bore))
-    return heads, rows
+    return Table(rows, heads, (0,))
 
 
 def sentences(solution: Solution, section: Extremes) -> list[str]:

@@ -11,7 +11,7 @@ import numpy as np
 from nonhertz.amounts import amount, digits, error_words, given, mpa, of_dimension, um
 from nonhertz.files.spreads import Distribution, Spread
 from nonhertz.result.quantities import Quantity
-from nonhertz.show.summary import Row
+from nonhertz.show.sections import Block, Row, Said, Section, Table, summary
 from nonhertz.study.design import Design
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance
@@ -23,6 +23,44 @@ START_COLUMNS = ("searches", "looked at", "from", "to")
 SWEEP_COLUMNS = ("", "smallest", "largest", "")
 _SAME = 1e-9  # relative: numbers that differ by less are one number
 _HOW_GOOD = ("error", "warnings")  # of a row, which are not what comes out of it
+
+
+def sweep_sections(sweep: Sweep) -> list[Section]:
+    """Return what is shown of a sweep: what was varied, between which numbers the results lie, and why rows failed."""
+    return [
+        Section("", [Said([_counted(sweep)])]),
+        Section("", [summary(varied_rows(sweep))]),
+        Section("", [Table(sweep_rows(sweep), SWEEP_COLUMNS, (0, 3)), Said(failure_rows(sweep), "warning")]),
+    ]
+
+
+def tolerance_sections(found: Tolerance) -> list[Section]:
+    """Return what is shown of a tolerance study: what is distributed, quantiles, what matters, and why rows failed."""
+    sweep = found.sweep
+    tables = [
+        Table([row[:2] for row in varied_rows(sweep)]),
+        Table(quantile_rows(found), QUANTILE_COLUMNS, (0, 3, 4)),
+        Table(alike_rows(found)),
+        *(Table(rows, (label, *INDEX_COLUMNS[1:]), (0, 3)) for label, rows in index_rows(found)),
+    ]
+    blocks: list[list[Block]] = [[each] for each in tables if each.rows]
+    words: Block = Said([f"{_counted(sweep)}; {found.independent.size} independent samples"])
+    blocks[-1:] = [[*blocks[-1], Said(failure_rows(sweep), "warning")]]
+    return [Section("", each) for each in [[words], *blocks]]
+
+
+def design_sections(found: Design) -> list[Section]:
+    """Return what is shown of a design: the goal before and after, what is best, how flat that is, and the searches."""
+    tables = [
+        summary(design_rows(found)),
+        Table(band_rows(found), BAND_COLUMNS),
+        Table(start_rows(found), START_COLUMNS),
+    ]
+    return [Section("", [each]) for each in tables if each.rows]
+
+
+def _counted(sweep: Sweep) -> str:
+    return f"{len(sweep)} rows{f', {sweep.failed} of them failed' if sweep.failed else ''}"
 
 
 def varied_rows(sweep: Sweep) -> list[Row]:

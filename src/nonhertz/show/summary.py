@@ -12,14 +12,17 @@ from nonhertz.result.ends import leaves_stress
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.show.sections import Row, Section, Table, summary
 
 if TYPE_CHECKING:
     from nonhertz.files.several import Attempt
 
-Row = tuple[str, str, str]
-#: Heads, with units where all numbers below have them, and rows.
-Table = tuple[tuple[str, ...], list[tuple[str, ...]]]
 _OVERVIEW = ("load", "max_pressure", "approach", "max_half_width", "contact_length")
+
+
+def sections(solution: Solution) -> list[Section]:
+    """Return what is shown of a solution."""
+    return [Section("Results", [summary(summary_rows(solution))])]
 
 
 def summary_rows(solution: Solution) -> list[Row]:
@@ -45,7 +48,7 @@ def overview_table(attempts: Sequence[Attempt]) -> Table:
         heads.append(f"{quantity.label} [{unit}]")
         columns.append(["" if value is None else digits(factor * value) for value in values])
     rows = [(each.name, each.title, *cells, _remark(each)) for each, *cells in zip(attempts, *columns, strict=True)]
-    return ("case", "title", *heads, ""), rows
+    return Table(rows, ("case", "title", *heads, ""), (0, 1, len(heads) + 2))
 
 
 def _remark(attempt: Attempt) -> str:

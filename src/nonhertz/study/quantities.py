@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError, NonhertzError
 from nonhertz.files.bearingfile import BearingCase
@@ -119,6 +120,11 @@ def _of_bearing() -> dict[str, Quantity]:
     every = (
         Quantity("max_load", "largest load of a contact", "", "N", lambda s: s.solution.load.max(), "N"),
         Quantity("max_pressure", "maximum pressure", "", "MPa", _pressure, "MPa"),
+        *(
+            Quantity(f"max_pressure_{ring}", f"maximum pressure at the {ring} ring", "", "MPa", _pressure_at(k), "MPa")
+            for k, ring in enumerate(RINGS)
+        ),
+        Quantity("max_rib_load", "largest rib load", "", "N", lambda s: s.solution.rib_load.max(initial=0.0), "N"),
         Quantity("loaded_rollers", "loaded rollers", "", "", lambda s: np.sum(s.solution.load.min(axis=1) > 0.0), ""),
         *(motion(f"displacement_{axis}", f"displacement {axis}", "mm", "um", 1e3, k) for k, axis in enumerate("xyz")),
         *(motion(f"tilt_{axis}", f"tilt about {axis}", "rad", "mrad", 1e3, k) for k, axis in enumerate("yz", 3)),
@@ -137,6 +143,10 @@ def _of_bearing() -> dict[str, Quantity]:
 
 def _pressure(solved: SolvedBearing) -> float:
     return float(solved.solution.max_pressure.max()) if solved.solution.method == "strips" else math.nan
+
+
+def _pressure_at(ring: int) -> Callable[[SolvedBearing], float]:
+    return lambda s: s.solution.max_pressure[:, ring].max() if s.solution.method == "strips" else math.nan
 
 
 #: All numbers of a contact, by name.

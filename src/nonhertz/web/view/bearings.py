@@ -50,7 +50,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
     life, reason = case.rated(solution)
     pressed = solution.method == "strips"
     rows = [*summary_rows(case, solution), *life_rows(life, reason, case.prescribed.get("speed"))]
-    columns, rollers = roller_table(solution)
+    rollers = roller_table(solution)
     return {
         "ok": True,
         "title": case.title,
@@ -66,8 +66,8 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "contacts": _by_strips(solution) if pressed else _by_slices(solution, case.solver.get("laminae", LAMINAE)),
         "verdict": verdict_seen(of_bearing(solution, life)),
         "summary": [list(row) for row in rows],
-        "columns": list(columns),
-        "rollers": [list(row) for row in rollers],
+        "columns": list(rollers.heads),
+        "rollers": [list(row) for row in rollers.rows],
         "warnings": list(solution.warnings),
     }
 

@@ -1,1 +1,0 @@
-"""The report of a whole bearing, made of the same parts as that of a single contact."""

@@ -1,0 +1,122 @@
+"""What is shown of any result: sections of tables, sentences and figures, which terminal and report lay out.
+
+One function for each kind of result yields them. Whoever lays them out knows tables, and nothing of contacts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+from nonhertz.findings import Finding
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: Name, value and remark; one without a name continues the row before.
+Row = tuple[str, str, str]
+SUMMARY: Final = "summary"
+"""How a table of such rows is laid out on a page."""
+
+
+class Cell(NamedTuple):
+    """A cell with a remark, which stands below it in small letters."""
+
+    text: str
+    remark: str = ""
+
+
+class Block:
+    """Something that stands below a heading."""
+
+
+@dataclass(frozen=True)
+class Table(Block):
+    """Rows of numbers and words.
+
+    Attributes
+    ----------
+    rows : sequence of sequences of str or Cell
+        A row of one cell is a heading, or a remark on the row before if the cell has nothing else.
+    heads : sequence of str
+        Of the columns; empty for none.
+    words : sequence of int or None
+        Columns of words, which stand to the left; None for all.
+    layout : str
+        Class by which a page lays it out.
+    title : str
+        Its caption on a page.
+    folded : str
+        What a page shows in place of it until it is unfolded; empty if it is open.
+    """
+
+    rows: Sequence[Sequence[str | Cell]]
+    heads: Sequence[str] = ()
+    words: Sequence[int] | None = None
+    layout: str = "numbers"
+    title: str = ""
+    folded: str = ""
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+
+@dataclass(frozen=True)
+class Said(Block):
+    """Sentences.
+
+    Attributes
+    ----------
+    sentences : sequence
+        Text or findings.
+    layout : str
+        ``"note"``, ``"paragraphs"``, ``"bullets"``, ``"references"``, ``"head"`` or ``"warning"``.
+    """
+
+    sentences: Sequence[str | Finding]
+    layout: str = "note"
+
+    def __len__(self) -> int:
+        return len(self.sentences)
+
+
+@dataclass(frozen=True)
+class Picture(Block):
+    """A figure.
+
+    Attributes
+    ----------
+    figure : matplotlib.figure.Figure
+        The figure.
+    caption : str
+        What it shows.
+    description : str
+        Its numbers, for those who do not see it.
+    """
+
+    figure: Figure
+    caption: str
+    description: str
+
+
+class Section(NamedTuple):
+    """A heading, empty where none is due, and what stands below it."""
+
+    title: str
+    blocks: Sequence[Block]
+
+
+def summary(rows: Iterable[Row], title: str = "") -> Table:
+    """Return rows of name, value and remark as a table."""
+    return Table(list(rows), layout=SUMMARY, title=title)
+
+
+def shown_columns(table: Table) -> list[int]:
+    """Return the columns that are not blank throughout."""
+    return [at for at in range(max(map(len, table.rows), default=0)) if any(_at(row, at) for row in table.rows)]
+
+
+def _at(row: Sequence[str | Cell], at: int) -> bool:
+    cell = row[at] if at < len(row) else ""
+    return bool("".join(cell))
