@@ -42,7 +42,7 @@ def changed(**tables):
 
 
 def solution_of(document):
-    case = Case.of(document, jobs.PATH)
+    case = Case.of(document, Path("case.toml"))
     return nh.solve(case.contact, **case.prescribed, **case.solver)
 
 
@@ -54,8 +54,9 @@ def test_numbers_are_those_of_the_solver():
     # The same solver on the same machine: all digits.
     assert found["key"]["approach"] == solution.approach
     assert found["key"]["max_pressure"] == solution.max_pressure
-    assert found["line"]["pressure"][2:-2] == solution.centre_pressure.tolist()
-    assert found["line"]["y"][2:-2] == solution.y.tolist()
+    pressed = solution.line_load > 0.0
+    assert found["line"]["pressure"][1:-1] == solution.centre_pressure[pressed].tolist()
+    assert found["line"]["y"][1:-1] == solution.y[pressed].tolist()
     assert found["interval"] == [-10.0, 10.0]
     assert found["contact"] == [list(each) for each in solution.contact_y]
     assert "section" not in found
@@ -137,7 +138,7 @@ def test_what_a_body_bears_is_said_as_everywhere(body):
 def test_nothing_is_said_of_what_a_body_bears_without_a_solution(monkeypatch):
     # Under less than the least load, which is refused first, the loop fails.
     monkeypatch.setattr("nonhertz.model.prescription.LEAST", 0.0)
-    assert json.loads(jobs.strength(changed(load__load=1e-300), "a")) == {"ok": True, "checks": []}
+    assert json.loads(jobs.strength(changed(load__load=1e-300), "a"))["checks"] == []
 
 
 def test_stress_that_takes_too_long_is_left_out_with_a_sentence():
@@ -171,7 +172,7 @@ def test_an_unconverged_solve_is_shown_with_its_complaint(monkeypatch):
     assert found["status"] != "converged"
     assert found["complaint"].startswith("The iterations")
     assert "section" not in found
-    assert found["line"]["y"]
+    assert found["gap"]["y"]
 
 
 def jsonable(text):
@@ -282,7 +283,7 @@ def test_the_how_to_tells_the_limits():
         f"at most {limits.STRIPS} strips, {limits.IMAGES} images per face, {limits.PROFILES} profiles per body, "
         f"{limits.POINTS} points per list"
     ) in text
-    assert f"a case that takes longer than {limits.LIVE_SECONDS} s is abandoned" in text
+    assert f"a case, a bearing or a search that takes longer than {limits.ANSWER_SECONDS:g} s is abandoned" in text
     assert f"uploaded, {limits.UPLOAD_BYTES // 2**20} MB at most" in text
     assert f"more than {limits.UPLOAD_POINTS:,} points, neighbours are averaged" in text
 

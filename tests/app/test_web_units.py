@@ -23,7 +23,7 @@ from nonhertz.web.form.fields import FormField, FormGroup
 from nonhertz.web.form.form import form
 from nonhertz.web.server import workers
 from nonhertz.web.server.units import HEADER
-from nonhertz.web.view import bearing_jobs, curves, jobs, uploads
+from nonhertz.web.view import curves, jobs, uploads
 
 STARTING = tomllib.loads(starting_case())
 SHARP = copy.deepcopy(STARTING)
@@ -99,8 +99,8 @@ def test_strength_curves_and_measured_files():
 def test_of_a_bearing_sentences_change_and_numbers_do_not(name, method):
     assert name in BEARING_TEMPLATES
     document = tomllib.loads(starting_bearing(name))
-    usual = json.loads(bearing_jobs.solve(document, method))
-    found = in_us_units(bearing_jobs.solve, document, method)
+    usual = json.loads(jobs.load(document, method))
+    found = in_us_units(jobs.load, document, method)
     assert in_si_units(usual)
     assert in_si_units(found) == []
     assert list(numbers(found)) == list(numbers(usual))
@@ -192,6 +192,6 @@ def test_reports_and_pictures_are_in_them_and_tables_are_not(client):
     picture = client.post("/bearing/download/loads.svg", json=bearing, headers=US_ALONE)
     assert picture.status_code == 200, picture.text
     with read_in("us"):
-        drawn = bearing_jobs.drawn(bearing["document"], "loads", "svg")
+        drawn = jobs.drawn(bearing["document"], "loads", "svg")
     assert picture.content != client.post("/bearing/download/loads.svg", json=bearing).content
     assert isinstance(drawn, bytes)

@@ -29,12 +29,12 @@ from page_requests import PATHS, Requests
 from nonhertz.files.casefile import starting_case
 from nonhertz.web.form.fields import FormField
 from nonhertz.web.form.form import form
-from nonhertz.web.limits import LIVE_SECONDS
+from nonhertz.web.limits import GRACE_SECONDS
 from nonhertz.web.server.units import HEADER
 
 EDITS, HOSTILE, CHANGED = extent(2_000, 300), 200, extent(10_000, 1_000)
-SLOWEST = LIVE_SECONDS + 1.0
-"""s, for any answer: a case is given up at its time limit."""
+SLOWEST = GRACE_SECONDS + 1.0
+"""s, for any answer: later ones are given up for newer cases."""
 MEMORY = 500.0
 """MB, of any process."""
 GROWTH, SHARE = 20.0, 0.05

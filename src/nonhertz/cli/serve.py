@@ -44,21 +44,11 @@ def starting_document(path: Path | None) -> Start:
         text = starting_case()
         return Start(parsed(text, "case.toml"), (), text)
     from nonhertz.files.bearingfile import BearingCase
-    from nonhertz.web.form.inlining import inlined, inlined_bearing
-    from nonhertz.web.limits import slow, slow_bearing
+    from nonhertz.web.form.inlining import inlined
+    from nonhertz.web.limits import refuse, too_slow, unfit
 
     document, _, text = opened(path, "case", "bearing")
-    bearing = meant_as(document) == "bearing"
-    title = (BearingCase if bearing else Case).of(document, path).title
-    changed, notes = (inlined_bearing if bearing else inlined)(document, path.parent)
-    _refuse(changed, (slow_bearing if bearing else slow)(changed))
+    title = (BearingCase if meant_as(document) == "bearing" else Case).of(document, path).title
+    changed, notes = inlined(document, path.parent)
+    refuse(unfit(changed) + too_slow(changed))
     return Start({"title": title} | changed, notes, text)
-
-
-def _refuse(document: dict[str, Any], slow: list[Any]) -> None:
-    from nonhertz.files.mistakes import case_error
-    from nonhertz.web.limits import unfit
-
-    too_much = unfit(document) + slow
-    if too_much:
-        raise case_error(too_much)

@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.files.held import OF_BEARINGS
-from nonhertz.files.mistakes import Mistake, Place
+from nonhertz.files.mistakes import Mistake, Place, case_error
 
 DOCUMENT_BYTES: Final = 256 * 1024
 UPLOAD_BYTES: Final = 2 * 1024 * 1024
@@ -27,66 +27,61 @@ ROLLERS: Final = 100
 """In a row of a bearing."""
 LAMINAE: Final = 200
 
-LIVE_SECONDS: Final = 6.0
-"""Time limit of a case: a roller of a new shape takes two seconds, on a busy machine twice that."""
+ANSWER_SECONDS: Final = 60.0
+"""Time limit of an answer: the page says that it waits, and nothing is worked out for one who has gone."""
+GRACE_SECONDS: Final = 6.0
+"""After which a quick answer is given up for which nobody waits: a roller of a new shape takes two seconds."""
 CURVE_SECONDS: Final = 0.5
-"""After which no further point of a curve is begun; two points take less than the time limit of a case."""
+"""After which no further point of a curve is begun."""
 CURVE_POINTS: Final = 12
 """In one request."""
-UPLOAD_SECONDS: Final = 1.5
 HEAD_SECONDS: Final = 20.0
 """Time limit for the headers of a request to arrive."""
 BODY_SECONDS: Final = 10.0
-PATIENT_SECONDS: Final = 120.0
-STRIPS_SECONDS: Final = 60.0
-"""Time limit of a bearing by strips, which are asked for when a slider rests."""
-STRENGTH_SECONDS: Final = 60.0
-"""Time limit of the search for the largest stresses of a whole body, which is asked for when a slider rests."""
+REPORT_SECONDS: Final = 120.0
+"""Time limit of a report or a picture, which has a process of its own."""
 WAITING_SECONDS: Final = 0.5
 WAITING_REQUESTS: Final = 8
 
 _ELSEWHERE = "use the command line for more"
+_BODIES: Final = (("body", "a"), ("body", "b"), *((name,) for name in OF_BEARINGS[1:]))
+_BOUNDS: Final[Mapping[Place, int]] = {
+    ("solver", "strips"): STRIPS,
+    ("bearing", "rollers"): ROLLERS,
+    **dict.fromkeys((("solver", "laminae"), ("life", "laminae")), LAMINAE),
+    **{(*body, "images"): IMAGES for body in _BODIES},
+}
+
+
+def refuse(mistakes: list[Mistake]) -> None:
+    """Raise `CaseError` if there are mistakes."""
+    if mistakes:
+        raise case_error(mistakes)
 
 
 def unfit(document: dict[str, Any]) -> list[Mistake]:
-    """Return where a document has more entries than the page accepts, or values that no case file can hold."""
-    return [*oversizes(document), *_absent(document, ())]
+    """Return where a document has more entries than the page accepts, or values that no file can hold."""
+    return [*too_long(document), *_absent(document, ())]
 
 
-def slow(document: dict[str, Any]) -> list[Mistake]:
-    """Return where a valid document asks for more work than the page does while the user waits."""
-    bounds: dict[tuple[str, ...], int] = {
-        ("solver", "strips"): STRIPS,
-        ("body", "a", "images"): IMAGES,
-        ("body", "b", "images"): IMAGES,
-    }
-    return _above(document, bounds)
-
-
-def slow_bearing(document: dict[str, Any]) -> list[Mistake]:
-    """Return the same of a valid bearing file."""
-    bounds: dict[tuple[str, ...], int] = {(name, "images"): IMAGES for name in OF_BEARINGS[1:]}
-    bounds |= {("bearing", "rollers"): ROLLERS, ("solver", "laminae"): LAMINAE, ("life", "laminae"): LAMINAE}
-    return _above(document, bounds)
-
-
-def _above(document: dict[str, Any], bounds: Mapping[tuple[str, ...], int]) -> list[Mistake]:
+def too_slow(document: dict[str, Any]) -> list[Mistake]:
+    """Return where a valid case or bearing asks for more work than the page does while the user waits."""
     found = []
-    for place, most in bounds.items():
+    for place, most in _BOUNDS.items():
         value = _at(document, *place)
-        if isinstance(value, int | float) and value > most:
+        cheap = place[-1] == "laminae" and "bearing" not in document  # those of a single contact
+        if isinstance(value, int | float) and value > most and not cheap:
             found.append(Mistake(place, InputError("", value, f"be at most {most} on the page", _ELSEWHERE)))
     return found
 
 
-def oversizes(document: dict[str, Any]) -> list[Mistake]:
+def too_long(document: dict[str, Any]) -> list[Mistake]:
     """Return where a document has more entries than a form can show."""
     found = [*_long_tables(document, ())]
-    bodies = [("body", "a"), ("body", "b"), *((name,) for name in OF_BEARINGS[1:])]
-    lists = {(*body, "profile"): (PROFILES, "profiles") for body in bodies}
-    lists["life", "spectrum", ""] = (SPECTRUM, "rows")
-    for names, (most, what) in lists.items():
-        place = tuple(filter(None, names))
+    lists = {(*body, "profile"): (PROFILES, "profiles") for body in _BODIES} | {
+        ("life", "spectrum"): (SPECTRUM, "rows")
+    }
+    for place, (most, what) in lists.items():
         entries = _at(document, *place)
         if isinstance(entries, list) and most < len(entries) <= POINTS:
             found.append(_too_long(place, entries, most, what))
@@ -120,7 +115,7 @@ def _absent(value: Any, place: Place) -> Iterator[Mistake]:
             yield from _absent(entry, (*place, number))
 
 
-def _at(value: Any, *names: str) -> Any:
+def _at(value: Any, *names: str | int) -> Any:
     for name in names:
         value = value.get(name) if isinstance(value, dict) else None
     return value

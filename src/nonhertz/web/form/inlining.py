@@ -13,7 +13,7 @@ from nonhertz.web.limits import POINTS
 
 
 def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """Return a valid document with the content of the files that it names in their place, and notes about it.
+    """Return a valid case or bearing with the content of the files that it names in their place, and notes about it.
 
     Parameters
     ----------
@@ -25,32 +25,27 @@ def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tup
     Returns
     -------
     document : dict
-        The same, with the profile of each body as a list.
+        The same, with the profile of each body that names a file as a list.
     notes : tuple of str
         A sentence for each file with points.
     """
     notes: list[str] = []
-    bodies = {name: _of_body(body, folder, ("body", name), notes) for name, body in document["body"].items()}
-    return document | {"body": bodies}, tuple(notes)
-
-
-def inlined_bearing(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """Return the same of a bearing file; bodies without files stay as they are."""
-    notes: list[str] = []
-    bodies = {
-        name: _of_body(document[name], folder, (name,), notes)
-        for name in OF_BEARINGS[1:]
-        if any("file" in table for table in profile_tables(document[name]))
-    }
+    if "body" in document:
+        bodies = {name: _of_body(body, folder, ("body", name), notes) for name, body in document["body"].items()}
+        return document | {"body": bodies}, tuple(notes)
+    bodies = {name: _of_body(document[name], folder, (name,), notes) for name in OF_BEARINGS[1:] if name in document}
     return document | bodies, tuple(notes)
 
 
 def _of_body(body: dict[str, Any], folder: Path, place: tuple[str, ...], notes: list[str]) -> dict[str, Any]:
+    tables = profile_tables(body)
+    if not any("file" in table for table in tables):
+        return body
     made = [
         _points(table, folder, path_of((*place, "profile", number)), notes) if "file" in table else table
-        for number, table in enumerate(profile_tables(body), start=1)
+        for number, table in enumerate(tables, start=1)
     ]
-    return body | ({"profile": made} if "profile" in body else {})
+    return body | {"profile": made}
 
 
 def _points(table: dict[str, Any], folder: Path, path: str, notes: list[str]) -> dict[str, Any]:

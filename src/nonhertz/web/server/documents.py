@@ -22,20 +22,6 @@ def document_in(asked: dict[str, Any]) -> dict[str, Any]:
     return document
 
 
-def text_in(asked: dict[str, Any]) -> str:
-    """Return the text of the file that the document of a request was read from; empty if there is none.
-
-    Raises
-    ------
-    RefusedError
-        If it is no text.
-    """
-    text = asked.get("text", "")
-    if not isinstance(text, str):
-        raise RefusedError(400, "The text must be that of a file.")
-    return text
-
-
 def in_script(value: Any) -> str:
     """Return JSON that is safe inside a script element: nothing in it can end the element."""
     text = json.dumps(value, allow_nan=False)

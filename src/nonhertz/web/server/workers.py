@@ -126,7 +126,7 @@ class Workers:
     ) -> None:
         self.ready = anyio.Event()
         self._patience = waiting
-        self._missing, self._warm_up, self._eager = count, warm_up, eager
+        self._missing, self._warm_up, self.eager = count, warm_up, eager
         self._idle: deque[Worker] = deque()
         self._count_idle = anyio.Semaphore(0)
         self._limiter = anyio.CapacityLimiter(2 * count + 1)
@@ -220,7 +220,7 @@ class Workers:
     def _replace(self, worker: Worker) -> None:
         self._end(worker)
         self._missing += 1
-        if self._eager:
+        if self.eager:
             self.wake()
 
     async def _add(self, count: int) -> None:

@@ -8,7 +8,6 @@ import {
   alongAxis,
   draw,
   ends,
-  extent,
   figure,
   fromZero,
   head,
@@ -35,44 +34,19 @@ const BEYOND = 1.6;
  * @param {import("./tilt.js").Tilt} tilt the handles in the last
  */
 export function drawFigures(answer, pinned, tilt) {
-  const span = drawnSpan(answer);
+  const { span } = answer;
   drawPressure(answer, pinned, span);
   drawHalfWidth(answer, pinned, span);
   drawFootprint(answer, span);
   tilt.place(answer, drawGap(answer, pinned, span, tilt.limits));
 }
 
-/** @param {Answer} answer @returns {[number, number]} */
-export function drawnSpan(answer) {
-  const [low, high] = answer.interval;
-  const [first, last] = extent(answer.line.y);
-  return [low ?? first, high ?? last];
-}
-
-/**
- * A line along the contact: through the centres of the strips that touch, and zero where the surfaces separate. A strip
- * beyond that point would have its zero at its centre, up to half a strip away.
- * @param {Answer} answer
- * @param {"pressure" | "half_width"} name
- */
-function along(answer, name) {
-  const [y, values] = [/** @type {(number | null)[]} */ ([]), /** @type {(number | null)[]} */ ([])];
-  for (const [low, high] of answer.contact) {
-    const inside = answer.line.y
-      .map((place, index) => ({ place, value: answer.line[name][index] }))
-      .filter(({ place, value }) => low <= place && place <= high && value !== 0);
-    y.push(null, low, ...inside.map(({ place }) => place), high);
-    values.push(null, 0, ...inside.map(({ value }) => value), 0);
-  }
-  return { y: y.slice(1), values: values.slice(1) };
-}
-
 function drawPressure(answer, pinned, span) {
-  const { y, values: pressure } = along(answer, "pressure");
-  const before = pinned && along(pinned, "pressure");
+  const { y, pressure } = answer.line;
+  const before = pinned?.line;
   const host = figure("pressure");
   const cut = answer.singular.length ? BEYOND * answer.key.max_pressure : undefined;
-  const top = cut ? /** @type {[number, number]} */ ([0, cut]) : fromZero([pressure, before?.values ?? []], 1.18);
+  const top = cut ? /** @type {[number, number]} */ ([0, cut]) : fromZero([pressure, before?.pressure ?? []], 1.18);
   const clamped = (values) => values.map((value) => (value === null ? null : Math.min(value, 2 * top[1])));
   head(
     host,
@@ -91,7 +65,7 @@ function drawPressure(answer, pinned, span) {
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
         ends(answer),
         Plot.areaY(y, { x: y, y: clamped(pressure), fill: FIRST, fillOpacity: 0.12, clip: true }),
-        ...pinnedLine(before?.y, before && clamped(before.values)),
+        ...pinnedLine(before?.y, before && clamped(before.pressure)),
         line(y, clamped(pressure), { stroke: FIRST, clip: true }),
         ...largestMark(answer, top[1]),
         ...singularMarks(answer, top[1], span),
@@ -140,8 +114,8 @@ function singularMarks(answer, top, span) {
 }
 
 function drawHalfWidth(answer, pinned, span) {
-  const { y, values: halfWidth } = along(answer, "half_width");
-  const before = pinned && along(pinned, "half_width");
+  const { y, half_width: halfWidth } = answer.line;
+  const before = pinned?.line;
   const host = figure("half-width");
   head(host, "Half-width", [["second", "b"], ...pinnedKey(pinned)]);
   draw(
@@ -150,11 +124,11 @@ function drawHalfWidth(answer, pinned, span) {
       ...MARGINS,
       height: 112,
       x: alongAxis(span, false),
-      y: uprightAxis(fromZero([halfWidth, before?.values ?? []]), "b", "mm", { ticks: 3 }),
+      y: uprightAxis(fromZero([halfWidth, before?.half_width ?? []]), "b", "mm", { ticks: 3 }),
       marks: [
         Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
         ends(answer),
-        ...pinnedLine(before?.y, before?.values),
+        ...pinnedLine(before?.y, before?.half_width),
         line(y, halfWidth, { stroke: SECOND }),
         ...reading(y, halfWidth, (place) => `y ${amount(y[place], "mm")}\nb ${amount(halfWidth[place], "mm")}`),
       ],

@@ -12,7 +12,7 @@ const SPOKES = 8;
 const NO_FORCE = 1e-6; // of the sum of the loads: rounding
 
 /**
- * @typedef {{y: number[], um: (number | null)[]}} Relief
+ * @typedef {{y: number[], relief_um: (number | null)[]}} Relief
  * @typedef {{first: number, count: number, length: number, relief: {inner: Relief, outer: Relief}}} Row
  * @typedef {{rows: Row[], angle: number[], load: [number, number][], force: number[], most: number}} Loads
  */

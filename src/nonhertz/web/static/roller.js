@@ -131,11 +131,11 @@ function drawRelief(answer, row, roller, span) {
   const shown = Math.max(
     SHALLOWEST,
     ...contacts.map(([ring, each]) => {
-      const { y, um } = row.relief[ring];
+      const { y, relief_um: um } = row.relief[ring];
       const ends = each.touching.flat().map((place) => um[d3.bisectCenter(y, place)] ?? 0);
       return Math.max(AT_ENDS * Math.max(0, ...ends), 0.2 * (each.penetration_um ?? 0));
     }),
-    ...(contacts.length ? [] : [0.5 * d3.median(row.relief.inner.um.filter((each) => each !== null))]),
+    ...(contacts.length ? [] : [0.5 * d3.median(row.relief.inner.relief_um.filter((each) => each !== null))]),
   );
   const host = figure("relief");
   head(host, "Relief of roller and ring", KEY, contacts.length ? "bars: where they touch" : "");
@@ -149,7 +149,7 @@ function drawRelief(answer, row, roller, span) {
       y: uprightAxis([-0.06 * shown, 1.2 * shown], "relief", "µm", { ticks: 4, reverse: true }),
       marks: [
         Plot.ruleY([0], { stroke: FAINT, strokeWidth: 0.6 }),
-        ...RINGS.map((ring) => along(ring, row.relief[ring].y, row.relief[ring].um)),
+        ...RINGS.map((ring) => along(ring, row.relief[ring].y, row.relief[ring].relief_um)),
         ...contacts.flatMap(([ring, { touching }], place) =>
           touching.map(([low, high]) =>
             Plot.link([0], {

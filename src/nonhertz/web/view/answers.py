@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Callable
 from typing import Any, Final
 
 import numpy as np
@@ -53,12 +54,13 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "verdict": verdict_seen(None if complaint else of_contact(solution)),
         "summary": [list(row) for row in summary_rows(solution)],
         "warnings": list(solution.warnings),
-        "line": _line(solution),
+        "line": lines(solution),
         "footprint": _footprint(solution),
         "gap": _gap(solution),
         "life": None if complaint or not solution.contact_y else _life(case, solution),
         "profiles": profiles({"a": case.contact.a, "b": case.contact.b}),
         "interval": plain(case.contact.interval),
+        "span": _span(solution),
         "contact": plain(solution.contact_y),
         "singular": [
             {"y": edge.y, "exponent": edge.exponent, "strength": plain(edge.strength), "corner": not edge.law}
@@ -98,24 +100,38 @@ def _relief(body: Body) -> dict[str, Any]:
     low, high = body.interval
     low = low if math.isfinite(low) else min(body.position, high) - FAR
     high = high if math.isfinite(high) else max(body.position, low) + FAR
-    # Denser at the ends, where profiles are steep.
+    return relief_between(low, high, body.relief)
+
+
+def relief_between(low: float, high: float, relief: Callable[[Array], Array]) -> dict[str, Any]:
+    """Return a relief from one position to another, denser at the ends, where profiles are steep."""
     spread = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, RELIEF_POINTS))
     y = np.clip(0.5 * (low + high) + 0.5 * (high - low) * spread, low, high)
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        relief = 1e3 * body.relief(y)
-    return {"y": numbers(y), "relief_um": numbers(relief)}
+        return {"y": numbers(y), "relief_um": numbers(1e3 * relief(y))}
 
 
-def _line(solution: Solution) -> dict[str, Any]:
-    """Return the lines along the contact through the strip centres, with zeros at the outer edges of the strips."""
-    y = np.concatenate([solution.edges[[0, 0]], solution.y, solution.edges[[-1, -1]]])
-    names = {"pressure": "centre_pressure", "half_width": "half_width", "line_load": "line_load"}
-    return {"y": numbers(y)} | {name: numbers(_ended(getattr(solution, of))) for name, of in names.items()}
+def lines(solution: Solution) -> dict[str, list[float | None]]:
+    """Return the lines along the contact through the centres of its strips; a null separates pieces.
+
+    They are zero where the surfaces separate: a strip beyond has its zero at its centre, up to half a strip away.
+    """
+    names = {"line_load": "line_load", "pressure": "centre_pressure", "half_width": "half_width"}
+    found: dict[str, list[float | None]] = {name: [] for name in ("y", *names)}
+    for low, high in solution.contact_y:
+        inside = (solution.y >= low) & (solution.y <= high) & (solution.line_load > 0.0)
+        piece = {"y": [low, *solution.y[inside].tolist(), high]}
+        piece |= {name: [0.0, *plain(getattr(solution, of)[inside]), 0.0] for name, of in names.items()}
+        for name, column in found.items():
+            column += [*([None] if column else []), *piece[name]]
+    return found
 
 
-def _ended(values: Array) -> Array:
-    return np.concatenate([[0.0, values[0]], values, [values[-1], 0.0]])
+def _span(solution: Solution) -> list[float]:
+    """Return the range of y that is drawn: where the bodies can touch, else where there are strips."""
+    found = zip(solution.contact.interval, solution.edges[[0, -1]].tolist(), strict=True)
+    return [end if math.isfinite(end) else edge for end, edge in found]
 
 
 def _footprint(solution: Solution) -> dict[str, Any]:

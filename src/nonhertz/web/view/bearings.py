@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,12 +24,10 @@ from nonhertz.show.bearing import (
     summary_rows,
 )
 from nonhertz.verdict import of_bearing
-from nonhertz.web.view.answers import profiles
+from nonhertz.web.view.answers import lines, profiles, relief_between
 from nonhertz.web.view.replies import numbers, verdict_seen
 
 Array = NDArray[np.float64]
-
-RELIEF_POINTS: Final = 201
 
 
 def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, Any]:
@@ -105,11 +103,7 @@ def _rows(solution: BearingSolution) -> list[dict[str, Any]]:
 def _relief(row: RollerBearing, ring: str) -> dict[str, Any]:
     contact = row.contacts[RINGS.index(ring)]
     half = 0.5 * row.roller_length
-    low, high = max(-half, contact.interval[0]), min(half, contact.interval[1])
-    # Denser at the ends; strictly inside, since a profile may be infinite at its very end.
-    spread = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, RELIEF_POINTS + 2)[1:-1])
-    y = 0.5 * (low + high) + 0.5 * (high - low) * spread
-    return {"y": numbers(y), "um": numbers(1e3 * contact.separation_at(y))}
+    return relief_between(max(-half, contact.interval[0]), min(half, contact.interval[1]), contact.separation_at)
 
 
 def _by_strips(solution: BearingSolution) -> list[list[dict[str, Any] | None]]:
@@ -120,29 +114,13 @@ def _by_strips(solution: BearingSolution) -> list[list[dict[str, Any] | None]]:
 def _lines(contact: Solution | None) -> dict[str, Any] | None:
     if contact is None:
         return None
-    pieces = [_piece(contact, low, high) for low, high in contact.contact_y]
-    y, line_load, pressure = (
-        [value for k, piece in enumerate(pieces) for value in ([None] if k else []) + piece[column]]
-        for column in range(3)
-    )
-    return {
-        "y": y,
-        "line_load": line_load,
-        "pressure": pressure,
+    return lines(contact) | {
         "max_pressure": plain(contact.max_pressure),
         "max_pressure_y": plain(contact.max_pressure_y),
         "touching": [list(pair) for pair in contact.contact_y],
         "penetration_um": 1e3 * contact.penetration,
         "unlimited": bool(contact.singular_ends),
     }
-
-
-def _piece(contact: Solution, low: float, high: float) -> tuple[list[Any], list[Any], list[Any]]:
-    """Return the lines of one piece of a contact through the centres of its strips, with zeros at both of its ends."""
-    inside = (contact.y >= low) & (contact.y <= high) & (contact.line_load > 0.0)
-    columns = (contact.y, contact.line_load, contact.centre_pressure)
-    y, line_load, pressure = (plain(column[inside]) for column in columns)
-    return [low, *y, high], [0.0, *line_load, 0.0], [0.0, *pressure, 0.0]
 
 
 def _by_slices(solution: BearingSolution, laminae: int) -> list[list[dict[str, Any] | None]]:

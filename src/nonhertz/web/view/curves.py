@@ -6,23 +6,23 @@ import math
 import time
 from typing import Any, Final
 
-from nonhertz.errors import CaseError, InputError
+from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case
 from nonhertz.files.paths import Parameter, parameter, parameters
 from nonhertz.result.quantities import Quantity
+from nonhertz.show.analysis import attempted
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
 from nonhertz.web.limits import CURVE_SECONDS
-from nonhertz.web.view.jobs import calmly, sound, worked_out
-from nonhertz.web.view.replies import as_bytes, broken, misfit
+from nonhertz.web.view.jobs import sound
+from nonhertz.web.view.replies import job
 
 _NAMES: Final = ("max_pressure", "approach", "load", "moment", "tilt", "max_half_width", "contact_length")
 _LIFE: Final = "life"
 
 
-def curve(document: dict[str, Any], path: str, values: list[float]) -> bytes:
-    """Return points of a curve as JSON, or what is wrong with the case.
-
-    As many as there is time for, at least one: those that are missing are to be asked for again.
+@job
+def curve(document: dict[str, Any], path: str, values: list[float]) -> dict[str, Any]:
+    """Answer with points of a curve: as many as there is time for, at least one; others are to be asked for again.
 
     Parameters
     ----------
@@ -34,20 +34,14 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> bytes:
         The values, in their base unit.
     """
     begun = time.perf_counter()
-    with calmly():
-        try:
-            sound(document)
-            varied = parameter(path, parameters(document, Case.contents))
-        except CaseError as error:
-            return as_bytes(misfit(error))
-        except InputError as error:
-            return as_bytes(broken([("", str(error))]))
-        quantities = _quantities(document)
-        points: list[dict[str, Any]] = []
-        for value in values:
-            points.append(_point(document, varied, value, quantities))
-            if time.perf_counter() - begun > CURVE_SECONDS:
-                break
+    sound(document, Case)
+    varied = parameter(path, parameters(document, Case.contents))
+    quantities = _quantities(document)
+    points: list[dict[str, Any]] = []
+    for value in values:
+        points.append(_point(document, varied, value, quantities))
+        if time.perf_counter() - begun > CURVE_SECONDS:
+            break
     named = [
         {
             "name": each.name,
@@ -57,7 +51,7 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> bytes:
         }
         for each in quantities
     ]
-    return as_bytes({"ok": True, "quantities": named, "points": points})
+    return {"ok": True, "quantities": named, "points": points}
 
 
 def _quantities(document: dict[str, Any]) -> tuple[Quantity, ...]:
@@ -72,7 +66,8 @@ def _point(
 ) -> dict[str, Any]:
     """Return the numbers at one value, in their shown units, or a sentence why there are none."""
     try:
-        case, solution, complaint = worked_out(varied.put(document, value))
+        case = sound(varied.put(document, value), Case)
+        solution, complaint = attempted(case)
     except CaseError as error:
         return {"value": value, "sentence": error.mistakes[0]}
     if complaint:

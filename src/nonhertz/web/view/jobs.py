@@ -1,106 +1,126 @@
-"""The workers' jobs: a document in, an answer out, ready to send."""
+"""The workers' jobs: a document in, an answer or a file out, ready to send."""
 
 from __future__ import annotations
 
+import json
 import os
-import time
-import warnings
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
-
-import numpy as np
+from typing import Any, Final, Literal, TypeVar
 
 from nonhertz.amounts import chosen
-from nonhertz.errors import CaseError
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import CaseError, InputError
+from nonhertz.files.bearing_results import files
+from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.commented import as_toml_like
 from nonhertz.files.held import parsed
-from nonhertz.files.mistakes import Mistake, case_error
 from nonhertz.files.results import as_json, as_table
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import attempted
 from nonhertz.web.form.fields import is_number
-from nonhertz.web.limits import oversizes, slow, unfit
+from nonhertz.web.limits import refuse, too_long, too_slow, unfit
 from nonhertz.web.view.answers import answer, drawable
-from nonhertz.web.view.replies import as_bytes, broken, excess, misfit
+from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
+from nonhertz.web.view.replies import broken, job, misfit
 from nonhertz.web.view.stresses import strength_answer, stress_answer
-from nonhertz.web.view.uploads import answer_to_file
 
-PATH = Path("case.toml")
+Method = Literal["strips", "slices"]
+Held = TypeVar("Held", Case, BearingCase)
 
-
-def solve(document: dict[str, Any], stress: bool, body: BodyName) -> bytes:
-    """Return the answer to a case as JSON: what the page shows of it, or its mistakes with their places.
-
-    Parameters
-    ----------
-    document : dict
-        The case.
-    stress : bool
-        Whether to include the stress below the surface.
-    body : {"a", "b"}
-        In which body.
-    """
-    begun = time.perf_counter()
-    with calmly():
-        try:
-            case, solution, complaint = worked_out(document)
-        except CaseError as error:
-            return as_bytes(misfit(error) | {"profiles": _profiles(document)})
-        found = answer(case, solution, complaint)
-        if stress and not complaint and solution.contact_y:
-            found |= stress_answer(solution, body)
-    found["ms"] = round(1e3 * (time.perf_counter() - begun), 1)
-    return as_bytes(found)
+#: The bearing that this process solved last: whoever opens one of its contacts need not wait for strips again.
+_LATEST: Final[dict[str, tuple[BearingCase, BearingSolution]]] = {}
 
 
-def strength(document: dict[str, Any], body: BodyName) -> bytes:
-    """Return whether a body of a case bears it as JSON, or what is wrong with the case.
-
-    Parameters
-    ----------
-    document : dict
-        The case.
-    body : {"a", "b"}
-        Which body.
-    """
-    with calmly():
-        try:
-            _, solution, complaint = worked_out(document)
-        except CaseError as error:
-            return as_bytes(misfit(error))
-        found = {"checks": []} if complaint or not solution.contact_y else strength_answer(solution, body)
-    return as_bytes({"ok": True} | found)
-
-
-def worked_out(document: dict[str, Any]) -> tuple[Case, Solution, str]:
-    """Return the case in a document, its solution, and why the solver stopped short, if it did.
+def sound(document: dict[str, Any], kind: type[Held]) -> Held:
+    """Return the case or the bearing in a document; no file that it names is read.
 
     Raises
     ------
     CaseError
-        With every mistake at its place, if the document is not a valid case.
+        If it is not a valid file, or exceeds the limits of the page.
     """
-    case = sound(document)
-    return case, *attempted(case)
+    refuse(unfit(document))
+    # The file's own checks come first, so that what they reject is worded as on the command line.
+    case = kind.of(document, Path(f"{kind.kind}.toml"), files=False)
+    refuse(too_slow(document))
+    return case
 
 
-def document_in(content: bytes) -> bytes:
-    """Return the answer to the bytes of a case file as JSON: its document, or what is wrong with the file."""
+@job
+def solve(document: dict[str, Any], stress: bool, body: BodyName) -> dict[str, Any]:
+    """Answer with what the page shows of a case, with the stress below the surface of a body where it is asked for."""
+    try:
+        case = sound(document, Case)
+        solution, complaint = attempted(case)
+    except CaseError as error:
+        return misfit(error) | {"profiles": {} if unfit(document) else drawable(document.get("body"))}
+    found = answer(case, solution, complaint)
+    return found | (stress_answer(solution, body) if stress and not complaint and solution.contact_y else {})
+
+
+@job
+def strength(document: dict[str, Any], body: BodyName) -> dict[str, Any]:
+    """Answer with whether a body of a case bears it."""
+    solution, complaint = attempted(sound(document, Case))
+    found = {"checks": []} if complaint or not solution.contact_y else strength_answer(solution, body)
+    return {"ok": True} | found
+
+
+@job
+def load(document: dict[str, Any], method: Method | None) -> dict[str, Any]:
+    """Answer with what the page shows of a bearing, by a method in place of that of the file."""
+    case = sound(document, BearingCase)
+    return {"file_method": case.solver.get("method", "strips")} | bearing_answer(*_loaded(case, method))
+
+
+@job
+def contact(document: dict[str, Any], roller: int, ring: str) -> dict[str, Any]:
+    """Answer with the case of one contact of a bearing: of a roller, by its number from 0, with a ring."""
+    case, solution = _loaded(sound(document, BearingCase), None)
+    return {"ok": True, "document": as_json_has_it(case.contact_case(solution, roller, ring).document)}
+
+
+def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCase, BearingSolution]:
+    """Return a bearing, loaded, and the case to assess it with; the latest is kept.
+
+    Raises
+    ------
+    CaseError, ConvergenceError
+    """
+    key = json.dumps([case.document, method or case.solver.get("method", "strips")])
+    if key not in _LATEST:
+        found = _newly_loaded(case, method)
+        _LATEST.clear()
+        _LATEST[key] = found
+    return _LATEST[key]
+
+
+def _newly_loaded(case: BearingCase, method: Method | None) -> tuple[BearingCase, BearingSolution]:
+    try:
+        solution = case.solve(method)
+        if solution.method == "strips":
+            solution.max_pressure  # noqa: B018  (solves the contacts, each of which may be refused)
+    except InputError as error:
+        raise placed(error) from None
+    if solution.method == "slices" and case.life.get("edge_stress") == "pressure":
+        # They have no pressures: without the word, life is that of the standard's edges.
+        case = replace(case, life={name: each for name, each in case.life.items() if name != "edge_stress"})
+    return case, solution
+
+
+@job
+def document_in(content: bytes) -> dict[str, Any]:
+    """Answer with the document in the bytes of a file and its text."""
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return as_bytes(broken([("", "The file must be text in UTF-8: save it with that encoding.")]))
-    try:
-        document = parsed(text, "The file")
-    except CaseError as error:
-        return as_bytes(misfit(error))
-    document = as_json_has_it(document)
-    too_large = oversizes(document)
-    return as_bytes(excess(too_large) if too_large else {"ok": True, "document": document, "text": text})
+        return broken([("", "The file must be text in UTF-8: save it with that encoding.")])
+    document = as_json_has_it(parsed(text, "The file"))
+    refuse(too_long(document))
+    return {"ok": True, "document": document, "text": text}
 
 
 def as_json_has_it(value: Any) -> Any:
@@ -114,98 +134,75 @@ def as_json_has_it(value: Any) -> Any:
     return value if isinstance(value, str) else str(value)
 
 
-def file(document: dict[str, Any], text: str) -> bytes | dict[str, Any]:
-    """Return a document as the text of a file, or what is wrong with it; it need not be solvable.
-
-    Parameters
-    ----------
-    document : dict
-        A case, or a bearing.
-    text : str
-        Of the file that it was read from, with its comments; it may be empty.
-    """
-    try:
-        _refuse(unfit(document))
-    except CaseError as error:
-        return misfit(error)
+@job
+def file(document: dict[str, Any], text: str) -> bytes:
+    """Return a case or a bearing, which need not be solvable, as a file: like the one that it was read from, if any."""
+    refuse(unfit(document))
     return as_toml_like(document, text).encode()
 
 
-def table(document: dict[str, Any]) -> bytes | dict[str, Any]:
-    """Return the numbers along the contact as CSV, or what is wrong with a document."""
-    return _made(document, lambda case, solution: as_table(solution))
+@job
+def table(document: dict[str, Any]) -> bytes:
+    """Return the numbers along a contact as CSV."""
+    return as_table(_solved(document)[1]).encode()
 
 
-def result(document: dict[str, Any]) -> bytes | dict[str, Any]:
-    """Return all numbers of a solution as JSON, or what is wrong with a document."""
-    return _made(document, lambda case, solution: as_json(solution, case) + "\n")
+@job
+def result(document: dict[str, Any]) -> bytes:
+    """Return all numbers of a solution as JSON."""
+    case, solution = _solved(document)
+    return f"{as_json(solution, case)}\n".encode()
 
 
-def _made(document: dict[str, Any], make: Callable[[Case, Solution], str]) -> bytes | dict[str, Any]:
-    with calmly():
-        try:
-            case, solution, _ = worked_out(document)
-        except CaseError as error:
-            return misfit(error)
-        return make(case, solution).encode()
+def _solved(document: dict[str, Any]) -> tuple[Case, Solution]:
+    case = sound(document, Case)
+    return case, attempted(case)[0]
 
 
-def report(document: dict[str, Any]) -> bytes | dict[str, Any]:
-    """Return the report on a document, or what is wrong with it."""
+@job
+def bearing_table(document: dict[str, Any], name: str) -> bytes:
+    """Return one of the files that `nonhertz bearing` writes."""
+    case, solution = _loaded(sound(document, BearingCase))
+    return files(solution, case, *case.rated(solution), solution.findings)[name].encode()
+
+
+@job
+def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> bytes | dict[str, Any]:
+    """Return a figure of a bearing as a file."""
+    from nonhertz.plot.bearing.sheets import bearing_figures
+    from nonhertz.plot.sheets import image
+    from nonhertz.plot.units import rewrite_units
+
+    case, solution = _loaded(sound(document, BearingCase))
+    figures = bearing_figures(solution, case.title)
+    if name not in figures:
+        return broken([("", nothing_drawn(name, solution))])
+    rewrite_units(figures[name])
+    return image(figures[name], kind)
+
+
+@job
+def report(document: dict[str, Any], kind: Literal["case", "bearing"]) -> bytes:
+    """Return the report on a case, or on a bearing, which must have a solution."""
     from nonhertz.report import compose
 
-    with calmly():
-        try:
-            return compose([sound(document)], units=chosen().code).encode()
-        except CaseError as error:
-            return misfit(error)
-
-
-def upload(content: bytes, name: str, options: dict[str, str]) -> bytes:
-    """Return the answer to a measured file; see `nonhertz.web.view.uploads.answer_to_file`."""
-    with calmly():
-        return answer_to_file(content, name, options)
-
-
-def sound(document: dict[str, Any]) -> Case:
-    """Return the case in a document.
-
-    Raises
-    ------
-    CaseError
-        If it is not a valid case, or exceeds the limits of the page.
-    """
-    _refuse(unfit(document))
-    # The case file's own checks come first, so that what they reject is worded as on the command line.
-    case = Case.of(document, PATH, files=False)
-    _refuse(slow(document))
-    return case
-
-
-def _refuse(mistakes: list[Mistake]) -> None:
-    if mistakes:
-        raise case_error(mistakes)
-
-
-def _profiles(document: dict[str, Any]) -> dict[str, Any]:
-    return {} if unfit(document) else drawable(document.get("body"))
+    if kind == "case":
+        return compose([sound(document, Case)], units=chosen().code).encode()
+    return compose([_loaded(sound(document, BearingCase))[0]], units=chosen().code).encode()
 
 
 def warm_up() -> None:
     """Solve the starting case with stresses, so that everything is loaded and compiled."""
     # With a unit, so that the units library, which takes a second, is loaded too.
-    solve(parsed(starting_case(), PATH.name) | {"load": {"load": "20 kN"}}, True, "a")
+    solve(parsed(starting_case(), "case.toml") | {"load": {"load": "20 kN"}}, True, "a")
+
+
+def warm_up_bearing() -> None:
+    """Solve the starting bearing by slices, so that everything is loaded."""
+    load(parsed(starting_bearing(), "bearing.toml"), "slices")
 
 
 def step_back() -> None:
     """Leave the processor to whoever answers a drag; what is needed is loaded with the first case."""
     if hasattr(os, "nice"):  # Windows has none
         os.nice(10)
-
-
-@contextmanager
-def calmly() -> Iterator[None]:
-    """Keep warnings, such as those about overflow, off the terminal: the answer shows their effect."""
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore")
-        yield

@@ -2,22 +2,59 @@
 
 from __future__ import annotations
 
+import functools
 import json
-from collections.abc import Iterable
-from typing import Any
+import time
+import warnings
+from collections.abc import Callable, Iterable
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 from starlette.responses import Response
 
-from nonhertz.errors import CaseError
-from nonhertz.files.mistakes import Mistake, path_of
+from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.files.results import plain
 from nonhertz.verdict import Verdict
+
+First = TypeVar("First")
+More = ParamSpec("More")
 
 _UNHEARD = (403, 408, 413, 415, 431)
 #: Where the form shows errors about both bodies.
 _FIELDS = {"profile": "body.a.profile"}
+
+
+class Refusal(bytes):
+    """JSON of what is wrong, in place of an answer or a file."""
+
+
+def job(make: Callable[Concatenate[First, More], Any]) -> Callable[Concatenate[First, More], bytes]:
+    """Return a job that sends what a function makes: bytes as they are, an answer as JSON, and mistakes as a refusal.
+
+    Warnings, such as those about overflow, are kept off the terminal: the answer shows their effect.
+    """
+
+    @functools.wraps(make)
+    def done(document: First, /, *more: More.args, **named: More.kwargs) -> bytes:
+        begun = time.perf_counter()
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            try:
+                made = make(document, *more, **named)
+            except CaseError as error:
+                return Refusal(as_bytes(misfit(error)))
+            except ConvergenceError as error:
+                return Refusal(as_bytes(broken([("load", str(error))])))
+            except InputError as error:
+                return Refusal(as_bytes(broken([("", str(error))])))
+        if isinstance(made, bytes):
+            return made
+        if not made["ok"]:
+            return Refusal(as_bytes(made))
+        return as_bytes(made | {"ms": round(1e3 * (time.perf_counter() - begun), 1)})
+
+    return done
 
 
 def as_bytes(value: Any) -> bytes:
@@ -66,8 +103,3 @@ def misfit(error: CaseError) -> dict[str, Any]:
     return broken(
         (_FIELDS.get(place, place), sentence) for place, sentence in zip(error.places, error.mistakes, strict=True)
     )
-
-
-def excess(mistakes: Iterable[Mistake]) -> dict[str, Any]:
-    """Return what exceeds the limits of the page, each sentence at its field."""
-    return broken((path_of(mistake.place), mistake.sentence) for mistake in mistakes)

@@ -18,7 +18,7 @@ from nonhertz.measured.trace import FEWEST_POINTS
 from nonhertz.model.profile import Tabulated
 from nonhertz.model.profile.table import Interpolation
 from nonhertz.web.limits import UPLOAD_POINTS
-from nonhertz.web.view.replies import as_bytes, broken
+from nonhertz.web.view.replies import broken, job
 
 Array = NDArray[np.float64]
 
@@ -29,8 +29,9 @@ _NANOMETRES: Final = 6  # decimals of a mm
 _STARTED: Final = {"kind": "tabulated"}
 
 
-def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> bytes:
-    """Return the answer to a measured file as JSON: points, steps, roughness and warnings, or what is wrong with it.
+@job
+def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> dict[str, Any]:
+    """Answer to a measured file with points, steps, roughness and warnings, or with what is wrong with it.
 
     Parameters
     ----------
@@ -43,12 +44,12 @@ def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> bytes:
     """
     values, mistakes = _read_options(options)
     if mistakes:
-        return as_bytes(broken(mistakes))
+        return broken(mistakes)
     try:
         measured = measured_from(_averaged(trace_from(content, values, name)), values)
-        return as_bytes(_answer(measured, values.get("interpolation")))
+        return _answer(measured, values.get("interpolation"))
     except InputError as error:
-        return as_bytes(broken([(_path(error.field), str(error))]))
+        return broken([(_path(error.field), str(error))])
 
 
 def _averaged(trace: Trace) -> Trace:
