@@ -296,7 +296,7 @@ def test_a_file_that_takes_too_long_is_given_up(client, monkeypatch):
     monkeypatch.setattr(workers.Workers, "run", too_slow)
     response = client.post("/upload", content=b"1 2\n" * 1000, headers=BINARY)
     sentence = "This takes longer than the page waits: use 'nonhertz profile'."
-    assert response.json() == {"ok": False, "mistakes": [{"path": "", "sentence": sentence}]}
+    assert response.json() == {"ok": False, "slow": True, "mistakes": [{"path": "", "sentence": sentence}]}
 
 
 def test_static_files_are_those_of_the_package(client):
@@ -573,7 +573,7 @@ def test_a_case_that_takes_too_long_is_given_up(client, monkeypatch):
     response = client.post("/solve", json={"document": STARTING})
     assert response.status_code == 200
     sentence = "This takes longer than the page waits: use 'nonhertz solve'."
-    assert response.json() == {"ok": False, "mistakes": [{"path": "", "sentence": sentence}]}
+    assert response.json() == {"ok": False, "slow": True, "mistakes": [{"path": "", "sentence": sentence}]}
 
 
 async def mistaken(self, job, *arguments, seconds):

@@ -79,7 +79,7 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing: Desk) -> None:
     slider = bearing.slider("load.radial")
     box = slider.bounding_box()
     across = lambda share: box["x"] + (0.05 + 0.9 * share) * box["width"]  # noqa: E731
-    before, answers = bar(bearing, 0, "inner"), bearing.answers
+    before, answers, pressure = bar(bearing, 0, "inner"), bearing.answers, bearing.numbers["Largest pressure"]
     mouse, middle = bearing.page.mouse, box["y"] + 0.5 * box["height"]
     mouse.move(across(0.2), middle)
     mouse.down()
@@ -90,11 +90,17 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing: Desk) -> None:
     bearing.page.locator('[data-figure="polar"] .remark', has_text="by slices").wait_for()
     assert "stale" in bearing.page.locator('[data-figure="pressure"]').get_attribute("class")
     assert "strips follow" in bearing.page.locator(".state").inner_text()
+    assert bearing.numbers["Largest pressure"] == pressure, "that by strips stays, and is said to be older"
+    kept = bearing.page.locator('[data-key="Largest pressure"].stale')
+    assert kept.locator(".where").inner_text().startswith("before the change, roller 0")
+    assert bearing.page.locator("#verdict.stale").inner_text().startswith("Before the change: ")
     bearing.page.wait_for_timeout(800)
     assert method_of(bearing) == "by slices", "strips wait until the slider is let go"
     mouse.up()
     bearing.settle()
     assert bar(bearing, 0, "inner") != before
+    assert bearing.numbers["Largest pressure"] > pressure
+    assert not bearing.page.locator(".key-number.stale, #verdict.stale").count()
     bearing.page.locator('[data-figure="polar"] .remark', has_text="by strips").wait_for()
     assert bearing.answers - answers >= 2, "the picture was drawn again while the slider moved"
     load = bearing.shown("load.radial")

@@ -80,7 +80,7 @@ def places(desk: Desk) -> list[list[float]]:
 def test_a_notice_that_comes_or_goes_moves_nothing(open_desk: Any, width: int) -> None:
     desk = open_desk(viewport={"width": width, "height": 844})
     without = places(desk)
-    desk.page.route("**/status", lambda route: route.fulfill(json={"ready": False}))
+    desk.page.route("**/status", lambda route: route.fulfill(json={"ready": False, "compiling": True}))
     desk.page.reload()
     desk.page.locator("#notice", has_text="The solver is being compiled").wait_for()
     desk.settle()
@@ -220,6 +220,39 @@ def test_a_template_is_where_to_start_from(desk: Desk) -> None:
     assert_shows(desk, solution_of())
 
 
+def test_what_was_drawn_goes_when_another_case_is_begun_and_comes_with_its_answer(desk: Desk) -> None:
+    held: list[Any] = []
+
+    def hold(route: Any) -> None:
+        held.append(route)
+
+    desk.page.route("**/solve", hold, times=1)
+    desk.page.locator("#templates summary").click()
+    with desk.page.expect_request("**/solve"):
+        desk.page.locator('[data-template="needle"]').click()
+    desk.page.locator(".results.empty").wait_for()
+    assert not desk.page.locator(".key-numbers, .figures, #summary, #verdict").locator("visible=true").count()
+    assert desk.page.locator("#state").inner_text() == "solving"
+    desk.page.wait_for_timeout(100)
+    held[0].continue_()
+    desk.page.locator('[data-figure="pressure"] svg').first.wait_for()
+    desk.settle()
+
+
+def test_a_slow_answer_is_waited_for_and_given_up(desk: Desk) -> None:
+    before = desk.numbers
+    desk.page.route("**/solve", lambda route: None, times=1)
+    desk.type(desk.field("load.load"), "25 kN")
+    desk.page.locator("#state", has_text="still solving").wait_for()
+    assert not desk.mistakes
+    desk.page.locator("#cancel").click()
+    desk.settle()
+    assert desk.page.locator(".state").inner_text().strip() == "last good result cancelled"
+    assert desk.numbers == before
+    desk.write("load.load", "26 kN")
+    assert_shows(desk, solution_of(load=26000.0))
+
+
 def test_what_is_written_with_a_unit_is_taken_apart_when_the_field_is_left(desk: Desk) -> None:
     desk.write("load.load", "4.2 kN")
     assert desk.field("load.load").input_value() == "4.2 kN"  # while it is being written
@@ -347,6 +380,11 @@ def test_what_a_body_bears_is_said_when_the_slider_rests(open_desk: Any) -> None
     assert "static safety" in pressure
     assert "yields" in yielding
     assert f"{desk.numbers['von Mises stress']:.1f} MPa" in yielding  # the tile has what was found in the whole body
+    planes = [desk.page.locator(f'[data-figure="{name}"] [role=img]').first for name in ("axial", "section")]
+    words = [plane.get_attribute("aria-label") for plane in planes]
+    (largest, along), (same, across) = (re.findall(r"largest (.*?) MPa.*?(\S+ mm deep)", each)[0] for each in words)
+    assert (same, across) == (largest, along), "both planes go through that point"
+    assert re.findall(r"y = (\S+) mm", words[0]) == re.findall(r"y = (\S+) mm", words[1])
     assert fresh.locator("li[data-verdict=over]").count() == 1
     desk.write("load.load", "10 kN")
     assert desk.page.locator("#strength.stale li").all_inner_texts() == [pressure, yielding]

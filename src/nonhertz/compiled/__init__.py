@@ -19,6 +19,8 @@ Function = TypeVar("Function", bound=Callable[..., object])
 
 #: Nothing is fused: what is depends on the module around it, and last digits on whether it was compiled or loaded.
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
+#: What to call before a function is compiled, which takes a minute for all of them: whoever waits may be told.
+WHEN_COMPILING: list[Callable[[], None]] = []
 _lock = threading.RLock()
 
 

@@ -21,7 +21,7 @@ from numba.core.caching import CompileResultCacheImpl
 from numba.core.runtime import rtsys  # type: ignore[attr-defined]
 from numba.core.serialize import dumps
 
-from nonhertz.compiled import OPTIONS, Compiled
+from nonhertz.compiled import OPTIONS, WHEN_COMPILING, Compiled
 from nonhertz.compiled.files import log_once, read, write
 
 
@@ -37,6 +37,8 @@ class Cache(CompileResultCacheImpl):
         if content is not None:
             rtsys.initialize(target)
             return CompileResultCacheImpl.rebuild(self, target, pickle.loads(content))
+        for call in WHEN_COMPILING:
+            call()
         if hasattr(sys, "ps1") or (sys.stderr is not None and sys.stderr.isatty()):  # in a notebook or at a terminal
             log_once("The first solve on a machine compiles the solver: a minute, or two for a whole bearing.")
         return None

@@ -138,8 +138,9 @@ class Page:
         return reply({"ok": True, "document": parsed(text, name), "text": text})
 
     async def status(self, request: Request) -> Response:
-        """Answer whether the solver is ready or still being compiled."""
-        return reply({"ready": self.quick.ready.is_set()})
+        """Answer whether the processes are ready, and whether one of them compiles the solver."""
+        compiling = self.quick.compiling or self.patient.compiling
+        return reply({"ready": self.quick.ready.is_set(), "compiling": compiling})
 
     def routes(self) -> list[Route]:
         """Return the routes of the page, but for its own address."""
@@ -178,7 +179,7 @@ async def while_awaited(
                 outcome.append(await work())
             except TooSlowError:
                 sentence = f"This takes longer than the page waits: use 'nonhertz {command}'."
-                outcome.append(Refusal(as_bytes(broken([("", sentence)]))))
+                outcome.append(Refusal(as_bytes(broken([("", sentence)]) | {"slow": True})))
             except Exception as error:  # noqa: BLE001  (raised below, not as one of a group)
                 outcome.append(error)
             tasks.cancel_scope.cancel()

@@ -21,6 +21,7 @@ import anyio.to_thread
 from anyio.abc import TaskGroup
 
 from nonhertz.amounts import chosen, read_in
+from nonhertz.compiled import WHEN_COMPILING
 from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
 from nonhertz.web.server.intake import RefusedError
 
@@ -62,6 +63,8 @@ class Worker:
         self._process = context.Process(target=_work, args=(its_own, warm_up), daemon=True)
         self._process.start()
         its_own.close()
+        #: Whether it compiles the solver, for what it is doing now.
+        self.compiling = False
 
     def wait(self, seconds: float) -> Any:
         """Return what the process sends next.
@@ -81,6 +84,9 @@ class Worker:
             fine, value = pickle.loads(self._connection.recv_bytes())
         except (EOFError, OSError):
             raise EndedError("its process ended") from None
+        self.compiling = fine is None
+        if self.compiling:
+            return self.wait(end - time.monotonic())
         if not fine:
             raise FailedError(value)
         return value
@@ -134,6 +140,11 @@ class Workers:
         self._living: set[Worker] = set()
         self._waiting = 0
         self._tasks: TaskGroup | None = None
+
+    @property
+    def compiling(self) -> bool:
+        """Whether one of the processes compiles the solver."""
+        return any(worker.compiling for worker in self._living)
 
     def start(self, tasks: TaskGroup, *, at_once: bool = True) -> None:
         """Start the processes, at once or when `wake` is called or there is a first job."""
@@ -258,6 +269,7 @@ def _work(connection: Connection, warm_up: Job | None) -> None:
     """Run the jobs that arrive on a connection until its other end is closed."""
     # An interrupt at the terminal reaches the whole process group, but only the server should end this process.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    WHEN_COMPILING.append(lambda: connection.send_bytes(pickle.dumps((None, None))))
     if warm_up is not None:
         _answer(connection, warm_up, ())
     while True:

@@ -9,7 +9,7 @@ import { digits } from "./numbers.js";
 import { Polar, degrees, newtons } from "./polar.js";
 import { sayLater, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
 import { drawRoller } from "./roller.js";
-import { notice, timed, watchProgram } from "./status.js";
+import { notice, timed, watchProgram, whileSolving } from "./status.js";
 import { amount, parts } from "./units.js";
 import { Work } from "./work.js";
 
@@ -21,6 +21,7 @@ const POLAR_KEY = [
   ["bar-inner", "inner ring"],
   ["bar-outer", "outer ring"],
 ];
+const SLICED = "solved by slices of ISO/TS 16281";
 const NO_MOTION = 1e-9; // mm: rounding
 const root = document.documentElement;
 
@@ -96,9 +97,10 @@ async function runStrips() {
   const stop = new AbortController();
   strips = stop;
   const begun = performance.now();
-  byId("state").textContent = "solved by slices of ISO/TS 16281";
-  byId("round-trip").textContent = "while strips are being solved …";
+  byId("round-trip").textContent = "; strips are being solved …";
+  const done = whileSolving(() => gaveUp("Cancelled"), `${SLICED}; strips are being solved`);
   const answer = await asked("bearing/solve", { document: work.document, method: "strips" }, stop.signal);
+  done();
   if (stop.signal.aborted) return;
   if (!answer) {
     rest = window.setTimeout(() => void runStrips(), AGAIN);
@@ -111,11 +113,19 @@ async function runStrips() {
     show(answer, work.document);
     byId("state").textContent = "solved by strips";
     byId("round-trip").textContent = `in ${((performance.now() - begun) / 1e3).toFixed(1)} s`;
-  } else {
+  } else if (answer.slow) gaveUp(answer.mistakes[0].sentence);
+  else {
     showMistakes(answer.mistakes);
-    byId("state").textContent = "solved by slices of ISO/TS 16281; strips gave no answer";
-    byId("round-trip").textContent = "";
+    gaveUp("strips gave no answer");
   }
+  root.dataset.state = "settled";
+}
+
+/** Stay with slices. @param {string} why */
+function gaveUp(why) {
+  stopStrips();
+  byId("state").textContent = `${SLICED}. ${why}`;
+  byId("round-trip").textContent = "";
   root.dataset.state = "settled";
 }
 
@@ -128,10 +138,10 @@ function answered(answer, { document }) {
 function show(answer, shown) {
   page.answer = answer;
   page.document = shown;
-  byId("results").classList.remove("outdated");
+  byId("results").classList.remove("outdated", "empty");
   byId("case-title").textContent = answer.title;
   document.title = answer.title ? `${answer.title} – nonhertz` : "nonhertz";
-  writeVerdict(answer.verdict);
+  writeVerdict((pressedBefore() ?? answer).verdict, Boolean(pressedBefore()));
   writeRows(answer.summary, answer.warnings);
   work.drawProfiles(answer.profiles);
   drawPictures();
@@ -148,7 +158,7 @@ function refuse({ mistakes }) {
 function saySlices(answer, took) {
   if (!answer.ok) return;
   if (page.fresh) return; // strips are there already
-  byId("state").textContent = "solved by slices of ISO/TS 16281";
+  byId("state").textContent = SLICED;
   const then = answer.file_method === "strips" ? "; strips follow when the slider rests" : "";
   byId("round-trip").textContent =
     `in ${Math.round(took)} ms, ${Math.round(answer.ms)} ms of it in the solver${then}`;
@@ -160,15 +170,21 @@ function roller() {
   return chosen !== null && chosen < answer.angle.length ? chosen : answer.most;
 }
 
+/** The latest result by strips of as many rollers, where what is shown is by slices until strips follow. */
+function pressedBefore() {
+  const { answer, pressed, fresh } = page;
+  return !fresh && pressed?.angle.length === answer.angle.length && answer.file_method === "strips" ? pressed : null;
+}
+
 function drawPictures() {
   const { answer, pressed } = page;
   if (!answer) return;
-  writeKeyNumbers(keyNumbers(answer), page.pinned && keyNumbers(page.pinned));
+  const before = pressedBefore();
+  writeKeyNumbers(keyNumbers(answer, before), page.pinned && keyNumbers(page.pinned));
   const number = roller();
-  const fits = pressed && pressed.angle.length === answer.angle.length && answer.file_method === "strips";
   head(figure("polar"), "Loads of all rollers", POLAR_KEY, `by ${answer.method}`);
   polar.draw(answer, number);
-  drawRoller(answer, fits ? pressed : null, number, page.pinned);
+  drawRoller(answer, before ?? (page.fresh ? pressed : null), number, page.pinned);
   const stale = figure("pressure");
   stale.classList.toggle("stale", !page.fresh);
   stale.title = page.fresh ? "" : "Of the bearing before the last change: strips are solved when the slider rests.";
@@ -184,8 +200,10 @@ function choose(number) {
   work.keep();
 }
 
-function keyNumbers(answer) {
-  return [mostLoad(answer), displacement(answer), loaded(answer), pressure(answer), life(answer)];
+/** @param {any} answer @param {any} [before] that by strips of the bearing before the last change, in place of none */
+function keyNumbers(answer, before = null) {
+  const pressed = before ? { ...pressure(before), stale: true } : pressure(answer);
+  return [mostLoad(answer), displacement(answer), loaded(answer), pressed, life(answer)];
 }
 
 function mostLoad({ key, angle, most }) {
@@ -252,7 +270,11 @@ const work = new Work(JSON.parse(byId("start").textContent), {
   },
   solve: async (document) => (await post("bearing/solve", { document })).json(),
   looked: () => ({ roller: page.chosen }),
-  begun: () => (page.chosen = null), // it was one of another bearing
+  begun() {
+    // The roller that was chosen, and what was drawn, are those of another bearing.
+    page.chosen = page.answer = page.pressed = null;
+    byId("results").classList.add("empty");
+  },
 });
 
 /** Open the contact of the roller that is shown on the page of single contacts. @param {"inner" | "outer"} ring */
@@ -286,5 +308,5 @@ byId("most").addEventListener("click", () => choose(null));
 for (const ring of /** @type {("inner" | "outer")[]} */ (["inner", "outer"]))
   document.querySelector(`[data-contact="${ring}"]`)?.addEventListener("click", () => void openContact(ring));
 whenResized(drawPictures);
-void watchProgram((sentence) => notice("compiling", sentence), "bearing/status");
+void watchProgram("bearing/status");
 await work.begin();

@@ -1,15 +1,16 @@
 // Requesting solutions during a drag: one request in flight, the latest case next, every answer drawn.
 //
-// A request in flight is never aborted for a newer case: a slider gives a case every 16 ms, and all answers would be
-// lost until the drag pauses. Stresses take longer: they come with every answer while that is quick enough for dragging,
+// A request in flight is not aborted for a newer case until it has taken long: a slider gives a case every 16 ms, and all
+// answers would be lost until the drag pauses. Stresses take longer: they come with every answer while that is quick enough for dragging,
 // otherwise when the drag pauses, and then a newer case aborts them.
 
-import { notice } from "./status.js";
+import { notice, whileSolving } from "./status.js";
 import { unitsCode } from "./units.js";
 
 const REST = 120; // ms without a new case before stresses are requested separately
 const QUICK = 100; // ms from request to drawn; up to this, stresses come with every answer
 const PATIENCE = 3; // slow answers in a row, or one three times as slow, after which stresses are requested separately
+const LONG = 6000; // ms after which an answer is given up for that of a newer case
 const AGAIN = 1500; // ms between attempts to reach the program
 /** Shown when nothing answers. */
 export const AWAY = "The program behind this page does not answer: check that nonhertz serve is still running.";
@@ -22,6 +23,7 @@ const ATTEMPTS = 4; // while it is busy
  *   stressed: (answer: any) => void,
  *   waiting: () => void,
  *   rested: (complete: boolean) => void,
+ *   gaveUp: (sentence: string) => void,
  *   stress: () => ("a" | "b" | null),
  * }} Listener
  */
@@ -86,6 +88,8 @@ export class Live {
     this.rest = 0;
     /** @type {AbortController | null} */
     this.stresses = null;
+    /** @type {{stop: AbortController, since: number} | null} */
+    this.asking = null;
   }
 
   /**
@@ -97,6 +101,7 @@ export class Live {
     this.next = { document, since };
     this.forgetStress();
     this.listener.waiting();
+    if (this.asking && performance.now() - this.asking.since > LONG) this.asking.stop.abort();
     if (!this.busy) void this.run();
   }
 
@@ -121,10 +126,20 @@ export class Live {
       const stress = this.slow < PATIENCE && this.listener.stress() !== null;
       const first = this.latest === null;
       const begun = performance.now();
-      const answer = await this.ask(wanted, stress);
+      const stop = new AbortController();
+      this.asking = { stop, since: begun };
+      const done = whileSolving(() => stop.abort());
+      const answer = await this.ask(wanted, stress, stop.signal);
+      done();
+      this.asking = null;
+      if (stop.signal.aborted || answer?.slow) {
+        this.latest = null;
+        if (!this.next) this.listener.gaveUp(answer?.mistakes[0].sentence ?? "cancelled");
+        continue;
+      }
       if (!answer) {
         this.next ??= wanted;
-        await new Promise((done) => window.setTimeout(done, AGAIN));
+        await new Promise((again) => window.setTimeout(again, AGAIN));
         continue;
       }
       this.latest = answer.ok ? wanted : null;

@@ -3,7 +3,7 @@
 import { Curve } from "./curve.js";
 import { byId } from "./elements.js";
 import { Live, post } from "./live.js";
-import { notice, roundTrip, watchProgram } from "./status.js";
+import { roundTrip, watchProgram } from "./status.js";
 import { Strength } from "./strength.js";
 import { View } from "./view.js";
 import { Work } from "./work.js";
@@ -13,7 +13,7 @@ let refining = 0;
 
 const view = new View((profiles) => work.drawProfiles(profiles));
 const curve = new Curve(byId("case"));
-const strength = new Strength((largest) => view.searched(largest));
+const strength = new Strength((found) => view.searched(found));
 
 const live = new Live({
   answered(answer, { document, since }, stress) {
@@ -43,6 +43,7 @@ const live = new Live({
     }
     if (complete || !view.shownBody() || !live.latest) document.documentElement.dataset.state = "settled";
   },
+  gaveUp: (sentence) => view.outdate(sentence),
   stress: () => view.shownBody(),
 });
 
@@ -72,6 +73,7 @@ const work = new Work(JSON.parse(byId("start").textContent), {
   },
   drawn: () => curve.offer(),
   renamed: () => curve.reread(),
+  begun: () => view.clear(),
 });
 
 for (const choice of document.querySelectorAll("[name=stress-unit]"))
@@ -84,5 +86,5 @@ for (const choice of document.querySelectorAll("[name=stress-body], #stress-on")
     live.wantStress();
   });
 }
-void watchProgram((sentence) => notice("compiling", sentence));
+void watchProgram();
 await work.begin();

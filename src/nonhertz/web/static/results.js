@@ -6,8 +6,8 @@ import { amount, force, parts, spelled } from "./units.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
 /**
- * @typedef {{name: string, value: string, unit: string, where: string, number: number | null, under?: number}} KeyNumber
- *   `under` is the load without which a number does not compare
+ * @typedef {{name: string, value: string, unit: string, where: string, number: number | null, under?: number, stale?: boolean}} KeyNumber
+ *   `under` is the load without which a number does not compare, a `stale` one is that before the last change
  */
 
 let speaking = 0;
@@ -86,12 +86,12 @@ export function writeKeyNumbers(numbers, pinned) {
   byId("key-numbers").replaceChildren(
     ...numbers.map((each, place) => {
       const before = pinned?.[place];
-      return element("div", { class: "key-number", "data-key": each.name, "data-number": String(each.number) }, [
+      return element("div", { class: `key-number${each.stale ? " stale" : ""}`, "data-key": each.name, "data-number": String(each.number) }, [
         element("dt", {}, [each.name]),
         element("dd", {}, [
           element("span", { class: "value" }, [each.value]),
           element("span", { class: "unit" }, [each.unit]),
-          element("span", { class: "where" }, [each.where]),
+          element("span", { class: "where" }, [each.stale ? `before the change, ${each.where}` : each.where]),
           ...(before ? [pinnedNumber(each, before)] : []),
         ]),
       ]);
@@ -117,12 +117,14 @@ export function writeWords(answer) {
   sayLater(spoken(answer));
 }
 
-/** Write whether limits are met: a coloured tile. @param {Answer["verdict"]} verdict */
-export function writeVerdict(verdict) {
+/** Write whether limits are met: a coloured tile. @param {Answer["verdict"]} verdict @param {boolean} [stale] */
+export function writeVerdict(verdict, stale = false) {
   const tile = byId("verdict");
   tile.hidden = !verdict;
+  tile.classList.toggle("stale", stale);
   tile.dataset.level = verdict?.level ?? "";
-  const parts = verdict ? [element("strong", {}, [verdict.words]), ` ${verdict.sentence}`] : [];
+  const words = stale ? `Before the change: ${verdict?.words}` : verdict?.words;
+  const parts = verdict ? [element("strong", {}, [words]), ` ${verdict.sentence}`] : [];
   tile.replaceChildren(...parts);
 }
 

@@ -132,8 +132,9 @@ function drawRelief(answer, row, roller, span) {
     SHALLOWEST,
     ...contacts.map(([ring, each]) => {
       const { y, relief_um: um } = row.relief[ring];
-      const ends = each.touching.flat().map((place) => um[d3.bisectCenter(y, place)] ?? 0);
-      return Math.max(AT_ENDS * Math.max(0, ...ends), 0.2 * (each.penetration_um ?? 0));
+      const pressed = (place) => each.touching.some(([low, high]) => low <= place && place <= high);
+      const within = um.filter((value, place) => value !== null && pressed(y[place]));
+      return Math.max(AT_ENDS * Math.max(0, ...within), 0.2 * (each.penetration_um ?? 0));
     }),
     ...(contacts.length ? [] : [0.5 * d3.median(row.relief.inner.relief_um.filter((each) => each !== null))]),
   );

@@ -13,35 +13,50 @@ export function notice(reason, sentence) {
   byId("notice").hidden = !text;
 }
 
-// The first start on a machine compiles the solver. Any other takes a second or two, of which nothing need be said.
+const COMPILING = "The solver is being compiled, which takes about a minute the first time. The result will appear by itself.";
 const AGAIN = 1000; // ms
-const USUAL = 4; // times that a program which is only starting is asked
 
 /**
- * Show a notice while the solver is being compiled.
- * @param {(sentence: string) => void} tell
+ * Show a notice while the solver is being compiled, until the program is ready.
  * @param {string} [place] where to ask
  */
-export async function watchProgram(tell, place = "status") {
-  for (let asked = 1; ; asked += 1) {
-    const ready = await isReady(place);
-    if (ready) {
-      if (asked > USUAL) tell("");
-      return;
-    }
-    if (asked === USUAL)
-      tell("The solver is being compiled, which takes about a minute the first time. The result will appear by itself.");
+export async function watchProgram(place = "status") {
+  for (;;) {
+    const { ready, compiling } = await statusOf(place);
+    notice("compiling", compiling ? COMPILING : "");
+    if (ready) return;
     await new Promise((done) => window.setTimeout(done, AGAIN));
   }
 }
 
-async function isReady(place) {
+async function statusOf(place) {
   try {
     const response = await fetch(place);
-    return !response.ok || (await response.json()).ready !== false;
+    if (response.ok) return await response.json();
   } catch {
-    return true; // no answer at all: the requests for solutions report that
+    // No answer at all: the requests for solutions report that.
   }
+  return { ready: true, compiling: false };
+}
+
+/**
+ * Count the seconds of an answer that takes long, beside a button that gives it up; return what ends that.
+ * @param {() => void} giveUp
+ * @param {string} [words] what goes on
+ */
+export function whileSolving(giveUp, words = "still solving") {
+  const [begun, button] = [performance.now(), byId("cancel")];
+  const count = () => {
+    byId("state").textContent = words;
+    byId("round-trip").textContent = `… ${Math.round((performance.now() - begun) / 1e3)} s`;
+    button.hidden = false;
+    button.onclick = giveUp;
+  };
+  const counting = window.setInterval(count, AGAIN);
+  return () => {
+    window.clearInterval(counting);
+    button.hidden = true;
+  };
 }
 
 // The time from an edit to the redrawn figures: shown on the page, and recorded for measurements.

@@ -10,7 +10,7 @@ const REST = 700; // ms without an edit before the search begins
 /** @typedef {{verdict: string, sentence: string}} Check */
 
 export class Strength {
-  /** @param {(largest: import("./types.js").Answer["stress"]) => void} found called with the largest of the whole body */
+  /** @param {(answer: any) => void} found called with an answer, which has the largest stress of the whole body */
   constructor(found) {
     this.found = found;
     this.rest = 0;
@@ -51,7 +51,7 @@ export class Strength {
       const answer = await (await post("strength", { document, body }, stop.signal)).json();
       if (stop.signal.aborted) return;
       this.show(body, answer.checks ?? [], answer.mistakes?.[0].sentence ?? "");
-      this.found(answer.stress);
+      this.found(answer);
     } catch {
       if (stop.signal.aborted) return;
       this.show(body, [], AWAY);

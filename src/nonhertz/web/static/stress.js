@@ -9,6 +9,11 @@ const BANDS = 10;
 const FINE = { columns: 96, rows: 40 };
 const QUICK = { columns: 60, rows: 26 };
 const HEIGHT = 270; // pixels of the planes
+/** Of the largest stress, the same in both planes. */
+const MARK = [
+  { stroke: "white", strokeWidth: 3 },
+  { stroke: "black", strokeWidth: 1.4 },
+];
 
 /** @typedef {import("./types.js").Answer} Answer */
 
@@ -23,7 +28,7 @@ export function drawStress(answer, unit, fine) {
   const scale = unit === "p0" ? 1 / (answer.key.max_pressure || 1) : read("MPa")[1];
   const label = unit === "p0" ? "von Mises stress / largest p₀" : `von Mises stress [${named("MPa")}]`;
   // One scale for both, up to the largest stress away from singular ends.
-  const top = scale * Math.max(largestAlong(answer).value, answer.stress.von_mises.value) || 1;
+  const top = scale * Math.max(largestAlong(answer), answer.stress.von_mises.value) || 1;
   const shared = { label, scale, top, net: fine ? FINE : QUICK };
   drawAlong(answer, shared);
   drawAcross(answer, shared);
@@ -32,14 +37,14 @@ export function drawStress(answer, unit, fine) {
 function drawAlong(answer, { label, scale, top, net }) {
   const host = figure("axial");
   const { y, z, von_mises: values } = answer.axial;
-  const found = largestAlong(answer);
+  const found = answer.stress.von_mises;
   const stretch = (HEIGHT * (last(y) - y[0])) / (innerWidthOf(host) * (last(z) - z[0]));
   head(host, `Along the contact, body ${answer.body}, x = 0`, [], proportions(stretch, ["z", "y"]));
   drawPlane(
     host,
     resampled(y, z, values, scale, net),
     { top, label, height: HEIGHT, along: "y", place: [found.y, found.z] },
-    `Von Mises stress along the contact in body ${answer.body}: largest ${amount(found.value, "MPa")} at y = ${amount(found.y, "mm")}, ${amount(found.z, "mm")} deep${away(answer)}.`,
+    `Von Mises stress along the contact in body ${answer.body}: largest ${amount(found.value, "MPa")} at y = ${amount(found.y, "mm")}, ${amount(found.z, "mm")} deep.`,
   );
 }
 
@@ -58,28 +63,10 @@ function drawAcross(answer, { label, scale, top, net }) {
   );
 }
 
-/**
- * The largest stress on the grid along the contact, more than a half-width away from ends where it has no limit.
- * @param {any} answer an Answer with stresses
- */
+/** The largest stress on the grid along the contact, more than a half-width away from ends where it has no limit. */
 function largestAlong({ axial, singular, key }) {
-  const counted = (column) => singular.every((end) => Math.abs(axial.y[column] - end.y) > key.max_half_width);
-  const { value, row, column } = largestOf(axial.von_mises, counted);
-  return { value, x: 0, y: axial.y[column], z: axial.z[row] };
-}
-
-function largestOf(values, counted) {
-  const best = { value: 0, row: 0, column: 0 };
-  for (const [row, line] of values.entries()) {
-    for (const [column, value] of line.entries()) {
-      if ((value ?? 0) > best.value && counted(column)) Object.assign(best, { value, row, column });
-    }
-  }
-  return best;
-}
-
-function away(answer) {
-  return answer.singular.length ? ", away from singular ends" : "";
+  const counted = axial.y.map((y) => singular.every((end) => Math.abs(y - end.y) > key.max_half_width));
+  return Math.max(...axial.von_mises.flatMap((line) => line.filter((_, column) => counted[column])));
 }
 
 function last(values) {
@@ -121,8 +108,7 @@ function drawPlane(host, plane, { top, label, height, along, place }, words) {
           strokeWidth: 0.5,
           thresholds: d3.range(0, top, top / BANDS),
         }),
-        Plot.dot([place], { symbol: "plus", r: 5, stroke: "white", strokeWidth: 3 }),
-        Plot.dot([place], { symbol: "plus", r: 5, stroke: "black", strokeWidth: 1.4 }),
+        ...(place[1] <= plane.y2 ? MARK.map((style) => Plot.dot([place], { symbol: "plus", r: 5, ...style })) : []),
         Plot.ruleY([plane.y1], { stroke: INK }),
       ],
     },

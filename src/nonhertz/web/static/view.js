@@ -29,7 +29,7 @@ export class View {
   /** Show a good result. @param {object} document @param {Answer} answer */
   show(document, answer) {
     showMistakes([]);
-    this.results.classList.remove("outdated");
+    this.results.classList.remove("outdated", "empty");
     this.profiles = answer.profiles;
     // Stresses of the previous case stay, dimmed, until those of this one arrive.
     this.latest = { document, answer, stressed: this.latest?.stressed ?? null };
@@ -46,14 +46,27 @@ export class View {
   refuse(document, refusal) {
     showMistakes(refusal.mistakes);
     if (!this.latest) this.name(typeof document.title === "string" ? document.title : "");
-    this.results.classList.add("outdated");
-    byId("state").textContent = this.latest ? "last good result" : "no result yet";
-    byId("round-trip").textContent = "";
+    this.outdate("");
     this.profiles = refusal.profiles;
     this.drawProfiles(this.profiles);
     sayLater(
       `${refusal.mistakes.length === 1 ? "1 mistake" : `${refusal.mistakes.length} mistakes`}: ${refusal.mistakes[0]?.sentence ?? ""}`,
     );
+  }
+
+  /** Dim the last good result, which is not that of the case. @param {string} why */
+  outdate(why) {
+    this.results.classList.add("outdated");
+    byId("state").textContent = this.latest ? "last good result" : "no result yet";
+    byId("round-trip").textContent = why;
+  }
+
+  /** Another case is begun: the last one is taken away. */
+  clear() {
+    this.latest = null;
+    this.results.classList.add("empty");
+    byId("state").textContent = "solving";
+    byId("round-trip").textContent = "";
   }
 
   /** Show the stresses of the latest result. @param {Answer} answer @param {boolean} fine whether on the fine grid */
@@ -65,10 +78,11 @@ export class View {
     this.writeKeys();
   }
 
-  /** Show the largest stress of the whole body. @param {Answer["stress"]} largest missing if none was found */
-  searched(largest) {
-    if (!this.latest?.stressed || !largest) return;
-    this.latest.stressed = { ...this.latest.stressed, stress: largest };
+  /** Show the largest stress of the whole body, and the plane through it. @param {any} found without if there is none */
+  searched({ stress, section }) {
+    if (!this.latest?.stressed || !stress) return;
+    this.latest.stressed = { ...this.latest.stressed, stress, section };
+    this.drawStress();
     this.writeKeys();
   }
 

@@ -59,9 +59,10 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
 
 
 def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
-    """Return whether a body bears it, in the sentences of `nonhertz.strength`, and its largest von Mises stress.
+    """Return whether a body bears it, in the sentences of `nonhertz.strength`, with its largest stress and plane.
 
-    There are no sentences and no stress where none can be found. Unlike the planes above, this searches the whole
+    That is the largest von Mises stress, and the plane across the contact where it is. There are none where none can be
+    found. Unlike the planes above, this searches the whole
     body, which takes seconds.
 
     Parameters
@@ -73,12 +74,14 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     """
     try:
         found = assess(solution, body=body)
+        worst = found.largest.von_mises
+        section = _section(solution, worst.y, body)[0]
     except (InputError, ArithmeticError):
         return {"checks": []}
-    if not np.isfinite(found.largest.von_mises.max):
+    if not np.isfinite(worst.max):
         return {"checks": []}
     checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
-    return {"checks": checks, "stress": _worst(found.largest.von_mises, body) | {"searched": True}}
+    return {"checks": checks, "stress": _worst(worst, body) | {"searched": True}, "section": section}
 
 
 def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:
