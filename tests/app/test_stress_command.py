@@ -12,7 +12,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-import nonhertz.plot
+import nonhertz.cli.stress
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
@@ -178,8 +178,8 @@ def test_files_are_the_json_and_both_planes(case: str, capsys: pytest.CaptureFix
 def test_nothing_is_left_behind_when_drawing_fails(
     case: str, leaves_nothing_behind: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(nonhertz.plot, "stress_planes", lambda *_: {})
-    leaves_nothing_behind(nonhertz.plot, "stress_figures", ["stress", case])
+    monkeypatch.setattr(nonhertz.cli.stress, "stress_planes", lambda *_: {})
+    leaves_nothing_behind(nonhertz.cli.stress, "stress_figures", ["stress", case])
 
 
 @pytest.mark.parametrize(

@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.cli.summary import print_summary
+from nonhertz.cli.printing import print_result
 from nonhertz.files.results import UNITS, as_json
 from nonhertz.result.solution import Solution
-from nonhertz.show.summary import summary_rows
+from nonhertz.show.summary import sections, summary_rows
+from nonhertz.verdict import of_contact
 
 
 def solved(roller: nh.Body, against: nh.Body, tilt: float = 0.0, load: float = 20e3, **more: object) -> Solution:
@@ -157,7 +158,7 @@ def test_a_contact_that_ends_inside_runs_out(crowned: Solution) -> None:
 
 
 def test_the_rows_fit_a_narrow_terminal(sharp: Solution, capsys: pytest.CaptureFixture[str]) -> None:
-    print_summary(sharp, "sharp")
+    print_result("sharp", sections(sharp), verdict=of_contact(sharp), warnings=sharp.warnings, piped=None)
     lines = [line.rstrip() for line in capsys.readouterr().out.splitlines() if not line.startswith("warning")]
     # A row that is broken begins with the remark's column.
     assert len(lines) == len(summary_rows(sharp)) + 2

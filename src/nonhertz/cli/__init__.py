@@ -1,6 +1,7 @@
 """The command line: read the input, call one function, print.
 
-Only the argument parser is imported before a command runs, so that ``--help`` answers at once.
+A command is a function in a module of its own, and `nonhertz.cli.commands` the table of them. Only the module of the
+command that runs is imported, so that ``nonhertz --help`` answers at once.
 """
 
 from __future__ import annotations

@@ -1,84 +1,90 @@
-"""What ``nonhertz bearing`` solves, writes and prints."""
+"""``nonhertz bearing``: a whole bearing."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
+from typing import Annotated
 
-from nonhertz.bearing.solution import BearingSolution
-from nonhertz.cli import FINE, NOT_CONVERGED
-from nonhertz.cli.options import named_as
+from cyclopts import Parameter
+
+from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out, written
 from nonhertz.cli.printing import print_result
-from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.files.bearing_results import as_json, as_object, comparison_files, comparison_object, files
-from nonhertz.files.bearingfile import BearingCase, placed
-from nonhertz.files.folder import write_files
+from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.files.bearing_results import as_json as json_text
+from nonhertz.files.bearing_results import as_object, comparison_files, comparison_object, files
+from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
+from nonhertz.files.changes import changes_in
+from nonhertz.plot import bearing_figures
 from nonhertz.show.bearing import compared_sections, sections
 from nonhertz.verdict import of_bearing
 
 WIDTH = 120  # of piped output
 
 
-def report_bearing(case: BearingCase, out: Path | None, json: bool) -> int:
-    """Solve a bearing, write results if requested, print them; return the exit code."""
+def bearing(
+    file: Path,
+    /,
+    *,
+    changes: Changes = (),
+    compare: Annotated[bool, Parameter(negative="")] = False,
+    contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
+    out: Path | None = None,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> None:
+    """Solve a bearing file and print loads, pressures and life of the whole bearing.
+
+    Parameters
+    ----------
+    file : Path
+        The bearing file; see 'nonhertz new --bearing'.
+    compare : bool
+        Solve it by strips and by the slices of ISO/TS 16281, and print both side by side.
+    contact : tuple of int and str
+        ROLLER, counted from 0, and RING, inner or outer: print a case file of this contact alone, with its load and its
+        tilt in the bearing, for the commands that take a case.
+    out : Path
+        Directory for result.json, rollers.csv, lines.csv and the figures, with --compare for comparison.json and
+        comparison.csv; created if it does not exist.
+    """
+    if contact is not None and (compare or as_json or out is not None):
+        remedy = "send the case file that it prints to a file with >"
+        raise InputError("--contact", contact, "be given without --compare, --json and --out", remedy)
+    case = read_bearing(file, changes_in(changes))
+    refuse_unwritable_out(out)
+    if compare:
+        _compare(case, out, as_json)
+        return
+    with without_accuracy_warnings():  # which are printed with the results
+        solution = case.solve()
+    if contact is not None:
+        with named_as(roller="--contact", ring="--contact"):
+            print(case.contact_case(solution, *contact).text, end="")
+        return
     try:
-        solution = _solved(case)
         life, reason = case.rated(solution)
-        strained = solution.findings
-    except ConvergenceError as error:
-        print(error, file=sys.stderr)
-        return NOT_CONVERGED
+        found = life, reason, solution.findings
     except InputError as error:  # of a contact, when its pressure is solved
         raise placed(error) from None
-    found = life, reason, strained
-    written = (
-        () if out is None else write_files(out, files(solution, case, *found), lambda to: _draw(solution, case, to))
+    made = written(out, lambda: files(solution, case, *found), lambda: bearing_figures(solution, case.title))
+    if as_json:
+        print(json_text(as_object(solution, case, *found)))
+        return
+    print_result(
+        case.title,
+        sections(case, solution, life, reason),
+        verdict=of_bearing(solution, life),
+        warnings=solution.findings,
+        written=made,
+        piped=WIDTH,
     )
-    if json:
-        print(as_json(as_object(solution, case, *found)))
-        return FINE
-    shown = sections(case, solution, life, reason)
-    verdict = of_bearing(solution, life)
-    print_result(case.title, shown, verdict=verdict, warnings=strained, written=written, piped=WIDTH)
-    return FINE
 
 
-def report_comparison(case: BearingCase, out: Path | None, json: bool) -> int:
-    """Solve a bearing by strips and by slices, write and print both; return the exit code."""
-    try:
-        strips, slices = case.solve("strips"), case.solve("slices")
-    except ConvergenceError as error:
-        print(error, file=sys.stderr)
-        return NOT_CONVERGED
-    written = () if out is None else write_files(out, comparison_files(strips, slices, case.title))
-    if json:
-        print(as_json(comparison_object(strips, slices, case.title)))
-        return FINE
-    print_result(case.title, compared_sections(strips, slices), written=written, piped=WIDTH)
-    return FINE
-
-
-def print_contact(case: BearingCase, roller: int, ring: str) -> int:
-    """Solve a bearing and print the case file of one of its contacts; return the exit code."""
-    try:
-        solution = _solved(case)
-    except ConvergenceError as error:
-        print(error, file=sys.stderr)
-        return NOT_CONVERGED
-    with named_as(roller="--contact", ring="--contact"):
-        print(case.contact_case(solution, roller, ring).text, end="")
-    return FINE
-
-
-def _solved(case: BearingCase) -> BearingSolution:
-    """Return the solution, whose warnings are printed with the results."""
-    with without_accuracy_warnings():
-        return case.solve()
-
-
-def _draw(solution: BearingSolution, case: BearingCase, folder: Path) -> None:
-    """Write the figures of a bearing."""
-    from nonhertz import plot
-
-    for name, figure in plot.bearing_figures(solution, case.title).items():
-        plot.save(figure, folder / name)
+def _compare(case: BearingCase, out: Path | None, as_json: bool) -> None:
+    """Solve a bearing by strips and by slices, write and print both."""
+    strips, slices = case.solve("strips"), case.solve("slices")
+    made = written(out, lambda: comparison_files(strips, slices, case.title))
+    if as_json:
+        print(json_text(comparison_object(strips, slices, case.title)))
+    else:
+        print_result(case.title, compared_sections(strips, slices), written=made, piped=WIDTH)

@@ -1,4 +1,4 @@
-"""What ``nonhertz check`` reads and tries."""
+"""``nonhertz check``: all mistakes in a file."""
 
 from __future__ import annotations
 
@@ -8,11 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.amounts import mm
+from nonhertz.cli import BAD_INPUT, FINE
+from nonhertz.cli.options import Changes
 from nonhertz.errors import CaseError, ConvergenceError, InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
+from nonhertz.files.changes import changes_in
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.planfile import DESIGN, Plan, case_or_bearing_in, design_in
+from nonhertz.show.analysis import attempted
+from nonhertz.study.design import checked as checked_design
+from nonhertz.study.points import Points
+from nonhertz.study.quantities import chosen
 
 _UNITS = {
     **dict.fromkeys(("load", "radial", "axial"), "N"),
@@ -23,26 +30,36 @@ _UNITS = {
 }
 
 
-def checked(path: Path, changes: Mapping[str, Any]) -> str:
-    """Read a case file, a bearing file or a plan, try whether it can be solved, and return what it holds in one line.
+def check(file: Path, /, *, changes: Changes = ()) -> int:
+    """List all mistakes in a case file, a bearing file or a plan.
 
-    Raises
-    ------
-    CaseError
-        With every mistake in the file.
+    Parameters
+    ----------
+    file : Path
+        The file.
     """
+    try:
+        said = _held(file, changes_in(changes))
+    except CaseError as error:
+        for number, mistake in enumerate(error.mistakes, start=1):
+            print(f"{number}. {mistake}")
+        return BAD_INPUT
+    print(f"{file} is fine: {said}.")
+    return FINE
+
+
+def _held(path: Path, changes: Mapping[str, Any]) -> str:
+    """Read a case file, a bearing file or a plan, try whether it can be solved, and return what it holds."""
     document, _, text = opened(path, "case", "bearing", "plan")
     if holds_plan(document):
-        return f"{path} is fine: {_plan(document, path, changes)}."
+        return _plan(document, path, changes)
     case = case_or_bearing_in(document, path, text, changes)
-    return f"{path} is fine: {_bearing(case) if isinstance(case, BearingCase) else _contact(case)}."
+    return _bearing(case) if isinstance(case, BearingCase) else _contact(case)
 
 
 def _contact(case: Case) -> str:
-    from nonhertz.cli.solve import solved_or_not
-
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
-    solved_or_not(case)
+    attempted(case)
     low, high = case.contact.interval
     return (
         f"{case.title!r}, bodies face each other from y = {mm(low, high, between=' to '):g}, {_listed(case.prescribed)}"
@@ -59,9 +76,6 @@ def _bearing(case: BearingCase) -> str:
 
 def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> str:
     """Return what a plan holds; its case is read and its values are tried, nothing is solved."""
-    from nonhertz.study.points import Points
-    from nonhertz.study.quantities import chosen
-
     said = []
     for table, what in (("over", "a sweep"), ("tolerance", "a tolerance study")):
         plan = Plan.of(document, path, changes=changes, table=table)
@@ -73,8 +87,6 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
     if DESIGN in document:
-        from nonhertz.study.design import checked as checked_design
-
         case, given = design_in(document, path, changes=changes)
         try:
             checked_design(case, **given)

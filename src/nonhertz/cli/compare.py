@@ -1,49 +1,63 @@
-"""What ``nonhertz compare`` runs, writes and prints."""
+"""``nonhertz compare``: strips beside a plane grid."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
 
 from nonhertz import comparison as methods
-from nonhertz.cli.verify import Progress
-from nonhertz.comparison import Comparison
+from nonhertz import plot
+from nonhertz.cli.options import AsJson, Changes, UnitsRead, refuse_unwritable_out, written
+from nonhertz.cli.printing import Progress, print_result
 from nonhertz.errors import InputError
-from nonhertz.files.casefile import Case, placed
+from nonhertz.files.casefile import placed, read_case
+from nonhertz.files.changes import changes_in
+from nonhertz.files.comparisons import as_json as json_text
+from nonhertz.files.comparisons import files
+from nonhertz.show.comparison import sections
 
 _METHODS = 3
 
 
-def compared(case: Case, cells: tuple[int, int] | None) -> Comparison:
-    """Return the comparison of strips of both elements and the plane grid for a case.
+def compare(
+    case: Path,
+    /,
+    *,
+    changes: Changes = (),
+    out: Path | None = None,
+    cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> None:
+    """Solve a case file with strips of both elements and on a plane grid, and compare them.
 
-    Raises
-    ------
-    CaseError, ConvergenceError
+    The plane grid assumes nothing about how the pressure is distributed across the contact. Where it and the strips
+    differ by more than 1 % is printed. This takes a few seconds.
+
+    Parameters
+    ----------
+    case : Path
+        The case file; its solver.element has no effect, solver.strips applies to both elements.
+    out : Path
+        Directory for comparison.json, comparison.csv and the figure; created if it does not exist.
+    cells : tuple of int
+        Cells of the plane grid, ACROSS and ALONG; 128 512 if left out.
     """
-    progress = Progress(_METHODS)
+    read = read_case(case, changes_in(changes))
+    refuse_unwritable_out(out)
+    given = {name: read.solver[name] for name in ("strips", "accuracy")}
     try:
-        return methods.compare(
-            case.contact,
-            **case.prescribed,
-            strips=case.solver["strips"],
-            accuracy=case.solver["accuracy"],
-            cells=cells,
-            announce=progress.announce,
-        )
+        with Progress(_METHODS) as progress:
+            found = methods.compare(read.contact, **read.prescribed, **given, cells=cells, announce=progress.announce)
     except InputError as error:
         if error.field == "cells":
             raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None
         raise placed(error) from None
-    finally:
-        progress.wipe()
-
-
-def comparison_written(directory: Path, found: Comparison, title: str) -> tuple[Path, ...]:
-    """Write a comparison with its figure, and return the files."""
-    from nonhertz.files.comparisons import files
-    from nonhertz.files.folder import write_files
-    from nonhertz.plot import comparison, save
-
-    return write_files(
-        directory, files(found, title), lambda folder: save(comparison(found, title), folder / "comparison")
-    )
+    title = read.title
+    made = written(out, lambda: files(found, title), lambda: {"comparison": plot.comparison(found, title)})
+    if as_json:
+        print(json_text(found, title))
+    else:
+        print_result(title, sections(found), warnings=found.warnings, written=made)

@@ -1,20 +1,21 @@
-"""What ``nonhertz design`` reads, prints and writes."""
+"""``nonhertz design``: the best profile or dimensions."""
 
 from __future__ import annotations
 
-import contextlib
 import json
 import math
-import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import print_result
-from nonhertz.files.folder import write_files
+from nonhertz.cli.front import as_json as front_json
+from nonhertz.cli.front import front_sections, searched_front, written_front
+from nonhertz.cli.options import AsJson, Changes, UnitsRead, Workers, named_as, written
+from nonhertz.cli.printing import bar, print_result
+from nonhertz.files.changes import changes_in
+from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.inputs.files import legible
@@ -22,48 +23,67 @@ from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Said, Section
 from nonhertz.show.studies import design_sections
 from nonhertz.study.design import Design, best
+from nonhertz.study.pictures import design_figures
 
 
-def designed(plan: Path, changes: Mapping[str, Any], starts: int | None, workers: int | None) -> Design:
-    """Return the design of a plan, whose case has other values by path, with progress on a terminal.
+def design(
+    plan: Path,
+    /,
+    *,
+    changes: Changes = (),
+    starts: int | None = None,
+    front: int | None = None,
+    out: Path | None = None,
+    workers: Workers = None,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> None:
+    """Find the profile or the dimensions with the least largest pressure, or the longest life.
 
-    Raises
-    ------
-    CaseError
-        If the plan has mistakes.
-    InputError
-        If an option is refused, named as on the command line.
+    Parameters
+    ----------
+    plan : Path
+        The plan file, with tables vary and design.
+    starts : int
+        Number of searches, each from another place; by default that of the plan, or 5.
+    front : int
+        In place of a goal, so many points of the Pareto front of the largest pressures under the loads without tilt and
+        under those with tilt.
+    out : Path
+        Directory for case.toml (the case as it is best), profile.csv, design.json and the figures, or of a front for
+        front.csv, front.json, a case file for each point and the figure; by default the file's name with '-design', in
+        the current directory.
     """
-    case, given = read_design(plan, changes)
-    given |= {} if starts is None else {"starts": starts}
-    with _progress() as announce, named_as(threads="--workers", starts="--starts"):
-        return best(case, **given, workers=workers, announce=announce)
+    directory = Path(f"{legible(plan.stem)}-design") if out is None else out
+    refuse_unwritable(directory)
+    if front is not None:
+        points = searched_front(plan, changes_in(changes), front, starts, workers)
+        made = written_front(points, directory)
+        text, title, shown = front_json(points, made), "", front_sections(points)
+    else:
+        case, given = read_design(plan, changes_in(changes))
+        given |= {} if starts is None else {"starts": starts}
+        with bar("searches") as update, named_as(threads="--workers", starts="--starts"):
+            found = best(case, **given, workers=workers, announce=update)
+        made = written(directory, lambda: _texts(found, directory), lambda: design_figures(found))
+        text, title, shown = _as_json(found, made), found.was.title, design_sections(found)
+    if as_json:
+        print(text)
+    else:
+        print_result(title, [*shown, Section("", [Said([f"wrote {path}" for path in made], "paragraphs")])])
 
 
-def directory_for(plan: Path) -> Path:
-    """Return where a design is written if nothing else is said."""
-    return Path(f"{legible(plan.stem)}-design")
-
-
-def written(found: Design, out: Path) -> tuple[Path, ...]:
-    """Write the case as it is best, its profile, all numbers and the figures; return the files."""
-    from nonhertz.plot import save
-    from nonhertz.study.pictures import design_figures
-
-    def draw(folder: Path) -> None:
-        for name, figure in design_figures(found).items():
-            save(figure, folder / name)
-
-    texts = {
+def _texts(found: Design, out: Path) -> dict[str, str]:
+    """Return the case as it is best, its profile and all numbers, by file name."""
+    return {
         "case.toml": as_toml(found.case.document_in(out) | {"title": f"{found.was.title}, designed"}),
         "profile.csv": _profile(found),
-        "design.json": as_json(found, ()) + "\n",
+        "design.json": _as_json(found, ()) + "\n",
     }
-    return write_files(out, texts, draw)
 
 
-def as_json(found: Design, files: Sequence[Path]) -> str:
-    """Return what `print_design` prints as JSON text."""
+def _as_json(found: Design, files: Sequence[Path]) -> str:
+    """Return a design as JSON text."""
     content: dict[str, Any] = {
         "title": found.was.title,
         "goal": found.goal,
@@ -84,11 +104,6 @@ def as_json(found: Design, files: Sequence[Path]) -> str:
     return json.dumps(content, indent=2, allow_nan=False)
 
 
-def print_design(found: Design, files: Sequence[Path]) -> None:
-    """Print the goal before and after, what is best, how flat that is, the searches, and the files."""
-    print_result(found.was.title, [*design_sections(found), Section("", [Said([f"wrote {path}" for path in files])])])
-
-
 def _profile(found: Design) -> str:
     """Return the relief of both bodies together as CSV, as it is best and as it was."""
     rows = np.column_stack(found.relief).tolist()
@@ -98,17 +113,3 @@ def _profile(found: Design) -> str:
 
 def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
-
-
-@contextlib.contextmanager
-def _progress() -> Iterator[Callable[[int, int], object] | None]:
-    """Show how many searches have ended, on a terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("searches", total=None)
-        yield lambda ended, starts: bar.update(task, completed=ended, total=starts)

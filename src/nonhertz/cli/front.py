@@ -1,4 +1,4 @@
-"""What ``nonhertz design --front`` reads, prints and writes."""
+"""What ``nonhertz design --front`` reads, shows and writes."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.amounts import digits, mpa
-from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import Printed, print_written
+from nonhertz.cli.options import named_as, written
 from nonhertz.errors import InputError
-from nonhertz.files.folder import write_files
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.result.tables import csv_text
-from nonhertz.show.sections import Table
+from nonhertz.show.sections import Section, Table
 from nonhertz.study.design import Front, front
 from nonhertz.study.pictures import front_figure
 
 GROUPS = ("without tilt", "with tilt")
 
 
-def searched(plan: Path, changes: Mapping[str, Any], points: int, starts: int | None, workers: int | None) -> Front:
+def searched_front(
+    plan: Path, changes: Mapping[str, Any], points: int, starts: int | None, workers: int | None
+) -> Front:
     """Return the Pareto front of the loads of a plan without tilt and of those with tilt.
 
     ``changes`` are values in place of those in the file of its case, by path.
@@ -52,20 +52,16 @@ def searched(plan: Path, changes: Mapping[str, Any], points: int, starts: int | 
 
 def written_front(found: Front, out: Path) -> tuple[Path, ...]:
     """Write the points as a table, as numbers and as case files, and the figure; return the files."""
-    from nonhertz.plot import save
-
-    def draw(folder: Path) -> None:
-        save(front_figure(found, (f"loads {GROUPS[0]}", f"loads {GROUPS[1]}")), folder / "front")
-
     texts = {"front.csv": _table(found), "front.json": as_json(found, ()) + "\n"}
     for number, case in enumerate(found.cases, start=1):
         title = {"title": f"{case.title}, point {number} of a front"}
         texts[f"case-{number}.toml"] = as_toml(case.document_in(out) | title)
-    return write_files(out, texts, draw)
+    groups = f"loads {GROUPS[0]}", f"loads {GROUPS[1]}"
+    return written(out, lambda: texts, lambda: {"front": front_figure(found, groups)})
 
 
 def as_json(found: Front, files: Sequence[Path]) -> str:
-    """Return what `print_front` prints as JSON text."""
+    """Return the points as JSON text."""
     points = [
         {"values": values, "max_pressure_without_tilt": first, "max_pressure_with_tilt": second}
         for values, first, second in zip(found.values, found.first, found.second, strict=True)
@@ -74,18 +70,16 @@ def as_json(found: Front, files: Sequence[Path]) -> str:
     return json.dumps(content, indent=2, allow_nan=False)
 
 
-def print_front(found: Front, files: Sequence[Path]) -> None:
-    """Print the points and the files."""
+def front_sections(found: Front) -> list[Section]:
+    """Return the points as people are shown them."""
     numbers = _numbers(found)
     pressures = [mpa(*group) for group in (found.first, found.second)]
     unit = pressures[0].scale[1]
     columns = [each.apart()[0] for each in pressures]
     columns += [[f"{digits(each)} {found.units.get(path, '')}".rstrip() for each in of] for path, of in numbers.items()]
     rows = [(str(number), *cells) for number, cells in enumerate(zip(*columns, strict=True), start=1)]
-    printing = Printed()
-    printing.table(Table(rows, ("point", *(f"{unit} {group}" for group in GROUPS), *numbers)))
-    printing.blank()
-    print_written(files)
+    heads = ("point", *(f"{unit} {group}" for group in GROUPS), *numbers)
+    return [Section("", [Table(rows, heads)])]
 
 
 def _numbers(found: Front) -> dict[str, list[float]]:

@@ -1,78 +1,94 @@
-"""What ``nonhertz life`` assesses, writes and prints."""
+"""``nonhertz life``: how long both bodies last."""
 
 from __future__ import annotations
 
 import contextlib
-import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
-from nonhertz.cli import FINE, NOT_CONVERGED
-from nonhertz.cli.printing import print_result
-from nonhertz.cli.solve import spectrum_or_not
-from nonhertz.cli.verify import Progress
-from nonhertz.errors import InputError
-from nonhertz.files.casefile import Case
+from cyclopts import Parameter
+
+from nonhertz.cli.options import AsJson, Changes, UnitsRead, Words, refuse_unwritable_out, written
+from nonhertz.cli.printing import Progress, print_result
+from nonhertz.errors import ConvergenceError, InputError
+from nonhertz.files.casefile import read_case
+from nonhertz.files.changes import changes_in
 from nonhertz.files.held import named
-from nonhertz.files.lives import Assessment
-from nonhertz.files.lives import as_json as as_json_text
+from nonhertz.files.lives import Assessment, files
+from nonhertz.files.lives import as_json as json_text
 from nonhertz.life import MODELS
-from nonhertz.show.analysis import assessed, models_for
+from nonhertz.plot import dent_figure, life_figure
+from nonhertz.show.analysis import assessed, models_for, spectrum_solved
 from nonhertz.show.lives import compared_sections, sections
 from nonhertz.show.sections import Said, Section
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 WIDTH = 120  # of piped output
 
 
-def check_models(names: Iterable[str]) -> None:
-    """Reject unknown model names.
+def life(
+    case: Path,
+    /,
+    *,
+    changes: Changes = (),
+    model: Words = (),
+    compared: Annotated[Path | None, Parameter(name="--compare")] = None,
+    out: Path | None = None,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> None:
+    """Solve a case file and assess how long both bodies last by several fatigue models.
 
-    Raises
-    ------
-    InputError
+    Lives are relative to those of the same bodies under an ideal pressure, Hertz's line pressure with the load spread
+    evenly. This takes a few seconds per load.
+
+    Parameters
+    ----------
+    case : Path
+        The case file; its table life has the number of rollers, model parameters, and a load spectrum.
+    model : tuple of str
+        Names of the models: lundberg-palmgren, ioannides-harris, zaretsky, weibull, iso-16281. By default those in the
+        file, or all of them.
+    compared : Path
+        Another case file to compare with, by the same models: how much longer the first one lasts.
+    out : Path
+        Directory for life.json, tables and the figure; created if it does not exist.
     """
-    for name in names:
+    for name in model:
         if name not in MODELS:
             raise InputError("--model", name, "be a fatigue model", f"choose from {', '.join(MODELS)}")
-
-
-def report_lives(cases: list[Case], names: Sequence[str], out: Path | None, as_json: bool) -> int:
-    """Solve one or two cases, assess their lives, write them if requested, print them; return the exit code."""
-    models, notes = models_for(cases[0], names, cases[1:])
-    progress = Progress(sum(case.life.steps for case in cases))
+    cases = [read_case(case, changes_in(changes))]
+    if compared is not None:
+        with named(compared):
+            cases.append(read_case(compared, changes_in(changes)))
+    refuse_unwritable_out(out)
+    models, notes = models_for(cases[0], model, cases[1:])
     found: list[Assessment] = []
-    try:
-        for case in cases:
-            with named(case.path) if found else contextlib.nullcontext():
-                spectrum, complaint = spectrum_or_not(case)
-                if complaint:
-                    progress.wipe()
-                    print(f"{case.path}: {complaint}" if found else complaint, file=sys.stderr)
-                    return NOT_CONVERGED
-                found.append(assessed(case, spectrum, models, notes, progress.announce))
-    finally:
-        progress.wipe()
-    assessment, other = found[0], found[1] if len(found) > 1 else None
-    written = _lives_written(out, assessment, other) if out is not None else ()
+    with Progress(sum(each.life.steps for each in cases)) as progress:
+        for each in cases:
+            with named(each.path) if found else contextlib.nullcontext():
+                try:
+                    spectrum = spectrum_solved(each)
+                except ConvergenceError as error:
+                    raise ConvergenceError(f"{each.path}: {error}" if found else str(error), error.solution) from None
+                found.append(assessed(each, spectrum, models, notes, progress.announce))
+    first, other = found[0], found[1] if len(found) > 1 else None
+    made = written(out, lambda: files(first, other), lambda: _figures(first, other))
     if as_json:
-        print(as_json_text(assessment, other))
-        return FINE
-    print_result(assessment.title, _shown(assessment, other), written=written, piped=WIDTH)
-    return FINE
+        print(json_text(first, other))
+    else:
+        print_result(first.title, _shown(first, other), written=made, piped=WIDTH)
 
 
-def _lives_written(directory: Path, found: Assessment, other: Assessment | None) -> tuple[Path, ...]:
-    from nonhertz.files.folder import write_files
-    from nonhertz.files.lives import files
-    from nonhertz.plot import dent_figure, life_figure, save
-
-    def draw(folder: Path) -> None:
-        compared = None if other is None else other.lives
-        save(life_figure(found.spectrum, found.lives, found.title, compared), folder / "life-density")
-        if found.dent is not None:
-            save(dent_figure(found.dent, found.judging_dents, found.title), folder / "life-dent")
-
-    return write_files(directory, files(found, other), draw)
+def _figures(found: Assessment, other: Assessment | None) -> Mapping[str, Figure]:
+    beside = None if other is None else other.lives
+    drawn = {"life-density": life_figure(found.spectrum, found.lives, found.title, beside)}
+    if found.dent is not None:
+        drawn["life-dent"] = dent_figure(found.dent, found.judging_dents, found.title)
+    return drawn
 
 
 def _shown(found: Assessment, other: Assessment | None) -> list[Section]:

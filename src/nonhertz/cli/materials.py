@@ -1,4 +1,4 @@
-"""What ``nonhertz materials`` prints."""
+"""``nonhertz materials``: the library."""
 
 from __future__ import annotations
 
@@ -6,36 +6,36 @@ import json
 from itertools import groupby
 
 from nonhertz.amounts import given, mpa
-from nonhertz.cli.printing import Printed
+from nonhertz.cli.options import AsJson, UnitsRead
+from nonhertz.cli.printing import print_result
 from nonhertz.files.materials import as_object
 from nonhertz.model.materials import LIBRARY, Listed, listed_as
-from nonhertz.show.sections import Table
+from nonhertz.show.sections import Said, Section, Table
 
 
-def report_materials(name: str | None, as_json: bool) -> None:
-    """Print the library, or one of its materials with source and note.
+def materials(name: str | None = None, /, *, units: UnitsRead = "si", as_json: AsJson = False) -> None:
+    """List the materials that a case file may name, with what they bear.
 
-    Raises
-    ------
-    InputError
-        If there is none of this name.
+    Parameters
+    ----------
+    name : str
+        One of them, with the source of its numbers and what limits their use; by default all.
     """
     entries = LIBRARY if name is None else (listed_as(name),)
     if as_json:
         print(json.dumps(as_object(entries), indent=2, ensure_ascii=False))
         return
-    printing, (factor, unit) = Printed(), mpa().scale
+    factor, unit = mpa().scale
     rows: list[tuple[str, ...]] = []
     for group, members in groupby(entries, key=lambda each: each.group):
         rows += [(group,), *(_row(each, factor) for each in members)]
     yielding, core, limit = (f"{what} [{unit}]" for what in ("yield", "core", "pressure limit"))
-    printing.table(Table(rows, ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit), (0,)))
-    if name is None:
-        printing.say("Where a number comes from, and what limits its use: nonhertz materials NAME")
-    else:
-        printing.say(
-            *(f"{what}: {words}" for what, words in (("source", entries[0].source), ("note", entries[0].note)) if words)
-        )
+    words = ["Where a number comes from, and what limits its use: nonhertz materials NAME"]
+    if name is not None:
+        told = (("source", entries[0].source), ("note", entries[0].note))
+        words = [f"{what}: {words}" for what, words in told if words]
+    heads = ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit)
+    print_result("", [Section("", [Table(rows, heads, (0,)), Said(words)])])
 
 
 def _row(each: Listed, factor: float) -> tuple[str, ...]:

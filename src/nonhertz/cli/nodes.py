@@ -1,4 +1,4 @@
-"""What ``nonhertz nodes`` writes and prints."""
+"""``nonhertz nodes``: pressures and forces at the nodes of a mesh."""
 
 from __future__ import annotations
 
@@ -7,46 +7,63 @@ from pathlib import Path
 import numpy as np
 
 from nonhertz.amounts import mpa, newton
-from nonhertz.cli.printing import Printed, print_written
+from nonhertz.cli.options import AsJson, Changes, UnitsRead
+from nonhertz.cli.printing import print_result
 from nonhertz.errors import InputError
-from nonhertz.files.folder import write_files
-from nonhertz.files.nodes import Nodes, as_object, as_table
+from nonhertz.files.casefile import read_case
+from nonhertz.files.changes import changes_in
+from nonhertz.files.folder import refuse_unwritable, write_files
+from nonhertz.files.nodes import as_object, as_table, read_nodes
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.files import legible
 from nonhertz.result.nodes import NodalLoads
 from nonhertz.result.solution import Solution
+from nonhertz.show.analysis import solved
+from nonhertz.show.sections import Said, Section
 
 _NOTICED = 1e-6  # of the load
 
 
-def target(out: Path | None, nodes: Path) -> Path:
-    """Return the file to write to.
+def nodes(
+    case: Path,
+    nodes: Path,
+    /,
+    *,
+    changes: Changes = (),
+    out: Path | None = None,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> None:
+    """Solve a case file and find pressures and forces at the nodes of a finite element mesh.
 
-    Raises
-    ------
-    InputError
-        If it is a directory, or the file of the nodes itself.
+    Pressures are those of the contact at each node. Forces add up to the load, whatever the mesh.
+
+    Parameters
+    ----------
+    case : Path
+        The case file.
+    nodes : Path
+        Text in columns, with a head that names x and y, with units: 'node; x [mm]; y [mm]'. Other columns are kept.
+    out : Path
+        The CSV file to write; by default the name of the file of nodes with '-pressure.csv', in the current directory.
     """
     path = Path(f"{legible(nodes.stem)}-pressure.csv") if out is None else out
     if path.suffix.lower() != ".csv" or path.is_dir() or path.resolve() == nodes.resolve():
         raise InputError("--out", str(path), "be a .csv file, and not that of the nodes", "choose another name")
-    return path
-
-
-def report_nodes(solution: Solution, title: str, nodes: Nodes, path: Path, as_json: bool) -> None:
-    """Find pressures and forces at nodes, write and print them."""
-    found = solution.at_nodes(nodes.x, nodes.y)
-    written = write_files(path.parent, {path.name: as_table(nodes, found)})
+    read = read_case(case, changes_in(changes))
+    mesh = read_nodes(nodes)
+    refuse_unwritable(path.parent)
+    solution = solved(read)
+    found = solution.at_nodes(mesh.x, mesh.y)
+    made = write_files(path.parent, {path.name: as_table(mesh, found)})
     if as_json:
-        print(key_by_key(as_object(solution, found, title)))
-        return
-    printing = Printed(title)
-    printing.say(*sentences(solution, found))
-    printing.warn(*solution.warnings)
-    print_written(written)
+        print(key_by_key(as_object(solution, found, read.title)))
+    else:
+        shown = [Section("", [Said(_sentences(solution, found))])]
+        print_result(read.title, shown, warnings=solution.warnings, written=made)
 
 
-def sentences(solution: Solution, found: NodalLoads) -> list[str]:
+def _sentences(solution: Solution, found: NodalLoads) -> list[str]:
     """Return how many nodes are in contact, and how the sums of their pressures and forces relate to the load."""
     touching = int(np.count_nonzero(found.pressure))
     highest = mpa(float(np.max(found.pressure)))

@@ -1,11 +1,51 @@
-"""Arguments of functions that are refused, named as the options that people type."""
+"""Options that several commands have, arguments that are refused under their names, and where results are written."""
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
 
 from nonhertz.errors import InputError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Changes = Annotated[
+    tuple[str, ...],
+    Parameter(
+        name="--set",
+        negative="",
+        show_default=False,
+        allow_leading_hyphen=True,
+        help="A path and a value in place of that in the file, such as load.load=5kN or body.a.profile.drop=12um; or "
+        "several. Without a value, the key is taken out of the file.",
+    ),
+]
+UnitsRead = Annotated[
+    Literal["si", "us"],
+    Parameter(
+        name="--units",
+        help="Units of what is shown: us for in, lbf and ksi. Options, JSON, CSV and other files stay in mm, N, MPa.",
+    ),
+]
+AsJson = Annotated[
+    bool, Parameter(name="--json", negative="", help="Print all numbers as JSON instead of what people read.")
+]
+Excel = Annotated[
+    bool,
+    Parameter(name="--excel", negative="", help="Write the rows as rows.xlsx, too, with the inputs on a second sheet."),
+]
+Workers = Annotated[int | None, Parameter(help="Number of processes; by default one for each core.")]
+Scheduler = Annotated[
+    str | None,
+    Parameter(help="Address of a Dask scheduler whose workers solve the rows, such as tcp://10.0.0.1:8786."),
+]
+Words = Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)]
+Figures = Callable[[], "Mapping[str, Figure]"]
 
 
 @contextlib.contextmanager
@@ -17,3 +57,30 @@ def named_as(**options: str) -> Iterator[None]:
         if error.field not in options:
             raise
         raise InputError(options[error.field], error.value, error.condition, error.remedy) from None
+
+
+def refuse_unwritable_out(out: Path | None) -> None:
+    """Refuse a directory that cannot be written to before the work starts, if one is named."""
+    from nonhertz.files.folder import refuse_unwritable
+
+    if out is not None:
+        refuse_unwritable(out)
+
+
+def written(out: Path | None, texts: Callable[[], Mapping[str, str]], figures: Figures = dict) -> tuple[Path, ...]:
+    """Write texts and figures by their names into a directory, if one is named; return the files."""
+    from nonhertz.files.folder import write_files
+
+    return () if out is None else write_files(out, texts(), drawing(figures))
+
+
+def drawing(figures: Figures) -> Callable[[Path], None]:
+    """Return what draws figures and saves them in a folder."""
+
+    def draw(folder: Path) -> None:
+        from nonhertz.plot import save
+
+        for name, figure in figures().items():
+            save(figure, folder / name)
+
+    return draw

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TypeGuard
+from typing import Self, TypeGuard
 
 from rich.console import Console
 from rich.measure import Measurement
+from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+from rich.progress import Progress as Bar
 from rich.table import Table as Grid
 from rich.text import Text
 
@@ -22,6 +25,7 @@ _TOGETHER, _GLUE = (
     re.compile(r"(?<=\d) (?=[^\W\d])|(?<=MPa|ksi|psi) (?=mm|in)|(?<=\bN) (?=m)|(?<=\bK) (?==)|(?<=K =) "),
     "\ue000",
 )
+Update = Callable[..., None]
 _STYLES = {"head": "bold", "warning": "yellow"}
 
 
@@ -168,3 +172,56 @@ def _least_width(printing: Console, table: Grid) -> int:
 
 def _least(cell: Measurement, whole: bool) -> int:
     return cell.maximum if whole else cell.minimum
+
+
+class Progress:
+    """A progress line on a terminal, wiped before anything else is printed.
+
+    Parameters
+    ----------
+    steps : int or None
+        Total number of steps; None if that is not known.
+    """
+
+    def __init__(self, steps: int | None) -> None:
+        self._steps = steps
+        self._done = 0
+        self._line = ""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.wipe()
+
+    def announce(self, name: str) -> None:
+        """Say which step is next."""
+        self._done += 1
+        self._write(f"{self._done if self._steps is None else f'{self._done}/{self._steps}'} {name} ...")
+
+    def wipe(self) -> None:
+        """Leave an empty line."""
+        self._write("")
+
+    def _write(self, line: str) -> None:
+        if sys.stderr.isatty():
+            print(f"\r{' ' * len(self._line)}\r{line}", end="", file=sys.stderr, flush=True)
+        self._line = line
+
+
+@contextlib.contextmanager
+def bar(what: str) -> Iterator[Update | None]:
+    """Show a bar with the time to go, on a terminal: how many are done, of how many, and how many were there before."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    with Bar(*columns, console=Console(stderr=True), transient=True) as shown:
+        task = shown.add_task(what, total=None)
+
+        def update(done: int, total: int, before: int = 0) -> None:
+            if shown.tasks[0].total is None:
+                shown.reset(task, total=total, completed=before)
+            shown.update(task, completed=done)
+
+        yield update

@@ -1,4 +1,4 @@
-"""What ``nonhertz profile`` makes of a measured file, and what it prints."""
+"""``nonhertz profile``: what a measured file becomes."""
 
 from __future__ import annotations
 
@@ -6,27 +6,114 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+from cyclopts import Parameter
 
 from nonhertz.amounts import mm, of_dimension, um, with_error
-from nonhertz.cli.printing import Printed
+from nonhertz.cli.options import AsJson, UnitsRead, refuse_unwritable_out, written
+from nonhertz.cli.printing import print_result
 from nonhertz.errors import InputError
-from nonhertz.files.folder import write_files
 from nonhertz.files.measured import checked, measured_from, trace_from
+from nonhertz.files.prepared import as_json as json_text
 from nonhertz.files.prepared import files
 from nonhertz.inputs.checks import one_of
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
-from nonhertz.show.sections import Table
+from nonhertz.plot.measured import measured_figure
+from nonhertz.show.sections import Said, Section, Table
 
 BEST = "best"
+_FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 _NO, _YES = frozenset({"no", "false", "none"}), frozenset({"yes", "true"})
 # Options whose values are always text, whatever they look like.
 _WORDS = frozenset({"position_unit", "height_unit", "sense"})
 
 
-def options(**words: str | bool | None) -> dict[str, Any]:
+def profile(
+    file: Path,
+    /,
+    *,
+    position_unit: str | None = None,
+    height_unit: str | None = None,
+    position_column: str | None = None,
+    height_column: str | None = None,
+    sense: str | None = None,
+    level: Annotated[bool | None, Parameter(show_default=False)] = None,
+    align: str | None = None,
+    trim: str | None = None,
+    corner: str | None = None,
+    outliers: str | None = None,
+    smooth: str | None = None,
+    cutoff: str | None = None,
+    slope: str | None = None,
+    points: str | None = None,
+    fit: str | None = None,
+    out: Path | None = None,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> None:
+    """Prepare a measured profile step by step, and say what each step did.
+
+    Parameters
+    ----------
+    file : Path
+        The measuring machine's file: text in columns, a MarWin text export, .smd, .prf or .x3p.
+    position_unit : str
+        Unit of the positions in a text file; by default what the file states, or mm.
+    height_unit : str
+        Unit of the heights in a text file, such as um; by default what the file states, or mm.
+    position_column : str
+        Column of the positions, by number from 1 or by name.
+    height_column : str
+        Column of the heights.
+    sense : str
+        height (positive where there is material) or drop (positive where material is removed).
+    level : bool
+        Remove the tilt at which the body lay in the machine; --no-level keeps it.
+    align : str
+        How to find the middle of the body: ends, symmetry or no.
+    trim : str
+        What is kept: auto for the land and its corners, a length, or no for all.
+    corner : str
+        keep the corners that the trace holds, or cut them off.
+    outliers : str
+        Robust standard deviations beyond which points are removed, 5 by default, or no.
+    smooth : str
+        Filter: gaussian, spline or no.
+    cutoff : str
+        Wavelength at which the filter transmits 50 %; by default 0.8 mm, or a fifth of a shorter land.
+    slope : str
+        Slope at which a chamfer begins, 0.05 by default.
+    points : str
+        How many points to keep: auto, a number, or no for all.
+    fit : str
+        A kind of profile to fit, such as crown, or best to compare all.
+    out : Path
+        Directory for profile.csv, profile.json, profile.toml and the figure; created if it does not exist.
+    """
+    refuse_unwritable_out(out)
+    values = _options(
+        position_unit=position_unit, height_unit=height_unit, position_column=position_column,
+        height_column=height_column, sense=sense, level=level, align=align, trim=trim, corner=corner,
+        outliers=outliers, smooth=smooth, cutoff=cutoff, slope=slope, points=points,
+    )  # fmt: skip
+    measured = _prepared(file, values)
+    fits, name = _fitted(measured, fit), measured.trace.name
+    made = written(
+        out,
+        lambda: files(out or Path(), file, values, measured, fits),
+        lambda: {"profile-steps": measured_figure(measured, name, fits[0] if fits else None)},
+    )
+    if as_json:
+        print(json_text(measured, fits))
+        return
+    blocks = [Said(measured.trace.notes), Table(_profile_rows(measured)), Table(_fit_rows(fits), _FITTED, (0, 1))]
+    print_result(name, [Section("", blocks)], warnings=measured.warnings, written=made)
+
+
+def _options(**words: str | bool | None) -> dict[str, Any]:
     """Return the values of command-line options by case-file key; None is left out.
 
     Text that looks like a number becomes one, "no" is false, and lengths are text with a unit or a number in mm.
@@ -43,11 +130,11 @@ def options(**words: str | bool | None) -> dict[str, Any]:
         try:
             values[name] = checked(name, _meant(name, word))
         except InputError as error:
-            raise option_named(error) from None
+            raise _option_named(error) from None
     return values
 
 
-def option_named(error: InputError) -> InputError:
+def _option_named(error: InputError) -> InputError:
     """Return the same error with the option named as on the command line."""
     if error.field == "file":
         remedy = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", error.remedy)
@@ -55,7 +142,7 @@ def option_named(error: InputError) -> InputError:
     return InputError("--" + error.field.replace("_", "-"), error.value, error.condition, error.remedy)
 
 
-def prepared(file: Path, values: Mapping[str, Any]) -> Measured:
+def _prepared(file: Path, values: Mapping[str, Any]) -> Measured:
     """Return the profile in a file after all steps.
 
     Raises
@@ -67,11 +154,11 @@ def prepared(file: Path, values: Mapping[str, Any]) -> Measured:
         measured = measured_from(trace_from(file, values), values)
         _ = measured.states
     except InputError as error:
-        raise option_named(error) from None
+        raise _option_named(error) from None
     return measured
 
 
-def fitted(measured: Measured, kind: str | None) -> tuple[Fit, ...]:
+def _fitted(measured: Measured, kind: str | None) -> tuple[Fit, ...]:
     """Return the requested fits: of one kind, of all kinds for "best", or none.
 
     Raises
@@ -85,37 +172,7 @@ def fitted(measured: Measured, kind: str | None) -> tuple[Fit, ...]:
     return measured.fit_best() if kind == BEST else (measured.fit(kind),)
 
 
-def written(
-    directory: Path, file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit]
-) -> tuple[Path, ...]:
-    """Write all that `print_profile` prints, with a figure, and return the files.
-
-    Raises
-    ------
-    InputError
-        If the directory cannot be written to.
-    """
-    from nonhertz.plot import save
-    from nonhertz.plot.measured import measured_figure
-
-    def draw(folder: Path) -> None:
-        figure = measured_figure(measured, measured.trace.name, fits[0] if fits else None)
-        save(figure, folder / "profile-steps")
-
-    return write_files(directory, files(directory, file, values, measured, fits), draw)
-
-
-def print_profile(measured: Measured, fits: Sequence[Fit]) -> None:
-    """Print the steps, the roughness, the fits and warnings."""
-    printing = Printed(measured.trace.name)
-    printing.say(*measured.trace.notes)
-    printing.table(Table(profile_rows(measured)))
-    heads = ("fit", "parameters and standard errors", "rms", "largest", "behind")
-    printing.table(Table(fit_rows(fits), heads, (0, 1)))
-    printing.warn(*measured.warnings)
-
-
-def profile_rows(measured: Measured) -> list[tuple[str, str]]:
+def _profile_rows(measured: Measured) -> list[tuple[str, str]]:
     """Return name and sentence of every step, the resulting relief, and the roughness."""
     found = measured.roughness
     low, high, most = found.main_band
@@ -138,7 +195,7 @@ def _relief(measured: Measured) -> str:
     return f"{words}, where the land ends; {ends}, where the profile ends."
 
 
-def fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
+def _fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
     """Return kind, parameters with their standard errors, and residuals of each fit, best first."""
     return [
         (

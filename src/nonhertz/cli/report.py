@@ -1,17 +1,22 @@
-"""What ``nonhertz report`` reads, composes and writes."""
+"""``nonhertz report``: one HTML file for all who lack the program."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
-from nonhertz.cli.options import named_as
-from nonhertz.cli.verify import Progress
+from cyclopts import Parameter
+
+from nonhertz.cli import FINE, NOT_CONVERGED
+from nonhertz.cli.options import Changes, UnitsRead, named_as
+from nonhertz.cli.printing import Progress, print_written
 from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.folder import write_files
+from nonhertz.files.changes import changes_in
+from nonhertz.files.folder import refuse_unwritable, write_files
 from nonhertz.files.held import named
 from nonhertz.files.planfile import read_any
 from nonhertz.files.title_block import TitleBlock
@@ -22,100 +27,102 @@ _REMEDY = "give the name of a file such as report.html"
 _NEAR = 2000  # characters at the beginning of a report, which include its mark
 
 
-def read_cases(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case | BearingCase]:
-    """Return the cases in files, or the bearings in bearing files, with other values by path.
+def report(
+    *cases: Path,
+    changes: Changes = (),
+    out: Path | None = None,
+    life: bool | None = None,
+    stress: bool = True,
+    compare: Annotated[bool, Parameter(negative="")] = False,
+    project: str = "",
+    author: str = "",
+    date: str = "",
+    units: UnitsRead = "si",
+) -> int:
+    """Solve case files or bearing files and write one HTML report that anyone can open in a browser.
+
+    It contains inputs, assumptions and whether they hold, results, figures, references and the files themselves, and
+    loads nothing from elsewhere. Several cases, or several bearings, are compared with the first.
+
+    Parameters
+    ----------
+    cases : tuple of Path
+        The case files, or the bearing files, at least one.
+    out : Path
+        The file to write; an older report is overwritten, any other file is not. By default the first case file's name
+        with '-report.html', in the current directory.
+    life : bool
+        Whether to assess lives, which takes a few seconds per load; by default only for cases with a table life.
+        Bearings are rated in any case but --no-life.
+    stress : bool
+        Search for the largest stresses below the surface, of case files.
+    compare : bool
+        Set strips beside the slices of ISO/TS 16281, of bearing files.
+    project : str
+        Project in the head of the report; like the options below, it takes precedence over the first file's table
+        report.
+    author : str
+        Author in the head of the report.
+    date : str
+        Date in the head of the report.
+    """
+    if not cases:
+        raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
+    with named_as(project="--project", author="--author", date="--date"):
+        block = TitleBlock(project=project, author=author, date=date)
+    path = _target(out, cases)
+    read = _read(cases, changes_in(changes))
+    with named_as(cases="CASE"):
+        first = of_one_kind(read)[0]
+    if compare and isinstance(first, Case):
+        remedy = f"use 'nonhertz compare {first.path}' for strips beside the plane grid"
+        raise InputError("--compare", str(first.path), "be used with bearing files", remedy)
+    refuse_unwritable(path.parent)
+    found = settled(read)
+    with Progress(steps(found, life=life, stress=stress) + 1) as progress:
+        found = examined(found, life=life, stress=stress, compare=compare, announce=progress.announce)
+        progress.announce("figures")
+        text = rendered(found, block)
+    print_written(write_files(path.parent, {path.name: text}))
+    sys.stdout.flush()
+    failed = [each for each in found if each.complaint]
+    for each in failed:
+        print(f"{each.label}: {each.complaint}", file=sys.stderr)
+    return NOT_CONVERGED if failed else FINE
+
+
+def _read(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case | BearingCase]:
+    """Return what is in files, without issuing warnings, which the report shows.
 
     Raises
     ------
     CaseError
         With every mistake in all of them; with several files each is prefixed by its path.
     """
-    if len(paths) == 1:
-        return [_silently(paths[0], changes)]
-    cases: list[Case | BearingCase] = []
-    mistakes: list[str] = []
-    for path in paths:
-        try:
-            with named(path):
-                cases.append(_silently(path, changes))
-        except CaseError as error:
-            mistakes += error.mistakes
+    with without_accuracy_warnings():
+        if len(paths) == 1:
+            return [read_any(paths[0], changes)]
+        cases: list[Case | BearingCase] = []
+        mistakes: list[str] = []
+        for path in paths:
+            try:
+                with named(path):
+                    cases.append(read_any(path, changes))
+            except CaseError as error:
+                mistakes += error.mistakes
     if mistakes:
         raise CaseError(mistakes)
     return cases
 
 
-def _silently(path: Path, changes: Mapping[str, Any]) -> Case | BearingCase:
-    """Return a case or a bearing without issuing warnings; the report shows them."""
-    with without_accuracy_warnings():
-        return read_any(path, changes)
-
-
-def target(out: Path | None, cases: Sequence[Path]) -> Path:
-    """Return the file to write to, which must be new or an older report.
-
-    Raises
-    ------
-    InputError
-        If something else already exists there.
-    """
+def _target(out: Path | None, cases: Sequence[Path]) -> Path:
+    """Return the file to write to, which must be new or an older report."""
     path = Path(f"{cases[0].stem}-report.html") if out is None else out
     if path.is_dir():
         raise InputError("--out", str(path), "be a file, not a directory", _REMEDY)
     if path.exists() and not _is_report(path):
         raise InputError("--out", str(path), "be a new file or an older nonhertz report", "choose another name")
     return path
-
-
-def title_block(**lines: str) -> TitleBlock:
-    """Return what the options say of the head of a report.
-
-    Raises
-    ------
-    InputError
-        If a text is too long.
-    """
-    try:
-        return TitleBlock(**lines)
-    except InputError as error:
-        raise InputError(f"--{error.field}", error.value, error.condition, error.remedy) from None
-
-
-def composed(
-    cases: Sequence[Case | BearingCase], life: bool | None, stress: bool, compare: bool, block: TitleBlock
-) -> tuple[str, list[str]]:
-    """Return the report on cases or bearings as text, and a line for each that was not solved.
-
-    Raises
-    ------
-    InputError
-        If there are cases of both kinds, or strips and slices are to be compared where there is no bearing.
-    """
-    with named_as(cases="CASE"):
-        first = of_one_kind(cases)[0]
-    if compare and isinstance(first, Case):
-        remedy = f"use 'nonhertz compare {first.path}' for strips beside the plane grid"
-        raise InputError("--compare", str(first.path), "be used with bearing files", remedy)
-    found = settled(cases)
-    progress = Progress(steps(found, life=life, stress=stress) + 1)
-    try:
-        found = examined(found, life=life, stress=stress, compare=compare, announce=progress.announce)
-        progress.announce("figures")
-        text = rendered(found, block)
-    finally:
-        progress.wipe()
-    return text, [f"{each.label}: {each.complaint}" for each in found if each.complaint]
-
-
-def write(path: Path, text: str) -> None:
-    """Write a report atomically.
-
-    Raises
-    ------
-    InputError
-        If its directory cannot be written to.
-    """
-    write_files(path.parent, {path.name: text})
 
 
 def _is_report(path: Path) -> bool:

@@ -1,12 +1,47 @@
-"""What the page of ``nonhertz serve`` starts with."""
+"""``nonhertz serve``: the page."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.held import meant_as, opened, parsed
+from nonhertz.web.form.inlining import inlined
+from nonhertz.web.limits import refuse, too_slow, unfit
+from nonhertz.web.server.serving import serve as serve_page
+
+
+def serve(
+    case: Path | None = None,
+    /,
+    *,
+    port: int = 8765,
+    browser: bool = True,
+) -> None:
+    """Open a page in the browser on which to change a case or a bearing and see it solved as you type.
+
+    The page is served to this machine only, and no data leave it. Ctrl-C stops it.
+
+    Parameters
+    ----------
+    case : Path
+        The case file or bearing file to start with; by default the case that 'nonhertz new' writes. The page reads no
+        files: a profile from a file starts with its points.
+    port : int
+        Port on which the page is served; 0 for any free port.
+    browser : bool
+        Whether to open the page in a browser.
+    """
+    start = starting_document(case)
+    for note in start.notes:
+        print(note)
+
+    def announce(address: str) -> None:
+        print(f"The page is at {address} until you press Ctrl-C here.", flush=True)
+
+    serve_page(start.document, port, browser=browser, announce=announce, text=start.text)
 
 
 class Start(NamedTuple):
@@ -43,10 +78,6 @@ def starting_document(path: Path | None) -> Start:
     if path is None:
         text = starting_case()
         return Start(parsed(text, "case.toml"), (), text)
-    from nonhertz.files.bearingfile import BearingCase
-    from nonhertz.web.form.inlining import inlined
-    from nonhertz.web.limits import refuse, too_slow, unfit
-
     document, _, text = opened(path, "case", "bearing")
     title = (BearingCase if meant_as(document) == "bearing" else Case).of(document, path).title
     changed, notes = inlined(document, path.parent)

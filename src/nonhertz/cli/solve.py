@@ -1,4 +1,4 @@
-"""Solving cases for a command, and printing and writing the results."""
+"""``nonhertz solve``: one case, or several."""
 
 from __future__ import annotations
 
@@ -6,91 +6,87 @@ import json
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
-from nonhertz.errors import CaseError, ConvergenceError
-
-if TYPE_CHECKING:
-    from nonhertz.files.casefile import Case
-    from nonhertz.files.several import Attempt
-    from nonhertz.result.solution import Solution
-    from nonhertz.show.analysis import Spectrum
+from nonhertz.cli.options import AsJson, Changes, UnitsRead, refuse_unwritable_out, written
+from nonhertz.cli.printing import Printed, print_result, print_written
+from nonhertz.errors import CaseError
+from nonhertz.files.casefile import Case, read_case
+from nonhertz.files.changes import changes_in
+from nonhertz.files.folder import write_files
+from nonhertz.files.results import as_json as json_text
+from nonhertz.files.results import files
+from nonhertz.files.several import HEAD, Attempt, folders, objects, rows
+from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer, write_workbook
+from nonhertz.plot import figures
+from nonhertz.result.solution import Solution
+from nonhertz.result.tables import csv_text
+from nonhertz.show.analysis import attempted
+from nonhertz.show.summary import overview_table, sections
+from nonhertz.verdict import of_contact
 
 TABLE = "cases.csv"
 TABLES = (".csv", ".xlsx")
+WIDTH = 120  # of piped output
+_TITLE = 30  # columns at least for a title, which may be broken
 
 
-def solved_or_not(case: Case) -> tuple[Solution, str]:
-    """Return the solution and, if it has not converged, a message about that."""
-    from nonhertz.show.analysis import attempted
+def solve(
+    case: Path,
+    /,
+    *more: Path,
+    changes: Changes = (),
+    out: Path | None = None,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> int:
+    """Solve case files and print a summary, or a table of several.
 
-    return attempted(case)
-
-
-def spectrum_or_not(case: Case) -> tuple[Spectrum, str]:
-    """Return the solutions for all loads with their shares, or a message why there are none."""
-    from nonhertz.show.analysis import spectrum_solved
-
-    try:
-        return spectrum_solved(case), ""
-    except ConvergenceError as error:
-        return (), str(error)
-
-
-def results_written(directory: Path, solution: Solution, case: Case) -> tuple[Path, ...]:
-    """Write a solution with its figures, and return the files."""
-    from nonhertz.files.folder import write_files
-    from nonhertz.files.results import files
-    from nonhertz.plot import figures, save
-
-    def draw(folder: Path) -> None:
-        for name, figure in figures(solution, case.title).items():
-            save(figure, folder / name)
-
-    return write_files(directory, files(solution, case), draw)
-
-
-def report_one(path: Path, changes: Mapping[str, Any], out: Path | None, as_json: bool) -> int:
-    """Solve a case, write and print the result; return the exit code."""
-    from nonhertz.files.casefile import read_case
-    from nonhertz.files.results import as_json as json_text
-
-    case = read_case(path, changes)
-    solution, complaint = solved_or_not(case)
-    written = results_written(out, solution, case) if out is not None else ()
+    Parameters
+    ----------
+    case : Path
+        The case file; see 'nonhertz new'.
+    more : tuple of Path
+        More case files. One that fails does not stop the others.
+    out : Path
+        Directory for result.json, table.csv and the figures; created if it does not exist. Of several cases each has a
+        folder in it, beside the table of all, cases.csv. A file .xlsx or .csv for the table alone.
+    """
+    if more or (out is not None and _is_table(out)):
+        return _solve_several((case, *more), changes_in(changes), out, as_json)
+    read = read_case(case, changes_in(changes))
+    solution, complaint = attempted(read)
+    made = _written(out, solution, read)
     if as_json:
-        print(json_text(solution, case))
+        print(json_text(solution, read))
     else:
-        from nonhertz.cli.summary import print_summary
-
-        print_summary(solution, case.title, written)
+        warnings = solution.warnings
+        verdict = of_contact(solution)
+        print_result(read.title, sections(solution), verdict=verdict, warnings=warnings, written=made, piped=None)
     if complaint:
         sys.stdout.flush()
         print(complaint, file=sys.stderr)
     return NOT_CONVERGED if complaint else FINE
 
 
-def report_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None, as_json: bool) -> int:
+def _solve_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None, as_json: bool) -> int:
     """Solve cases one by one, write and print all results; return the exit code, the worst of all."""
-    from nonhertz.files.folder import refuse_unwritable
-    from nonhertz.files.several import objects
-    from nonhertz.files.workbooks import refuse_missing_writer
-
-    if out is not None:
-        refuse_unwritable(out.parent if is_table(out) else out)
-        if is_workbook(out):
-            refuse_missing_writer()
-    found = [attempt(path, changes) for path in paths]
-    written = _several_written(out, found) if out is not None else ()
+    workbook = out is not None and _is_table(out) and out.suffix.lower() == ".xlsx"
+    refuse_unwritable_out(out.parent if out is not None and _is_table(out) else out)
+    if workbook:
+        refuse_missing_writer()
+    found = [_attempt(path, changes) for path in paths]
+    made = () if out is None else _several_written(out, found, workbook)
     if as_json:
         print(json.dumps(objects(found), allow_nan=False))
     else:
-        from nonhertz.cli.printing import print_written
-        from nonhertz.cli.summary import print_overview
-
-        print_overview(found)
-        print_written(written)
+        printing = Printed(piped=WIDTH)
+        printing.table(overview_table(found), room=_TITLE)
+        for each in found:
+            if each.solution is not None:
+                printing.warn(*(f"{each.name}: {warning}" for warning in each.solution.warnings))
+        print_written(made)
     sys.stdout.flush()
     for each in found:
         for sentence in each.complaints:
@@ -100,45 +96,37 @@ def report_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
     return NOT_CONVERGED if any(each.complaints for each in found) else FINE
 
 
-def is_table(out: Path) -> bool:
+def _is_table(out: Path) -> bool:
     """Return whether ``--out`` is a file for the table of cases, rather than a directory."""
     return out.suffix.lower() in TABLES and not out.is_dir()
 
 
-def is_workbook(out: Path) -> bool:
-    """Return whether ``--out`` is a workbook."""
-    return is_table(out) and out.suffix.lower() == ".xlsx"
-
-
-def attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
+def _attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
     """Return a case that was solved, or why it was not."""
-    from nonhertz.files.casefile import read_case
-    from nonhertz.files.several import Attempt
-
     case = None
     try:
         case = read_case(path, changes)
-        solution, complaint = solved_or_not(case)
+        solution, complaint = attempted(case)
     except CaseError as error:
         return Attempt(path, case, complaints=tuple(error.mistakes))
     return Attempt(path, case, solution, (complaint,) if complaint else ())
 
 
-def _several_written(directory: Path, found: Sequence[Attempt]) -> tuple[Path, ...]:
-    """Write each result into a folder of its own, and the table of all, or the table alone; return the files."""
-    from nonhertz.files.folder import write_files
-    from nonhertz.files.several import HEAD, folders, rows
-    from nonhertz.files.workbooks import INPUTS, inputs_table, write_workbook
-    from nonhertz.result.tables import csv_text
+def _written(directory: Path | None, solution: Solution, case: Case) -> tuple[Path, ...]:
+    return written(directory, lambda: files(solution, case), lambda: figures(solution, case.title))
 
-    if is_workbook(directory):
+
+def _several_written(out: Path, found: Sequence[Attempt], workbook: bool) -> tuple[Path, ...]:
+    """Write each result into a folder of its own, and the table of all, or the table alone; return the files."""
+    if workbook:
         inputs = ((each.name, each.case.document) for each in found if each.case is not None)
         sheets = {"cases": (HEAD, rows(found)), INPUTS: inputs_table(inputs)}
-        return write_files(directory.parent, {}, lambda folder: write_workbook(folder / directory.name, sheets))
-    if is_table(directory):
-        return write_files(directory.parent, {directory.name: csv_text(HEAD, rows(found))})
-    written: list[Path] = []
+        return write_files(out.parent, {}, lambda folder: write_workbook(folder / out.name, sheets))
+    table = csv_text(HEAD, rows(found))
+    if _is_table(out):
+        return write_files(out.parent, {out.name: table})
+    made: list[Path] = []
     for each, name in zip(found, folders(found), strict=True):
         if each.solution is not None and each.case is not None:
-            written += results_written(directory / name, each.solution, each.case)
-    return (*written, *write_files(directory, {TABLE: csv_text(HEAD, rows(found))}))
+            made += _written(out / name, each.solution, each.case)
+    return (*made, *write_files(out, {TABLE: table}))

@@ -1,22 +1,68 @@
-"""What ``nonhertz sweep`` reads, solves, prints and writes."""
+"""``nonhertz sweep``: many values of what a file holds."""
 
 from __future__ import annotations
 
-import contextlib
 import json
-import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import print_result
+from nonhertz.cli.options import AsJson, Changes, Excel, Scheduler, UnitsRead, Words, Workers, drawing, named_as
+from nonhertz.cli.printing import Update, bar, print_result
 from nonhertz.errors import InputError
+from nonhertz.files.changes import changes_in
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.planfile import Plan, case_or_bearing_in
+from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.inputs.files import legible
 from nonhertz.show.studies import sweep_sections
+from nonhertz.study.pictures import sweep_figures
 from nonhertz.study.sweeps import Progress, Sweep, sweep
+
+
+def sweep_plan(
+    plan: Path,
+    /,
+    *,
+    changes: Changes = (),
+    over: Words = (),
+    quantities: Words = (),
+    out: Path | None = None,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
+    excel: Excel = False,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> None:
+    """Solve a case or a bearing for many values of what its file holds.
+
+    Rows are kept as they are solved. A sweep that was stopped, however it was, goes on when the same command is given
+    again. A row that fails holds the sentence that says why, and does not stop the others.
+
+    Parameters
+    ----------
+    plan : Path
+        The plan file; or a case file or a bearing file, with --over.
+    over : tuple of str
+        A path of the file and what it runs over, such as load.load=5kN:40kN:8 for eight values, load.tilt=0,0.5mrad for
+        two, or 'body.b.diameter=normal(80mm,5um)' for samples; may be given several times.
+    quantities : tuple of str
+        Names of the numbers of a row, such as max_pressure life; by default the usual ones.
+    out : Path
+        Directory for the rows, rows.csv, rows.parquet (where polars is installed) and the figures; by default the
+        file's name with '-sweep', in the current directory.
+    """
+    if excel:
+        refuse_missing_writer()
+    asked = planned(plan, over, quantities, "over", changes_in(changes))
+    directory = directory_for(plan, "sweep") if out is None else out
+    with bar("rows") as update, named_as(threads="--workers", over="--over"):
+        found = sweep(asked, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))
+    made = found.write(directory, drawing(lambda: sweep_figures(found)), excel=excel)
+    if as_json:
+        print(_as_json(found, made))
+    else:
+        print_result(found.plan.title, sweep_sections(found), written=made)
 
 
 def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]) -> Plan:
@@ -51,32 +97,13 @@ def directory_for(file: Path, study: str) -> Path:
     return Path(f"{legible(file.stem)}-{study}")
 
 
-def swept(plan: Plan, out: Path, workers: int | None, scheduler: str | None) -> Sweep:
-    """Return the sweep of a plan, with progress on a terminal.
-
-    Raises
-    ------
-    InputError
-        If an option is refused, named as on the command line.
-    """
-    with progress() as announce, named_as(threads="--workers", over="--over"):
-        return sweep(plan, out=out, workers=workers, scheduler=scheduler, announce=announce)
+def of_rows(update: Update | None) -> Callable[[Progress], object] | None:
+    """Return what shows how many rows are done; what was there before took no time."""
+    return update and (lambda come: update(come.done, come.total, come.found))
 
 
-def written(found: Sweep, out: Path, excel: bool) -> tuple[Path, ...]:
-    """Write the rows and the figures, and return the files."""
-    from nonhertz.plot import save
-    from nonhertz.study.pictures import sweep_figures
-
-    def draw(folder: Path) -> None:
-        for name, figure in sweep_figures(found).items():
-            save(figure, folder / name)
-
-    return found.write(out, draw, excel=excel)
-
-
-def as_json(found: Sweep, files: Sequence[Path]) -> str:
-    """Return what `print_sweep` prints as JSON text."""
+def _as_json(found: Sweep, files: Sequence[Path]) -> str:
+    """Return a sweep as JSON text."""
     ends = {quantity.name: found.extremes(quantity.name) for quantity in found.quantities}
     content: dict[str, Any] = {
         "title": found.plan.title,
@@ -92,37 +119,9 @@ def as_json(found: Sweep, files: Sequence[Path]) -> str:
     return json.dumps(content, indent=2)
 
 
-def print_sweep(found: Sweep, files: Sequence[Path]) -> None:
-    """Print what was varied, between which numbers the results lie, why rows failed, and the files."""
-    print_result(found.plan.title, sweep_sections(found), written=files)
-
-
 def _path_and_values(word: str) -> tuple[str, str]:
     path, equals, values = word.partition("=")
     if not equals or not path.strip():
         remedy = "write path and values, such as --over load.load=5kN:40kN:8"
         raise InputError("", word, "have an equals sign between path and values", remedy)
     return path.strip(), values.strip()
-
-
-@contextlib.contextmanager
-def progress() -> Iterator[Callable[[Progress], object] | None]:
-    """Show a bar with the time to go, on a terminal."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
-    from rich.progress import Progress as Bar
-
-    columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
-    with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("rows", total=None)
-
-        def announce(come: Progress) -> None:
-            if bar.tasks[0].total is None:
-                # What was there before took no time.
-                bar.reset(task, total=come.total, completed=come.found)
-            bar.update(task, completed=come.done)
-
-        yield announce

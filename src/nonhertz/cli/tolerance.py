@@ -1,4 +1,4 @@
-"""What ``nonhertz tolerance`` prints and writes."""
+"""``nonhertz tolerance``: how results are distributed."""
 
 from __future__ import annotations
 
@@ -8,45 +8,77 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from nonhertz.cli.options import named_as
-from nonhertz.cli.printing import print_result
-from nonhertz.cli.sweep import progress
-from nonhertz.files.planfile import Plan
+from nonhertz.cli.options import AsJson, Changes, Excel, Scheduler, UnitsRead, Words, Workers, drawing, named_as
+from nonhertz.cli.printing import bar, print_result
+from nonhertz.cli.sweep import directory_for, of_rows, planned
+from nonhertz.files.changes import changes_in
+from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import tolerance_sections
+from nonhertz.study.pictures import tolerance_figures
 from nonhertz.study.tolerances import Tolerance, tolerance
 
 
-def studied(
-    plan: Plan, samples: int | None, seed: int | None, out: Path, workers: int | None, scheduler: str | None
-) -> Tolerance:
-    """Return the study of a plan, with progress on a terminal.
+def study_tolerance(
+    plan: Path,
+    /,
+    *,
+    changes: Changes = (),
+    over: Words = (),
+    quantities: Words = (),
+    samples: int | None = None,
+    seed: int | None = None,
+    out: Path | None = None,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
+    excel: Excel = False,
+    units: UnitsRead = "si",
+    as_json: AsJson = False,
+) -> None:
+    """Find how results are distributed when dimensions and loads are, and which tolerance matters.
 
-    Raises
-    ------
-    InputError
-        If an option is refused, named as on the command line.
+    Rows are kept as those of 'nonhertz sweep' are, and the same command goes on where it was stopped.
+
+    Parameters
+    ----------
+    plan : Path
+        The plan file, with a table tolerance; or a case file or a bearing file, with --over.
+    over : tuple of str
+        A path of the file and its distribution, such as 'body.b.diameter=normal(nominal,5um)'; may be given several
+        times.
+    quantities : tuple of str
+        Names of the numbers that matter, such as max_pressure life; by default the usual ones.
+    samples : int
+        How many rows at most, 10000 if neither this nor the plan says it.
+    seed : int
+        The same seed draws the same samples; 0 if neither this nor the plan says it.
+    out : Path
+        Directory for the rows, rows.csv, rows.parquet (where polars is installed), tolerance.json and the figures; by
+        default the file's name with '-tolerance', in the current directory.
     """
-    with progress() as announce, named_as(threads="--workers", count="--samples", seed="--seed", over="--over"):
-        return tolerance(
-            plan, samples=samples, seed=seed, out=out, workers=workers, scheduler=scheduler, announce=announce
-        )
-
-
-def written(found: Tolerance, out: Path, excel: bool) -> tuple[Path, ...]:
-    """Write the rows, quantiles and indices, and the figures; return the files."""
-    from nonhertz.plot import save
-    from nonhertz.study.pictures import tolerance_figures
+    if excel:
+        refuse_missing_writer()
+    asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
+    directory = directory_for(plan, "tolerance") if out is None else out
+    options = {"threads": "--workers", "count": "--samples", "seed": "--seed", "over": "--over"}
+    with bar("rows") as update, named_as(**options):
+        found = tolerance(
+            asked, samples=samples, seed=seed, out=directory, workers=workers, scheduler=scheduler,
+            announce=of_rows(update),
+        )  # fmt: skip
 
     def draw(folder: Path) -> None:
-        (folder / "tolerance.json").write_text(as_json(found, ()) + "\n", encoding="utf-8")
-        for name, figure in tolerance_figures(found).items():
-            save(figure, folder / name)
+        (folder / "tolerance.json").write_text(_as_json(found, ()) + "\n", encoding="utf-8")
+        drawing(lambda: tolerance_figures(found))(folder)
 
-    return found.sweep.write(out, draw, excel=excel)
+    made = found.sweep.write(directory, draw, excel=excel)
+    if as_json:
+        print(_as_json(found, made))
+    else:
+        print_result(found.sweep.plan.title, tolerance_sections(found), written=made)
 
 
-def as_json(found: Tolerance, files: Sequence[Path]) -> str:
-    """Return what `print_tolerance` prints as JSON text."""
+def _as_json(found: Tolerance, files: Sequence[Path]) -> str:
+    """Return a study as JSON text."""
     sweep = found.sweep
     content: dict[str, Any] = {
         "title": sweep.plan.title,
@@ -65,11 +97,6 @@ def as_json(found: Tolerance, files: Sequence[Path]) -> str:
         "units": {name: sweep.unit(name) for name in (*sweep.paths, *(each.name for each in sweep.quantities))},
     }
     return json.dumps(content, indent=2, allow_nan=False)
-
-
-def print_tolerance(found: Tolerance, files: Sequence[Path]) -> None:
-    """Print what is distributed, quantiles, what matters, why rows failed, and the files."""
-    print_result(found.sweep.plan.title, tolerance_sections(found), written=files)
 
 
 def _finite(numbers: dict[str, float]) -> dict[str, float | None]:

@@ -1,22 +1,64 @@
-"""What ``nonhertz verify`` prints."""
+"""``nonhertz verify``: known results, recomputed."""
 
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from nonhertz.cli.printing import print_table
+from nonhertz.cli import FINE, NOT_VERIFIED
+from nonhertz.cli.options import AsJson, Words, refuse_unwritable_out
+from nonhertz.cli.printing import Progress, print_table, print_written
+from nonhertz.verify import chosen, sections
 from nonhertz.verify.claim import Section
-from nonhertz.verify.page import COLUMNS, row
+from nonhertz.verify.page import COLUMNS, row, summary, tally, write_page
+from nonhertz.verify.page import as_json as json_text
 
 _WIDTHS = {"claim": 3, "source": 2}  # shares of the width that the numbers leave
 _COLOURS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
 
 
-def print_section(section: Section) -> None:
+def verify(
+    *,
+    out: Path | None = None,
+    only: Words = (),
+    as_json: AsJson = False,
+) -> int:
+    """Compare with publications, exact solutions and other methods.
+
+    Every number is recomputed and set beside its reference value; the exit code is 1 if one is off by more than its
+    tolerance. This takes less than two minutes.
+
+    Parameters
+    ----------
+    out : Path
+        Directory for validation.md and verify.json, tables of all claims; created if it does not exist.
+    only : tuple of str
+        Names of the sections to run, such as 'half-space plane-strain'; by default all of them.
+    """
+    names = chosen(only)
+    refuse_unwritable_out(out)
+    found = []
+    with Progress(len(names)) as progress:
+        for section in sections(names, progress.announce):
+            progress.wipe()
+            found.append(section)
+            if not as_json:
+                _print_section(section)
+    command = " ".join(["nonhertz verify --out DIR", *(["--only", *names] if only else [])])
+    made = write_page(out, found, command) if out is not None else ()
+    if as_json:
+        print(json_text(found))
+    else:
+        print_written(made)
+        print(summary(found))
+    return NOT_VERIFIED if tally(found)["FAIL"] else FINE
+
+
+def _print_section(section: Section) -> None:
     """Print a section's checks as a table."""
     printing = Console(highlight=False, width=None if sys.stdout.isatty() else 100)
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="dim", expand=True)
@@ -31,32 +73,3 @@ def print_section(section: Section) -> None:
     printing.print(Text.assemble((section.title, "bold"), (f"  ({section.name})", "dim")))
     print_table(printing, table)
     printing.print()
-
-
-class Progress:
-    """A progress line on a terminal, wiped before anything else is printed.
-
-    Parameters
-    ----------
-    steps : int or None
-        Total number of steps; None if that is not known.
-    """
-
-    def __init__(self, steps: int | None) -> None:
-        self._steps = steps
-        self._done = 0
-        self._line = ""
-
-    def announce(self, name: str) -> None:
-        """Say which step is next."""
-        self._done += 1
-        self._write(f"{self._done if self._steps is None else f'{self._done}/{self._steps}'} {name} ...")
-
-    def wipe(self) -> None:
-        """Leave an empty line."""
-        self._write("")
-
-    def _write(self, line: str) -> None:
-        if sys.stderr.isatty():
-            print(f"\r{' ' * len(self._line)}\r{line}", end="", file=sys.stderr, flush=True)
-        self._line = line

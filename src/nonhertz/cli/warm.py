@@ -1,15 +1,45 @@
-"""What ``nonhertz warm`` compiles."""
+"""``nonhertz warm``: compile everything now."""
 
 from __future__ import annotations
 
+import os
 import time
 import warnings
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 
 import nonhertz as nh
+from nonhertz.cli import FINE, NOT_KEPT
+from nonhertz.cli.printing import Progress
+from nonhertz.compiled.files import folders, read, write
 from nonhertz.errors import AccuracyWarning
+
+
+def warm() -> int:
+    """Compile everything now, so that no later command has to: for containers and CI.
+
+    What is compiled is kept on disk for this version, processor and compiler; run it again after an upgrade. The exit
+    code is 1 if nothing can be written where it is kept.
+    """
+    seconds = {}
+    with Progress(len(PARTS)) as progress:
+        for name, run in PARTS.items():
+            progress.announce(name)
+            start = time.perf_counter()
+            with warnings.catch_warnings(), np.errstate(all="ignore"):
+                warnings.simplefilter("ignore", AccuracyWarning)
+                run()
+            seconds[name] = time.perf_counter() - start
+    for name, taken in seconds.items():
+        print(f"{name}: {taken:.1f} s")
+    for folder in filter(Path.is_dir, folders()):
+        print(f"machine code: {sum(each.stat().st_size for each in folder.iterdir()) / 1e6:.1f} MB in {folder}")
+    # Where nothing can be written a warning says so, and what to do.
+    now = os.urandom(8)
+    write("warm", b"", now)
+    return FINE if read("warm", b"") == now else NOT_KEPT
 
 
 def _solve() -> None:
@@ -60,25 +90,6 @@ PARTS: dict[str, Callable[[], None]] = {
     "map": _map,
     "bearing": _bearing,
 }
-
-
-def warm_up(announce: Callable[[str], object]) -> dict[str, float]:
-    """Run a small case of everything that is compiled, and return the time that each part took [s].
-
-    Parameters
-    ----------
-    announce : callable
-        Called with the name of each part before it runs.
-    """
-    seconds = {}
-    for name, run in PARTS.items():
-        announce(name)
-        start = time.perf_counter()
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore", AccuracyWarning)
-            run()
-        seconds[name] = time.perf_counter() - start
-    return seconds
 
 
 def _contact() -> nh.Contact:

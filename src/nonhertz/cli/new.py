@@ -1,0 +1,68 @@
+"""``nonhertz new``: files to start from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from nonhertz.cli.options import named_as
+from nonhertz.errors import InputError
+from nonhertz.files.bearingfile import starting_bearing
+from nonhertz.files.casefile import starting_case
+from nonhertz.files.held import write_new
+from nonhertz.files.planfile import read_any, starting_plan
+from nonhertz.inputs.files import seen_from
+
+
+def new(
+    path: Path | None = None,
+    /,
+    *,
+    template: str | None = None,
+    bearing: Annotated[bool, Parameter(negative="")] = False,
+    plan: Annotated[bool, Parameter(negative="")] = False,
+    case: Path | None = None,
+) -> None:
+    """Write a commented case file, bearing file or plan to start from.
+
+    Parameters
+    ----------
+    path : Path
+        The file to write; an existing file is never overwritten. By default the text is printed.
+    template : str
+        A machine element: cylindrical, tapered, spherical, needle, wheel-on-rail, gear-flank or cam; with --bearing a
+        bearing: cylindrical, needle, tapered-pair, spherical or thrust. By default a roller on a plate, or a NU 206,
+        with all that such a file may hold.
+    bearing : bool
+        Write a bearing file instead.
+    plan : bool
+        Write a plan instead, for sweep, tolerance and design.
+    case : Path
+        With --plan, the case file or bearing file that the plan is for; by default case.toml.
+    """
+    if plan and template is not None:
+        raise InputError("--template", template, "not be given with --plan", "leave one out")
+    if bearing and plan:
+        raise InputError("--plan", True, "not be given with --bearing", "write one file after the other")
+    if case is not None and not plan:
+        raise InputError("--case", str(case), "be given with --plan", "add that, or leave it out")
+    folder = Path() if path is None else path.parent
+    file = folder / "case.toml" if case is None else case
+    with named_as(template="--template"):
+        if case is not None:
+            read_any(case)
+            text = starting_plan(seen_from(folder, case).as_posix())
+        else:
+            text = starting_bearing(template) if bearing else starting_plan() if plan else starting_case(template)
+    if path is None:
+        print(text, end="")
+    else:
+        write_new(text, path)
+        way_on = f"solve it with: nonhertz {'bearing' if bearing else 'solve'} {path}"
+        if plan:
+            made_for = f"for {file}" + (" as 'nonhertz new' writes it" if case is None else "")
+            command = "design" if case is None else "check"
+            way_on = f"{made_for}; try it with: nonhertz {command} {path}"
+        print(f"wrote {path}{',' if plan else ';'} {way_on}")
