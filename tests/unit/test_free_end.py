@@ -1,5 +1,6 @@
 """What a free side face adds to strips: the table against direct integration, and where its parts meet."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -107,3 +108,12 @@ def test_a_strip_at_the_face_itself_adds_something_and_one_without_width_nothing
 def test_closer_than_the_table_the_logarithm_goes_on(finer):
     u, inner, outer = 0.5 * CLOSE * finer, 0.25 * CLOSE * finer, CLOSE * finer
     np.testing.assert_allclose(added(u, inner, outer)[[H, C]], integrated(u, inner, outer), rtol=0.01)
+
+
+@pytest.mark.parametrize("element", ELEMENTS)
+def test_an_element_of_ones_own_has_a_table_of_its_own(element):
+    # One that only shares its name with a shipped one, and the same under another name.
+    wider = dataclasses.replace(element, smoothed=lambda t: tuple(2.0 * each for each in element.smoothed(t)))
+    shipped, own = free_end_table(element, 0.3), free_end_table(wider, 0.3)
+    assert np.max(np.abs(own - shipped)) > 0.1
+    np.testing.assert_array_equal(free_end_table(dataclasses.replace(element, name="own"), 0.3), shipped)
