@@ -23,6 +23,7 @@ from matplotlib.transforms import Bbox
 from numpy.testing import assert_allclose
 from numpy.typing import ArrayLike, NDArray
 
+import nonhertz as nh
 from nonhertz import plot
 from nonhertz.model.body import Body, Plate, Roller
 from nonhertz.model.contact import Contact
@@ -30,7 +31,7 @@ from nonhertz.model.corner import Chamfer
 from nonhertz.model.profile import Profile
 from nonhertz.plot.axial import mark_unlimited
 from nonhertz.plot.contact_area import colour_limit
-from nonhertz.plot.style import INK
+from nonhertz.plot.style import INK, SIZE
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.solver.one import solve as solve_one
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
@@ -641,3 +642,22 @@ def test_what_has_no_limit_is_said_at_its_end() -> None:
     ax = plot.pressure(cornered, Figure().add_subplot())
     marked = [(text.xy[0], text.get_ha()) for text in ax.texts if text.get_text() == "no limit at a corner"]
     assert marked == [(pytest.approx(-8.0, abs=0.5), "left"), (pytest.approx(8.0, abs=0.5), "right")]
+
+
+@pytest.mark.parametrize("what", ["pressure", "footprint", "profile"])
+def test_a_solution_draws_itself(what: str, ax: Axes) -> None:
+    solution = crowned()
+    assert solution.plot(what, ax) is ax
+    own = solution.plot(what)
+    assert own.figure is not ax.figure
+    assert words(own.figure) == words(ax.figure)
+    assert own.xaxis.label.get_fontsize() == SIZE
+    with pytest.raises(nh.InputError, match="what = 'shape' must be one of 'pressure', 'footprint', 'profile'"):
+        solution.plot("shape")
+
+
+def test_strips_are_a_dataframe() -> None:
+    solution = crowned()
+    frame = solution.to_dataframe()
+    assert list(frame.columns) == list(frame.attrs["units"]) == list(solution.table())
+    assert (frame["line_load"] * frame["strip_width"]).sum() == pytest.approx(solution.load)

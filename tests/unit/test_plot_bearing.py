@@ -333,3 +333,11 @@ class TestFigures:
     def test_files_are_the_same_every_time(self, tilted, tmp_path):
         first, second = (plot.save(plot.bearing_figures(tilted)["loads"], tmp_path / name) for name in "ab")
         assert first[0].read_bytes() == second[0].read_bytes()
+
+
+@pytest.mark.parametrize("what", ["loads", "pressure", "roller", "relief", "displacement"])
+def test_a_bearing_draws_itself(what, tilted):
+    given = polar() if what == "loads" else flat()
+    assert tilted.plot(what, given) is given
+    own = tilted.plot(what)
+    assert sorted(texts(own.figure)) == sorted(texts(given.figure))

@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -381,6 +381,26 @@ class BearingSolution(ReadOnly):
                     known[id(contact)] = contact.pressure(0.0, places)
                 of_roller[:] = known[id(contact)]
         return UnrolledPressure(ring, row, self.angle[these], places, pressure)
+
+    def plot(self, what: str = "loads", ax: Any = None) -> Any:
+        """Draw the bearing, and return the axes; those of a figure of its own have it as ``figure``.
+
+        Parameters
+        ----------
+        what : str
+            ``"loads"``, ``"pressure"``, ``"roller"`` (the most loaded one), ``"relief"`` or ``"displacement"`` (against
+            the load); see `nonhertz.plot`.
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; of loads, polar ones.
+
+        Raises
+        ------
+        InputError
+            If there is no such drawing, or none of this bearing.
+        """
+        import nonhertz  # what draws stands above what is drawn
+
+        return nonhertz.plot.draw(self, what, ax)
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return a pandas DataFrame: a row for each roller and ring, units in ``attrs["units"]``.

@@ -1,15 +1,16 @@
 """Drawings of a solution or a whole bearing, for papers and reports.
 
-Three functions take a solution and matplotlib axes, draw, and return the axes: `pressure` (pressure and
-half-width along the contact), `footprint` (the contact area) and `profile` (the surfaces before and after
-loading). Two more take what `nonhertz.subsurface` found below the surface as well: `axial_stress` (a plane along the
-contact) and `section_stress` (a plane across it). `figures` makes one finished figure of each of the first three,
-`stress_figures` of the other two, `comparison` one of strips beside a plane grid, `life_figure` one of where the bodies
-fatigue (which `life_density` draws), `dent_figure` one of a dent that is rolled over,
-`measured_figure` one of the steps of a measured profile, and `save` writes a
-figure to SVG and PNG. Of bearings, `bearing_loads`, `bearing_pressure`, `most_loaded_roller`, `roller_relief` and
-`displacement_against_load` take a `nonhertz.bearing.BearingSolution` and axes, and `bearing_figures` makes finished
-figures. Nothing here uses pyplot or leaves a setting changed, and matplotlib is imported only when something is drawn.
+Functions that draw take a result, and matplotlib axes or none for a figure of their own, and return the axes. Of a
+solution they are `pressure` (pressure and half-width along the contact), `footprint` (the contact area) and `profile`
+(the surfaces before and after loading); with what `nonhertz.subsurface` found below the surface, `axial_stress` (a
+plane along the contact) and `section_stress` (a plane across it); of lives, `life_density`; of a
+`nonhertz.bearing.BearingSolution`, `bearing_loads`, `bearing_pressure`, `most_loaded_roller`, `roller_relief` and
+`displacement_against_load`. `draw` chooses by name, as the method ``plot`` of both does.
+
+Finished figures are made by `figures` of a solution or a bearing, `bearing_figures` of a bearing with maps,
+`stress_figures`, `comparison` (strips beside a plane grid), `life_figure` (where the bodies fatigue), `dent_figure` (a
+dent that is rolled over) and `measured_figure` (the steps of a measured profile); `save` writes one to SVG and PNG.
+Nothing here uses pyplot or leaves a setting changed, and matplotlib is imported only when something is drawn.
 """
 
 from nonhertz.plot.bearing.displacement import displacement_against_load
@@ -21,7 +22,8 @@ from nonhertz.plot.centre_line import pressure
 from nonhertz.plot.contact_area import footprint
 from nonhertz.plot.fatigue import dent_figure, life_density, life_figure
 from nonhertz.plot.measured import measured_figure
-from nonhertz.plot.sheets import figures, save
+from nonhertz.plot.results import draw, figures
+from nonhertz.plot.sheets import save
 from nonhertz.plot.side_by_side import comparison
 from nonhertz.plot.subsurface import axial_stress, section_stress, stress_figures, stress_planes
 from nonhertz.plot.surfaces import profile
@@ -34,6 +36,7 @@ __all__ = [
     "comparison",
     "dent_figure",
     "displacement_against_load",
+    "draw",
     "figures",
     "footprint",
     "life_density",

@@ -29,9 +29,11 @@ from nonhertz.plot.style import (
     HINT_DASHES,
     INK,
     LINE,
+    OWN,
     SECOND,
     SMALL_SIZE,
     THIN,
+    drawing,
 )
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgePressure, Solution
@@ -53,7 +55,8 @@ BEYOND, CUT_HALF_WIDTH_SHARE, SINGULAR_SHARE = 1.6, 0.44, 0.77
 SIDE = 0.2
 
 
-def pressure(solution: Solution, ax: Axes) -> Axes:
+@drawing
+def pressure(solution: Solution, ax: Axes = OWN) -> Axes:
     """Draw the centre-line pressure p0 (left axis) and the half-width b (right axis) against y.
 
     Both lines run through the centres of the strips; the pale steps are the strips themselves. The largest
@@ -66,8 +69,8 @@ def pressure(solution: Solution, ax: Axes) -> Axes:
     ----------
     solution : Solution
         A solved contact.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
 
     Returns
     -------

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number
-from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
+from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, OWN, SMALL_SIZE, THIN, drawing
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC
 
@@ -25,7 +25,8 @@ PRESSURE_LABEL = "Pressure $p$ [MPa]"
 ACROSS = 65
 
 
-def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar: bool = True) -> Axes:
+@drawing
+def footprint(solution: Solution, ax: Axes = OWN, *, stretch: float = 1.0, colour_bar: bool = True) -> Axes:
     """Draw the contact area in true proportions, y to the right and x upwards, coloured by its pressure.
 
     The outline is the half-width at the strips' centres. In x the pressure is the strip element's own,
@@ -38,8 +39,8 @@ def footprint(solution: Solution, ax: Axes, *, stretch: float = 1.0, colour_bar:
     ----------
     solution : Solution
         A solved contact.
-    ax : matplotlib.axes.Axes
-        Where to draw; the limits are widened to fit its shape.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; the limits are widened to fit its shape; if left out, in a figure of its own, ``ax.figure``.
     stretch : float
         Factor by which x is drawn larger than y; the axes say so unless it is 1.
     colour_bar : bool

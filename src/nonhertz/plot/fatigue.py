@@ -14,7 +14,20 @@ from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, mark_unlimited, number, written
 from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
-from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.plot.style import (
+    COLOUR_MAP,
+    FAINT_INK,
+    FIRST,
+    HAIR,
+    INK,
+    LINE,
+    OWN,
+    SECOND,
+    SMALL_SIZE,
+    THIN,
+    drawing,
+    sheet_style,
+)
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -43,7 +56,8 @@ ROOM = 1.1
 ALIKE = 0.05  # of the life: if the bodies differ by less, only one is drawn
 
 
-def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes, *, compared: Sequence[Life] = ()) -> Axes:
+@drawing
+def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes = OWN, *, compared: Sequence[Life] = ()) -> Axes:
     """Draw where a body fatigues: damage per length against y, over its mean under the ideal pressure.
 
     1, the thin line, is Hertz's line pressure with the load spread evenly. The laminae of ISO/TS 16281 are steps. If
@@ -56,8 +70,8 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes, *, compare
         Solutions and their shares of the revolutions.
     lives : sequence of Life
         Lives of one body by several models.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     compared : sequence of Life
         Lives of that body in another case; only the first is drawn, as a broad grey line.
 

@@ -31,7 +31,7 @@ STRETCHES = tuple(step * decade for decade in (1, 10, 100, 1000) for step in (1,
 PNG_DPI = 220
 
 
-def figures(solution: Solution, title: str = "") -> dict[str, Figure]:
+def contact_figures(solution: Solution, title: str = "") -> dict[str, Figure]:
     """Return one finished figure each of pressure, footprint and profile.
 
     Parameters

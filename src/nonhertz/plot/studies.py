@@ -11,7 +11,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.plot.style import BACKING, COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
+from nonhertz.plot.style import (
+    BACKING,
+    COLOUR_MAP,
+    FAINT_INK,
+    FIRST,
+    HAIR,
+    INK,
+    LINE,
+    OWN,
+    PALE,
+    SECOND,
+    SMALL_SIZE,
+    THIN,
+    drawing,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,8 +38,9 @@ FEW_MARKED = 30  # values on a line that are marked one by one
 DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (6, 1.2, 1.2, 1.2)), (0, (1.2, 1.2)), (0, (9, 2)), (0, (3, 3)))
 
 
+@drawing
 def study_lines(
-    x: ArrayLike, lines: Mapping[str, ArrayLike], ax: Axes, *, x_label: str, y_label: str, key: str = ""
+    x: ArrayLike, lines: Mapping[str, ArrayLike], ax: Axes = OWN, *, x_label: str, y_label: str, key: str = ""
 ) -> Axes:
     """Draw numbers against one parameter, a line for each name; a gap where there is no number.
 
@@ -37,8 +52,8 @@ def study_lines(
         Values of the parameter: numbers, or words.
     lines : mapping of str to array_like, shape (n,)
         Numbers by what the line is called; a single line needs no name.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     x_label, y_label : str
         Names of the axes, with units.
     key : str
@@ -72,8 +87,9 @@ def study_lines(
     return ax
 
 
+@drawing
 def study_map(
-    x: ArrayLike, y: ArrayLike, values: ArrayLike, ax: Axes, *, x_label: str, y_label: str, label: str
+    x: ArrayLike, y: ArrayLike, values: ArrayLike, ax: Axes = OWN, *, x_label: str, y_label: str, label: str
 ) -> Axes:
     """Draw numbers over two parameters as a map with contours; white where there is no number.
 
@@ -83,8 +99,8 @@ def study_map(
         Values of the parameters.
     values : array_like, shape (n, m)
         The numbers.
-    ax : matplotlib.axes.Axes
-        Where to draw; a colour bar is put beside it.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; a colour bar is put beside it; if left out, in a figure of its own, ``ax.figure``.
     x_label, y_label, label : str
         Names of the axes and of the numbers, with units.
 
@@ -108,8 +124,9 @@ def study_map(
     return ax
 
 
+@drawing
 def histogram(
-    values: ArrayLike, ax: Axes, *, label: str, quantiles: Mapping[float, tuple[float, float]] | None = None
+    values: ArrayLike, ax: Axes = OWN, *, label: str, quantiles: Mapping[float, tuple[float, float]] | None = None
 ) -> Axes:
     """Draw how numbers are distributed, with quantiles and the intervals in which they surely lie.
 
@@ -117,8 +134,8 @@ def histogram(
     ----------
     values : array_like
         The numbers; those that are not finite are left out.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     label : str
         Name of the numbers, with their unit.
     quantiles : mapping of float to pair of float, optional
@@ -147,11 +164,12 @@ def histogram(
     return ax
 
 
+@drawing
 def tornado(
     names: Sequence[str],
     first: ArrayLike,
     total: ArrayLike,
-    ax: Axes,
+    ax: Axes = OWN,
     *,
     errors: tuple[ArrayLike, ArrayLike] | None = None,
 ) -> Axes:
@@ -163,8 +181,8 @@ def tornado(
         The parameters.
     first, total : array_like, shape (n,)
         Their indices.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     errors : pair of array_like, shape (n,), optional
         Half the widths of the intervals of both.
 
@@ -188,7 +206,10 @@ def tornado(
     return ax
 
 
-def profile_band(y: ArrayLike, nominal: ArrayLike, band: tuple[ArrayLike, ArrayLike], ax: Axes, *, label: str) -> Axes:
+@drawing
+def profile_band(
+    y: ArrayLike, nominal: ArrayLike, band: tuple[ArrayLike, ArrayLike], ax: Axes = OWN, *, label: str
+) -> Axes:
     """Draw a profile with the band in which most of its samples lie; relief grows downwards, as material is taken away.
 
     Parameters
@@ -199,8 +220,8 @@ def profile_band(y: ArrayLike, nominal: ArrayLike, band: tuple[ArrayLike, ArrayL
         Relief of the nominal profile [mm].
     band : pair of array_like, shape (n,)
         Lowest and highest relief of the band [mm].
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     label : str
         What the band is.
 

@@ -26,7 +26,19 @@ from nonhertz.plot.sheets import (
     panel,
     write_title,
 )
-from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.plot.style import (
+    COLOUR_MAP,
+    END_DASHES,
+    FAINT_INK,
+    HAIR,
+    INK,
+    OWN,
+    SECOND,
+    SMALL_SIZE,
+    THIN,
+    drawing,
+    sheet_style,
+)
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
@@ -58,11 +70,12 @@ APART = 0.17  # inches: least distance of a contour label from the next, and fro
 SHARES = (0.5, 0.35, 0.65, 0.22, 0.78)  # of the contact: candidate positions for the column of contour labels
 
 
+@drawing
 def axial_stress(
     solution: Solution,
     field: Field,
     overall: Extremes,
-    ax: Axes,
+    ax: Axes = OWN,
     *,
     station: float | None = None,
     stretch: float = 1.0,
@@ -82,8 +95,8 @@ def axial_stress(
         What `nonhertz.subsurface.axial_plane` returned.
     overall : Extremes
         The largest stresses in that body.
-    ax : matplotlib.axes.Axes
-        Where to draw; made smaller to fit the shape of the plane.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; made smaller to fit the shape of the plane; if left out, in a figure of its own, ``ax.figure``.
     station : float, optional
         Where a cross-section lies along y [mm], drawn as a thin line.
     stretch : float
@@ -110,11 +123,12 @@ def axial_stress(
     return ax
 
 
+@drawing
 def section_stress(
     solution: Solution,
     field: Field,
     section: Extremes,
-    ax: Axes,
+    ax: Axes = OWN,
     *,
     bar: Axes | None = None,
 ) -> Axes:
@@ -131,8 +145,8 @@ def section_stress(
         What `nonhertz.subsurface.cross_section` returned.
     section : Extremes
         The largest stresses in that cross-section.
-    ax : matplotlib.axes.Axes
-        Where to draw; made smaller to fit the shape of the plane.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; made smaller to fit the shape of the plane; if left out, in a figure of its own, ``ax.figure``.
     bar : matplotlib.axes.Axes, optional
         Where to draw the colour bar; if left out, beside ``ax``, which shrinks to make room.
 

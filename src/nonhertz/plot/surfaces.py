@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import um
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, head, written
-from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, PALE, SECOND
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, OWN, PALE, SECOND, drawing
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -24,7 +24,8 @@ LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
 is cut at the second, so that the interference fills half of the axes."""
 
 
-def profile(solution: Solution, ax: Axes) -> Axes:
+@drawing
+def profile(solution: Solution, ax: Axes = OWN) -> Axes:
     """Draw the surfaces' distance on the centre line, undeformed and deformed, in micrometres against y.
 
     The undeformed distance is ``h - (delta + gamma y)``, negative where the bodies would overlap if they did
@@ -36,8 +37,8 @@ def profile(solution: Solution, ax: Axes) -> Axes:
     ----------
     solution : Solution
         A solved contact.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
 
     Returns
     -------

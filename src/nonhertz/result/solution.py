@@ -17,12 +17,15 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.result import brief
+from nonhertz.result.data import library
 from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import ALONG
 from nonhertz.strip.element import Element
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from nonhertz.result.gradient import Gradient
     from nonhertz.result.measures import Measure
     from nonhertz.result.nodes import NodalLoads
@@ -458,6 +461,37 @@ class Solution(HasFindings, ContactResult):
     def table(self) -> dict[str, Array]:
         """Return the quantities along the contact by name, one array each: the columns of ``table.csv``."""
         return {name: getattr(self, name) for name in ALONG}
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return a pandas DataFrame: a row for each strip, the columns of `table`, units in ``attrs["units"]``.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        frame: pd.DataFrame = library("pandas", "to_dataframe").DataFrame(self.table())
+        frame.attrs["units"] = dict(ALONG)
+        return frame
+
+    def plot(self, what: str = "pressure", ax: Any = None) -> Any:
+        """Draw the contact, and return the axes; those of a figure of its own have it as ``figure``.
+
+        Parameters
+        ----------
+        what : str
+            ``"pressure"``, ``"footprint"`` or ``"profile"``, as the functions of these names in `nonhertz.plot`.
+        ax : matplotlib.axes.Axes, optional
+            Where to draw.
+
+        Raises
+        ------
+        InputError
+            If there is no such drawing.
+        """
+        import nonhertz  # what draws stands above what is drawn
+
+        return nonhertz.plot.draw(self, what, ax)
 
     @cached_property
     def penetration(self) -> float:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import um
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.plot.axial import written
-from nonhertz.plot.style import FIRST, LINE, SECOND, SMALL_SIZE, THIN
+from nonhertz.plot.style import FIRST, LINE, OWN, SECOND, SMALL_SIZE, THIN, drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,7 +29,8 @@ NO_TILT = 1e-12  # rad
 TANGENT = 0.25  # of the load, to both sides
 
 
-def displacement_against_load(solution: BearingSolution, ax: Axes, *, maps: BearingMaps | None = None) -> Axes:
+@drawing
+def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps: BearingMaps | None = None) -> Axes:
     """Draw the displacement of the inner ring under up to 1.5 times its forces.
 
     All forces grow in proportion; the ring's rotation and speed stay as they are. Radial displacement is that in
@@ -41,8 +42,8 @@ def displacement_against_load(solution: BearingSolution, ax: Axes, *, maps: Bear
     ----------
     solution : BearingSolution
         A loaded bearing.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     maps : BearingMaps, optional
         Of this bearing, from `nonhertz.bearing.maps`, up to 1.5 times the loads. With them the six states take
         milliseconds; by strips they take about a second.

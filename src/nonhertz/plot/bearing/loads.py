@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import TYPE_CHECKING, Any
 
@@ -11,17 +12,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import chosen, newton
 from nonhertz.errors import InputError
 from nonhertz.plot.axial import number, written
-from nonhertz.plot.style import (
-    BACKING,
-    FAINT_INK,
-    FIRST,
-    HAIR,
-    INK,
-    LINE,
-    SECOND,
-    SMALL_SIZE,
-    THIN,
-)
+from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, OWN, SECOND, SMALL_SIZE, THIN, drawing
 
 if TYPE_CHECKING:
     from matplotlib.projections.polar import PolarAxes
@@ -43,7 +34,8 @@ MOST_RINGS = 4
 SPOKES = 8
 
 
-def bearing_loads(solution: BearingSolution, ax: PolarAxes, *, row: int = 0) -> PolarAxes:
+@functools.partial(drawing, projection="polar")
+def bearing_loads(solution: BearingSolution, ax: PolarAxes = OWN, *, row: int = 0) -> PolarAxes:
     """Draw the loads of a row's rollers as bars around the bearing's axis.
 
     Two bars rise from each roller: its load at the inner and at the outer ring, to the same scale for all rows. Rollers
@@ -55,8 +47,8 @@ def bearing_loads(solution: BearingSolution, ax: PolarAxes, *, row: int = 0) -> 
     ----------
     solution : BearingSolution
         A loaded bearing.
-    ax : matplotlib.projections.polar.PolarAxes
-        Where to draw, made with ``projection="polar"``.
+    ax : matplotlib.projections.polar.PolarAxes, optional
+        Where to draw, made with ``projection="polar"``; if left out, in a figure of its own, ``ax.figure``.
     row : int
         Which row of rollers, from 0.
 

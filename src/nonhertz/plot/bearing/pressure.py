@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mpa
 from nonhertz.plot.axial import number, place, written
-from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, SMALL_SIZE
+from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, OWN, SMALL_SIZE, drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,8 +25,9 @@ UNLOADED = "#D9D9D9"  # no colour of the map
 QUARTER, STEP = 90.0, 45.0  # degrees
 
 
+@drawing
 def bearing_pressure(
-    solution: BearingSolution, ax: Axes, *, ring: str = "inner", row: int = 0, colour_bar: bool = True
+    solution: BearingSolution, ax: Axes = OWN, *, ring: str = "inner", row: int = 0, colour_bar: bool = True
 ) -> Axes:
     """Draw the centre-line pressure between the rollers of a row and a ring over angle and y.
 
@@ -38,8 +39,8 @@ def bearing_pressure(
     ----------
     solution : BearingSolution
         A loaded bearing, solved by strips.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     ring : {"inner", "outer"}
         Which ring.
     row : int

@@ -11,7 +11,7 @@ from nonhertz.amounts import mpa, mrad, newton
 from nonhertz.errors import InputError
 from nonhertz.plot.axial import AXIAL_LABEL, number, written
 from nonhertz.plot.bearing.pressure import RINGS
-from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, SECOND, SMALL_SIZE, THIN
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, OWN, SECOND, SMALL_SIZE, THIN, drawing
 from nonhertz.result.maximum import places_of_largest
 
 if TYPE_CHECKING:
@@ -40,7 +40,8 @@ def most_loaded(solution: BearingSolution) -> tuple[int, int, int]:
     raise AssertionError("a roller is in a row")
 
 
-def most_loaded_roller(solution: BearingSolution, ax: Axes) -> Axes:
+@drawing
+def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     """Draw the centre-line pressure of the most loaded roller at both rings against y.
 
     Lines run through the centres of the strips; the maximum pressures are marked. The pressure at a sharp end, which
@@ -50,8 +51,8 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes) -> Axes:
     ----------
     solution : BearingSolution
         A loaded bearing, solved by strips.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
 
     Returns
     -------
@@ -96,7 +97,8 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes) -> Axes:
     return ax
 
 
-def roller_relief(solution: BearingSolution, ax: Axes) -> Axes:
+@drawing
+def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     """Draw the relief of the most loaded roller and each ring together against y, and where they are in contact.
 
     That is the separation of the undeformed, untilted bodies: profiles and corners of both. The axis is cut where the
@@ -106,8 +108,8 @@ def roller_relief(solution: BearingSolution, ax: Axes) -> Axes:
     ----------
     solution : BearingSolution
         A loaded bearing, solved by strips.
-    ax : matplotlib.axes.Axes
-        Where to draw.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; if left out, in a figure of its own, ``ax.figure``.
 
     Returns
     -------
