@@ -148,11 +148,8 @@ def profile_kinds() -> tuple[Table, ...]:
 
 
 def _profile_table(kind: str) -> Table:
-    needed = needed_keys(kind)
+    needed, usual = needed_keys(kind), _usual(KINDS[kind])
     # What is not given is that of the body.
-    keys = {
-        name: Key(each.descriptions[name], MISSING if name in needed else _usual(each).get(name))
-        for name, each in keys_of(kind).items()
-    }
+    keys = {name: Key(each, MISSING if name in needed else usual.get(name)) for name, each in keys_of(kind).items()}
     pairs = tuple((name, "drop") for name in needed if name in KINDS[kind].by_drop)
     return Table(kind, meaning_of(kind), keys, meaning_of_kind="kind of profile", pairs=pairs[:1])

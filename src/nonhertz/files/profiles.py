@@ -7,6 +7,7 @@ the catalogue works in files at once.
 from __future__ import annotations
 
 import inspect
+import math
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -15,12 +16,12 @@ from typing import Annotated, Any, ClassVar, Final
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import PROFILES
-from nonhertz.files.dimensions import BROKEN
 from nonhertz.files.measured import KIND, MeasuredProfile
 from nonhertz.files.mistakes import InFile, Mistake, TableError, missing, one_by_one
-from nonhertz.files.reading import Reading, Surroundings
+from nonhertz.files.reading import BROKEN, Reading, Surroundings
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Flag, Input, Quantity, Word, described, together, unknown
+from nonhertz.inputs.fields import Described, Flag, Input, Quantity, Word, described, together, unknown
+from nonhertz.model.body import TabulatedDiameter
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, ProfileKind, from_file, with_drop
 from nonhertz.model.profile.drop import AT_REMEDY, determined, off_the_middle, scaled_to_drop
 from nonhertz.model.profile.table import Interpolation
@@ -28,9 +29,7 @@ from nonhertz.model.profile.table import Interpolation
 _LIST_REMEDY = "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]"
 _FEWER_REMEDY = "add them up in one of kind 'tabulated'"
 _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
-_TABULATED = PARAMETERS["tabulated"]
-#: What the tables of each kind hold.
-KINDS: Final[dict[str, type[ProfileKind]]] = {**PARAMETERS, KIND: MeasuredProfile}
+_TABULATED: Final = "tabulated"
 
 
 @described(kw_only=True)
@@ -89,13 +88,27 @@ class PointsFile(ProfileKind):
             condition=text,
         ),
     ]
-    interpolation: Annotated[Interpolation, _TABULATED.descriptions["interpolation"]] = "pchip"
+    interpolation: Annotated[Interpolation, PARAMETERS[_TABULATED].descriptions["interpolation"]] = "pchip"
 
     instead: ClassVar[Mapping[str, str]] = {"y": "file", "relief": "file"}
 
     def profile(self, folder: Path) -> Profile:
         """Return the profile in the file, whose name is relative to a folder."""
         return from_file(folder / self.file, self.interpolation)
+
+
+def _with_changes(cls: type[ProfileKind]) -> type[ProfileKind]:
+    """Return what a table of a kind may hold: its parameters, and what every kind may have beside them."""
+    around = Moves if cls is MeasuredProfile else Changes
+    made: type[ProfileKind] = described(kw_only=True)(type(cls.__name__, (around, cls), {"__doc__": cls.__doc__}))
+    made.checks_together = cls.checks_together + around.checks_together
+    made.instead = {**cls.instead, **around.instead}
+    return made
+
+
+#: What the tables of each kind hold.
+KINDS: Final = {word: _with_changes(cls) for word, cls in {**PARAMETERS, KIND: MeasuredProfile}.items()}
+_OF_FILE: Final = _with_changes(PointsFile)
 
 
 def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
@@ -106,7 +119,7 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
     value : object
         What the case file holds.
     body : mapping
-        Its `nonhertz.files.dimensions.dimensions`.
+        Its `dimensions`.
     folder : Path or None
         Directory that file names are relative to; None where no file may be read.
 
@@ -130,17 +143,16 @@ def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
     return [value] if isinstance(value, dict) else list(value)
 
 
-def keys_of(kind: str) -> dict[str, type[Input]]:
-    """Return the keys that a table of a kind may have beside that, each with the class that describes it."""
-    cls = KINDS[kind]
-    keys: dict[str, type[Input]] = {name: each for each in (cls, _around(cls)) for name in each.descriptions}
-    return keys | ({"file": PointsFile} if cls is _TABULATED else {})
+def keys_of(kind: str) -> dict[str, Described]:
+    """Return the keys that a table of a kind may have beside that."""
+    file = {"file": PointsFile.descriptions["file"]} if kind == _TABULATED else {}
+    return {**KINDS[kind].descriptions, **file}
 
 
 def needed_keys(kind: str) -> list[str]:
     """Return those of them that a table must have, if it gives no drop in place of one of them."""
     cls = KINDS[kind]
-    return [name for name in cls.descriptions if name in cls.required - {*cls.of_body} and cls is not _TABULATED]
+    return [name for name in cls.descriptions if name in cls.required - {*cls.of_body} and kind != _TABULATED]
 
 
 def meaning_of(kind: str) -> str:
@@ -150,8 +162,51 @@ def meaning_of(kind: str) -> str:
     )
 
 
-def _around(cls: type[ProfileKind]) -> type[Moves]:
-    return Moves if cls is MeasuredProfile else Changes
+def dimensions(body: Mapping[str, Any], radius: Any) -> dict[str, Any]:
+    """Return the dimensions of a body that its profiles may need: each a number, None where it has none, or `BROKEN`.
+
+    Parameters
+    ----------
+    body : mapping
+        The keys of the body that have been read so far; an invalid one is absent.
+    radius : object
+        Combined radius of both bodies across the contact [mm], None or `BROKEN`.
+
+    Returns
+    -------
+    dict
+        ``length`` and ``diameter`` of the body, the combined ``radius``, and ``at``, where its land ends, all in mm.
+    """
+    length, diameter = body.get("length", BROKEN), body.get("diameter", BROKEN)
+    across = _across_the_axis(diameter, length) if isinstance(diameter, TabulatedDiameter) else diameter
+    return {"length": length, "diameter": across, "radius": radius, "at": _land_end(body)}
+
+
+def _across_the_axis(diameter: TabulatedDiameter, length: Any) -> float:
+    """Return the diameter [mm] in the middle of a body, normal to the axis of its cone.
+
+    A table holds twice the radius of curvature in the plane normal to the line of contact, which is the diameter
+    normal to the axis over the cosine of the angle between axis and surface. Half its slope is the tangent.
+    """
+    half = 0.5 * length if isinstance(length, float) else math.inf
+    low, high = max(-half, diameter.y[0]), min(half, diameter.y[-1])
+    ends = diameter([low, high])
+    tangent = float(ends[1] - ends[0]) / (2.0 * (high - low)) if high > low else 0.0
+    return float(diameter(0.0)) / math.hypot(1.0, tangent)
+
+
+def _land_end(body: Mapping[str, Any]) -> Any:
+    """Return where the corners of a body begin [mm] or, without any, where it can no longer touch."""
+    names = ("length", "effective_length", "corner_radius", "chamfer")
+    length, effective, corner, chamfer = (body.get(name, BROKEN) for name in names)
+    if any(each is BROKEN for each in (length, effective, corner, chamfer)):
+        return BROKEN
+    whole = length if effective is None else effective
+    if whole is None:
+        return None
+    taken = corner or (0.0 if chamfer is None else chamfer.length)
+    # Corners that leave no land are a mistake of the body.
+    return 0.5 * whole - taken if 0.5 * whole > taken else BROKEN
 
 
 def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
@@ -165,108 +220,37 @@ def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Pro
     return _Table(kind, table, body, Surroundings(folder)).profile()
 
 
-class _Table:
-    """A table that is being read: the parameters of its kind beside what every kind may have."""
-
-    def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], file: Surroundings) -> None:
-        self.kind, self.body, self.folder = kind, body, file.folder
-        cls = PointsFile if kind == _TABULATED.__name__ and "file" in table else KINDS[kind]
-        self.around = _around(cls)
-        changes = {name: value for name, value in table.items() if name in self.around.descriptions}
-        self.changes = Reading(self.around, changes, file, ())
-        own = {name: value for name, value in table.items() if name not in changes and name != "kind"}
-        self.own = _Parameters(cls, own, file, tuple(self.around.descriptions), body)
-        if "drop" in changes or "drop" in self.own.wrong:
-            self.own.free = determined(kind, {*own, *self.own.wrong})
-
-    def profile(self) -> Profile:
-        """Return the profile, or raise `TableError`."""
-        changes, own = self.changes, self.own
-        for reading in (changes, own):
-            reading.take_fields()
-            reading.check_together(reading.cls)
-        at = self._place() if "drop" in changes.table else None
-        points = self._noting(self._points) if "file" in own.values else None
-        blocked = own.mistakes or own.wrong - {own.free} or {"drop", "at"} & changes.wrong or at is BROKEN
-        profile = None if blocked else self._noting(lambda: self._made(points, at))
-        if profile is None or changes.mistakes:
-            raise TableError(changes.mistakes + own.mistakes)
-        return self.around(**changes.values).of(profile)
-
-    def _noting(self, make: Callable[[], Profile | None]) -> Profile | None:
-        """Return what is made, or note the mistake and return None."""
-        try:
-            return make()
-        except TableError as error:
-            self.own.mistakes += error.mistakes
-        except InputError as error:
-            (self.changes if error.field in self.around.descriptions else self.own).note(error)
-        return None
-
-    def _made(self, points: Profile | None, at: Any) -> Profile:
-        if at is None:
-            return points or CATALOGUE[self.kind](**self.own.values)
-        drop = self.changes.values["drop"]
-        if points is not None:
-            return scaled_to_drop(points, self.kind, drop, at)
-        return with_drop(self.kind, drop, at, **self.own.values)
-
-    def _points(self) -> Profile | None:
-        name, measured = self.own.values["file"], self.own.cls is MeasuredProfile
-        if self.folder is None:
-            raise InputError("file", name, "not be read here", _UPLOAD_REMEDY)
-        if measured and self.own.mistakes:
-            return None
-        try:
-            made = self.own.cls(**self.own.values)
-            assert isinstance(made, MeasuredProfile | PointsFile)
-            return made.profile(self.folder)
-        except InputError as error:
-            if error.field in self.own.fields:
-                raise
-            if error.field == "path" or measured:
-                raise InputError("file", name, error.condition, error.remedy) from None
-            raise TableError([Mistake(("file", InFile(error.field)), error)]) from None
-        except ValueError:  # not a valid file name, such as one with a null character
-            raise InputError("file", name, "be the name of a file", "correct it") from None
-
-    def _place(self) -> Any:
-        """Return where the drop is [mm]; `BROKEN` if that is not known."""
-        changes = self.changes
-        if self.own.free is None:
-            others = " and ".join(self.own.cls.by_drop)
-            condition = f"not be given together with {others}"
-            changes.note(InputError("drop", changes.table["drop"], condition, "leave one out"))
-        length, at = self.body.get("length"), changes.values.get("at", self.body.get("at"))
-        if "at" in changes.wrong:
-            return BROKEN
-        if at is None:
-            remedy = "give the place of the drop in mm, because the body has no length"
-            changes.mistakes.append(missing(("at",), remedy))
-            return BROKEN
-        if isinstance(length, float) and isinstance(at, float) and abs(at) > 0.5 * length:
-            condition = f"lie on the body, which ends {mm(0.5 * length):g} from its middle"
-            changes.note(InputError("at", at, condition, AT_REMEDY))
-        return at
-
-
-class _Parameters(Reading):
-    """The parameters of a kind, of which some are taken from the body and one may be determined by a drop."""
+class _Table(Reading):
+    """A table that is being read, of whose parameters some are taken from the body, and a drop may determine one."""
 
     cls: type[ProfileKind]
 
-    def __init__(
-        self,
-        cls: type[ProfileKind],
-        table: dict[str, Any],
-        file: Surroundings,
-        around: tuple[str, ...],
-        body: Mapping[str, Any],
-    ) -> None:
-        super().__init__(cls, table, file, (), known=(*around, *cls.instead))
-        self.body = body
+    def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], file: Surroundings) -> None:
+        cls = _OF_FILE if kind == _TABULATED and "file" in table else KINDS[kind]
+        known = tuple(name for name in cls.instead if name not in cls.descriptions)
+        super().__init__(cls, {name: table[name] for name in table if name != "kind"}, file, (), known=known)
+        self.kind, self.body = kind, body
+        self.by_drop = "drop" in self.table and "drop" in self.fields
         #: What a drop determines.
-        self.free: str | None = None
+        self.free = determined(kind, {*self.table, *self.wrong}) if self.by_drop or "drop" in self.wrong else None
+
+    @property
+    def own(self) -> dict[str, Any]:
+        """The parameters of the kind that are good."""
+        return {name: value for name, value in self.values.items() if name not in Changes.descriptions}
+
+    def profile(self) -> Profile:
+        """Return the profile, or raise `TableError`."""
+        self.take_fields()
+        self.check_together(self.cls)
+        at = self._place() if self.by_drop else None
+        points = self._noting(self._points) if "file" in self.values else None
+        wrong = self.wrong | {str(mistake.place[0]) for mistake in self.mistakes}
+        blocked = wrong - {self.free, *Moves.descriptions} or at is BROKEN
+        profile = None if blocked else self._noting(lambda: self._made(points, at))
+        if profile is None or self.mistakes:
+            raise TableError(self.mistakes)
+        return Moves(**{name: self.values[name] for name in Moves.descriptions if name in self.values}).of(profile)
 
     def take_fields(self) -> None:
         """Read every parameter that is given, and take the others from the body."""
@@ -293,8 +277,61 @@ class _Parameters(Reading):
 
     def way_out(self, name: str) -> str:
         """Return what to do where a parameter is missing."""
-        if self.cls is _TABULATED:
+        if self.kind == _TABULATED:
             return "give the lists y and relief, or a file"
         has = "both bodies together have" if name == "radius" else "the body has"
         remedy = str(getattr(self.cls.descriptions[name], "remedy", ""))
         return remedy + (f", unless {has} one" if name in self.cls.of_body else "")
+
+    def _noting(self, make: Callable[[], Profile | None]) -> Profile | None:
+        """Return what is made, or note the mistake and return None."""
+        try:
+            return make()
+        except TableError as error:
+            self.mistakes += error.mistakes
+        except InputError as error:
+            self.note(error)
+        return None
+
+    def _made(self, points: Profile | None, at: Any) -> Profile:
+        if at is None:
+            return points or CATALOGUE[self.kind](**self.own)
+        drop = self.values["drop"]
+        if points is not None:
+            return scaled_to_drop(points, self.kind, drop, at)
+        return with_drop(self.kind, drop, at, **self.own)
+
+    def _points(self) -> Profile | None:
+        name, measured = self.values["file"], self.kind == KIND
+        if self.file.folder is None:
+            raise InputError("file", name, "not be read here", _UPLOAD_REMEDY)
+        if measured and any(mistake.place[0] not in Moves.descriptions for mistake in self.mistakes):
+            return None
+        try:
+            made = MeasuredProfile(**self.own) if measured else PointsFile(**self.own)
+            return made.profile(self.file.folder)
+        except InputError as error:
+            if error.field in self.fields:
+                raise
+            if error.field == "path" or measured:
+                raise InputError("file", name, error.condition, error.remedy) from None
+            raise TableError([Mistake(("file", InFile(error.field)), error)]) from None
+        except ValueError:  # not a valid file name, such as one with a null character
+            raise InputError("file", name, "be the name of a file", "correct it") from None
+
+    def _place(self) -> Any:
+        """Return where the drop is [mm]; `BROKEN` if that is not known."""
+        if self.free is None:
+            condition = f"not be given together with {' and '.join(self.cls.by_drop)}"
+            self.note(InputError("drop", self.table["drop"], condition, "leave one out"))
+        length, at = self.body.get("length"), self.values.get("at", self.body.get("at"))
+        if "at" in self.wrong:
+            return BROKEN
+        if at is None:
+            remedy = "give the place of the drop in mm, because the body has no length"
+            self.mistakes.append(missing(("at",), remedy))
+            return BROKEN
+        if isinstance(length, float) and isinstance(at, float) and abs(at) > 0.5 * length:
+            condition = f"lie on the body, which ends {mm(0.5 * length):g} from its middle"
+            self.note(InputError("at", at, condition, AT_REMEDY))
+        return at

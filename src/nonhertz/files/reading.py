@@ -11,10 +11,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 from nonhertz.errors import InputError
-from nonhertz.files.dimensions import dimensions
 from nonhertz.files.mistakes import Mistake, Place, TableError, missing, one_by_one, path_of
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.fields import (
@@ -34,6 +33,8 @@ AnyInput = TypeVar("AnyInput", bound=Input)
 Schema = dict[str, Any]
 _KEY = re.compile(r"([^.\[\]]+)|\[(\d+)\]")  # of a field's name, or its position among several
 _LAST_WORD = re.compile(r"[A-Z][a-z]*$")
+#: Stands for a value that a profile may need and that is itself invalid.
+BROKEN: Final = object()
 #: The class of an input whose table gives no kind, by its values.
 Likely = Callable[[Mapping[str, Any]], type[Input]]
 
@@ -198,7 +199,7 @@ class Reading:
         if isinstance(each, Parts):
             return self._several(name, each, given)
         if getattr(each, "of", None) is Profile:
-            from nonhertz.files.profiles import read_profile  # which reads its tables with this module
+            from nonhertz.files.profiles import dimensions, read_profile  # which reads its tables with this module
 
             body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
             return read_profile(given, dimensions(body, self.file.radius), self.file.folder)

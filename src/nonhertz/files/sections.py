@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS, MISTAKES
-from nonhertz.files.dimensions import BROKEN
 from nonhertz.files.mistakes import TableError
-from nonhertz.files.reading import Surroundings, read
+from nonhertz.files.reading import BROKEN, Surroundings, read
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.checks import one_line, positive
 from nonhertz.inputs.fields import (
