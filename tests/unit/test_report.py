@@ -494,7 +494,7 @@ def test_what_the_solver_refuses_is_named_by_its_file() -> None:
 
 
 def test_files_that_are_too_large_are_left_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("nonhertz.files.origin.MOST_ATTACHED", 10)
+    monkeypatch.setattr("nonhertz.files.held.MOST_ATTACHED", 10)
     (tmp_path / "points").mkdir()
     (tmp_path / "points/a.csv").write_text(POINTS, encoding="utf-8")
     (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")

@@ -6,7 +6,7 @@ They are far above what any case needs: a wrong path or a broken generator hits 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any, Final
 
 FORMAT: Final = 1
@@ -49,30 +49,27 @@ def excess(document: dict[str, Any]) -> str:
     """
     if deeper(document, NESTING):
         return TOO_DEEP
-    if sum(map(len, _tables(document))) > KEYS:
+    if sum(len(each) for _, each in walk(document) if isinstance(each, dict)) > KEYS:
         return f"there are more than {KEYS} keys"
     return ""
 
 
 def deeper(value: Any, most: int) -> bool:
     """Return whether tables and lists are nested more than ``most`` levels deep."""
-    level: Iterable[Any] = (value,)
-    for _ in range(most):
-        level = [inner for outer in level for inner in _entries(outer)]
-        if not level:
-            return False
-    return True
+    return any(len(place) >= most for place, _ in walk(value))
 
 
-def _tables(value: Any) -> Iterator[dict[str, Any]]:
-    """Yield all tables in a value, including the value itself if it is a table."""
-    if isinstance(value, dict):
-        yield value
-    for entry in _entries(value):
-        yield from _tables(entry)
+def walk(value: Any) -> Iterator[tuple[tuple[str | int, ...], Any]]:
+    """Yield every value in tables and lists with its place, from the outside in; positions in lists count from 1.
 
-
-def _entries(value: Any) -> Iterable[Any]:
-    if isinstance(value, dict):
-        return value.values()
-    return value if isinstance(value, list) else ()
+    Examples
+    --------
+    >>> [place for place, _ in walk({"load": {"load": 20000.0}, "title": "one"})]
+    [(), ('load',), ('load', 'load'), ('title',)]
+    """
+    left: list[tuple[tuple[str | int, ...], Any]] = [((), value)]
+    while left:
+        place, each = left.pop()
+        yield place, each
+        inner = each.items() if isinstance(each, dict) else enumerate(each, start=1) if isinstance(each, list) else ()
+        left += reversed([((*place, key), entry) for key, entry in inner])

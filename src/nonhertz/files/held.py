@@ -5,18 +5,19 @@ from __future__ import annotations
 import contextlib
 import errno
 import tomllib
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from importlib import resources
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
-from nonhertz.errors import CaseError, InputError
-from nonhertz.files.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key
+from nonhertz.errors import AccuracyWarning, CaseError, InputError
+from nonhertz.files.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key, walk
 from nonhertz.files.changes import changed
 from nonhertz.files.folder import write_files
 from nonhertz.files.mistakes import TableError, case_error, in_order
-from nonhertz.files.origin import Origin, with_notes
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.fields import Described, Input, short_repr
@@ -25,8 +26,48 @@ from nonhertz.inputs.files import content, legible, seen_from
 #: Tables of a bearing file in place of those of both bodies, and what only plans have.
 OF_BEARINGS = ("bearing", "roller", "inner", "outer")
 OF_PLANS = ("case", "over", "tolerance", "vary")
+MOST_ATTACHED = 10_000_000  # bytes; larger files are not attached
 _CONTENTS = {"case": "a single contact", "bearing": "a bearing", "plan": "a plan"}
 _COMMANDS = {"case": "solve", "bearing": "bearing", "plan": "sweep"}
+
+
+@dataclass(frozen=True, eq=False)
+class Origin:
+    """What a case was read from.
+
+    Attributes
+    ----------
+    document : dict
+        The parsed text.
+    text : str or None
+        The text; None for a case that came from elsewhere, such as the page.
+    notes : tuple of str
+        Warnings raised when it was read, such as gaps in a measured profile.
+    folder : Path or None
+        Directory that file names are relative to; None where no file may be read.
+    """
+
+    document: dict[str, Any]
+    text: str | None
+    notes: tuple[str, ...]
+    folder: Path | None
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """The names of the files that the text refers to, without repeats."""
+        tables = [each for _, each in walk(self.document) if isinstance(each, dict)]
+        return tuple(dict.fromkeys(each["file"] for each in tables if isinstance(each.get("file"), str)))
+
+    @cached_property
+    def attachments(self) -> Mapping[str, bytes]:
+        """Contents of these files by name; missing and too large ones are left out."""
+        found: dict[str, bytes] = {}
+        for name in self.files if self.folder is not None else ():
+            with contextlib.suppress(OSError):
+                file = Path(self.folder or "", name)
+                if file.stat().st_size <= MOST_ATTACHED:
+                    found[name] = file.read_bytes()
+        return found
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -204,11 +245,15 @@ class HeldCase(Held):
             document, text = changed(document, text, changes, cls.contents)
         folder = path.parent if files else None
         try:
-            given, notes = with_notes(lambda: cls.given_in(document, folder))
+            with warnings.catch_warnings(record=True, action="always", category=AccuracyWarning) as caught:
+                given = cls.given_in(document, folder)
         except TableError as error:
             raise case_error(in_order(error.mistakes, document)) from None
+        for each in caught:
+            warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
+        notes = dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, AccuracyWarning))
         title = given.pop("title") or legible(path.stem)
-        return cls(title=title, path=path, **given)._held_in(Origin(document, text, notes, folder))
+        return cls(title=title, path=path, **given)._held_in(Origin(document, text, tuple(notes), folder))
 
 
 def _moved(value: Any, old: Path, new: Path) -> Any:

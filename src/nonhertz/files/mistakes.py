@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
+import math
 import re
-import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files.bounds import MISTAKES
+from nonhertz.files.bounds import MISTAKES, walk
 
 Place = tuple[str | int, ...]
 Read = TypeVar("Read")
@@ -120,24 +120,10 @@ def path_of(place: Place) -> str:
 
 def in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mistake]:
     """Return mistakes in the order of their places in the file; missing keys come after those present."""
-    # Each table is numbered once: searching it for every key would take quadratic time.
-    numbered: dict[int, dict[str, int]] = {}
+    numbers = {place: number for number, (place, _) in enumerate(walk(document))}
 
-    def position(mistake: Mistake) -> tuple[int, ...]:
-        positions: list[int] = []
-        value: Any = document
-        for part in mistake.place:
-            if isinstance(value, dict) and part in value:
-                if id(value) not in numbered:
-                    numbered[id(value)] = {key: number for number, key in enumerate(value)}
-                positions.append(numbered[id(value)][str(part)])
-                value = value[part]
-            elif isinstance(value, list) and isinstance(part, int):
-                positions.append(part)
-                value = value[part - 1]
-            else:
-                return (*positions, sys.maxsize)
-        return tuple(positions)
+    def position(mistake: Mistake) -> list[float]:
+        return [numbers.get(mistake.place[:length], math.inf) for length in range(1, len(mistake.place) + 1)]
 
     return sorted(mistakes, key=position)
 

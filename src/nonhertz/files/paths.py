@@ -15,7 +15,6 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.mistakes import path_of
-from nonhertz.files.origin import body_tables
 from nonhertz.inputs.fields import Described, Part, Parts, nearest
 from nonhertz.model.profile import PARAMETERS
 
@@ -120,6 +119,16 @@ def parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
         path = f"{place}.profile"
         found[path] = Parameter(path, tuple(path.split(".")), None)
     return found
+
+
+def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """Yield place and table of every body in the document of a case, of a contact or a bearing."""
+    bodies = document.get("body", {})
+    for name, table in bodies.items() if isinstance(bodies, Mapping) else ():
+        yield f"body.{name}", table
+    for name in ("roller", "inner", "outer"):
+        if name in document:
+            yield name, document[name]
 
 
 def drops_first(values: Mapping[str, Any]) -> list[tuple[str, Any]]:

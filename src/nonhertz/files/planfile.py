@@ -17,9 +17,8 @@ from nonhertz.amounts import digits
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.held import Held, holds_plan, meant_as, named, opened, starting_text
+from nonhertz.files.held import Held, Origin, holds_plan, meant_as, named, opened, starting_text
 from nonhertz.files.mistakes import Mistake, TableError, case_error, in_order
-from nonhertz.files.origin import Origin
 from nonhertz.files.paths import Parameter, drops_first, parameter, parameters
 from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.reading import read

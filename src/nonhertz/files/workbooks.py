@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import InputError
+from nonhertz.files.bounds import walk
 from nonhertz.files.mistakes import path_of
 from nonhertz.inputs.files import legible
 
@@ -87,15 +88,16 @@ def write_workbook(path: Path, sheets: Mapping[str, Table]) -> None:
 
 def inputs_table(documents: Iterable[tuple[str, Mapping[str, Any]]]) -> Table:
     """Return the values of documents by their dotted paths, as a table; each document comes with a name."""
-    return _INPUTS_HEAD, ((name, path_of(keys), value) for name, whole in documents for keys, value in _leaves(whole))
+    return _INPUTS_HEAD, (
+        (name, path_of(place), each if isinstance(each, str | int | float) else str(each))
+        for name, whole in documents
+        for place, each in walk(whole)
+        if _fills_a_cell(place, each)
+    )
 
 
-def _leaves(value: Any, keys: tuple[str | int, ...] = ()) -> Iterator[tuple[tuple[str | int, ...], Any]]:
-    if isinstance(value, Mapping):
-        for key, entry in value.items():
-            yield from _leaves(entry, (*keys, key))
-    elif isinstance(value, list) and any(isinstance(entry, Mapping | list) for entry in value):
-        for position, entry in enumerate(value, start=1):
-            yield from _leaves(entry, (*keys, position))
-    else:
-        yield keys, value if isinstance(value, str | int | float) else str(value)
+def _fills_a_cell(place: tuple[str | int, ...], value: Any) -> bool:
+    """Return whether a value of a document is a number, a word, or a list of these, which is shown as a whole."""
+    if isinstance(value, list):
+        return not any(isinstance(entry, dict | list) for entry in value)
+    return not isinstance(value, dict) and isinstance(place[-1], str)

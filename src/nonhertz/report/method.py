@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from nonhertz.bearing.ratings import rating
-from nonhertz.files.origin import body_tables
+from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.hertz import point_contact
 from nonhertz.life import MODELS

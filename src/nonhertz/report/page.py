@@ -9,7 +9,7 @@ from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.measured import KIND, checked, measured_from, trace_from
-from nonhertz.files.origin import body_tables
+from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.plot import measured_figure
