@@ -48,7 +48,27 @@ def write_files(
         if draw is not None:
             with read_in("si"):
                 draw(drafts)
-        return _moved(drafts, directory)
+        files = [(draft, directory / draft.name) for draft in sorted(drafts.iterdir())]
+        for _, target in files:
+            if target.is_dir():
+                raise InputError("--out", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY)
+        for draft, target in files:
+            os.replace(draft, target)  # noqa: PTH105  (says that it replaces)
+    return tuple(target for _, target in files)
+
+
+def write_file(path: Path, text: str) -> Path:
+    """Write a text into a file, whole or not at all, and return it.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written.
+    """
+    try:
+        return write_files(path.parent, {path.name: text})[0]
+    except InputError as error:
+        raise InputError("path", str(path), error.condition, error.remedy) from None
 
 
 def refuse_unwritable(directory: Path) -> None:
@@ -61,55 +81,32 @@ def refuse_unwritable(directory: Path) -> None:
     InputError
         If the directory cannot be written to.
     """
-    made = _missing(directory)
-    with _drafts(directory):
+    with _drafts(directory, keep=False):
         pass
-    _take_away(made)
 
 
 @contextlib.contextmanager
-def _drafts(directory: Path) -> Iterator[Path]:
-    """Make a folder for drafts in a directory, created if need be; refuse a directory that cannot be written to."""
-    try:
-        # Inside the directory, not beside it: a move is only atomic within one file system.
-        with _directory(directory), tempfile.TemporaryDirectory(prefix=_DRAFTS, dir=directory) as drafts:
-            yield Path(drafts)
-    except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        condition = f"be a directory to write to ({reason})"
-        raise InputError("--out", str(directory), condition, "choose another") from None
+def _drafts(directory: Path, *, keep: bool = True) -> Iterator[Path]:
+    """Make a folder for drafts in a directory; refuse one that cannot be written to.
 
-
-@contextlib.contextmanager
-def _directory(directory: Path) -> Iterator[None]:
-    """Create a directory, and remove it again if what follows fails."""
-    if directory.exists() and not directory.is_dir():
-        raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
-    made = _missing(directory)
+    The directory is created if need be, and taken away again if that fails or nothing is to be kept.
+    """
+    made: list[Path] = []
     try:
+        if directory.exists() and not directory.is_dir():
+            raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
+        made = [path for path in (directory, *directory.parents) if not path.exists()]  # innermost first
         directory.mkdir(parents=True, exist_ok=True)
-        yield
-    except BaseException:
-        _take_away(made)
-        raise
-
-
-def _missing(directory: Path) -> list[Path]:
-    """Return the directories that have to be created for a directory to exist, innermost first."""
-    return [path for path in (directory, *directory.parents) if not path.exists()]
-
-
-def _take_away(made: list[Path]) -> None:
-    for path in made:
-        with contextlib.suppress(OSError):
-            path.rmdir()
-
-
-def _moved(drafts: Path, directory: Path) -> tuple[Path, ...]:
-    files = [(draft, directory / draft.name) for draft in sorted(drafts.iterdir())]
-    for _, target in files:
-        if target.is_dir():
-            raise InputError("--out", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY)
-    for draft, target in files:
-        os.replace(draft, target)  # noqa: PTH105  (says that it replaces)
-    return tuple(target for _, target in files)
+        # Inside the directory, not beside it: a move is only atomic within one file system.
+        with tempfile.TemporaryDirectory(prefix=_DRAFTS, dir=directory) as drafts:
+            yield Path(drafts)
+    except BaseException as error:
+        keep = False
+        if not isinstance(error, OSError):
+            raise
+        condition = f"be a directory to write to ({(error.strerror or str(error)).lower()})"
+        raise InputError("--out", str(directory), condition, "choose another") from None
+    finally:
+        for path in () if keep else made:
+            with contextlib.suppress(OSError):
+                path.rmdir()

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nonhertz.bearing.section import MOTIONS
 from nonhertz.bearing.tables import FORCES, UNITS_OF_FORCES, UNITS_OF_MOTIONS, ForceTable
 from nonhertz.errors import InputError
-from nonhertz.files.folder import write_files
+from nonhertz.files.folder import write_file
 from nonhertz.result.tables import as_csv
 
 __all__ = ["as_csv_text", "write"]
@@ -60,10 +60,7 @@ def write(path: str | Path, table: ForceTable) -> Path:
     file = Path(path)
     if file.suffix.lower() != ".csv" or file.is_dir():
         raise InputError("path", str(path), "be a file ending in .csv", remedy)
-    try:
-        return write_files(file.parent, {file.name: text})[0]
-    except InputError as error:
-        raise InputError("path", str(path), error.condition, error.remedy) from None
+    return write_file(file, text)
 
 
 def as_csv_text(table: ForceTable) -> str:

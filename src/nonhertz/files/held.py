@@ -16,7 +16,7 @@ from typing import Any, ClassVar, Self
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key, walk
 from nonhertz.files.changes import changed
-from nonhertz.files.folder import write_files
+from nonhertz.files.folder import write_file
 from nonhertz.files.mistakes import TableError, case_error, in_order
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.checks import one_line, one_of
@@ -180,10 +180,7 @@ class Held:
         if len(text) > LARGEST_CASE:
             condition = f"fit into a case file of at most {LARGEST_CASE / 1e6:g} MB"
             raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
-        try:
-            write_files(path.parent, {path.name: text})
-        except InputError as error:
-            raise InputError("path", str(path), error.condition, error.remedy) from None
+        write_file(path, text)
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -403,24 +400,19 @@ def write_new(text: str, path: str | Path) -> None:
     """
     path = Path(path)
     try:
-        with path.open("x", encoding="utf-8") as file, _taken_away_unless_whole(path):
-            file.write(text)
-            file.flush()
+        with path.open("x", encoding="utf-8") as file:
+            try:
+                file.write(text)
+                file.flush()
+            except BaseException:
+                path.unlink(missing_ok=True)
+                raise
     except FileExistsError:
         remedy = "choose another name, since nothing is overwritten"
         raise InputError("PATH", str(path), "not exist yet", remedy) from None
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         raise InputError("PATH", str(path), f"be a file to write to ({reason})", "choose another name") from None
-
-
-@contextlib.contextmanager
-def _taken_away_unless_whole(path: Path) -> Iterator[None]:
-    try:
-        yield
-    except BaseException:
-        path.unlink(missing_ok=True)
-        raise
 
 
 @contextlib.contextmanager
