@@ -53,7 +53,37 @@ class InputError(NonhertzError, ValueError):
 
     def within(self, place: str) -> InputError:
         """Return the same error with the field named inside ``place``, such as ``"body.a"``."""
-        return InputError(f"{place}.{self.field}", self.value, self.condition, self.remedy)
+        dot = "." if self.field and self.field[0] not in "[," else ""
+        return InputError(f"{place}{dot}{self.field}", self.value, self.condition, self.remedy)
+
+    @property
+    def each(self) -> tuple[InputError, ...]:
+        """The errors that this one stands for: itself."""
+        return (self,)
+
+
+class InputsError(InputError):
+    """Several errors of one input; where only one can be said it is the first.
+
+    Without any, what is wrong has been said where it is, and this input depends on it.
+    """
+
+    def __init__(self, errors: Iterable[InputError]) -> None:
+        self._each = tuple(errors)
+        first = self._each[0] if self._each else InputError("", None, "be valid", "correct what it depends on")
+        super().__init__(first.field, first.value, first.condition, first.remedy)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._each,)  # so that it can be sent between processes
+
+    def within(self, place: str) -> InputsError:
+        """Return the same errors with their fields named inside ``place``."""
+        return InputsError(error.within(place) for error in self._each)
+
+    @property
+    def each(self) -> tuple[InputError, ...]:
+        """The errors."""
+        return self._each
 
 
 class CaseError(NonhertzError):

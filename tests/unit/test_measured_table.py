@@ -14,7 +14,7 @@ from numpy.testing import assert_allclose
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.casefile import read_case
 from nonhertz.files.measured import PREPARING, READING, MeasuredProfile, checked
-from nonhertz.files.mistakes import TableError
+from nonhertz.files.mistakes import sentence
 from nonhertz.files.profiles import read_profile
 from nonhertz.files.traces import read_trace
 from nonhertz.measured import prepare
@@ -106,16 +106,16 @@ def test_all_mistakes_of_a_table_are_told_at_once(folder):
 
 
 def test_a_table_without_a_file_says_so():
-    with pytest.raises(TableError) as caught:
+    with pytest.raises(InputError) as caught:
         read_profile({"kind": "measured"}, {}, Path())
-    assert [mistake.sentence for mistake in caught.value.mistakes] == ["file must be given: name it in quotes."]
+    assert [sentence(mistake) for mistake in caught.value.each] == ["file must be given: name it in quotes."]
 
 
 def test_no_file_is_read_where_none_may_be():
-    with pytest.raises(TableError) as caught:
+    with pytest.raises(InputError) as caught:
         read_profile({"kind": "measured", "file": "roller.txt"}, {}, None)
-    (mistake,) = caught.value.mistakes
-    assert "file = 'roller.txt' must not be read here: give y and relief, or upload" in mistake.sentence
+    (mistake,) = caught.value.each
+    assert "file = 'roller.txt' must not be read here: give y and relief, or upload" in str(mistake)
 
 
 def test_keys_are_those_of_the_functions():

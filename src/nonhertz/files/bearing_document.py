@@ -17,9 +17,9 @@ from nonhertz.bearing.lubrication import LEAST_RATIO, reference_viscosity
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, InputsError
 from nonhertz.files.bounds import FORMAT, LOADS
-from nonhertz.files.mistakes import Mistake, TableError
+from nonhertz.files.mistakes import place_of
 from nonhertz.files.reading import Reading, Surroundings, read, section
 from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, sampled
 from nonhertz.files.shape_tables import read_shape, shape_tables
@@ -128,9 +128,9 @@ class BearingFile(Input):
             try:
                 one_state(self.bearing, case)
             except InputError as error:
-                mistakes.append(Mistake(("life", "spectrum", position, error.field), error))
+                mistakes.append(error.within(f"life.spectrum[{position}]"))
         if mistakes:
-            raise TableError(mistakes)
+            raise InputsError(mistakes)
 
     @together("load", "life")
     def _check_oil(self) -> None:
@@ -155,7 +155,7 @@ def read_document(document: dict[str, Any], file: Surroundings) -> BearingFile:
 
     Raises
     ------
-    TableError
+    InputsError
         With all mistakes.
     """
     found = _FileReading(BearingFile, document, file, ()).made()
@@ -174,23 +174,24 @@ class _FileReading(Reading):
         """Return the value of a section."""
         if name != "bearing":
             return super().value(name, given)
-        table, mistakes, pair = dict(section(given, (name,))), [], None
+        table, pair = dict(section(given, (name,))), None
+        mistakes: list[InputError] = []
         if "pair" in table:
             try:
                 pair = read(Pair, table.pop("pair"), self.file, (name, "pair"))
-            except TableError as error:
-                mistakes += [mistake.within(("pair",)) for mistake in error.mistakes]
+            except InputError as error:
+                mistakes += error.within("pair").each
         parts = {part: self.values.get(part) for part in PARTS}
         row = _RowReading(RollerBearing, table, self.file, (name,), beside=parts, known=("pair",))
         try:
             made: Any = row.made()
-        except TableError as error:
-            for mistake in error.mistakes:
-                beside = mistake.place and mistake.place[0] in PARTS and mistake.place[0] not in table
-                (self.mistakes if beside else mistakes).append(mistake)
-            raise TableError(mistakes) from None
+        except InputsError as error:
+            for mistake in error.each:
+                part = place_of(mistake.field)[0]
+                (self.mistakes if part in PARTS and part not in table else mistakes).append(mistake)
+            raise InputsError(mistakes) from None
         if mistakes:
-            raise TableError(mistakes)
+            raise InputsError(mistakes)
         return made if pair is None else paired(made, pair.arrangement, pair.distance, clearance=pair.clearance)
 
 
@@ -200,7 +201,7 @@ class _RowReading(Reading):
     def value(self, name: str, given: Any) -> Any:
         """Return the value of a field."""
         if name in SHAPES:
-            return read_shape(given, name, self.file, (*self.place, name))
+            return read_shape(given, self.file, (*self.place, name))
         return super().value(name, given)
 
 

@@ -20,8 +20,8 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.files.bearing_document import BearingFile, bearing_sections, of_fit, radius_across, read_document
 from nonhertz.files.casefile import Case
 from nonhertz.files.held import OF_BEARINGS, HeldCase, starting_text
-from nonhertz.files.mistakes import Mistake, case_error
-from nonhertz.files.reading import Surroundings, place_of
+from nonhertz.files.mistakes import case_error
+from nonhertz.files.reading import Surroundings
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import one_of, whole
@@ -369,4 +369,4 @@ def placed(error: InputError, *sections: str) -> CaseError:
             sentence = f"load must leave every contact of the rollers within the model: {error}"
             return CaseError([sentence], ["load"])
         error = error.within("bearing")
-    return case_error([Mistake(place_of(error.field), error, absent=error.value is None)])
+    return case_error([error])

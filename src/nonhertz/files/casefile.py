@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.files.held import HeldCase, starting_text
-from nonhertz.files.mistakes import Mistake, case_error
+from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import read
 from nonhertz.files.sections import CaseDocument, Life, OverrolledDent, Solver, of_both, surroundings
 from nonhertz.files.title_block import TitleBlock
@@ -194,8 +194,6 @@ def starting_case(template: str | None = None) -> str:
 def placed(error: InputError) -> CaseError:
     """Return an error from `nonhertz.solve` as one about the case file, with the field named as in the file."""
     if error.field in _OF_BOTH_BODIES:
-        field = of_both(error)
-        return case_error([Mistake(("body", *field.field.split(".")), field, absent=field.value is None)])
-    section = [section for section, fields in _SECTIONS.items() if error.field in fields]
-    place = (*(part for each in section for part in each.split(".")), *error.field.split("."))
-    return case_error([Mistake(place, error)])
+        return case_error([of_both(error).within("body")])
+    section = next((section for section, fields in _SECTIONS.items() if error.field in fields), None)
+    return case_error([error.within(section) if section else error])

@@ -17,7 +17,7 @@ from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key, walk
 from nonhertz.files.changes import changed
 from nonhertz.files.folder import write_file
-from nonhertz.files.mistakes import TableError, case_error, in_order
+from nonhertz.files.mistakes import case_error, in_order
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.fields import Described, Input, short_repr
@@ -200,7 +200,7 @@ class HeldCase(Held):
 
     @staticmethod
     def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-        """Return the fields that a document gives; raises ``TableError`` with every mistake in it."""
+        """Return the fields that a document gives; raises `InputsError` with every mistake in it."""
         raise NotImplementedError
 
     @classmethod
@@ -244,8 +244,8 @@ class HeldCase(Held):
         try:
             with warnings.catch_warnings(record=True, action="always", category=AccuracyWarning) as caught:
                 given = cls.given_in(document, folder)
-        except TableError as error:
-            raise case_error(in_order(error.mistakes, document)) from None
+        except InputError as error:
+            raise case_error(in_order(error.each, document)) from None
         for each in caught:
             warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
         notes = dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, AccuracyWarning))

@@ -1,101 +1,38 @@
-"""Mistakes in a file, each with its place: sentences in the form of `InputError`, as a Python call gets them."""
+"""Mistakes in a file: errors whose fields are paths in it, such as ``body.a.profile[1].radius``."""
 
 from __future__ import annotations
 
 import json
 import math
 import re
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
-from typing import Any, TypeVar
+from collections.abc import Iterable
+from typing import Any
 
 from nonhertz.errors import CaseError, InputError
 from nonhertz.files.bounds import MISTAKES, walk
 
+#: Keys from the outside in; positions in lists count from 1.
 Place = tuple[str | int, ...]
-Read = TypeVar("Read")
 
 _LONGEST_KEY = 60
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+_PARTS = re.compile(r'("(?:[^"\\]|\\.)*")|\[(\d+)\]|([^.\[\], ]+)')  # of a path: a key in quotes, a position, a key
 
 
-class InFile(str):
-    """A place inside a file that a key names; not a key itself."""
-
-    __slots__ = ()
-
-
-@dataclass(frozen=True)
-class Mistake:
-    """One thing that is wrong, at a place in the file.
-
-    Parameters
-    ----------
-    place : tuple of str and int
-        Keys from the outside in; positions in lists count from 1.
-    error : InputError
-        The error. Its field name is replaced by the place.
-    absent : bool
-        Whether there is no value to show, because the key is missing.
-    """
-
-    place: Place
-    error: InputError
-    absent: bool = False
-
-    def within(self, place: Place) -> Mistake:
-        """Return the same mistake with its place inside ``place``."""
-        return Mistake((*place, *self.place), self.error, self.absent)
-
-    @property
-    def sentence(self) -> str:
-        """What the user reads."""
-        path = path_of(self.place)
-        if self.absent:
-            return f"{path} must {self.error.condition}: {self.error.remedy}."
-        return str(InputError(path, self.error.value, self.error.condition, self.error.remedy))
-
-
-class TableError(ValueError):
-    """Several mistakes in one part of a file, raised by a validator that found more than one."""
-
-    def __init__(self, mistakes: Iterable[Mistake]) -> None:
-        self.mistakes = tuple(mistakes)
-        super().__init__(self.mistakes)
-
-    def __str__(self) -> str:
-        return f"{len(self.mistakes)} mistakes"
-
-
-def one_by_one(entries: Iterable[Any], read: Callable[[int, Any], Read]) -> list[Read]:
-    """Return what is read of the entries of a list, each given with its number from 1.
-
-    Raises
-    ------
-    TableError
-        With the mistakes of all of them.
-    """
-    found: list[Read] = []
-    mistakes: list[Mistake] = []
-    for number, entry in enumerate(entries, start=1):
-        try:
-            found.append(read(number, entry))
-        except TableError as error:
-            mistakes += (mistake.within((number,)) for mistake in error.mistakes)
-    if mistakes:
-        raise TableError(mistakes)
-    return found
-
-
-def case_error(mistakes: Iterable[Mistake]) -> CaseError:
+def case_error(mistakes: Iterable[InputError]) -> CaseError:
     """Return one error for several mistakes, each with its key; beyond the limit they are only counted."""
     found = tuple(mistakes)
     listed, rest = found[:MISTAKES], len(found) - MISTAKES
-    sentences, places = [mistake.sentence for mistake in listed], [path_of(mistake.place) for mistake in listed]
+    sentences, places = [sentence(mistake) for mistake in listed], [mistake.field for mistake in listed]
     if rest > 0:
         sentences.append(f"There are {rest} more mistakes." if rest > 1 else "There is one more mistake.")
         places.append("")
     return CaseError(sentences, places)
+
+
+def sentence(mistake: InputError) -> str:
+    """Return what the user reads of a mistake; what is missing has no value to show, since TOML has no null."""
+    return str(mistake) if mistake.value is not None else f"{mistake.field} must {mistake.condition}: {mistake.remedy}."
 
 
 def path_of(place: Place) -> str:
@@ -110,24 +47,35 @@ def path_of(place: Place) -> str:
     for part in place:
         if isinstance(part, int):
             path += f"[{part}]"
-        elif isinstance(part, InFile):
-            path += f", {part}"
         else:
             shown = part if len(part) <= _LONGEST_KEY else part[: _LONGEST_KEY - 3] + "..."
             path += ("." if path else "") + (shown if _BARE_KEY.fullmatch(shown) else json.dumps(shown))
     return path
 
 
-def in_order(mistakes: Iterable[Mistake], document: dict[str, Any]) -> list[Mistake]:
+def in_order(mistakes: Iterable[InputError], document: dict[str, Any]) -> list[InputError]:
     """Return mistakes in the order of their places in the file; missing keys come after those present."""
     numbers = {place: number for number, (place, _) in enumerate(walk(document))}
 
-    def position(mistake: Mistake) -> list[float]:
-        return [numbers.get(mistake.place[:length], math.inf) for length in range(1, len(mistake.place) + 1)]
+    def position(mistake: InputError) -> list[float]:
+        place = place_of(mistake.field)
+        return [numbers.get(place[:length], math.inf) for length in range(1, len(place) + 1)]
 
     return sorted(mistakes, key=position)
 
 
-def missing(place: Place, remedy: str) -> Mistake:
+def place_of(path: str) -> Place:
+    """Return the keys and positions of a path.
+
+    Examples
+    --------
+    >>> place_of("life.spectrum[2].axial")
+    ('life', 'spectrum', 2, 'axial')
+    """
+    found = _PARTS.findall(path)
+    return tuple(json.loads(quoted) if quoted else int(number) if number else key for quoted, number, key in found)
+
+
+def missing(path: str, remedy: str) -> InputError:
     """Return the mistake of leaving out a required key."""
-    return Mistake(place, InputError("", None, "be given", remedy), absent=True)
+    return InputError(path, None, "be given", remedy)

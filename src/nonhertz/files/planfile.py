@@ -18,7 +18,7 @@ from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.held import Held, Origin, holds_plan, meant_as, named, opened, starting_text
-from nonhertz.files.mistakes import Mistake, TableError, case_error, in_order
+from nonhertz.files.mistakes import case_error, in_order, path_of
 from nonhertz.files.paths import Parameter, drops_first, parameter, parameters
 from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.reading import read
@@ -203,8 +203,8 @@ class Plan(Held):
             raise CaseError([f"{path} must be a plan, and holds a {kind}: {remedy}."], [""])
         try:
             found = read(PlanDocument, document)
-        except TableError as error:
-            wrong = case_error(in_order(error.mistakes, document))
+        except InputError as error:
+            wrong = case_error(in_order(error.each, document))
             if "case" in wrong.places:
                 raise wrong from None
             try:
@@ -219,13 +219,13 @@ class Plan(Held):
                 try:
                     bare.tried(varied, given)
                 except InputError as error:
-                    here = InputError(varied, given, error.condition, error.remedy)
-                    mistakes.append(Mistake((section, *varied.split(".")), here))
+                    here = path_of((section, *varied.split(".")))
+                    mistakes.append(InputError(here, given, error.condition, error.remedy))
         try:
             title = found.title or legible(path.stem)
             plan = Plan(case, {}, found.samples, found.quantities, title=title, path=path)
         except InputError as error:
-            mistakes.append(Mistake((error.field,), error))
+            mistakes.append(error)
         if mistakes:
             raise case_error(mistakes)
         return plan.changed(over=getattr(found, table))._held_in(Origin(document, text, (), path.parent))

@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Annotated, Any, ClassVar, Final
 
 from nonhertz.amounts import mm
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, InputsError
 from nonhertz.files.bounds import PROFILES
 from nonhertz.files.measured import KIND, MeasuredProfile
-from nonhertz.files.mistakes import InFile, Mistake, TableError, missing, one_by_one
+from nonhertz.files.mistakes import missing, place_of
 from nonhertz.files.reading import BROKEN, Reading, Surroundings
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Described, Flag, Input, Quantity, Word, described, together, unknown
+from nonhertz.inputs.fields import Described, Flag, Input, Quantity, Word, described, one_by_one, together, unknown
 from nonhertz.model.body import TabulatedDiameter
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, ProfileKind, from_file, with_drop
 from nonhertz.model.profile.drop import AT_REMEDY, determined, off_the_middle, scaled_to_drop
@@ -125,16 +125,16 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
 
     Raises
     ------
-    TableError
-        All mistakes, with places relative to ``value``.
+    InputError
+        All mistakes, with fields relative to ``value``.
     """
     if isinstance(value, dict):
         return _read_table(value, body, folder)
     if not isinstance(value, list):
-        raise InputError("profile", value, "be a list of tables", _LIST_REMEDY)
+        raise InputError("", value, "be a list of tables", _LIST_REMEDY)
     if len(value) > PROFILES:
-        raise InputError("profile", value, f"have at most {PROFILES} profiles", _FEWER_REMEDY)
-    return sum(one_by_one(value, lambda _, table: _read_table(table, body, folder)), CATALOGUE["straight"]())
+        raise InputError("", value, f"have at most {PROFILES} profiles", _FEWER_REMEDY)
+    return sum(one_by_one("", value, lambda _, table: _read_table(table, body, folder)), CATALOGUE["straight"]())
 
 
 def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -211,12 +211,12 @@ def _land_end(body: Mapping[str, Any]) -> Any:
 
 def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
     if not isinstance(table, dict):
-        raise TableError([Mistake((), InputError("", table, "be a table", _LIST_REMEDY))])
+        raise InputError("", table, "be a table", _LIST_REMEDY)
     if "kind" not in table:
-        raise TableError([missing(("kind",), "name the profile, such as kind = 'crown'")])
+        raise missing("kind", "name the profile, such as kind = 'crown'")
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
-        raise TableError([Mistake(("kind",), unknown("kind", kind, "profile", kind, KINDS))])
+        raise unknown("kind", kind, "profile", kind, KINDS)
     return _Table(kind, table, body, Surroundings(folder)).profile()
 
 
@@ -240,16 +240,16 @@ class _Table(Reading):
         return {name: value for name, value in self.values.items() if name not in Changes.descriptions}
 
     def profile(self) -> Profile:
-        """Return the profile, or raise `TableError`."""
+        """Return the profile, or raise `InputsError`."""
         self.take_fields()
         self.check_together(self.cls)
         at = self._place() if self.by_drop else None
         points = self._noting(self._points) if "file" in self.values else None
-        wrong = self.wrong | {str(mistake.place[0]) for mistake in self.mistakes}
+        wrong = self.wrong | {place_of(mistake.field)[0] for mistake in self.mistakes}
         blocked = wrong - {self.free, *Moves.descriptions} or at is BROKEN
         profile = None if blocked else self._noting(lambda: self._made(points, at))
         if profile is None or self.mistakes:
-            raise TableError(self.mistakes)
+            raise InputsError(self.mistakes)
         return Moves(**{name: self.values[name] for name in Moves.descriptions if name in self.values}).of(profile)
 
     def take_fields(self) -> None:
@@ -287,8 +287,6 @@ class _Table(Reading):
         """Return what is made, or note the mistake and return None."""
         try:
             return make()
-        except TableError as error:
-            self.mistakes += error.mistakes
         except InputError as error:
             self.note(error)
         return None
@@ -305,7 +303,7 @@ class _Table(Reading):
         name, measured = self.values["file"], self.kind == KIND
         if self.file.folder is None:
             raise InputError("file", name, "not be read here", _UPLOAD_REMEDY)
-        if measured and any(mistake.place[0] not in Moves.descriptions for mistake in self.mistakes):
+        if measured and any(place_of(mistake.field)[0] not in Moves.descriptions for mistake in self.mistakes):
             return None
         try:
             made = MeasuredProfile(**self.own) if measured else PointsFile(**self.own)
@@ -315,7 +313,7 @@ class _Table(Reading):
                 raise
             if error.field == "path" or measured:
                 raise InputError("file", name, error.condition, error.remedy) from None
-            raise TableError([Mistake(("file", InFile(error.field)), error)]) from None
+            raise InputError(f"file, {error.field}", error.value, error.condition, error.remedy) from None
         except ValueError:  # not a valid file name, such as one with a null character
             raise InputError("file", name, "be the name of a file", "correct it") from None
 
@@ -329,7 +327,7 @@ class _Table(Reading):
             return BROKEN
         if at is None:
             remedy = "give the place of the drop in mm, because the body has no length"
-            self.mistakes.append(missing(("at",), remedy))
+            self.mistakes.append(missing("at", remedy))
             return BROKEN
         if isinstance(length, float) and isinstance(at, float) and abs(at) > 0.5 * length:
             condition = f"lie on the body, which ends {mm(0.5 * length):g} from its middle"

@@ -13,17 +13,17 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, TypeVar
 
-from nonhertz.errors import InputError
-from nonhertz.files.mistakes import Mistake, Place, TableError, missing, one_by_one, path_of
+from nonhertz.errors import InputError, InputsError
+from nonhertz.files.mistakes import Place, missing, path_of, place_of
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.fields import (
     Described,
-    EntriesError,
     Input,
     Part,
     Parts,
     given_beside,
     nearest,
+    one_by_one,
     text_of,
     unknown,
 )
@@ -31,7 +31,6 @@ from nonhertz.model.profile import Profile
 
 AnyInput = TypeVar("AnyInput", bound=Input)
 Schema = dict[str, Any]
-_KEY = re.compile(r"([^.\[\]]+)|\[(\d+)\]")  # of a field's name, or its position among several
 _LAST_WORD = re.compile(r"[A-Z][a-z]*$")
 #: Stands for a value that a profile may need and that is itself invalid.
 BROKEN: Final = object()
@@ -79,21 +78,10 @@ def read(
 
     Raises
     ------
-    TableError
-        With all mistakes, their places relative to the table.
+    InputsError
+        With all mistakes, their fields relative to the table.
     """
     return Reading(cls, section(table, place), file, place, likely=likely).made()  # type: ignore[return-value]
-
-
-def place_of(field: str) -> Place:
-    """Return the place that a field's name is.
-
-    Examples
-    --------
-    >>> place_of("life.spectrum[2].axial")
-    ('life', 'spectrum', 2, 'axial')
-    """
-    return tuple(int(number) if number else key for key, number in _KEY.findall(field))
 
 
 def section(table: Any, place: Place) -> dict[str, Any]:
@@ -101,13 +89,13 @@ def section(table: Any, place: Place) -> dict[str, Any]:
 
     Raises
     ------
-    TableError
+    InputError
         If it is none.
     """
     if isinstance(table, dict):
         return table
     heading = f"[{path_of(place)}]" if place and isinstance(place[-1], str) else f"[[{path_of(place[:-1])}]]"
-    raise TableError([Mistake((), InputError("", table, "be a section", f"write it under a heading {heading}"))])
+    raise InputError("", table, "be a section", f"write it under a heading {heading}")
 
 
 class Reading:
@@ -137,25 +125,25 @@ class Reading:
         self.cls, self.table, self.file, self.place, self.likely = cls, table, file, place, likely
         self.values = {name: value for name, value in beside.items() if value is not None}
         self.wrong = {name for name, value in beside.items() if value is None}
-        self.mistakes: list[Mistake] = []
+        self.mistakes: list[InputError] = []
         every = {name: kind for kind in (*cls.kinds.values(), cls) for name in kind.descriptions}
         keys = [*(["kind"] if cls.kinds else []), *(name for name in every if name not in beside), *known]
         strange = [name for name in table if name not in keys]
-        self.mistakes += (Mistake((name,), unknown(name, table[name], "key", name, keys)) for name in strange)
+        self.mistakes += (unknown(path_of((name,)), table[name], "key", name, keys) for name in strange)
         # Someone who writes "lenght" has not forgotten the length.
         self.wrong |= {match for name in strange if (match := nearest(name, keys))}
         self.named = self._named()
         #: Its fields, each with a class that has it.
         self.fields = every if self.named is None else dict.fromkeys(self.named.descriptions, self.named)
         foreign = [name for name in table if name in every and name not in self.fields]
-        self.mistakes += (Mistake((name,), self._foreign(name)) for name in foreign)
+        self.mistakes += map(self._foreign, foreign)
 
     def made(self) -> Input:
         """Return the input.
 
         Raises
         ------
-        TableError
+        InputsError
             With all mistakes.
         """
         self.take_fields()
@@ -166,7 +154,7 @@ class Reading:
         if made is not None and (not given or (isinstance(word, str) and word in self.cls.kinds)):
             self.check_together(made)
         if self.mistakes or self.wrong or made is None:
-            raise TableError(self.mistakes)
+            raise InputsError(self.mistakes)
         return made(**self.values)
 
     def take_fields(self) -> None:
@@ -179,22 +167,25 @@ class Reading:
                 self.absent(name)
                 continue
             try:
-                self.values[name] = self.value(name, self.table[name])
-            except TableError as error:
-                self.mistakes += (mistake.within((name,)) for mistake in error.mistakes)
-                self.wrong.add(name)
+                given = self.value(name, self.table[name])
             except InputError as error:
-                for each in error.errors if isinstance(error, EntriesError) else (error,):
+                self.mistakes += error.within(name).each
+                self.wrong.add(name)
+                continue
+            try:
+                self.values[name] = self._described(name).take(name, given)
+            except InputError as error:
+                for each in error.each:
                     self.note(each if place_of(each.field)[0] == name else each.within(name))
 
     def absent(self, name: str) -> None:
         """Note a field that is not given, if it must be."""
         if name in (self.named or self.cls).required and name not in self.wrong:
-            self.mistakes.append(missing((name,), self.way_out(name)))
+            self.mistakes.append(missing(name, self.way_out(name)))
             self.wrong.add(name)
 
     def value(self, name: str, given: Any) -> Any:
-        """Return the value of a field."""
+        """Return what a field is given, with the inputs that its tables hold; errors are relative to it."""
         each, inner = self._described(name), self.fields[name].inputs.get(name)
         if isinstance(each, Parts):
             return self._several(name, each, given)
@@ -204,11 +195,11 @@ class Reading:
             body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
             return read_profile(given, dimensions(body, self.file.radius), self.file.folder)
         if isinstance(each, Part) and each.named and not isinstance(given, dict | str):
-            raise InputError(name, given, "be a name or a table", each.remedy)
+            raise InputError("", given, "be a name or a table", each.remedy)
         part = isinstance(each, Part) and not (each.named and isinstance(given, str))
         if inner and (isinstance(given, dict) or part):
-            given = read(inner, given, self.file, (*self.place, name), getattr(each, "likely", None))
-        return each.take(name, given)
+            return read(inner, given, self.file, (*self.place, name), getattr(each, "likely", None))
+        return given
 
     def _described(self, name: str) -> Described:
         return self.fields[name].descriptions[name]
@@ -224,10 +215,8 @@ class Reading:
                 try:
                     check(trial)
                 except InputError as error:
-                    self.note(error)
-                except TableError as error:
-                    self.mistakes += error.mistakes
-                    self.wrong |= {str(mistake.place[0]) for mistake in error.mistakes}
+                    for each in error.each:
+                        self.note(each)
 
     def note(self, error: InputError) -> None:
         """Note a mistake in a field, whose value counts no more."""
@@ -236,9 +225,7 @@ class Reading:
         # Text and profiles are shown as they were written, and what is missing not at all: TOML has no null.
         shown = given if (isinstance(given, str) or isinstance(error.value, Profile)) and not rest else error.value
         shown = document_of(shown) if isinstance(shown, Input) else shown
-        place = (name, *rest)
-        here = InputError(path_of(place), shown, error.condition, error.remedy)
-        self.mistakes.append(Mistake(place, here, absent=shown is None))
+        self.mistakes.append(InputError(error.field, shown, error.condition, error.remedy))
         self.wrong.add(name)
 
     def way_out(self, name: str) -> str:
@@ -252,12 +239,11 @@ class Reading:
 
     def _several(self, name: str, each: Parts, given: Any) -> Any:
         if not isinstance(given, list) or not given:
-            raise InputError(name, given, "be a list of tables", each.remedy)
+            raise InputError("", given, "be a list of tables", each.remedy)
         if len(given) > each.most:
-            raise InputError(name, given, f"have at most {each.most} tables", each.remedy)
+            raise InputError("", given, f"have at most {each.most} tables", each.remedy)
         place = (*self.place, name)
-        found: list[Any] = one_by_one(given, lambda number, entry: read(each.of, entry, self.file, (*place, number)))
-        return each.take(name, found)
+        return one_by_one("", given, lambda number, entry: read(each.of, entry, self.file, (*place, number)))
 
     def _named(self) -> type[Input] | None:
         """Return the class by its word, or that of tables without one; None if it cannot be known."""
@@ -266,13 +252,12 @@ class Reading:
             return self.cls
         if "kind" not in self.table:
             if usual is None and "kind" not in self.wrong:
-                self.mistakes.append(missing(("kind",), f"give {self.cls.meaning_of_kind}"))
+                self.mistakes.append(missing("kind", f"give {self.cls.meaning_of_kind}"))
             return usual
         word = self.table["kind"]
         if isinstance(word, str) and word in self.cls.kinds:
             return self.cls.kinds[word]
-        what = f"kind of {self._noun}"
-        self.mistakes.append(Mistake(("kind",), unknown("kind", word, what, word, self.cls.kinds)))
+        self.mistakes.append(unknown("kind", word, f"kind of {self._noun}", word, self.cls.kinds))
         return usual
 
     def _foreign(self, name: str) -> InputError:

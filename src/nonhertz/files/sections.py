@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS, MISTAKES
-from nonhertz.files.mistakes import TableError
 from nonhertz.files.reading import BROKEN, Surroundings, read
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.checks import one_line, positive
@@ -102,7 +101,7 @@ def combined_radius(*bodies: Any) -> Any:
         try:
             given = {name: body[name] for name in ("diameter",) if name in body}
             curvature += float(read(Body, given, likely=lambda _: Body).curvature(0.0))
-        except (InputError, TableError):
+        except InputError:
             return BROKEN
     return 1.0 / curvature if curvature > 0.0 else None
 

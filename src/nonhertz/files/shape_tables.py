@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from functools import reduce
 from operator import add
 from pathlib import Path
@@ -10,12 +9,12 @@ from typing import Annotated, Any
 
 from nonhertz.bearing.shapes import Curve, Deviations, RingShape, Waves
 from nonhertz.errors import InputError
-from nonhertz.files.mistakes import InFile, Mistake, Place, TableError, one_by_one
+from nonhertz.files.mistakes import Place
 from nonhertz.files.reading import Surroundings, read
 from nonhertz.files.ring_shapes import read_ring_shape
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Input, Word, described
+from nonhertz.inputs.fields import Input, Word, described, one_by_one
 
 MOST_SHAPES = 100
 _REMEDY = "write { terms = [{ waves = 2, amplitude = '5 um' }] }, { angle = [..], deviation = [..] } or { file = '..' }"
@@ -42,21 +41,19 @@ class ShapeFile(Input):
         return read_ring_shape(folder / self.file, **given)
 
 
-def read_shape(value: Any, name: str, file: Surroundings, place: Place) -> RingShape:
+def read_shape(value: Any, file: Surroundings, place: Place) -> RingShape:
     """Return the shape in a table, or the sum of those in a list of tables.
 
     Raises
     ------
     InputError
-        If there are too many.
-    TableError
-        All mistakes, with places relative to ``value``.
+        All mistakes, with fields relative to ``value``.
     """
     if not isinstance(value, list):
         return _read_one(value, file, place)
     if not 0 < len(value) <= MOST_SHAPES:
-        raise InputError(name, value, f"hold 1 to {MOST_SHAPES} shapes", "add up their waves or deviations")
-    return reduce(add, one_by_one(value, lambda number, each: _read_one(each, file, (*place, number))))
+        raise InputError("", value, f"hold 1 to {MOST_SHAPES} shapes", "add up their waves or deviations")
+    return reduce(add, one_by_one("", value, lambda number, each: _read_one(each, file, (*place, number))))
 
 
 def shape_tables(name: str, shape: Any) -> Any:
@@ -76,13 +73,13 @@ def shape_tables(name: str, shape: Any) -> Any:
 
 def _read_one(value: Any, file: Surroundings, place: Place) -> RingShape:
     if not isinstance(value, dict):
-        raise TableError([Mistake((), InputError("", value, "be a table", _REMEDY))])
+        raise InputError("", value, "be a table", _REMEDY)
     if "file" in value:
         return _from_file(read(ShapeFile, value, file, place), file.folder)
     if {"angle", "deviation"} & set(value):
         return RingShape.of(read(Deviations, value, file, place))
     if value and "terms" not in value:
-        raise TableError([Mistake((), InputError("", value, "have terms, or angle and deviation, or a file", _REMEDY))])
+        raise InputError("", value, "have terms, or angle and deviation, or a file", _REMEDY)
     return RingShape.of(read(Waves, value, file, place))
 
 
@@ -90,9 +87,7 @@ def _from_file(table: ShapeFile, folder: Path | None) -> RingShape:
     try:
         return table.shape(folder)
     except InputError as error:
-        if error.field in {each.name for each in dataclasses.fields(table)} - {"file"}:
-            raise TableError([Mistake((error.field,), error)]) from None
         if error.field in {"path", "file"}:
-            here = InputError("file", table.file, error.condition, error.remedy)
-            raise TableError([Mistake(("file",), here)]) from None
-        raise TableError([Mistake(("file", InFile(error.field)), error)]) from None
+            raise InputError("file", table.file, error.condition, error.remedy) from None
+        inside = "" if error.field in table.descriptions else "file, "
+        raise InputError(f"{inside}{error.field}", error.value, error.condition, error.remedy) from None

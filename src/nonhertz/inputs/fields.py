@@ -32,13 +32,14 @@ from typing import (
     get_type_hints,
 )
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, InputsError
 from nonhertz.inputs.checks import above_zero, finite, flag, is_number, not_negative, numbers, one_of, positive, whole
 from nonhertz.inputs.units import begins_with_digits, in_unit
 
 #: A check of a value, given its name, the value and the remedy: raises `InputError`, or returns what to keep, if any.
 Condition = Callable[[str, Any, str], Any]
 AnyClass = TypeVar("AnyClass")
+Read = TypeVar("Read")
 Method = TypeVar("Method", bound=Callable[[Any], None])
 
 _NEXT_SECTION = re.compile(r"^[A-Z][a-z]+\n-+$", re.MULTILINE)
@@ -58,29 +59,24 @@ class Described(Protocol):
         """Return the JSON schema of its value in a file, but for tables and without its meaning."""
 
 
-class EntriesError(InputError):
-    """Several errors about the entries of one field; where only one can be said it is the first."""
+def one_by_one(name: str, entries: Iterable[Any], take: Callable[[int, Any], Read]) -> list[Read]:
+    """Return what is taken of the entries of a field, each given with its number from 1.
 
-    def __init__(self, errors: Iterable[InputError]) -> None:
-        self.errors = tuple(errors)
-        first = self.errors[0]
-        super().__init__(first.field, first.value, first.condition, first.remedy)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.errors,)  # so that it can be sent between processes
-
-
-def taken_one_by_one(name: str, values: Iterable[Any], take: Callable[[str, Any], Any]) -> tuple[Any, ...]:
-    """Return the entries of a field, or raise `EntriesError` with the number of each that is wrong, from 1."""
-    found, errors = [], []
-    for number, value in enumerate(values, start=1):
+    Raises
+    ------
+    InputsError
+        With the errors of all of them, each in the field of its entry, ``name[1]``.
+    """
+    found: list[Read] = []
+    errors: list[InputError] = []
+    for number, entry in enumerate(entries, start=1):
         try:
-            found.append(take(f"{name}[{number}]", value))
+            found.append(take(number, entry))
         except InputError as error:
-            errors.append(error)
+            errors += error.within(f"{name}[{number}]").each
     if errors:
-        raise EntriesError(errors)
-    return tuple(found)
+        raise InputsError(errors)
+    return found
 
 
 @dataclass(frozen=True)
@@ -157,7 +153,7 @@ class OneOrTwo:
             return self.each.take(name, values)
         if len(values) != 2:
             raise InputError(name, value, "be one value or two", self.each.remedy)
-        return taken_one_by_one(name, values, self.each.take)
+        return tuple(one_by_one(name, values, lambda _, value: self.each.take("", value)))
 
     def schema(self) -> dict[str, Any]:
         """Return the schema of one or two."""
@@ -382,11 +378,11 @@ class Words:
             raise InputError(name, value, "be a list of names", remedy)
         if len(value) > self.most:
             raise InputError(name, value, f"have at most {self.most} names", remedy)
-        return tuple(dict.fromkeys(taken_one_by_one(name, value, self._known)))
+        return tuple(dict.fromkeys(one_by_one(name, value, self._known)))
 
-    def _known(self, name: str, word: Any) -> Any:
+    def _known(self, _: int, word: Any) -> Any:
         if word not in self.words:
-            raise unknown(name, word, self.what, word, self.words)
+            raise unknown("", word, self.what, word, self.words)
         return word
 
     def schema(self) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.files.held import OF_BEARINGS
-from nonhertz.files.mistakes import Mistake, Place, case_error
+from nonhertz.files.mistakes import Place, case_error, path_of
 
 DOCUMENT_BYTES: Final = 256 * 1024
 UPLOAD_BYTES: Final = 2 * 1024 * 1024
@@ -53,29 +53,29 @@ _BOUNDS: Final[Mapping[Place, int]] = {
 }
 
 
-def refuse(mistakes: list[Mistake]) -> None:
+def refuse(mistakes: list[InputError]) -> None:
     """Raise `CaseError` if there are mistakes."""
     if mistakes:
         raise case_error(mistakes)
 
 
-def unfit(document: dict[str, Any]) -> list[Mistake]:
+def unfit(document: dict[str, Any]) -> list[InputError]:
     """Return where a document has more entries than the page accepts, or values that no file can hold."""
     return [*too_long(document), *_absent(document, ())]
 
 
-def too_slow(document: dict[str, Any]) -> list[Mistake]:
+def too_slow(document: dict[str, Any]) -> list[InputError]:
     """Return where a valid case or bearing asks for more work than the page does while the user waits."""
     found = []
     for place, most in _BOUNDS.items():
         value = _at(document, *place)
         cheap = place[-1] == "laminae" and "bearing" not in document  # those of a single contact
         if isinstance(value, int | float) and value > most and not cheap:
-            found.append(Mistake(place, InputError("", value, f"be at most {most} on the page", _ELSEWHERE)))
+            found.append(InputError(path_of(place), value, f"be at most {most} on the page", _ELSEWHERE))
     return found
 
 
-def too_long(document: dict[str, Any]) -> list[Mistake]:
+def too_long(document: dict[str, Any]) -> list[InputError]:
     """Return where a document has more entries than a form can show."""
     found = [*_long_tables(document, ())]
     lists = {(*body, "profile"): (PROFILES, "profiles") for body in _BODIES} | {
@@ -88,7 +88,7 @@ def too_long(document: dict[str, Any]) -> list[Mistake]:
     return found
 
 
-def _long_tables(value: Any, place: Place) -> Iterator[Mistake]:
+def _long_tables(value: Any, place: Place) -> Iterator[InputError]:
     if isinstance(value, dict):
         if len(value) > KEYS:
             yield _too_long(place, value, KEYS, "keys")
@@ -103,10 +103,10 @@ def _long_tables(value: Any, place: Place) -> Iterator[Mistake]:
             yield from _long_tables(entry, (*place, number))
 
 
-def _absent(value: Any, place: Place) -> Iterator[Mistake]:
+def _absent(value: Any, place: Place) -> Iterator[InputError]:
     """Yield a mistake for each null, which exists in JSON but not in TOML."""
     if value is None:
-        yield Mistake(place, InputError("", None, "be a number, text or a table", "leave the key out"))
+        yield InputError(path_of(place), None, "be a number, text or a table", "leave the key out")
     elif isinstance(value, dict):
         for name, entry in value.items():
             yield from _absent(entry, (*place, name))
@@ -121,6 +121,6 @@ def _at(value: Any, *names: str | int) -> Any:
     return value
 
 
-def _too_long(place: Place, value: Any, most: int, what: str) -> Mistake:
+def _too_long(place: Place, value: Any, most: int, what: str) -> InputError:
     # The whole document has no name to begin the sentence with.
-    return Mistake(place or ("case",), InputError("", value, f"have at most {most} {what} on the page", _ELSEWHERE))
+    return InputError(path_of(place or ("case",)), value, f"have at most {most} {what} on the page", _ELSEWHERE)

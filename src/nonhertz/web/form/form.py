@@ -14,12 +14,13 @@ from dataclasses import MISSING, replace
 from functools import cache
 from typing import Any, Final, Literal
 
+from nonhertz.errors import InputError
 from nonhertz.files.bearing_document import BearingFile
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.held import parsed
 from nonhertz.files.keys import Key, Table, table_of
-from nonhertz.files.mistakes import Place, TableError, path_of
+from nonhertz.files.mistakes import Place, path_of
 from nonhertz.files.profiles import profile_tables
 from nonhertz.files.reading import read
 from nonhertz.files.sections import CaseDocument
@@ -338,7 +339,7 @@ def _usual_depth(given: dict[str, Any], body: Table) -> str:
     plain = {name: value for name, value in given.items() if name not in ("depth", "profile", "chamfer")}
     try:
         return read(Body, plain, likely=body.likely).behind.word
-    except TableError:
+    except InputError:
         return ""
 
 
@@ -349,7 +350,7 @@ def _sizes(given: dict[str, Any], body: Table) -> dict[str, float]:
         return {}
     try:
         made = read(Body, given, likely=body.likely)
-    except TableError:
+    except InputError:
         return {}
     entry, end = made.profile.catalogue_entry, made.land[1] - made.position
     if entry is None or not math.isfinite(end):

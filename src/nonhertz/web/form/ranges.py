@@ -19,7 +19,6 @@ from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
 from nonhertz.files.bearing_document import radius_across, read_document
 from nonhertz.files.held import OF_BEARINGS
-from nonhertz.files.mistakes import TableError
 from nonhertz.files.reading import Surroundings, read
 from nonhertz.files.sections import Bodies, surroundings
 from nonhertz.hertz import half_space_line_compression, line_contact
@@ -186,7 +185,7 @@ def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]
         unloaded = {"radial_displacement": 0.0, "axial_displacement": 0.0}
         found = read_document(parts | {"load": unloaded}, Surroundings(None, radius_across(document)))
         return RANGES | _of_bearing(found.bearing)
-    except (TableError, InputError):
+    except InputError:
         return RANGES
 
 
