@@ -22,6 +22,7 @@ from typing import (
     Any,
     ClassVar,
     Literal,
+    ParamSpec,
     Protocol,
     Self,
     TypeVar,
@@ -40,6 +41,7 @@ from nonhertz.inputs.units import begins_with_digits, in_unit
 Condition = Callable[[str, Any, str], Any]
 AnyClass = TypeVar("AnyClass")
 Read = TypeVar("Read")
+P = ParamSpec("P")
 Method = TypeVar("Method", bound=Callable[[Any], None])
 
 _NEXT_SECTION = re.compile(r"^[A-Z][a-z]+\n-+$", re.MULTILINE)
@@ -561,6 +563,31 @@ def described(**options: Any) -> Callable[[type[AnyClass]], type[AnyClass]]:
         return cls
 
     return made
+
+
+def parameters_of(function: Callable[..., Any], base: type[Input] = Input) -> type[Any]:
+    """Return the class of what a function takes, whose parameters are annotated as the fields of an input are."""
+    function = inspect.unwrap(function)
+    hints = get_type_hints(function, include_extras=True)
+    given = inspect.signature(function).parameters.values()
+    defaults = {each.name: each.default for each in given if each.default is not each.empty}
+    annotations = {each.name: hints[each.name] for each in given}
+    body = {"__annotations__": annotations, "__module__": function.__module__, "__doc__": function.__doc__}
+    found: type[Any] = described()(type(function.__name__, (base,), body | defaults))
+    return found
+
+
+def checked(function: Callable[P, Read]) -> Callable[P, Read]:
+    """Return a function whose parameters are checked and listed in its docstring by what describes them."""
+    cls = parameters_of(function)
+
+    @functools.wraps(function)
+    def called(*values: P.args, **given: P.kwargs) -> Read:
+        return function(**vars(cls(*values, **given)))  # type: ignore[call-arg]
+
+    called.__doc__ = cls.__doc__
+    called.__signature__ = plain_signature(function, get_type_hints(function))  # type: ignore[attr-defined]
+    return called
 
 
 def given_beside(cls: type[Input], given: Mapping[str, Any]) -> list[InputError]:

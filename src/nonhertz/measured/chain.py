@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, get_args
 
 import numpy as np
 
 from nonhertz.amounts import amount, mm, um
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding, sentences
-from nonhertz.inputs.checks import flag, listed, one_of
+from nonhertz.inputs.checks import listed, one_of, positive
+from nonhertz.inputs.fields import Count, Flag, OrFlag, Part, Quantity, Word, checked
 from nonhertz.measured.corners import CORNER_CUTOFF, resolved
 from nonhertz.measured.filters import nominal_form, shortest_cutoff, unresolved
 from nonhertz.measured.land import SurfaceStep, steps_in
@@ -39,7 +41,7 @@ from nonhertz.measured.steps import (
     Trim,
     enough_points,
 )
-from nonhertz.measured.trace import LONGEST, Array, Points, Trace
+from nonhertz.measured.trace import FEWEST_POINTS, LONGEST, Array, Points, Trace
 from nonhertz.model.profile import Profile, Tabulated, tabulated
 from nonhertz.model.profile.table import Interpolation
 
@@ -323,56 +325,80 @@ class Measured:
         return replace(self, steps=steps)
 
 
+@checked
 def prepare(
-    trace: Trace,
+    trace: Annotated[Trace, Part("the raw measurement", Trace, "make one with nonhertz.measured.Trace")],
     *,
-    level: bool = True,
-    align: bool | Middle = True,
-    trim: float | str | bool = "auto",
-    corner: Corners = "keep",
-    outliers: float | bool = True,
-    smooth: bool | Filter = "gaussian",
-    cutoff: float | None = None,
-    slope: float | None = None,
-    points: int | str | bool = "auto",
+    level: Annotated[bool, Flag("whether to take off the tilt at which the body lay in the machine")] = True,
+    align: Annotated[
+        bool | Middle,
+        OrFlag(
+            Word("", "choose how to find the middle", get_args(Middle)),
+            "how the middle of the body is found; false leaves y as it is",
+        ),
+    ] = True,
+    trim: Annotated[
+        float | str | bool,
+        OrFlag(
+            Quantity("mm", "", positive, "give the length to keep in mm, or 'auto'", {"auto": "land and corners"}),
+            "'auto' finds the land and its corners, a length is kept about y = 0, false keeps all",
+        ),
+    ] = "auto",
+    corner: Annotated[
+        Corners,
+        Word(
+            "whether corners that the trace holds are kept, smoothed apart from the land, or cut off",
+            "choose what becomes of the corners",
+            get_args(Corners),
+        ),
+    ] = "keep",
+    outliers: Annotated[
+        float | bool,
+        OrFlag(
+            Quantity("", "", positive, "give a number of robust standard deviations, such as 5"),
+            "robust standard deviations beyond which points are taken out; true for 5, false for none",
+        ),
+    ] = True,
+    smooth: Annotated[
+        bool | Filter,
+        OrFlag(Word("", "choose a filter", get_args(Filter)), "the filter that takes roughness off, or false"),
+    ] = "gaussian",
+    cutoff: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "wavelength of which the filter lets half through",
+            positive,
+            "give a wavelength in mm, such as 0.8",
+        ),
+    ] = None,
+    slope: Annotated[
+        float | None,
+        Quantity(
+            "",
+            "slope at which a chamfer begins",
+            positive,
+            "give the slope at which a chamfer begins, 0.05 being 50 um in a millimetre",
+        ),
+    ] = None,
+    points: Annotated[
+        int | str | bool,
+        OrFlag(
+            Count("", FEWEST_POINTS, math.inf, "give a number of points to keep", {"auto": "eight per cutoff"}),
+            "how many points to keep; 'auto' for eight per cutoff, false for all",
+        ),
+    ] = "auto",
 ) -> Measured:
     """Return a trace with the usual steps: level, align, trim, outliers, smooth, thin.
 
-    Parameters
-    ----------
-    trace : Trace
-        The raw measurement.
-    level : bool
-        Whether to remove the tilt.
-    align : bool or str
-        How to find the middle of the body: ``"ends"`` (or True), ``"symmetry"``; False leaves y alone.
-    trim : str, float or False
-        ``"auto"`` finds the land and the corners, a length [mm] is kept about y = 0, False keeps all.
-    corner : str
-        What becomes of the corners where ``trim`` finds them: ``"keep"``, smoothed apart from the land, or ``"cut"``.
-    outliers : bool or float
-        Robust standard deviations beyond which points are removed, True for five; False keeps all.
-    smooth : str or False
-        ``"gaussian"``, ``"spline"``, or False to keep the roughness.
-    cutoff : float or None
-        Wavelength [mm] of the filter; None for 0.8 mm, or a fifth of a land that is shorter.
-    slope : float or None
-        Slope at which a chamfer begins; 0.05 if None.
-    points : str, int or False
-        How many points of the land to keep: ``"auto"`` for eight per cutoff (all, if there is no filter), or a number;
-        False keeps all. Corners have points of their own.
-
-    Returns
-    -------
-    Measured
-        The trace with its steps.
+    Without a cutoff it is 0.8 mm, or a fifth of a land that is shorter; without a slope 0.05. Eight points per cutoff
+    are all points where there is no filter; corners have points of their own.
 
     Raises
     ------
     InputError
         If a value is out of range.
     """
-    flag("level", level, "write False to leave the tilt")
     limit = Level().slope if slope is None else slope
     steps: list[Step] = []
     if level:
@@ -380,7 +406,7 @@ def prepare(
     if align is not False:
         steps.append(Align("ends" if align is True else align, limit))
     if trim is not False:
-        steps.append(Trim(_length(trim), limit, corner))
+        steps.append(Trim(None if isinstance(trim, bool | str) else trim, limit, corner))
     if outliers is not False:
         steps.append(Outliers(THRESHOLD if outliers is True else outliers))
     measured = Measured(trace, tuple(steps))
@@ -413,17 +439,7 @@ def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[Finding]:
     return [finding("gap", words, gaps=len(gaps), length=mm(length), widest=mm(low, high, between=" and "))]
 
 
-def _length(trim: float | str | bool) -> float | None:
-    if trim is True or trim == "auto":
-        return None
-    if isinstance(trim, str):
-        raise InputError("trim", trim, "be 'auto', a length or false", "give the length to keep in mm")
-    return trim
-
-
 def _thinned(measured: Measured, points: int | str | bool, smooth: bool) -> Measured:
     if points is False or (not smooth and (points is True or points == "auto")):
         return measured
-    if isinstance(points, str) and points != "auto":
-        raise InputError("points", points, "be 'auto', a number or false", "give a number of points to keep")
     return measured.thinned(None if isinstance(points, bool | str) else points)

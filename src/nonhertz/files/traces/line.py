@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,8 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.files.traces.lengths import millimetres
-from nonhertz.inputs.checks import one_of
+from nonhertz.inputs.checks import text
+from nonhertz.inputs.fields import Custom, Input, Word, described
 from nonhertz.measured.trace import FEWEST_POINTS, LONGEST, Array, Trace, dropouts, holes, usual_step
 
 #: Points of the longest line that is read.
@@ -24,24 +26,49 @@ _LARGEST, _SHORTEST = 1e6, 1e-6
 _SAME = 1e-3
 
 
-@dataclass(frozen=True)
-class Request:
+def _column(name: str, value: Any, remedy: str) -> Any:
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise InputError(name, value, "be a whole number or text", remedy)
+    return value
+
+
+def _of_length(name: str, value: Any, remedy: str) -> None:
+    text(name, value, remedy)
+    in_mm(name, value)
+
+
+_QUOTES = "put it in quotes"
+_COLUMN = {"anyOf": [{"type": "integer", "minimum": 1}, {"type": "string"}]}
+_WHICH = "give its number from 1, or its name"
+
+
+@described()
+class Request(Input):
     """What the caller says about a file; see `nonhertz.files.traces.read_trace`."""
 
-    name: str
-    position_unit: str | None = None
-    height_unit: str | None = None
-    position_column: int | str | None = None
-    height_column: int | str | None = None
-    sense: str | None = None
-
-    def __post_init__(self) -> None:
-        if self.sense is not None:
-            one_of("sense", self.sense, ("height", "drop"), "say whether the column is positive where material is")
-        for field in ("position_unit", "height_unit"):
-            unit = getattr(self, field)
-            if unit is not None:
-                in_mm(field, unit)
+    name: Annotated[str, Word("what messages call the file", "give its name", condition=text)]
+    position_unit: Annotated[
+        str | None,
+        Word("unit of the positions; what the file states, or mm, if left out", _QUOTES, condition=_of_length),
+    ] = None
+    height_unit: Annotated[
+        str | None,
+        Word("unit of the heights; what the file states, or mm, if left out", _QUOTES, condition=_of_length),
+    ] = None
+    position_column: Annotated[
+        int | str | None, Custom("column of the positions, by number from 1 or by name", _column, _COLUMN, _WHICH)
+    ] = None
+    height_column: Annotated[
+        int | str | None, Custom("column of the heights, by number from 1 or by name", _column, _COLUMN, _WHICH)
+    ] = None
+    sense: Annotated[
+        str | None,
+        Word(
+            "whether the column is positive where material is, 'height', or where it is taken away, 'drop'",
+            "write 'height' or 'drop'",
+            ("height", "drop"),
+        ),
+    ] = None
 
     def refuse(self, condition: str, remedy: str) -> InputError:
         """Return an error about the file."""

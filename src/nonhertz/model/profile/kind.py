@@ -12,7 +12,7 @@ import inspect
 from collections.abc import Callable
 from typing import Any, ClassVar, Final, ParamSpec, get_type_hints
 
-from nonhertz.inputs.fields import Input, described, plain_signature
+from nonhertz.inputs.fields import Input, parameters_of, plain_signature
 from nonhertz.model.profile.base import Profile
 
 P = ParamSpec("P")
@@ -53,7 +53,7 @@ def kind(
     """
 
     def made(function: Callable[P, Profile]) -> Callable[P, Profile]:
-        word, cls = function.__name__.replace("_", "-"), _class_of(function)
+        word, cls = function.__name__.replace("_", "-"), parameters_of(function, ProfileKind)
         cls.by_drop, cls.of_body = by_drop, of_body
         cls.checks_together = tuple(_check_of(each) for each in together)
 
@@ -68,16 +68,6 @@ def kind(
         return profile
 
     return made
-
-
-def _class_of(function: Callable[..., Profile]) -> type[ProfileKind]:
-    hints = get_type_hints(function, include_extras=True)
-    given = inspect.signature(function).parameters.values()
-    defaults = {each.name: each.default for each in given if each.default is not each.empty}
-    annotations = {each.name: hints[each.name] for each in given}
-    body = {"__annotations__": annotations, "__module__": function.__module__, "__doc__": function.__doc__}
-    found: type[ProfileKind] = described()(type(function.__name__, (ProfileKind,), body | defaults))
-    return found
 
 
 def _check_of(check: Callable[..., None]) -> tuple[Callable[[Any], None], frozenset[str]]:
