@@ -17,7 +17,7 @@ from nonhertz.errors import InputError
 from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import write_files
-from nonhertz.files.ranges import number_in, range_in
+from nonhertz.files.spreads import number_in, range_in
 from nonhertz.maps import ContactMap, MapPoint
 from nonhertz.maps import contact_map as map_of
 from nonhertz.maps.value import ROWS, TILTS

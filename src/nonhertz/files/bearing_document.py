@@ -21,8 +21,8 @@ from nonhertz.errors import InputError, InputsError
 from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.mistakes import place_of
 from nonhertz.files.reading import Reading, Surroundings, read, section
+from nonhertz.files.ring_shapes import read_shape, shape_tables
 from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, sampled
-from nonhertz.files.shape_tables import read_shape, shape_tables
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import one_line

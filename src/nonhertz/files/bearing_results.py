@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
-from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.frames import CONTACT_UNITS, RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bounds import FORMAT
@@ -29,16 +29,8 @@ _OF_FIT = {
 }
 #: Units of the numbers in a result; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
-    "angle": "rad",
-    "load": _FORCE,
-    "moment": _MOMENT,
-    "approach": "mm",
-    "tilt": "rad",
-    "contact_angle": "rad",
-    "rib_load": _FORCE,
+    **CONTACT_UNITS,
     "rib_loads": _FORCE,
-    "max_pressure": "MPa",
-    "max_pressure_y": "mm",
     "roller_load": [_FORCE, _FORCE, _MOMENT],
     "displacement": ["mm", "mm", "mm", "rad", "rad"],
     "force": [_FORCE, _FORCE, _FORCE, _MOMENT, _MOMENT],
@@ -61,6 +53,7 @@ UNITS: dict[str, Any] = {
     },
 }
 _OF_CLEARANCE = ("unmounted", "inner_fit", "outer_fit", "temperatures", "speed", "clearance")
+_OF_RING = ("roller_load", "displacement", "force", "stiffness", "edge_rollers", "edge_stiffness", "residual")
 _OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
 
 
@@ -85,19 +78,9 @@ def as_object(
         "operating_clearance": _clearance(case),
         "row": [k for k, row in enumerate(solution.bearing.rows, start=1) for _ in range(row.bearing.rollers)],
         "x": [row.x for row in solution.bearing.rows for _ in range(row.bearing.rollers)],
-        "angle": plain(solution.angle),
-        **{name: plain(getattr(solution, name)) for name in _OF_CONTACTS},
-        "rib_load": plain(solution.rib_load),
-        "rib_loads": plain(solution.rib_loads),
-        "max_pressure": plain(solution.max_pressure) if pressures else None,
-        "max_pressure_y": plain(solution.max_pressure_y) if pressures else None,
-        "roller_load": plain(solution.roller_load),
-        "displacement": plain(solution.displacement),
-        "force": plain(solution.force),
-        "stiffness": plain(solution.stiffness),
-        "edge_rollers": plain(solution.edge_rollers),
-        "edge_stiffness": plain(solution.edge_stiffness),
-        "residual": plain(solution.residual),
+        **{name: plain(getattr(solution, name)) for name in ("angle", *_OF_CONTACTS, "rib_load", "rib_loads")},
+        **{name: plain(getattr(solution, name)) if pressures else None for name in ("max_pressure", "max_pressure_y")},
+        **{name: plain(getattr(solution, name)) for name in _OF_RING},
         "steps": solution.steps,
         "life": None if life is None else _life(life),
         "life_reason": reason,

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.files.paths import Keys
-from nonhertz.files.ranges import number_in
+from nonhertz.files.spreads import number_in
 from nonhertz.inputs.checks import whole
 from nonhertz.inputs.units import in_unit
 

@@ -16,7 +16,7 @@ from nonhertz.bearing.bearings import Pair, RollerBearing
 from nonhertz.bearing.shapes import Deviations, Waves
 from nonhertz.files.bearing_document import PAIR, PARTS, SHAPES
 from nonhertz.files.profiles import KINDS, keys_of, meaning_of, needed_keys
-from nonhertz.files.shape_tables import ShapeFile
+from nonhertz.files.ring_shapes import ShapeFile
 from nonhertz.inputs.fields import Described, Input, Part, Parts, default_of
 from nonhertz.model.profile import Profile
 

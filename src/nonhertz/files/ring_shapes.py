@@ -1,20 +1,30 @@
-"""From a file of two columns, angles and deviations, to the shape of a ring."""
+"""Shapes of rings: from a file of two columns, angles and deviations, and from the tables of bearing files.
+
+A table has waves, deviations at angles, or such a file; a list of tables is their sum.
+"""
 
 from __future__ import annotations
 
 import os
 import re
+from functools import reduce
+from operator import add
 from pathlib import Path
+from typing import Annotated, Any
 
 import numpy as np
 
-from nonhertz.bearing.shapes import Curve, RingShape, tabulated_shape
+from nonhertz.bearing.shapes import Curve, Deviations, RingShape, Waves, tabulated_shape
 from nonhertz.errors import InputError
+from nonhertz.files.mistakes import Place
+from nonhertz.files.reading import Surroundings, read
 from nonhertz.files.traces import LARGEST_FILE
 from nonhertz.files.traces.columns import read_columns
-from nonhertz.files.traces.line import Line, Request, in_mm
+from nonhertz.files.traces.line import Line, Request, of_length
 from nonhertz.files.traces.text import decoded
-from nonhertz.inputs.checks import one_of, text
+from nonhertz.files.writing import document_of
+from nonhertz.inputs.checks import text
+from nonhertz.inputs.fields import Input, Word, described, one_by_one
 from nonhertz.inputs.files import content, legible
 
 _HEAD = 100  # lines that may state units
@@ -22,6 +32,24 @@ _TO_RAD = {"rad": 1.0, "deg": np.pi / 180.0}
 _STATED = re.compile(r"(?<![A-Za-z])(?:(rad)(?:ians?)?|(deg)(?:rees?)?)(?![A-Za-z])|(°)", re.IGNORECASE)
 _UNIT_OF_ANGLES = "write it above the column, as in 'angle [deg]', or give angle_unit"
 _UNIT_OF_DEVIATIONS = "write it above the column, as in 'deviation [um]', or give deviation_unit"
+
+
+MOST_SHAPES = 100
+_SHAPES = "write { terms = [{ waves = 2, amplitude = '5 um' }] }, { angle = [..], deviation = [..] } or { file = '..' }"
+
+
+@described()
+class ShapeFile(Input):
+    """A ring's shape from a file of two columns, angle and deviation."""
+
+    file: Annotated[str, Word("the file, relative to the bearing file", "put it in quotes", condition=text)]
+    angle_unit: Annotated[
+        str | None, Word("'deg' or 'rad', if the file does not say", "write 'deg' or 'rad'", tuple(_TO_RAD))
+    ] = None
+    deviation_unit: Annotated[
+        str | None, Word("unit of the deviations, if the file does not say", "write 'um' or 'mm'", condition=of_length)
+    ] = None
+    curve: Annotated[Curve, Deviations.descriptions["curve"]] = "cubic"
 
 
 def read_ring_shape(
@@ -66,11 +94,7 @@ def read_ring_shape(
     >>> shape([0.0]).round(6).tolist()
     [0.005]
     """
-    if angle_unit is not None:
-        one_of("angle_unit", angle_unit, tuple(_TO_RAD), "write 'deg' or 'rad', or leave it out")
-    if deviation_unit is not None:
-        text("deviation_unit", deviation_unit, "write 'um' or 'mm', or leave it out")
-        in_mm("deviation_unit", deviation_unit)
+    ShapeFile(str(path), angle_unit, deviation_unit, curve)
     lines, name = _lines(path)
     # To the reader of traces angles are positions, and pass through it unchanged as mm.
     request = Request(name, position_unit="mm", height_unit=deviation_unit, sense="height")
@@ -82,10 +106,63 @@ def read_ring_shape(
     try:
         return tabulated_shape(angle, line.height[known], curve)
     except InputError as error:
-        if error.field == "curve":
-            raise
         found = f"hold one turn of a ring ({error.field} = {error.value} must {error.condition})"
         raise request.refuse(found, error.remedy) from None
+
+
+def read_shape(value: Any, file: Surroundings, place: Place) -> RingShape:
+    """Return the shape in a table, or the sum of those in a list of tables.
+
+    Raises
+    ------
+    InputError
+        All mistakes, with fields relative to ``value``.
+    """
+    if not isinstance(value, list):
+        return _read_one(value, file, place)
+    if not 0 < len(value) <= MOST_SHAPES:
+        raise InputError("", value, f"hold 1 to {MOST_SHAPES} shapes", "add up their waves or deviations")
+    return reduce(add, one_by_one("", value, lambda number, each: _read_one(each, file, (*place, number))))
+
+
+def shape_tables(name: str, shape: Any) -> Any:
+    """Return the table that `read_shape` reads as this shape, or a list of tables.
+
+    Raises
+    ------
+    InputError
+        If it is a function of another kind.
+    """
+    tables = [document_of(each) for each in shape.parts] if isinstance(shape, RingShape) else []
+    if not tables:
+        condition = "be made by fourier_shape or tabulated_shape to go into a bearing file"
+        raise InputError(name, shape, condition, "solve such a bearing in Python")
+    return tables[0] if len(tables) == 1 else tables
+
+
+def _read_one(value: Any, file: Surroundings, place: Place) -> RingShape:
+    if not isinstance(value, dict):
+        raise InputError("", value, "be a table", _SHAPES)
+    if "file" in value:
+        return _from_file(read(ShapeFile, value, file, place), file.folder)
+    if {"angle", "deviation"} & set(value):
+        return RingShape.of(read(Deviations, value, file, place))
+    if value and "terms" not in value:
+        raise InputError("", value, "have terms, or angle and deviation, or a file", _SHAPES)
+    return RingShape.of(read(Waves, value, file, place))
+
+
+def _from_file(table: ShapeFile, folder: Path | None) -> RingShape:
+    if folder is None:
+        raise InputError("file", table.file, "not be read here", "write the angles and deviations into the file")
+    given = {name: value for name, value in vars(table).items() if name != "file"}
+    try:
+        return read_ring_shape(folder / table.file, **given)
+    except InputError as error:
+        if error.field in {"path", "file"}:
+            raise InputError("file", table.file, error.condition, error.remedy) from None
+        inside = "" if error.field in table.descriptions else "file, "
+        raise InputError(f"{inside}{error.field}", error.value, error.condition, error.remedy) from None
 
 
 def _lines(path: str | os.PathLike[str]) -> tuple[list[str], str]:

@@ -15,7 +15,7 @@ from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS, MISTAKES
 from nonhertz.files.reading import BROKEN, Surroundings, read
 from nonhertz.files.title_block import TitleBlock
-from nonhertz.inputs.checks import one_line, positive
+from nonhertz.inputs.checks import not_negative, one_line, positive
 from nonhertz.inputs.fields import (
     Count,
     Custom,
@@ -30,6 +30,7 @@ from nonhertz.inputs.fields import (
 )
 from nonhertz.life import MODELS, LoadCase, Model, model
 from nonhertz.life.capacity import ANGLE_REMEDY, contact_angle_at_most
+from nonhertz.life.catalogue import check_slope
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
 from nonhertz.life.spectrum import WHOLE
 from nonhertz.model.body import BODIES, Body, BodyName, convex
@@ -195,13 +196,8 @@ class OverrolledDent(Input):
         return density | ({} if self.raceway_diameter is None else {"raceway_diameter": self.raceway_diameter})
 
 
-def _of_model(model_name: str) -> Any:
-    """Return the check of a parameter by the model that has it."""
-
-    def check(name: str, value: Any, remedy: str) -> None:
-        model(model_name, **{name: value})
-
-    return check
+def _slope(name: str, value: float, remedy: str) -> None:
+    check_slope(value)
 
 
 @described(kw_only=True)
@@ -232,11 +228,16 @@ class Life(Input):
     ] = ()
     slope: Annotated[
         float | None,
-        Quantity("", "Weibull's slope e of the volume models, 9/8 if left out", _of_model("lundberg-palmgren")),
+        Quantity("", "Weibull's slope e of the volume models, 9/8 if left out", _slope),
     ] = None
     fatigue_limit: Annotated[
         float | None,
-        Quantity("MPa", "fatigue limit of ioannides-harris, 360 if left out", _of_model("ioannides-harris")),
+        Quantity(
+            "MPa",
+            "fatigue limit of ioannides-harris, 360 if left out",
+            not_negative,
+            "give a limit in MPa, 0 for none",
+        ),
     ] = None
     laminae: Annotated[
         int | None,

@@ -13,6 +13,7 @@ In a distribution the word ``nominal`` stands for the value that the case has.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -21,9 +22,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import digits
 from nonhertz.errors import InputError
 from nonhertz.files.paths import Parameter
-from nonhertz.files.ranges import MOST_VALUES, number_in, range_in
 from nonhertz.inputs.checks import finite, numbers, one_of
 from nonhertz.inputs.units import begins_with_digits, in_unit
 
@@ -42,6 +43,7 @@ DISTRIBUTIONS = {
 _CALL = re.compile(r"\s*([a-z]+)\s*\(([^()]*)\)\s*(?:within\s+(.*))?", re.DOTALL)
 _NOMINAL = "nominal"
 _SHARE_REMEDY = "give shares of all values"
+MOST_VALUES = 10_000
 FARTHEST = 6.0  # standard deviations at which a normal distribution is tried: one sample in 10^9 is beyond
 
 
@@ -230,6 +232,75 @@ def bounds_in(parameter: Parameter, given: Any) -> tuple[float, float]:
     if not low < high:
         raise InputError(parameter.path, given, "ascend", "give lowest and highest")
     return float(low), float(high)
+
+
+def range_in(field: str, text: str, unit: str, example: str) -> tuple[float, float, int | None]:
+    """Return the range that a text stands for: lowest, highest, and how many values there are if that is written.
+
+    Parameters
+    ----------
+    field : str
+        Name of the input, for the message.
+    text : str
+        Lowest and highest with units, and perhaps how many, with colons between them. Zero needs no unit.
+    unit : str
+        As for `nonhertz.inputs.units.in_unit`.
+    example : str
+        A range without a count, for the message.
+
+    Raises
+    ------
+    InputError
+        If the text is no range, is empty, or has too many values.
+
+    Examples
+    --------
+    >>> range_in("load", "0 : 40 kN : 41", "N", "0:40kN")
+    (0.0, 40000.0, 41)
+    """
+    parts = text.split(":")
+    what = "with units, such as" if unit else "such as"
+    remedy = f"write lowest and highest {what} {example}, and if you like how many values, {example}:21"
+    if len(parts) not in {2, 3}:
+        raise InputError(field, text, "be a range", remedy)
+    low, high = (number_in(field, part, unit) for part in parts[:2])
+    if not low < high:
+        condition = f"ascend, not go from {digits(low)} to {digits(high)} {unit}".rstrip()
+        raise InputError(field, text, condition, remedy)
+    if len(parts) == 2:
+        return low, high, None
+    count = parts[2].strip()
+    if not count.isascii() or not count.isdigit() or not 2 <= int(count[:9]) <= MOST_VALUES:
+        raise InputError(field, text, f"have a whole number from 2 to {MOST_VALUES} as its third part", remedy)
+    return low, high, int(count)
+
+
+def number_in(field: str, text: str, unit: str) -> float:
+    """Return a quantity that is written without quotes, in a unit; zero needs none, nor does a plain number.
+
+    Raises
+    ------
+    InputError
+        If it is no such quantity.
+    """
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if number == 0.0:
+        return 0.0
+    if unit == "":
+        if not math.isfinite(number):
+            raise InputError(field, text.strip(), "be a plain number", "write it without a unit")
+        return number
+    try:
+        return float(in_unit(field, text, unit))
+    except InputError as error:
+        # Nothing is in quotes here.
+        remedy = f"append a unit, such as {text.strip()}{'mrad' if unit == 'rad' else unit}"
+        raise InputError(
+            field, text, error.condition, remedy if error.condition == "have a unit" else error.remedy
+        ) from None
 
 
 def _entry(parameter: Parameter, given: Any) -> Any:

@@ -76,21 +76,16 @@ def profile_tables(profile: Profile) -> list[dict[str, Any]]:
         return []
     if isinstance(profile, Sum):
         return [table for part in profile.parts for table in profile_tables(part)]
-    if isinstance(profile, Shifted):
-        return [_shifted(table, profile.by) for table in profile_tables(profile.profile)]
-    if isinstance(profile, Flipped):
-        return [_flipped(table) for table in profile_tables(profile.profile)]
-    if isinstance(profile, Scaled):
-        return [table | {"scale": table.get("scale", 1.0) * profile.by} for table in profile_tables(profile.profile)]
+    if isinstance(profile, Shifted | Flipped | Scaled):
+        tables = profile_tables(profile.profile)
+        for table in tables:
+            if isinstance(profile, Scaled):
+                table["scale"] = table.get("scale", 1.0) * profile.by
+            elif isinstance(profile, Shifted):
+                # A table is flipped last, after its shift.
+                table["shift"] = table.get("shift", 0.0) + (-profile.by if "flip" in table else profile.by)
+            elif not table.pop("flip", False):
+                table["flip"] = True
+        return tables
     remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
     raise InputError("profile", type(profile).__name__, "be from the catalogue to go into a case file", remedy)
-
-
-def _shifted(table: dict[str, Any], by: float) -> dict[str, Any]:
-    # A table is flipped last, after its shift.
-    return table | {"shift": table.get("shift", 0.0) + (-by if table.get("flip") else by)}
-
-
-def _flipped(table: dict[str, Any]) -> dict[str, Any]:
-    rest = {name: value for name, value in table.items() if name != "flip"}
-    return rest if "flip" in table else rest | {"flip": True}

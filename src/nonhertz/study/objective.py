@@ -380,7 +380,7 @@ def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:
     InputError
         If there is no such quantity, or the text is not a limit.
     """
-    from nonhertz.files.ranges import number_in
+    from nonhertz.files.spreads import number_in
     from nonhertz.inputs.fields import nearest
     from nonhertz.result.quantities import QUANTITIES
 

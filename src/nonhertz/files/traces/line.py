@@ -32,7 +32,8 @@ def _column(name: str, value: Any, remedy: str) -> Any:
     return value
 
 
-def _of_length(name: str, value: Any, remedy: str) -> None:
+def of_length(name: str, value: Any, remedy: str) -> None:
+    """Refuse what is not a unit of length."""
     text(name, value, remedy)
     in_mm(name, value)
 
@@ -49,11 +50,11 @@ class Request(Input):
     name: Annotated[str, Word("what messages call the file", "give its name", condition=text)]
     position_unit: Annotated[
         str | None,
-        Word("unit of the positions; what the file states, or mm, if left out", _QUOTES, condition=_of_length),
+        Word("unit of the positions; what the file states, or mm, if left out", _QUOTES, condition=of_length),
     ] = None
     height_unit: Annotated[
         str | None,
-        Word("unit of the heights; what the file states, or mm, if left out", _QUOTES, condition=_of_length),
+        Word("unit of the heights; what the file states, or mm, if left out", _QUOTES, condition=of_length),
     ] = None
     position_column: Annotated[
         int | str | None, Custom("column of the positions, by number from 1 or by name", _column, _COLUMN, _WHICH)
