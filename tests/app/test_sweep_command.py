@@ -225,3 +225,12 @@ def test_what_is_no_address_is_refused_before_anything_is_asked(folder, capsys, 
     pytest.importorskip("distributed")
     assert main(["sweep", "roller.toml", "--over", "load.load=1kN,2kN", "--scheduler", address]) == 2
     assert f"--scheduler = '{address}' must be the address of a scheduler, with a port" in capsys.readouterr().err
+
+
+def test_why_rows_failed_is_said_in_the_units_that_are_read(folder, capsys):
+    words = ["sweep", "roller.toml", "--over", "load.moment=0Nm,300Nm", "--quantities", "approach"]
+    kept = "must keep moment / load between -10 and 10 mm"
+    for units, sentence in (("us", "must keep moment / load between -0.393701 and 0.393701 in"), ("si", kept)):
+        assert main([*words, "--units", units]) == 0
+        assert sentence in capsys.readouterr().out
+        assert kept in (folder / "roller-sweep" / "rows.csv").read_text(encoding="utf-8")

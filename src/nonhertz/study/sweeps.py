@@ -16,6 +16,8 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from nonhertz import __version__
+from nonhertz.amounts import SI, read_in
+from nonhertz.amounts import chosen as chosen_units
 from nonhertz.errors import InputError, Interrupted
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -120,8 +122,20 @@ class Sweep:
         return self._store.failed()
 
     def reasons(self) -> list[tuple[str, int, int]]:
-        """Return the commonest reasons why rows have failed: sentence, how many rows, the first of them."""
-        return self._store.failures(REASONS)
+        """Return the commonest reasons why rows have failed: sentence, how many rows, the first of them.
+
+        Rows keep their sentences in SI units: for those who read others, the first is solved once more.
+        """
+        kept = self._store.failures(REASONS)
+        if chosen_units() is SI:
+            return kept
+        lost = str(LostError())
+        return [(why if why == lost else self._reason(first, why), times, first) for why, times, first in kept]
+
+    def _reason(self, row: int, kept: str) -> str:
+        """Return why a row fails, in the units that are read."""
+        (again,) = _work(self.plan, self.quantities).rows(self.paths, self._points.values([row]))
+        return again.failure or kept
 
     @property
     def failed(self) -> int:
@@ -290,7 +304,7 @@ def sweep(
     store = Store(directory, _made_from(asked, points, numbers, size), points.paths, [each.name for each in numbers])
     found = Sweep(asked, points, numbers, store)
     crew = cluster or (Here() if processes == 1 or len(points) - len(store) <= most else Processes(processes))
-    work = Work(asked.template, asked.case.attachments, tuple(each.name for each in numbers))
+    work = _work(asked, numbers)
     try:
         with contextlib.closing(crew), contextlib.closing(_Run(points, store, size)) as run:
             run.solve(crew, work, announce)
@@ -298,6 +312,10 @@ def sweep(
         kept = "" if directory is None else f", which are kept in {directory}; the same call goes on from there"
         raise Interrupted(f"Stopped after {len(store)} of {len(points)} rows{kept}.", found) from None
     return found
+
+
+def _work(plan: Plan, quantities: tuple[Quantity, ...]) -> Work:
+    return Work(plan.template, plan.case.attachments, tuple(each.name for each in quantities))
 
 
 class _Run:
@@ -330,6 +348,7 @@ class _Run:
                 yield portion, numbers, self._points.values(numbers)
 
 
+@read_in("si")
 def _solved(work: Work, paths: tuple[str, ...], portion: tuple[int, list[int], list[tuple[Any, ...]]]) -> list[Row]:
     """Return the rows of a portion; called in other processes."""
     return work.rows(paths, portion[2])
