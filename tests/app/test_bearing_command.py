@@ -21,10 +21,12 @@ import nonhertz as nh
 import nonhertz.cli.bearing
 import nonhertz.files.bearing_results
 from nonhertz.bearing import BearingSolution
+from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.cli import main
 from nonhertz.files.bearing_results import UNITS
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
 from nonhertz.files.held import as_toml
+from nonhertz.result.quantities import Quantity
 from nonhertz.show.bearing import load_zones, roller_table, summary_rows
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))
@@ -280,6 +282,17 @@ def test_lines_of_slices_add_up_to_the_loads(folder, capsys):
     width = float(lines[0]["strip_width [mm]"])
     assert_allclose(width * 41, 10.0, rtol=1e-12)
     assert_allclose(sum(own) * width, float(rollers[0]["load_inner [N]"]), rtol=1e-9)
+
+
+def test_a_further_number_of_bearings_is_one_entry(folder, capsys, monkeypatch):
+    mean = Quantity("mean_load", "mean load", "", "N", lambda solved: solved.solution.load.mean(), "N")
+    monkeypatch.setitem(QUANTITIES, "mean_load", mean)
+    loads = read_bearing("sliced.toml").solve().load
+    assert main(["bearing", "sliced.toml"]) == 0
+    (line,) = (line for line in capsys.readouterr().out.splitlines() if line.startswith("mean load "))
+    assert_allclose(1e3 * float(line.split()[2]), loads.mean(), rtol=1e-4)
+    assert main(["bearing", "sliced.toml", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["mean_load"] == loads.mean()
 
 
 def test_figures_come_out_with_the_tables(folder, capsys, monkeypatch):

@@ -10,6 +10,7 @@ from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import CONTACT_UNITS, RINGS
+from nonhertz.bearing.quantities import SolvedBearing, further
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bounds import FORMAT
@@ -81,6 +82,7 @@ def as_object(
         **{name: plain(getattr(solution, name)) for name in ("angle", *_OF_CONTACTS, "rib_load", "rib_loads")},
         **{name: plain(getattr(solution, name)) if pressures else None for name in ("max_pressure", "max_pressure_y")},
         **{name: plain(getattr(solution, name)) for name in _OF_RING},
+        **{each.name: plain(value) for each, value in further(SolvedBearing(case, solution))},
         "steps": solution.steps,
         "life": None if life is None else _life(life),
         "life_reason": reason,

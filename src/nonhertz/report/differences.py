@@ -9,6 +9,7 @@ import numpy as np
 
 from nonhertz.amounts import Amount, digits, mpa
 from nonhertz.bearing.balance import NO_LOAD
+from nonhertz.bearing.quantities import SolvedBearing
 from nonhertz.model.body import BODIES
 from nonhertz.report.inputs import InputGroup
 from nonhertz.report.results import BearingResults, CaseResults, Results
@@ -16,7 +17,7 @@ from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import EdgeKind, EdgePressure
 from nonhertz.show.lives import without_ratio
 from nonhertz.show.sections import Cell
-from nonhertz.study.quantities import OF_BEARING, SolvedBearing, number_of
+from nonhertz.study.quantities import OF_BEARING, number_of
 
 ABSENT = "–"
 # What is not the shape of a body: sections of files, and keys of bodies.

@@ -13,6 +13,7 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.quantities import SolvedBearing, further
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.show.sections import Row, Said, Section, Table, summary
@@ -62,6 +63,7 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
         *_pressure_rows(solution),
         *_rib_rows(solution),
         *_stiffness_rows(solution),
+        *((each.label, str(each.amount(value)), "") for each, value in further(SolvedBearing(case, solution))),
         *_method_rows(solution),
     ]
 

@@ -8,13 +8,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
-from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.frames import RINGS
-from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.quantities import LIVES, SolvedBearing
+from nonhertz.bearing.quantities import QUANTITIES as OF_LOADED
 from nonhertz.errors import InputError, NonhertzError
-from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.inputs.fields import nearest
 from nonhertz.life import Life, assess
@@ -25,7 +21,6 @@ from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import Solution
 
 LIFE_MODEL = "iso-16281"  # where a case names none: it needs milliseconds, volumes take seconds
-_LIVES = ("10^6 revolutions", "million revolutions")
 
 
 def life_of(case: Case, solved: Solution | Spectrum, name: str) -> Life:
@@ -56,25 +51,6 @@ class SolvedContact:
         return life_of(self.case, solved, (*case.models, LIFE_MODEL)[0])
 
 
-@dataclass(frozen=True)
-class SolvedBearing:
-    """A bearing case and its solution, from which the numbers of a row are taken."""
-
-    case: BearingCase
-    solution: BearingSolution
-
-    @cached_property
-    def life(self) -> BearingLife:
-        """How long it lasts.
-
-        Raises
-        ------
-        InputError
-            If such a bearing has no rating.
-        """
-        return self.case.assess(self.solution)
-
-
 def number_of(quantity: Quantity, solved: SolvedContact | SolvedBearing) -> float:
     """Return a number of a row; nan where there is none, such as a life without a rating."""
     try:
@@ -92,7 +68,7 @@ def _of_contact() -> dict[str, Quantity]:
         Quantity("error", "estimated error of approach or load", "", "", _error, "%", 100.0),
         Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings), ""),
         Quantity("relative_life", "relative life", "", "", lambda s: s.life.relative, ""),
-        Quantity("life", "life", "L10", _LIVES[0], lambda s: s.life.million_revolutions or math.nan, _LIVES[1]),
+        Quantity("life", "life", "L10", LIVES[0], lambda s: s.life.million_revolutions or math.nan, LIVES[1]),
     ):
         found[quantity.name] = quantity
     return found
@@ -103,56 +79,10 @@ def _error(solved: SolvedContact) -> float:
     return max(estimate.approach, estimate.load)
 
 
-def _of_bearing() -> dict[str, Quantity]:
-    def motion(name: str, label: str, unit: str, shown: str, factor: float, index: int) -> Quantity:
-        return Quantity(name, label, "", unit, lambda solved: solved.solution.displacement[index], shown, factor)
-
-    def force(name: str, label: str, unit: str, index: int) -> Quantity:
-        return Quantity(name, label, "", unit, lambda solved: solved.solution.force[index], unit)
-
-    def stiffness(name: str, label: str, unit: str, index: int) -> Quantity:
-        shown = ("N/um", 1e-3) if unit == "N/mm" else ("N m/mrad", 1e-6)
-        return Quantity(name, label, "", unit, lambda solved: solved.solution.stiffness[index, index], *shown)
-
-    def life(name: str, label: str, symbol: str) -> Quantity:
-        return Quantity(name, label, symbol, _LIVES[0], lambda solved: getattr(solved.life, name), _LIVES[1])
-
-    every = (
-        Quantity("max_load", "largest load of a contact", "", "N", lambda s: s.solution.load.max(), "N"),
-        Quantity("max_pressure", "maximum pressure", "", "MPa", _pressure, "MPa"),
-        *(
-            Quantity(f"max_pressure_{ring}", f"maximum pressure at the {ring} ring", "", "MPa", _pressure_at(k), "MPa")
-            for k, ring in enumerate(RINGS)
-        ),
-        Quantity("max_rib_load", "largest rib load", "", "N", lambda s: s.solution.rib_load.max(initial=0.0), "N"),
-        Quantity("loaded_rollers", "loaded rollers", "", "", lambda s: np.sum(s.solution.load.min(axis=1) > 0.0), ""),
-        *(motion(f"displacement_{axis}", f"displacement {axis}", "mm", "um", 1e3, k) for k, axis in enumerate("xyz")),
-        *(motion(f"tilt_{axis}", f"tilt about {axis}", "rad", "mrad", 1e3, k) for k, axis in enumerate("yz", 3)),
-        *(force(f"force_{axis}", f"force {axis}", "N", k) for k, axis in enumerate("xyz")),
-        *(force(f"moment_{axis}", f"moment about {axis}", "N mm", k) for k, axis in enumerate("yz", 3)),
-        *(stiffness(f"stiffness_{axis}", f"stiffness {axis}", "N/mm", k) for k, axis in enumerate("xyz")),
-        *(stiffness(f"tilting_stiffness_{a}", f"stiffness about {a}", "N mm/rad", k) for k, a in enumerate("yz", 3)),
-        life("basic", "life L10", "L10"),
-        life("reference", "reference life", "L10r"),
-        life("modified", "modified life", "Lnmr"),
-        Quantity("static_safety", "static safety", "S0", "", lambda solved: solved.life.static_safety, ""),
-        Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings), ""),
-    )
-    return {quantity.name: quantity for quantity in every}
-
-
-def _pressure(solved: SolvedBearing) -> float:
-    return float(solved.solution.max_pressure.max()) if solved.solution.method == "strips" else math.nan
-
-
-def _pressure_at(ring: int) -> Callable[[SolvedBearing], float]:
-    return lambda s: s.solution.max_pressure[:, ring].max() if s.solution.method == "strips" else math.nan
-
-
 #: All numbers of a contact, by name.
 OF_CONTACT: Mapping[str, Quantity] = _of_contact()
 #: All numbers of a bearing, by name.
-OF_BEARING: Mapping[str, Quantity] = _of_bearing()
+OF_BEARING: Mapping[str, Quantity] = OF_LOADED
 #: Those of a row where none are named.
 USUAL_OF_CONTACT = (
     *("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length"),

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from nonhertz.bearing.quantities import SolvedBearing
 from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.files.bearingfile import BearingCase
@@ -29,7 +30,7 @@ from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.solver.many import solve_in_silence
 from nonhertz.solver.one import problem_of
 from nonhertz.strip.levels import bounded
-from nonhertz.study.quantities import SolvedBearing, SolvedContact, chosen, number_of
+from nonhertz.study.quantities import SolvedContact, chosen, number_of
 
 Values = Mapping[str, Any]
 
