@@ -39,6 +39,21 @@ def test_a_load_that_is_raised_arrives(problem):
     np.testing.assert_allclose(state.load, problem.target[0], rtol=1e-11)
 
 
+def test_each_rise_goes_on_from_the_last(problem, monkeypatch):
+    begun, ended, newton = [], [], settle.newton
+
+    def noting(strips, given, law, sought, effort):
+        begun.append(sought.m.copy())
+        done = newton(strips, given, law, sought, effort)
+        ended.append(sought.m.copy())
+        return done
+
+    interpret(monkeypatch, newton=noting)
+    assert raised(problem)[0] == CONVERGED
+    assert len(begun) > 5
+    np.testing.assert_array_equal(begun[1:], ended[:-1])
+
+
 def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(problem, monkeypatch):
     """Beyond three tenths of the load nothing converges."""
     tried, newton = [], settle.newton
