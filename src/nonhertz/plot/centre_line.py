@@ -21,20 +21,8 @@ from nonhertz.plot.axial import (
     unlimited_ends,
     written,
 )
-from nonhertz.plot.style import (
-    BACKING,
-    FAINT_INK,
-    FIRST,
-    HAIR,
-    HINT_DASHES,
-    INK,
-    LINE,
-    OWN,
-    SECOND,
-    SMALL_SIZE,
-    THIN,
-    drawing,
-)
+from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, HINT_DASHES, INK, LINE, SECOND, SMALL_SIZE, THIN
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgePressure, Solution
 

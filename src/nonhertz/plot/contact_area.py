@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number
-from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, OWN, SMALL_SIZE, THIN, drawing
+from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC
 

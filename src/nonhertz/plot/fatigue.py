@@ -13,21 +13,9 @@ from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, mark_unlimited, number, written
+from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
-from nonhertz.plot.style import (
-    COLOUR_MAP,
-    FAINT_INK,
-    FIRST,
-    HAIR,
-    INK,
-    LINE,
-    OWN,
-    SECOND,
-    SMALL_SIZE,
-    THIN,
-    drawing,
-    sheet_style,
-)
+from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:

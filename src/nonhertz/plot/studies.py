@@ -11,21 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.plot.style import (
-    BACKING,
-    COLOUR_MAP,
-    FAINT_INK,
-    FIRST,
-    HAIR,
-    INK,
-    LINE,
-    OWN,
-    PALE,
-    SECOND,
-    SMALL_SIZE,
-    THIN,
-    drawing,
-)
+from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.style import BACKING, COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,15 +6,10 @@ and every pair of lines also differs in dash pattern, for printing in grey.
 
 from __future__ import annotations
 
-import functools
-import inspect
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, ParamSpec, TypeVar
-
-P = ParamSpec("P")
-T = TypeVar("T")
+from typing import Any
 
 FIRST, SECOND = "#0072B2", "#D55E00"
 INK, FAINT_INK, PALE = "#222222", "#777777", "#E9EEF2"
@@ -79,26 +74,3 @@ def sheet_style() -> Iterator[None]:
 
     with _LOCK, mpl.rc_context(SETTINGS):
         yield
-
-
-#: Axes that a drawing is not given, so that it makes a figure of its own.
-OWN: Any = None
-OWN_SIZE = 6.7, 3.7  # inch
-
-
-def drawing(draw: Callable[P, T], projection: str | None = None) -> Callable[P, T]:
-    """Let a function that draws on ``ax`` do so in a figure of its own, in the style of the sheets, if it has none."""
-    signature = inspect.signature(draw)
-
-    @functools.wraps(draw)
-    def drawn(*args: P.args, **kwargs: P.kwargs) -> T:
-        given = signature.bind(*args, **kwargs)
-        if given.arguments.get("ax") is not None:
-            return draw(*args, **kwargs)
-        from matplotlib.figure import Figure
-
-        with sheet_style():
-            given.arguments["ax"] = Figure(figsize=OWN_SIZE, layout="constrained").add_subplot(projection=projection)
-            return draw(*given.args, **given.kwargs)
-
-    return drawn

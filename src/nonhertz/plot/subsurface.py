@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import chosen, mm, mpa
 from nonhertz.plot.axial import AXIAL_LABEL, body_ends, conditions, number, place, written
 from nonhertz.plot.contact_area import colour_limit
+from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.sheets import (
     BAR,
     BAR_GAP,
@@ -26,19 +27,7 @@ from nonhertz.plot.sheets import (
     panel,
     write_title,
 )
-from nonhertz.plot.style import (
-    COLOUR_MAP,
-    END_DASHES,
-    FAINT_INK,
-    HAIR,
-    INK,
-    OWN,
-    SECOND,
-    SMALL_SIZE,
-    THIN,
-    drawing,
-    sheet_style,
-)
+from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import um
 from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, head, written
-from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, OWN, PALE, SECOND, drawing
+from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, PALE, SECOND
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:

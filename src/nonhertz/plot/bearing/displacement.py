@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from nonhertz.amounts import um
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.plot.axial import written
-from nonhertz.plot.style import FIRST, LINE, OWN, SECOND, SMALL_SIZE, THIN, drawing
+from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.style import FIRST, LINE, SECOND, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

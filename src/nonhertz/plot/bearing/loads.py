@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from nonhertz.amounts import chosen, newton
 from nonhertz.errors import InputError
 from nonhertz.plot.axial import number, written
-from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, OWN, SECOND, SMALL_SIZE, THIN, drawing
+from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:
     from matplotlib.projections.polar import PolarAxes

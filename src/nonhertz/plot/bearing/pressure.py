@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mpa
 from nonhertz.plot.axial import number, place, written
-from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, OWN, SMALL_SIZE, drawing
+from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, SMALL_SIZE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -11,7 +11,8 @@ from nonhertz.amounts import mpa, mrad, newton
 from nonhertz.errors import InputError
 from nonhertz.plot.axial import AXIAL_LABEL, number, written
 from nonhertz.plot.bearing.pressure import RINGS
-from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, OWN, SECOND, SMALL_SIZE, THIN, drawing
+from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, SECOND, SMALL_SIZE, THIN
 from nonhertz.result.maximum import places_of_largest
 
 if TYPE_CHECKING:
