@@ -49,6 +49,20 @@ def back(case):
     return Case.of(case.own_document, Path("case.toml"), files=False)
 
 
+def test_a_result_is_saved_as_the_command_writes_it(tmp_path):
+    solution = made().solve()
+    names = [path.name for path in solution.save(tmp_path / "new", title="A roller")]
+    assert [each for each in names if not each.endswith("svg")] == [
+        "footprint.png", "pressure.png", "profile.png", "result.json", "table.csv"
+    ]  # fmt: skip
+    found = nh.read_result(tmp_path / "new" / "result.json")
+    assert (found.case.title, found.solution.approach) == ("A roller", solution.approach)
+    assert found.case.solve().approach == pytest.approx(solution.approach, rel=1e-9)
+    (tmp_path / "file").touch()
+    with pytest.raises(nh.InputError, match=r"^folder = .* must be a directory, not a file"):
+        solution.save(tmp_path / "file")
+
+
 def test_every_kind_of_profile_is_tried():
     assert set(PARAMETERS) == set(CATALOGUE)
 

@@ -9,17 +9,15 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, refuse_unwritable_out, written
+from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out
 from nonhertz.cli.printing import Printed, print_result, print_written
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import write_files
-from nonhertz.files.results import as_json as json_text
-from nonhertz.files.results import files
+from nonhertz.files.resultfile import Result
 from nonhertz.files.several import HEAD, Attempt, folders, objects, rows
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer, write_workbook
-from nonhertz.plot import figures
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
 from nonhertz.show.analysis import attempted
@@ -57,9 +55,9 @@ def solve(
         return _solve_several((case, *more), changes_in(changes), out, as_json)
     read = read_case(case, changes_in(changes))
     solution, complaint = attempted(read)
-    made = _written(out, solution, read)
+    made = () if out is None else _written(out, solution, read)
     if as_json:
-        print(json_text(solution, read))
+        print(Result(read, solution).to_json())
     else:
         warnings = solution.warnings
         verdict = of_contact(solution)
@@ -112,8 +110,9 @@ def _attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
     return Attempt(path, case, solution, (complaint,) if complaint else ())
 
 
-def _written(directory: Path | None, solution: Solution, case: Case) -> tuple[Path, ...]:
-    return written(directory, lambda: files(solution, case), lambda: figures(solution, case.title))
+def _written(out: Path, solution: Solution, case: Case) -> tuple[Path, ...]:
+    with named_as(folder="--out"):
+        return Result(case, solution).save(out)
 
 
 def _several_written(out: Path, found: Sequence[Attempt], workbook: bool) -> tuple[Path, ...]:

@@ -14,12 +14,12 @@ import numpy as np
 
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files import bearing_results
+from nonhertz.files import bearing_results, results
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case
+from nonhertz.files.folder import write_files
 from nonhertz.files.held import meant_as
-from nonhertz.files.results import as_json
 from nonhertz.findings import said
 from nonhertz.inputs.files import content
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
@@ -70,12 +70,44 @@ class Result:
         InputError
             If the case has something that no file can hold; see `Held.write`.
         """
+        return self._files()["result.json"].rstrip("\n")
+
+    def save(self, folder: str | Path) -> tuple[Path, ...]:
+        """Write what ``nonhertz solve`` and ``nonhertz bearing`` write into ``--out``: result, tables and figures.
+
+        Parameters
+        ----------
+        folder : str or Path
+            Created if it does not exist; files of these names are replaced, all of them or none.
+
+        Returns
+        -------
+        tuple of Path
+            The files.
+
+        Raises
+        ------
+        InputError
+            If the case has something that no file can hold, or the folder cannot be written to.
+        """
+        import nonhertz  # figures are made beside files, not below them
+
+        def draw(drafts: Path) -> None:
+            for name, figure in nonhertz.plot.figures(self.solution, self.case.title).items():
+                nonhertz.plot.save(figure, drafts / name)
+
+        texts = self._files()
+        try:
+            return write_files(folder, texts, draw)
+        except InputError as error:
+            raise InputError("folder", str(folder), error.condition, error.remedy) from None
+
+    def _files(self) -> dict[str, str]:
         match self.case, self.solution:
             case Case() as case, Solution() as solution:
-                return as_json(solution, case)
+                return results.files(solution, case)
             case BearingCase() as bearing, BearingSolution() as loaded:
-                given = bearing_results.as_object(loaded, bearing, *bearing.rated(loaded), loaded.findings)
-                return bearing_results.as_json(given)
+                return bearing_results.files(loaded, bearing, *bearing.rated(loaded), loaded.findings)
         remedy = "give what the solve method of the case returned"
         raise InputError("solution", type(self.solution).__name__, "be that of the case", remedy)
 

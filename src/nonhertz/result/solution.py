@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 import math
+import os
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar, cast
@@ -24,6 +25,8 @@ from nonhertz.result.quantities import ALONG
 from nonhertz.strip.element import Element
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import pandas as pd
 
     from nonhertz.result.gradient import Gradient
@@ -492,6 +495,34 @@ class Solution(HasFindings, ContactResult):
         import nonhertz  # what draws stands above what is drawn
 
         return nonhertz.plot.draw(self, what, ax)
+
+    def save(self, folder: str | os.PathLike[str], title: str = "Contact") -> tuple[Path, ...]:
+        """Write what ``nonhertz solve`` writes into ``--out``: ``result.json``, ``table.csv`` and figures.
+
+        The case in the result, from which `nonhertz.read_result` has the contact again, prescribes load and tilt.
+
+        Parameters
+        ----------
+        folder : str or os.PathLike
+            Created if it does not exist; files of these names are replaced, all of them or none.
+        title : str
+            Heading of the figures, and title of the case.
+
+        Returns
+        -------
+        tuple of Path
+            The files.
+
+        Raises
+        ------
+        InputError
+            If the contact has something that no file can hold, a profile of your own, say, or the folder cannot be
+            written to.
+        """
+        import nonhertz  # what writes stands above what is written
+
+        case = nonhertz.Case(title=title, contact=self.contact, prescribed={"load": self.load, "tilt": self.tilt})
+        return nonhertz.Result(case, self).save(os.fspath(folder))
 
     @cached_property
     def penetration(self) -> float:
