@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from contextvars import ContextVar
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -43,7 +43,6 @@ SIZES: Final[Mapping[str, float]] = MappingProxyType(
     }
 )
 Size = tuple[str, float]
-Ticks = Callable[[float, float], Sequence[float]]
 
 
 @dataclass(frozen=True)
@@ -78,11 +77,6 @@ class Units:
         least, (other, size) = self.sizes.get(word, (math.inf, (word, 1.0)))
         # Large numbers are written in larger units, but those of ksi that are small in smaller ones.
         return (other, factor / size) if (largest >= least if size > 1.0 else 0.0 < largest < least) else (word, factor)
-
-    def ticks(self, ticks: Ticks, low: float, high: float, unit: str) -> list[float]:
-        """Return values in the program's ``unit``, between two others, that are round in these units."""
-        factor = self.of(unit)[1]
-        return [float(each) / factor for each in ticks(factor * low, factor * high)]
 
 
 SI: Final = Units(

@@ -90,12 +90,6 @@ def test_the_strength_of_an_end_has_a_power_of_a_length() -> None:
         assert str(EndStrength(348.4, 0.5)) == "10.03 ksi in^0.5"
 
 
-def test_ticks_are_round_in_the_units_that_are_read() -> None:
-    found = US.ticks(lambda low, high: [low, high], 0.0, 25.4, "mm")
-    assert found == [0.0, pytest.approx(25.4)]
-    assert US.ticks(lambda low, high: [round(high)], 0.0, 26.0, "mm") == [pytest.approx(25.4)]
-
-
 def test_units_are_chosen_for_a_context() -> None:
     inside = copy_context()
     inside.run(choose_units, "us")

@@ -6,6 +6,7 @@ import copy
 import gc
 import subprocess
 import sys
+import warnings
 import weakref
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -270,6 +271,26 @@ class TestPressure:
         plot.pressure(replace(crowned(), peaks_at_corner=True), ax)
         (shown,) = (text.get_text() for text in ax.texts if "MPa" in text.get_text())
         assert shown.endswith(" mm (corner: rises with refinement)")
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize(("load", "largest"), [(20e3, False), (60e3, True)])
+    def test_a_pressure_that_rises_again_at_a_corner_says_so(self, load: float, largest: bool, ax: Axes) -> None:
+        roller = Roller(diameter=20.0, length=20.0, profile=nh.profile.crown(1500.0), corner_radius=0.8)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", nh.AccuracyWarning)
+            solution = solve_one(Contact(roller, Plate()), load=load)
+        plot.pressure(solution, ax)
+        shown = [text for text in ax.texts if "corner" in text.get_text()]
+        assert [text.get_text().endswith(" mm (corner)") for text in shown] == ([True] if largest else [False, False])
+        for text in shown if not largest else ():
+            y, pressure = text.xy  # type: ignore[attr-defined]
+            at = np.abs(solution.y - y).argmin()
+            assert text.get_text() == f"corner, {pressure:.0f} MPa"
+            assert pressure == solution.centre_pressure[at]
+            assert abs(y) == pytest.approx(9.2, abs=0.05)
+            inner = np.abs(solution.y) < 9.1
+            assert pressure > 1.05 * solution.centre_pressure[inner].min()
+        assert solution.max_pressure > 1500.0
 
     @pytest.mark.parametrize("singular", [False, True])
     def test_no_other_maximum_does(self, singular: bool, ax: Axes) -> None:
@@ -573,7 +594,7 @@ class TestFigures:
         check = "import sys, nonhertz.plot; sys.exit('matplotlib' in sys.modules)"
         subprocess.run([sys.executable, "-c", check], check=True)
         check = (
-            "import sys, matplotlib.figure, nonhertz.plot.sheets as s; s.blank(3.0); "
+            "import sys, matplotlib.figure, nonhertz.plot.sheets as s; s.sheet(3.0); "
             "sys.exit('matplotlib.pyplot' in sys.modules)"
         )
         subprocess.run([sys.executable, "-c", check], check=True)

@@ -258,9 +258,9 @@ def test_a_bearing_is_swept_too():
 @pytest.mark.parametrize(
     ("over", "below", "lines"),
     [
-        ({"load.tilt": [0.0, 2e-4], "load.load": [20e3], "body.a.diameter": [20.0]}, "load.tilt [mrad]", 1),
-        ({"load.load": [5e3, 20e3], "load.tilt": [0.0, 2e-4, 4e-4]}, "load.tilt [mrad]", ["5 kN", "20 kN"]),
-        ({"load.load": [5e3, 20e3], "body.a.side_faces": ["none", "free"]}, "load.load [kN]", ["none", "free"]),
+        ({"load.tilt": [0.0, 2e-4], "load.load": [20e3], "body.a.diameter": [20.0]}, "Tilt [mrad]", 1),
+        ({"load.load": [5e3, 20e3], "load.tilt": [0.0, 2e-4, 4e-4]}, "Tilt [mrad]", ["5 kN", "20 kN"]),
+        ({"load.load": [5e3, 20e3], "body.a.side_faces": ["none", "free"]}, "Load [kN]", ["none", "free"]),
     ],
 )
 def test_a_picture_has_a_line_for_each_of_few_values_or_words(over, below, lines):
@@ -278,8 +278,16 @@ def test_samples_are_drawn_as_a_histogram_where_nothing_else_varies():
 
 
 def test_small_lengths_are_shown_in_micrometres():
-    assert scaled("drop", "mm", np.array([0.01, 0.02]))[1] == "drop [um]"
-    assert scaled("length", "mm", np.array([10.0]))[1] == "length [mm]"
+    assert scaled("drop", "mm", np.array([0.01, 0.02]))[1] == "Drop [µm]"
+    assert scaled("length", "mm", np.array([10.0]))[1] == "Length [mm]"
+
+
+def test_the_last_of_three_drawings_has_the_whole_width():
+    quantities = ("approach", "max_pressure", "max_half_width")
+    found = nh.sweep(CASE, over={"load.load": [5e3, 20e3]}, quantities=quantities, workers=1)
+    first, second, last = sweep_figures(found)["sweep"].axes
+    assert last.get_position().x0 == pytest.approx(first.get_position().x0, abs=0.02)
+    assert last.get_position().x1 == pytest.approx(second.get_position().x1, abs=0.02)
 
 
 def test_unknown_quantities_are_refused_with_the_nearest():

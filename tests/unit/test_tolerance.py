@@ -109,7 +109,8 @@ def test_a_tolerance_study_ranks_what_matters():
     assert found.indices("max_pressure")[0].total == pytest.approx(1.0, abs=0.15)
     assert found.tightened_first["max_pressure"] == "load.load"
     bars = tolerance_figures(found)["indices"].axes[0]
-    assert [text.get_text() for text in bars.get_yticklabels()] == ["load.load", "body.a.diameter"]
+    assert [text.get_text() for text in bars.get_yticklabels()] == ["Load", "Body a, diameter"]
+    assert bars.get_xlim() == (0.0, 1.0)
     low, middle, high = found.quantiles("load")
     assert low.low <= 20e3 - 2.326e3 <= low.high or low.low == -math.inf
     assert middle.low <= 20e3 <= middle.high

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, mm, mrad, newton
+from nonhertz.plot.axes import key_above, measure
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 
@@ -17,14 +17,13 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
-
-AXIAL_LABEL = "Axial position $y$ [mm]"
-
 Alignment = Literal["left", "center", "right"]
 
 LETTER = 0.55 * SMALL_SIZE / 72.0
 """Mean width of a small letter [inch]."""
+
+RISE = 1.05
+"""Of the pressure at a corner over the least before it, from which on it is said."""
 
 MARGIN = 0.06
 """Fraction of the drawn range left free at each side, for the names of the bodies' ends."""
@@ -36,8 +35,7 @@ def axial_range(solution: Solution) -> tuple[float, float]:
     It is that of the strips, including the bodies' ends if these are near. Where the contact is a small part of
     the strips it is the contact's neighbourhood, so that the contact is legible.
     """
-    edges = strip_edges(solution)
-    low, high = float(edges[0]), float(edges[-1])
+    low, high = float(solution.edges[0]), float(solution.edges[-1])
     if solution.contact_y:
         first, last = solution.contact_y[0][0], solution.contact_y[-1][1]
         if last - first < 0.25 * (high - low):
@@ -48,12 +46,6 @@ def axial_range(solution: Solution) -> tuple[float, float]:
     low, high = min([low, *ends]), max([high, *ends])
     margin = MARGIN * (high - low)
     return (low - margin, high + margin)
-
-
-def strip_edges(solution: Solution) -> Array:
-    """Return the edges of the strips [mm], shape (strips + 1,)."""
-    low = solution.y - 0.5 * solution.strip_width
-    return np.append(low, solution.y[-1] + 0.5 * solution.strip_width[-1])
 
 
 def body_ends(solution: Solution) -> list[tuple[float, str]]:
@@ -76,10 +68,10 @@ def body_ends(solution: Solution) -> list[tuple[float, str]]:
 def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
     """Draw a dash-dot line where a body ends, its name beside it on the side away from the contact."""
     low, high = axial_range(solution)
-    middle = 0.5 * (low + high)
+    middle, length = 0.5 * (low + high), measure("mm")
     drawn = [(end, name) for end, name in body_ends(solution) if low < end < high]
     for end in dict.fromkeys(end for end, _ in drawn):
-        ax.axvline(end, color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
+        ax.axvline(float(length(end)), color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
     if not named:
         return
     for side in (-1.0, 1.0):
@@ -87,7 +79,7 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
         for where, name in _merged(here, side, 0.03 * (high - low)):
             ax.annotate(
                 name,
-                (where, 0.5),
+                (float(length(where)), 0.5),
                 xycoords=ax.get_xaxis_transform(),
                 xytext=(side * 3.0, 0.0),
                 textcoords="offset points",
@@ -97,6 +89,31 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
                 fontsize=SMALL_SIZE,
                 color=FAINT_INK,
             )
+
+
+def corner_peaks(solution: Solution) -> list[tuple[float, float]]:
+    """Return place [mm] and pressure [MPa] where it rises again by 5 % towards an end, at a corner of a body.
+
+    That is the first peak from an end, within half a half-width of where the land of a body ends. There is none at ends
+    where the pressure has no limit.
+    """
+    pressed = solution.line_load > 0.0
+    if not pressed.any():
+        return []
+    y, pressure, reach = solution.y[pressed], solution.centre_pressure[pressed], 0.5 * solution.half_width[pressed]
+    lands = [end for body in (solution.contact.a, solution.contact.b) for end in body.land if np.isfinite(end)]
+    unlimited = [edge.y for edge in unlimited_ends(solution)]
+    found = []
+    for inwards in (slice(None), slice(None, None, -1)):
+        rises = np.diff(pressure[inwards]) > 0.0
+        peak = int(np.argmin(np.append(rises, False)))
+        valley = peak + int(np.argmax(np.append(rises[peak:], True)))
+        place, top, near = (float(each[inwards][peak]) for each in (y, pressure, reach))
+        is_one = valley < rises.size and top > RISE * float(pressure[inwards][valley])
+        at_corner = any(abs(place - end) < near for end in lands)
+        if is_one and at_corner and all(abs(place - end) > 2.0 * near for end in unlimited):
+            found.append((place, top))
+    return found
 
 
 def unlimited_ends(solution: Solution) -> tuple[EdgePressure, ...]:
@@ -116,7 +133,7 @@ def mark_unlimited(solutions: Sequence[Solution], ax: Axes, colours: Sequence[st
     for (y, low), found in ends.items():
         ax.annotate(
             "no limit",
-            (y, 0.98),
+            (float(measure("mm")(y)), 0.98),
             xycoords=ax.get_xaxis_transform(),
             xytext=(6.0 if low else -6.0, 0.0),
             textcoords="offset points",
@@ -148,19 +165,7 @@ def conditions(solution: Solution) -> str:
 
 def head(solution: Solution, ax: Axes, handles: Sequence[Artist], labels: Sequence[str], *, remark: str = "") -> None:
     """Write the conditions and, below them, the legend above the axes, where neither can cover a curve."""
-    ax.legend(
-        handles,
-        labels,
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.0),
-        ncols=len(labels),
-        borderaxespad=0.2,
-        borderpad=0.2,
-        handlelength=2.2,
-        columnspacing=1.6,
-        frameon=False,
-        fontsize=SMALL_SIZE,
-    )
+    key_above(ax, handles, labels, columns=len(labels), handlelength=2.2)
     words = conditions(solution)
     ax.set_title(f"{words}; {remark}" if remark else words, loc="left", pad=18.0)
 

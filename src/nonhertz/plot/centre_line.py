@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from nonhertz.amounts import EndStrength, mpa
+from nonhertz.plot.axes import along, measure
 from nonhertz.plot.axial import (
-    AXIAL_LABEL,
     Alignment,
     alignment,
     axial_range,
     body_ends,
+    corner_peaks,
     draw_body_ends,
     head,
     number,
     place,
-    strip_edges,
     unlimited_ends,
     written,
 )
@@ -72,26 +72,25 @@ def pressure(solution: Solution, ax: Axes = OWN) -> Axes:
     Computational Mechanics, CIMNE, Barcelona 1998.
     """
     span = axial_range(solution)
-    edges = strip_edges(solution)
+    length, stress = measure("mm"), measure("MPa")
+    y, edges, drawn = length(solution.y), length(solution.edges), stress(solution.centre_pressure)
     right = ax.twinx()
     draw_body_ends(solution, ax)
 
-    ax.stairs(solution.centre_pressure, edges, fill=True, color=FIRST, alpha=0.10, linewidth=0.0)
-    ax.stairs(solution.centre_pressure, edges, color=FIRST, alpha=0.45, linewidth=HAIR)
-    (of_pressure,) = ax.plot(solution.y, solution.centre_pressure, color=FIRST, linewidth=LINE)
-    (of_width,) = right.plot(solution.y, solution.half_width, color=SECOND, linewidth=LINE, linestyle="--")
+    ax.stairs(drawn, edges, fill=True, color=FIRST, alpha=0.10, linewidth=0.0)
+    ax.stairs(drawn, edges, color=FIRST, alpha=0.45, linewidth=HAIR)
+    (of_pressure,) = ax.plot(y, drawn, color=FIRST, linewidth=LINE)
+    (of_width,) = right.plot(y, length(solution.half_width), color=SECOND, linewidth=LINE, linestyle="--")
 
-    ax.locator_params(axis="x", steps=[1, 2, 5, 10])
-    ax.set_xlim(span)
+    along(ax, span)
     singular = bool(solution.singular_ends)
-    ax.set_ylim(0.0, _top(solution.max_pressure, 1.0 / BEYOND if singular else PRESSURE_SHARE))
+    ax.set_ylim(0.0, _top(stress.factor * solution.max_pressure, 1.0 / BEYOND if singular else PRESSURE_SHARE))
     share = CUT_HALF_WIDTH_SHARE if singular else HALF_WIDTH_SHARE
-    right.set_ylim(0.0, _top(float(solution.half_width.max()), share))
-    ax.set_xlabel(AXIAL_LABEL)
-    ax.set_ylabel("Centre-line pressure $p_0$ [MPa]", color=FIRST)
-    right.set_ylabel("Half-width $b$ [mm]", color=SECOND)
-    for axes in (ax, right):
-        axes.spines["top"].set_visible(False)
+    right.set_ylim(0.0, _top(length.factor * float(solution.half_width.max()), share))
+    ax.set_ylabel(stress.label("Centre-line pressure $p_0$"), color=FIRST)
+    right.set_ylabel(length.label("Half-width $b$"), color=SECOND)
+    ax.spines["top"].set_visible(False)
+    right.spines["top"].set_visible(False)
     labels = ["pressure $p_0$ (left axis; steps: strips)", "half-width $b$ (right axis)"]
     head(solution, ax, [of_pressure, of_width], labels)
     _mark_maximum(solution, ax, span)
@@ -111,33 +110,42 @@ def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     if not marked:
         return
     words = f"{written(mpa(largest))} at $y$ = {place(span, *marked)}"
+    corners = corner_peaks(solution)
+    at_corner = any(abs(y - place) < solution.max_half_width for y, _ in corners for place in marked)
     if solution.peaks_at_corner:
         words += " (corner: rises with refinement)"
-    ax.plot(marked, [largest] * len(marked), "o", markersize=4.0, color=FIRST, markerfacecolor="white")
+    elif at_corner:
+        words += " (corner)"
+    length, top = measure("mm"), float(measure("MPa")(largest))
+    ax.plot(length(marked), [top] * len(marked), "o", markersize=4.0, color=FIRST, markerfacecolor="white")
     y = sum(marked) / len(marked)
     side = alignment(ax, y, span, words)
     if solution.singular_ends and abs(y - 0.5 * sum(span)) > SIDE * (span[1] - span[0]):
         # Further out the climbing curve would run through the text.
         side = "left" if y < 0.5 * sum(span) else "right"
-    _write(ax, words, (y, largest), side, 3.0, 6.0, ax.transData)
+    _write(ax, words, (float(length(y)), top), side, 3.0, 6.0, ax.transData)
+    for y, pressure in corners if not at_corner else ():
+        words = f"corner, {written(mpa(pressure))}"
+        drawn = float(length(y)), float(measure("MPa")(pressure))
+        _write(ax, words, drawn, "left" if y < 0.5 * sum(span) else "right", 3.0, 4.0, ax.transData)
 
 
 def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
     """Draw an arrow where the pressure has no limit, and write how it grows."""
-    across = ax.get_xaxis_transform()
-    ax.plot([edge.y], [0.975], transform=across, marker="^", markersize=4.5, color=FIRST)
+    across, length = ax.get_xaxis_transform(), measure("mm")
+    ax.plot(length([edge.y]), [0.975], transform=across, marker="^", markersize=4.5, color=FIRST)
     words = "no limit at a corner"
     if edge.law:
         power = number(edge.exponent, 3)
         words = f"singular: $p$ ∼ $K$ / $s^{{{power}}}$"
         if edge.strength is not None:
-            strength, pressure, length = EndStrength(edge.strength, edge.exponent).apart
-            words += f"\n$K$ = {number(strength)} {pressure} {length}$^{{{power}}}$"
+            strength, pressure, distance = EndStrength(edge.strength, edge.exponent).apart
+            words += f"\n$K$ = {number(strength)} {pressure} {distance}$^{{{power}}}$"
     # The text keeps clear of the curve, which climbs to the arrow: start where the curve reaches the text's height.
-    below = solution.y[solution.centre_pressure < SINGULAR_SHARE * ax.get_ylim()[1]]
+    below = solution.y[measure("MPa")(solution.centre_pressure) < SINGULAR_SHARE * ax.get_ylim()[1]]
     foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y
     side: Alignment = "left" if edge is solution.edge_pressure[0] else "right"
-    _write(ax, words, (foot, SINGULAR_SHARE), side, 4.0, 0.0, across)
+    _write(ax, words, (float(length(foot)), SINGULAR_SHARE), side, 4.0, 0.0, across)
 
 
 def _write(
@@ -168,12 +176,13 @@ def _mark_contact(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     """Draw a dimension line over every interval in contact, and label them all in one text."""
     if not solution.contact_y:
         return
-    across = ax.get_xaxis_transform()
+    across, length = ax.get_xaxis_transform(), measure("mm")
     for interval in solution.contact_y:
+        drawn = length(interval)
         ax.annotate(
             "",
-            (interval[0], CONTACT_SHARE),
-            xytext=(interval[1], CONTACT_SHARE),
+            (drawn[0], CONTACT_SHARE),
+            xytext=(drawn[1], CONTACT_SHARE),
             xycoords=across,
             textcoords=across,
             arrowprops={
@@ -188,7 +197,7 @@ def _mark_contact(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
             if any(np.isclose(end, body_end) for body_end, _ in body_ends(solution)):
                 continue
             ax.plot(
-                [end, end],
+                length([end, end]),
                 [0.0, CONTACT_SHARE],
                 transform=across,
                 color=FAINT_INK,
@@ -199,7 +208,7 @@ def _mark_contact(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     words = _contact_words(solution, span)
     side = alignment(ax, 0.5 * (first + last), span, words)
     at = {"left": first, "center": 0.5 * (first + last), "right": last}[side]
-    _write(ax, words, (at, CONTACT_SHARE), side, 0.0, 3.0, across)
+    _write(ax, words, (float(length(at)), CONTACT_SHARE), side, 0.0, 3.0, across)
 
 
 def _contact_words(solution: Solution, span: tuple[float, float]) -> str:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, number
+from nonhertz.plot.axes import ROUND, measure
+from nonhertz.plot.axial import axial_range, draw_body_ends, number
 from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import Solution
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
-
-PRESSURE_LABEL = "Pressure $p$ [MPa]"
 
 # Points across the contact at which the pressure is coloured, equally spaced in the angle whose sine is x/a:
 # the semi-ellipse falls vertically at its edge.
@@ -53,32 +52,28 @@ def footprint(solution: Solution, ax: Axes = OWN, *, stretch: float = 1.0, colou
         ``ax``.
     """
     pieces = outlines(solution)
-    reach = 1.15 * float(solution.element_half_width.max()) or 1.0
-    highest = colour_limit(solution)
+    length, stress = measure("mm"), measure("MPa")
+    reach = length.factor * 1.15 * float(solution.element_half_width.max()) or 1.0
     draw_body_ends(solution, ax, named=False)
     for piece in pieces:
         # Thousands of small polygons in an SVG file would show seams, so the pressure is rasterised.
+        y, x, pressure = _field(solution, piece)
         ax.pcolormesh(
-            *_field(solution, piece),
-            shading="gouraud",
-            cmap=COLOUR_MAP,
-            vmin=0.0,
-            vmax=highest,
-            rasterized=True,
-            zorder=1.0,
-        )
-        ax.plot(*piece.closed(), color=INK, linewidth=THIN, solid_joinstyle="round")
+            length(y), length(x), stress(pressure), shading="gouraud", cmap=COLOUR_MAP, vmin=0.0,
+            vmax=stress.factor * colour_limit(solution), rasterized=True, zorder=1.0,
+        )  # fmt: skip
+        ax.plot(*(length(each) for each in piece.closed()), color=INK, linewidth=THIN, solid_joinstyle="round")
         if _parabolic(solution):
             for sign in (-1.0, 1.0):
                 hertz = sign * PARABOLIC.hertz_ratio * piece.half_width
-                ax.plot(piece.y, hertz, color="white", linewidth=THIN, linestyle=HINT_DASHES)
-    ax.locator_params(steps=[1, 2, 5, 10])
+                ax.plot(length(piece.y), length(hertz), color="white", linewidth=THIN, linestyle=HINT_DASHES)
+    ax.locator_params(steps=ROUND)
     # Automatic limits stay on, or matplotlib would warn when it widens these to fit the shape of the axes.
-    ax.set_xlim(axial_range(solution), auto=True)
+    ax.set_xlim(*length(axial_range(solution)), auto=True)
     ax.set_ylim(-reach, reach, auto=True)
     ax.set_aspect(stretch, adjustable="datalim")
-    ax.set_xlabel(AXIAL_LABEL)
-    ax.set_ylabel("$x$ [mm]")
+    ax.set_xlabel(length.label("Axial position $y$"))
+    ax.set_ylabel(length.label("$x$"))
     ax.set_title(_scale(solution, stretch), loc="left", fontsize=SMALL_SIZE)
     if colour_bar and pieces:
         draw_colour_bar(solution, ax, ax=ax, orientation="horizontal", aspect=40)
@@ -93,13 +88,19 @@ def colour_limit(solution: Solution) -> float:
 
 def draw_colour_bar(solution: Solution, area: Axes, **where: Any) -> None:
     """Draw the colour bar of an ``area`` in its figure, ending in an arrow if pressures exceed the last colour."""
+    highest = colour_limit(solution)
+    beyond = any(piece.pressure.max() > highest for piece in outlines(solution))
+    colour_bar_to(highest, "Pressure $p$", area, beyond=beyond, **where)
+
+
+def colour_bar_to(highest: float, words: str, area: Axes, *, beyond: bool, **where: Any) -> None:
+    """Draw a colour bar of pressures up to the last colour [MPa], ending in an arrow if there are some beyond."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    highest = colour_limit(solution)
-    beyond = any(piece.pressure.max() > highest for piece in outlines(solution))
-    colours = ScalarMappable(Normalize(0.0, highest), COLOUR_MAP)
-    area.figure.colorbar(colours, label=PRESSURE_LABEL, extend="max" if beyond else "neither", **where)
+    stress = measure("MPa")
+    colours = ScalarMappable(Normalize(0.0, stress.factor * highest), COLOUR_MAP)
+    area.figure.colorbar(colours, label=stress.label(words), extend="max" if beyond else "neither", **where)
 
 
 @dataclass(frozen=True, eq=False)

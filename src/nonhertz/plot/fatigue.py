@@ -12,10 +12,11 @@ from nonhertz.amounts import Amount, mrad, newton
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, conditions, draw_body_ends, mark_unlimited, number, written
+from nonhertz.plot.axes import along, key_above, measure, open_frame
+from nonhertz.plot.axial import axial_range, conditions, draw_body_ends, mark_unlimited, number, written
 from nonhertz.plot.own import OWN, drawing
-from nonhertz.plot.sheets import BOTTOM, LEFT, TITLE, WIDTH, blank, panel, write_title
-from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, panel, sheet
+from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, THIN, sheet_style
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -26,8 +27,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[Solution, float]]
 
-# Inches: the conditions above all panels, and above each panel its name and rows of the legend.
-HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN, MARGIN = 0.3, 0.22, 0.17, 2.6, 2.0, 0.35, 0.15
+# Inches: above each panel its name and rows of the legend.
+HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN, MARGIN = 0.06, 0.22, 0.17, 2.6, 2.0, 0.35, 0.15
 COLUMNS, COLUMNS_COMPARED = 3, 2  # of the legend
 DENT_HIGH = 2.7
 LINES: dict[str, tuple[str, Any]] = {
@@ -75,19 +76,17 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes = OWN, *, c
     entries += [_draw_compared(life, ax) for life in compared[:1]]
     ax.axhline(1.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
     _scale([*lives, *compared[:1]], ax)
-    ax.locator_params(axis="x", steps=[1, 2, 5, 10])
-    ax.set_xlim(span)
+    along(ax, span)
     draw_body_ends(widest, ax)
-    ax.set_xlabel(AXIAL_LABEL)
     ax.set_ylabel("Damage per length\nover the ideal [-]")
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)
+    open_frame(ax)
     if any(np.isnan(life.reference) for life in lives):
         words = "The bodies can touch over an unlimited length:\nthere is no ideal pressure to compare with."
         ax.text(0.5, 0.6, words, transform=ax.transAxes, ha="center", va="center")
     elif any(solution.singular_ends for solution, _ in spectrum):
         mark_unlimited([solution for solution, _ in spectrum], ax)
-    _key(entries, _columns(bool(compared)), ax)
+    handles, labels = zip(*entries, strict=True)
+    key_above(ax, handles, labels, columns=_columns(bool(compared)), handlelength=2.6, labelspacing=0.35)
     ax.set_title(f"body {lives[0].body}", loc="left", pad=_key_points(_rows(lives, bool(compared))))
     return ax
 
@@ -122,9 +121,8 @@ def life_figure(
     height = HIGH if len(bodies) == 1 else HIGH_OF_TWO
     above = NAME + ROW * rows
     with sheet_style():
-        top = HEAD + (TITLE if title else 0.0)
-        figure = blank(top + len(bodies) * (above + height) + (len(bodies) - 1) * BETWEEN + BOTTOM)
-        bottom = figure.get_figheight() - top
+        bottom = len(bodies) * (above + height) + (len(bodies) - 1) * BETWEEN + BOTTOM
+        figure = sheet(HEAD + bottom, title, [_conditions(spectrum)])
         shown = [life for body in bodies for life in (*lives[body], *other.get(body, ())[:1])]
         for body in bodies:
             bottom -= above + height
@@ -136,7 +134,6 @@ def life_figure(
             elif body == "a":
                 axes.set_xlabel("")
             bottom -= BOTTOM if body == "b" else BETWEEN
-        write_title(figure, title, _conditions(spectrum))
     return figure
 
 
@@ -161,27 +158,30 @@ def dent_figure(found: Overrolled, model: VolumeModel, title: str = "") -> Figur
         `save` writes it.
     """
     rim = 0.5 * outer(found.dent)
+    length, stress = measure("mm"), measure("MPa")
     with sheet_style():
-        figure = blank(DENT_HIGH)
+        figure = sheet(DENT_HIGH)
         figure.set_layout_engine("constrained")
         area, share = figure.subplots(1, 2, width_ratios=(1.2, 1.0))
         largest = getattr(found, model.stress).max(axis=-1)
-        field = area.pcolormesh(found.y, found.x, largest, cmap=COLOUR_MAP, shading="nearest", rasterized=True)
+        places = length(found.y), length(found.x)
+        field = area.pcolormesh(*places, stress(largest), cmap=COLOUR_MAP, shading="nearest", rasterized=True)
         around = np.linspace(0.0, 2.0 * np.pi, 181)
         for radius in {rim, 0.5 * found.dent.diameter}:
             circle = found.dent.y + radius * np.cos(around), radius * np.sin(around)
-            area.plot(*circle, color="white", linewidth=HAIR)
-        area.set(xlabel=AXIAL_LABEL, ylabel="By the middle of the dent $x$ [mm]", aspect="equal")
+            area.plot(*(length(each) for each in circle), color="white", linewidth=HAIR)
+        area.set(xlabel=length.label("Axial position $y$"), aspect="equal")
+        area.set_ylabel(length.label("By the middle of the dent $x$"))
         area.locator_params(nbins=5)
-        figure.colorbar(field, ax=area, label=f"Largest {model.stress.replace('_', ' ')} [MPa]", shrink=0.8)
+        figure.colorbar(field, ax=area, label=stress.label(f"Largest {model.stress.replace('_', ' ')}"), shrink=0.8)
         reach = np.linspace(0.0, found.x[-1], 60)[1:]
         excess = np.array([found.excess(model, each) for each in reach])
-        share.axvline(rim, color=FAINT_INK, linewidth=HAIR)
-        share.plot(reach, excess / (excess[-1] or 1.0), color=FIRST, linewidth=LINE)
-        share.set(xlabel="Up to this distance from the middle [mm]", ylabel="Share of the added damage [-]")
-        share.set_xlim(0.0, reach[-1])
-        for side in ("top", "right"):
-            share.spines[side].set_visible(False)
+        share.axvline(length.factor * rim, color=FAINT_INK, linewidth=HAIR)
+        share.plot(length(reach), excess / (excess[-1] or 1.0), color=FIRST, linewidth=LINE)
+        share.set_xlabel(length.label("Up to this distance from the middle"))
+        share.set_ylabel("Share of the added damage [-]")
+        share.set_xlim(0.0, length.factor * reach[-1])
+        open_frame(share)
         if title:
             figure.suptitle(title, x=0.01, ha="left")
     return figure
@@ -189,21 +189,23 @@ def dent_figure(found: Overrolled, model: VolumeModel, title: str = "") -> Figur
 
 def _draw(life: Life, ax: Axes) -> tuple[Artist, str]:
     colour, dashes = LINES[life.model.name]
+    y = measure("mm")(life.y)
     density = np.where(np.isfinite(life.density), life.density, np.nan)
     drawn: Artist
     if life.model.name == "iso-16281":
-        edges = 0.5 * (life.y[1:] + life.y[:-1])
-        ends = 2.0 * life.y[[0, -1]] - edges[[0, -1]]
+        edges = 0.5 * (y[1:] + y[:-1])
+        ends = 2.0 * y[[0, -1]] - edges[[0, -1]]
         edges = np.concatenate([ends[:1], edges, ends[1:]])
         drawn = ax.stairs(density, edges, baseline=None, color=colour, linewidth=THIN, zorder=2.5)
     else:
-        (drawn,) = ax.plot(life.y, density, color=colour, linewidth=LINE, linestyle=dashes, zorder=3.0)
+        (drawn,) = ax.plot(y, density, color=colour, linewidth=LINE, linestyle=dashes, zorder=3.0)
     return drawn, f"{life.model.name}: {_life(life)}"
 
 
 def _draw_compared(life: Life, ax: Axes) -> tuple[Artist, str]:
     density = np.where(np.isfinite(life.density), life.density, np.nan)
-    (drawn,) = ax.plot(life.y, density, color=OTHER_COLOUR, linewidth=OTHER_WIDTH, zorder=2.0)
+    y = measure("mm")(life.y)
+    (drawn,) = ax.plot(y, density, color=OTHER_COLOUR, linewidth=OTHER_WIDTH, zorder=2.0)
     return drawn, f"{life.model.name}, other case: {_life(life)}"
 
 
@@ -228,15 +230,6 @@ def _name_of_one(lives: Sequence[Life]) -> str:
     if all(np.isnan(life.relative) for life in lives):
         return "bodies a and b"
     return f"body b; lives of body a are within {100.0 * ALIKE:g} %"
-
-
-def _key(entries: Sequence[tuple[Artist, str]], columns: int, ax: Axes) -> None:
-    """Put the legend, with the lives, above the axes."""
-    handles, labels = zip(*entries, strict=True)
-    ax.legend(
-        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderaxespad=0.2, borderpad=0.2,
-        handlelength=2.6, columnspacing=1.6, labelspacing=0.35, frameon=False, fontsize=SMALL_SIZE,
-    )  # fmt: skip
 
 
 def _columns(compared: bool) -> int:

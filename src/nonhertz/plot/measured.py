@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import textwrap
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -12,8 +11,9 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import amount, mm, um
 from nonhertz.measured import Fit, Measured, Points, StepResult
-from nonhertz.plot.axial import AXIAL_LABEL, written
-from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
+from nonhertz.plot.axes import Measure, measure, open_frame
+from nonhertz.plot.axial import written
+from nonhertz.plot.sheets import LEFT, WIDTH, panel, sheet
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
 
 if TYPE_CHECKING:
@@ -58,40 +58,37 @@ def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None)
     """
     shown = [pair for pair in zip(measured.states, measured.states[1:], strict=False) if pair[1].name != "thin"]
     with sheet_style():
-        height = (TITLE if title else 0.0) + sum(_height(after) for _, after in shown) + _last_height(measured, fit)
-        figure = blank(height)
-        top = height - (TITLE if title else 0.0)
+        top = sum(_height(after) for _, after in shown) + _last_height(measured, fit)
+        figure = sheet(top, title)
         for count, (before, after) in enumerate(shown, start=1):
             _draw_step(figure, top, count, before, after)
             top -= _height(after)
         _draw_relief(figure, top, measured, fit)
         _draw_corners(figure, top - _relief_height(fit), measured)
-        write_title(figure, title)
         return figure
 
 
-@dataclass(frozen=True)
-class _Ruler:
-    """The unit for heights in a panel."""
-
-    factor: float = 1e3
-    unit: str = "µm"
-
-    def line(self, y: Array, height: Array) -> tuple[Array, Array]:
-        """Return a line, or the lowest and highest point in each of many columns if it has too many points."""
-        if len(y) <= 2 * COLUMNS:
-            return y, self.factor * height
-        share = -(-len(y) // COLUMNS)
-        count = len(y) // share * share
-        columns = height[:count].reshape(-1, share)
-        first = np.arange(0, count, share)
-        ends = np.column_stack([first + columns.argmin(axis=1), first + columns.argmax(axis=1)])
-        places = np.unique(np.concatenate([np.sort(ends, axis=1).ravel(), np.arange(count, len(y))]))
-        return y[places], self.factor * height[places]
+def _line(y: Array, height: Array, ruler: Measure) -> tuple[Array, Array]:
+    """Return a line as it is drawn, or the lowest and highest point in each of many columns if it has too many."""
+    length = measure("mm")
+    if len(y) <= 2 * COLUMNS:
+        return length(y), ruler(height)
+    share = -(-len(y) // COLUMNS)
+    count = len(y) // share * share
+    columns = height[:count].reshape(-1, share)
+    first = np.arange(0, count, share)
+    ends = np.column_stack([first + columns.argmin(axis=1), first + columns.argmax(axis=1)])
+    places = np.unique(np.concatenate([np.sort(ends, axis=1).ravel(), np.arange(count, len(y))]))
+    return length(y[places]), ruler(height[places])
 
 
-def _ruler(height: Array) -> _Ruler:
-    return _Ruler(1.0, "mm") if np.ptp(height) > MILLIMETRES_FROM else _Ruler()
+def _ruler(height: Array) -> Measure:
+    """Return how heights are drawn in a panel."""
+    return measure("mm", "" if np.ptp(height) > MILLIMETRES_FROM else "um")
+
+
+def _micrometres() -> Measure:
+    return measure("mm", "um")
 
 
 def _height(after: StepResult) -> float:
@@ -112,23 +109,23 @@ def _draw_step(figure: Figure, top: float, count: int, before: StepResult, after
     _head(axes, f"{count}. {after.words}")
     ruler = _ruler(after.points.on_land.height)
     broad = LINE if after.name in {"align", "smooth"} else THIN
-    axes.plot(*ruler.line(before.y, before.height), color=GREY, linewidth=broad)
-    axes.plot(*ruler.line(after.y, after.height), color=INK, linewidth=THIN)
+    axes.plot(*_line(before.y, before.height, ruler), color=GREY, linewidth=broad)
+    axes.plot(*_line(after.y, after.height, ruler), color=INK, linewidth=THIN)
     _draw_taken(axes, after, ruler)
     _frame(axes, before, after, ruler)
     if after.name == "smooth" and after.removed_height is not None:
         axes.tick_params(labelbottom=False)
         slim = panel(figure, LEFT, top - HEAD - TALL - GAP - SLIM, width, SLIM)
-        slim.plot(*_Ruler().line(after.y, after.removed_height), color=SECOND, linewidth=HAIR)
-        _tidy(slim, "off [µm]")
+        slim.plot(*_line(after.y, after.removed_height, _micrometres()), color=SECOND, linewidth=HAIR)
+        _tidy(slim, _micrometres().label("off"))
         slim.set_xlim(axes.get_xlim())
 
 
-def _draw_taken(axes: Axes, after: StepResult, ruler: _Ruler) -> None:
+def _draw_taken(axes: Axes, after: StepResult, ruler: Measure) -> None:
     """Draw what a step removed, or where it put y = 0."""
     if after.name == "level" and after.removed_height is not None:
-        line = ruler.factor * (after.removed_height + float(np.max(after.height)))
-        axes.plot(after.y[[0, -1]], line[[0, -1]], color=SECOND, linewidth=THIN, linestyle="--")
+        line = ruler(after.removed_height + float(np.max(after.height)))
+        axes.plot(measure("mm")(after.y[[0, -1]]), line[[0, -1]], color=SECOND, linewidth=THIN, linestyle="--")
     if after.name == "align":
         axes.axvline(0.0, color=SECOND, linewidth=THIN, linestyle="--")
     if after.name == "trim":
@@ -137,15 +134,15 @@ def _draw_taken(axes: Axes, after: StepResult, ruler: _Ruler) -> None:
         y, height = after.removed
         marks: dict[str, Any] = {"marker": "o", "markersize": 3.5, "markerfacecolor": "none", "markeredgewidth": THIN}
         if after.name == "trim":
-            y, height = ruler.line(y, height)[0], ruler.line(y, height)[1] / ruler.factor
             marks = {"marker": ".", "markersize": 2.0}
-        axes.plot(y, ruler.factor * height, color=SECOND, linestyle="none", **marks)
+        drawn = _line(y, height, ruler) if after.name == "trim" else (measure("mm")(y), ruler(height))
+        axes.plot(*drawn, color=SECOND, linestyle="none", **marks)
 
 
 def _mark_land(axes: Axes, points: Points) -> None:
     for end in points.land or ():
         if points.y[0] < end < points.y[-1]:
-            axes.axvline(end, color=FAINT_INK, linewidth=THIN, linestyle="--")
+            axes.axvline(measure("mm").factor * end, color=FAINT_INK, linewidth=THIN, linestyle="--")
 
 
 def _draw_corners(figure: Figure, top: float, measured: Measured) -> None:
@@ -155,23 +152,24 @@ def _draw_corners(figure: Figure, top: float, measured: Measured) -> None:
     highest = float(measured.points.height.max())
     room = 0.5 if len(corners) > 1 else 0.0
     width = (WIDTH - LEFT - MARGIN - room) / max(len(corners), 1)
+    length, depth = measure("mm"), _micrometres()
     for k, corner in enumerate(corners):
         axes = panel(figure, LEFT + k * (width + room), top - HEAD - 1.5 * TALL, width, 1.5 * TALL)
         ends = np.sort(measured.points.y[corner])[[0, -1]]
         ends += 0.2 * np.ptp(ends) * np.array([-1.0, 1.0]) * (np.abs(ends) < np.max(np.abs(ends)))
         shown = (before.y >= ends[0]) & (before.y <= ends[1])
-        axes.plot(before.y[shown], 1e3 * (highest - before.height[shown]), ".", color=GREY, markersize=2.5)
+        axes.plot(length(before.y[shown]), depth(highest - before.height[shown]), ".", color=GREY, markersize=2.5)
         near = (measured.points.y >= ends[0]) & (measured.points.y <= ends[1])
-        axes.plot(measured.points.y[near], 1e3 * measured.relief[near], color=INK, linewidth=THIN)
+        axes.plot(length(measured.points.y[near]), depth(measured.relief[near]), color=INK, linewidth=THIN)
         _mark_land(axes, measured.points)
-        axes.set_xlim(*ends)
+        axes.set_xlim(*length(ends))
         axes.invert_yaxis()
-        _tidy(axes, "Relief [µm]" if k == 0 else "")
+        _tidy(axes, depth.label("Relief") if k == 0 else "")
         axes.locator_params(axis="x", nbins=5)
         axes.yaxis.set_label_coords(LABEL / width, 0.5)
         side = "low" if corner[0] else "high"
         _head(axes, f"The corner at the {side} end; dots: before smoothing.", LETTERS // len(corners))
-        axes.set_xlabel(AXIAL_LABEL)
+        axes.set_xlabel(length.label("Axial position $y$"))
 
 
 def _draw_relief(figure: Figure, top: float, measured: Measured, fit: Fit | None) -> None:
@@ -183,30 +181,30 @@ def _draw_relief(figure: Figure, top: float, measured: Measured, fit: Fit | None
     thin = next((state for state in measured.states if state.name == "thin"), None)
     words = "Relief, highest point less height" + (f", {len(y)} points." if thin is not None else ".")
     marks: dict[str, Any] = {"marker": ".", "markersize": 2.5} if len(y) <= COLUMNS else {}
-    axes.plot(*ruler.line(y, relief), color=INK, linewidth=THIN, **marks)
+    axes.plot(*_line(y, relief, ruler), color=INK, linewidth=THIN, **marks)
     if measured.points.land is not None:
         _mark_land(axes, measured.points)
         most = ruler.factor * float(measured.points.height.max() - land.height.min())
-        axes.set_ylim(-ROOM * most, max((1.0 + 3.0 * ROOM) * most, 1e-3))
+        axes.set_ylim(-ROOM * most, max((1.0 + 3.0 * ROOM) * most, 1e-6 * ruler.factor))
     axes.invert_yaxis()
     if fit is not None:
         words += " " + _draw_fit(axes, land.y, fit, ruler)
-    _tidy(axes, f"Relief [{ruler.unit}]")
+    _tidy(axes, ruler.label("Relief"))
     lowest = axes
     if fit is not None:
         axes.tick_params(labelbottom=False)
         lowest = panel(figure, LEFT, top - LAST_HEAD - tall - GAP - SLIM, width, SLIM)
         lowest.axhline(0.0, color=FAINT_INK, linewidth=HAIR)
         left = measured.points.height.max() - land.height - fit.relief(land.y)
-        lowest.plot(*_Ruler().line(land.y, left), color=FIRST, linewidth=THIN)
-        _tidy(lowest, "left [µm]")
+        lowest.plot(*_line(land.y, left, _micrometres()), color=FIRST, linewidth=THIN)
+        _tidy(lowest, _micrometres().label("left"))
         lowest.set_xlim(axes.get_xlim())
     _head(axes, words)
-    lowest.set_xlabel(AXIAL_LABEL)
+    lowest.set_xlabel(measure("mm").label("Axial position $y$"))
 
 
-def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: _Ruler) -> str:
-    axes.plot(y, ruler.factor * fit.relief(y), color=FIRST, linewidth=LINE, linestyle=(0, (4, 2)), zorder=1.5)
+def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: Measure) -> str:
+    axes.plot(measure("mm")(y), ruler(fit.relief(y)), color=FIRST, linewidth=LINE, linestyle=(0, (4, 2)), zorder=1.5)
     named = ", ".join(f"{name} {amount(value, fit.unit_of(name)):.5g}" for name, value in fit.parameters.items())
     name = f"{fit.kind}, {named}" if named else fit.kind
     return f"Dashed: {name}. Residual to the rough points: {um(fit.rms):.2g} root mean square."
@@ -219,31 +217,30 @@ def _head(axes: Axes, words: str, letters: int = LETTERS) -> None:
     axes.text(0.0, 1.04, text, transform=axes.transAxes, va="bottom", **style)
 
 
-def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: _Ruler) -> None:
+def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: Measure) -> None:
     """Set the range of heights: all, unless what was cut off is so deep that it would flatten the rest."""
     land = after.points.on_land.height
     low, high = (ruler.factor * float(bound) for bound in (land.min(), land.max()))
     deepest = ruler.factor * float(before.height.min())
-    room = max(high - low, 1e-3)
+    room = max(high - low, 1e-6 * ruler.factor)
     if (after.name != "trim" and after.points.land is None) or high - deepest <= CUT * room:
         low = min(low, deepest)
         high = max(high, ruler.factor * float(before.height.max()))
     else:
-        read = (mm if ruler.unit == "mm" else um)(deepest / ruler.factor)
+        read = (um if ruler.factor == _micrometres().factor else mm)(deepest / ruler.factor)
         note = f"axis cut, heights go down to {written(read, 3)}"
         style: dict[str, Any] = {"fontsize": SMALL_SIZE, "color": FAINT_INK, "bbox": BACKING, "ha": "center"}
         axes.text(0.5, 0.06, note, transform=axes.transAxes, **style)
         low -= 0.5 * room
         high = max(high, ruler.factor * float(before.points.on_land.height.max()))
     # A perfectly flat line still needs a range.
-    above = max(ROOM * (high - low), 1e-3, 1e-6 * abs(high))
+    above = max(ROOM * (high - low), 1e-6 * ruler.factor, 1e-6 * abs(high))
     axes.set_ylim(low - above, high + above)
-    _tidy(axes, f"Height [{ruler.unit}]")
+    _tidy(axes, ruler.label("Height"))
 
 
 def _tidy(axes: Axes, label: str) -> None:
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    open_frame(axes)
     axes.margins(x=0.01)
     axes.locator_params(axis="y", nbins=4, steps=[1, 2, 5, 10])
     axes.set_ylabel(label)

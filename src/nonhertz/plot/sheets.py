@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
+import textwrap
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -21,7 +22,9 @@ if TYPE_CHECKING:
 # All lengths in inches; the width is that of a journal page, 170 mm.
 WIDTH, HEIGHT = 6.7, 3.7
 LEFT, RIGHT, BOTTOM = 0.75, 0.75, 0.55
-HEAD, FOOTPRINT_HEAD, TITLE = 0.43, 0.48, 0.22
+HEAD, FOOTPRINT_HEAD = 0.43, 0.24
+# Above: a line of the title, the first line of conditions and each further one, and the letters that fit in a line.
+TITLE, CONDITIONS, LINE, TITLE_LETTERS = 0.22, 0.24, 0.14, 78
 BETWEEN = 0.6
 LOWEST_PANEL, HIGHEST_PANEL, HIGHEST_STRETCHED = 0.5, 3.2, 1.9
 BAR, BAR_GAP, BAR_ROOM = 0.11, 0.12, 0.95
@@ -83,10 +86,8 @@ def image(figure: Figure, kind: Literal["svg", "png"]) -> bytes:
 
 
 def _sheet(solution: Solution, title: str, draw: Callable[[Solution, Axes], Axes]) -> Figure:
-    height = HEIGHT + (TITLE if title else 0.0)
-    figure = blank(height)
+    figure = sheet(HEIGHT, title)
     draw(solution, panel(figure, LEFT, BOTTOM, WIDTH - LEFT - RIGHT, HEIGHT - BOTTOM - HEAD))
-    write_title(figure, title)
     return figure
 
 
@@ -104,9 +105,8 @@ def _footprint_sheet(solution: Solution, title: str) -> Figure:
     heights = [min(max(natural, LOWEST_PANEL), HIGHEST_PANEL)]
     if stretch >= 2.0 and solution.contact_y:
         heights.append(stretch * natural)
-    top_room = FOOTPRINT_HEAD + (TITLE if title else 0.0)
-    figure = blank(top_room + sum(heights) + BETWEEN * (len(heights) - 1) + BOTTOM)
-    bottom = figure.get_figheight() - top_room
+    bottom = sum(heights) + BETWEEN * (len(heights) - 1) + BOTTOM
+    figure = sheet(bottom + FOOTPRINT_HEAD, title, [conditions(solution)])
     for count, height in enumerate(heights):
         bottom -= height + (BETWEEN if count else 0.0)
         axes = panel(figure, LEFT, bottom, width, height)
@@ -116,15 +116,26 @@ def _footprint_sheet(solution: Solution, title: str) -> Figure:
     if solution.contact_y:
         bar = panel(figure, LEFT + width + BAR_GAP, bottom, BAR, heights[-1])
         draw_colour_bar(solution, axes, cax=bar)
-    write_title(figure, title, conditions(solution))
     return figure
 
 
-def blank(height: float) -> Figure:
-    """Return an empty sheet of page width and a given height [inch]."""
+def sheet(height: float, title: str = "", conditions: Sequence[str] = (), left: float = LEFT) -> Figure:
+    """Return a sheet of page width with room of a height [inch], above which are a title and lines of conditions."""
     from matplotlib.figure import Figure
 
-    return Figure(figsize=(WIDTH, height))
+    titles = textwrap.wrap(title, TITLE_LETTERS)
+    head = TITLE * len(titles) + (CONDITIONS + LINE * (len(conditions) - 1) if conditions else 0.0)
+    whole = height + head
+    figure = Figure(figsize=(WIDTH, whole))
+    if titles:
+        # User text: a dollar sign must not start mathtext.
+        words = "\n".join(titles)
+        place = left / WIDTH, (whole - 0.08) / whole
+        figure.text(*place, words, va="top", weight="bold", fontsize=TITLE_SIZE, parse_math=False)
+    if conditions:
+        below = whole - 0.08 - TITLE * len(titles)
+        figure.text(left / WIDTH, below / whole, "\n".join(conditions), va="top")
+    return figure
 
 
 def panel(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
@@ -134,16 +145,3 @@ def panel(figure: Figure, left: float, bottom: float, width: float, height: floa
     # Ticks are laid out when the figure is drawn, by then perhaps under other settings.
     axes.tick_params(labelsize=SIZE)
     return axes
-
-
-def write_title(figure: Figure, title: str, conditions: str = "") -> None:
-    """Write the title at the top of a sheet and, below it, the conditions."""
-    whole = figure.get_figheight()
-    line = whole - 0.08
-    if title:
-        # User text: a dollar sign must not start mathtext.
-        place = (LEFT / WIDTH, line / whole)
-        figure.text(*place, title, va="top", weight="bold", fontsize=TITLE_SIZE, parse_math=False)
-        line -= TITLE
-    if conditions:
-        figure.text(LEFT / WIDTH, line / whole, conditions, va="top")

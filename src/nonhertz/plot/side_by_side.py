@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from nonhertz.comparison import Comparison, Station
 from nonhertz.comparison.value import NOTABLE
+from nonhertz.plot.axes import along, key_above, measure, open_frame
 from nonhertz.plot.axial import (
-    AXIAL_LABEL,
     Alignment,
     axial_range,
     conditions,
@@ -19,7 +19,7 @@ from nonhertz.plot.axial import (
     number,
     place,
 )
-from nonhertz.plot.sheets import LEFT, TITLE, WIDTH, blank, panel, write_title
+from nonhertz.plot.sheets import LEFT, WIDTH, panel, sheet
 from nonhertz.plot.style import (
     FAINT_INK,
     FIRST,
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 # Inches, from the top.
-HEAD, TALL, GAP, SLIM, BETWEEN, LOW, BOTTOM, MARGIN, APART = 0.52, 2.0, 0.22, 0.95, 0.92, 1.55, 0.5, 0.15, 0.42
+HEAD, TALL, GAP, SLIM, BETWEEN, LOW, BOTTOM, MARGIN, APART = 0.28, 2.0, 0.22, 0.95, 0.92, 1.55, 0.5, 0.15, 0.42
 BEYOND = 1.6  # upper end of the axis over the largest pressure away from singular ends
 ROOM = 1.12
 FAINTEST, LARGEST = 0.1, 100.0  # per cent, between which the axis of differences is logarithmic
@@ -75,10 +75,9 @@ def comparison(found: Comparison, title: str = "") -> Figure:
         `save` writes it.
     """
     with sheet_style():
-        top = HEAD + (TITLE if title else 0.0)
-        height = top + TALL + GAP + SLIM + BETWEEN + LOW + BOTTOM
-        figure, width = blank(height), WIDTH - LEFT - MARGIN
-        upper = panel(figure, LEFT, height - top - TALL, width, TALL)
+        height = HEAD + TALL + GAP + SLIM + BETWEEN + LOW + BOTTOM
+        figure, width = sheet(height, title, [_conditions(found)]), WIDTH - LEFT - MARGIN
+        upper = panel(figure, LEFT, height - HEAD - TALL, width, TALL)
         _draw_along(found, upper)
         slim = panel(figure, LEFT, BOTTOM + LOW + BETWEEN, width, SLIM)
         draw_differences(found, slim)
@@ -87,8 +86,7 @@ def comparison(found: Comparison, title: str = "") -> Figure:
         lows = [panel(figure, LEFT + k * (each + APART), BOTTOM, each, LOW) for k in range(3)]
         for axes, station in zip(lows, found.stations, strict=True):
             draw_across(found, axes, station)
-        lows[0].set_ylabel("Pressure $p$ [MPa]")
-        write_title(figure, title, _conditions(found))
+        lows[0].set_ylabel(measure("MPa").label("Pressure $p$"))
     return figure
 
 
@@ -99,25 +97,26 @@ def _conditions(found: Comparison) -> str:
 
 def _draw_along(found: Comparison, axes: Axes) -> None:
     patch, semi = found.patch, found.semi_elliptic
+    length, stress = measure("mm"), measure("MPa")
     touching = patch.centre_pressure > 0.0
     # One cell more at either end, where the pressure is zero unless the bodies end.
     shown = np.convolve(touching, [1, 1, 1], mode="same") > 0
-    axes.plot(patch.y[shown], patch.centre_pressure[shown], color=INK, linewidth=THIN, zorder=2.0)
+    axes.plot(length(patch.y[shown]), stress(patch.centre_pressure[shown]), color=INK, linewidth=THIN, zorder=2.0)
     for solution in found.strips:
         pressed = solution.line_load > 0.0
         marker, colour, _ = MARKS[solution.element.name]
         axes.plot(
-            solution.y[pressed], solution.centre_pressure[pressed], marker, markersize=3.2, markeredgewidth=THIN,
-            markerfacecolor="none", color=colour, zorder=3.0,
+            length(solution.y[pressed]), stress(solution.centre_pressure[pressed]), marker, markersize=3.2,
+            markeredgewidth=THIN, markerfacecolor="none", color=colour, zorder=3.0,
         )  # fmt: skip
-    axes.set_ylim(0.0, _top(found))
+    axes.set_ylim(0.0, stress.factor * _top(found))
     if semi.singular_ends:
         mark_unlimited([semi], axes)
     _mark_stations(found, axes, named=True)
-    axes.set_ylabel("Pressure at $x$ = 0 [MPa]")
+    axes.set_ylabel(stress.label("Pressure at $x$ = 0"))
     axes.tick_params(labelbottom=False)
     _draw_key(found, axes)
-    _tidy(axes, semi)
+    _tidy(axes, semi, labelled=False)
 
 
 def _draw_key(found: Comparison, axes: Axes) -> None:
@@ -131,10 +130,7 @@ def _draw_key(found: Comparison, axes: Axes) -> None:
         marker, colour, dashes = MARKS[solution.element.name]
         handles.append(Line2D([], [], color=colour, marker=marker, linestyle=dashes, **marks))
         labels.append(f"{solution.strips} {solution.element.name} strips, {_time(seconds)}")
-    axes.legend(
-        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.2, borderpad=0.2,
-        handlelength=2.4, columnspacing=1.6, fontsize=SMALL_SIZE,
-    )  # fmt: skip
+    key_above(axes, handles, labels, columns=3)
 
 
 def _top(found: Comparison) -> float:
@@ -154,64 +150,63 @@ def draw_differences(found: Comparison, axes: Axes) -> None:
         marker, colour, _ = MARKS[solution.element.name]
         relative = 100.0 * found.along(solution)
         axes.plot(
-            solution.y, np.clip(relative, -LARGEST, LARGEST), marker, markersize=2.8, markeredgewidth=THIN,
-            markerfacecolor="none", color=colour, zorder=3.0,
+            measure("mm")(solution.y), np.clip(relative, -LARGEST, LARGEST), marker, markersize=2.8,
+            markeredgewidth=THIN, markerfacecolor="none", color=colour, zorder=3.0,
         )  # fmt: skip
     axes.set_ylim(-1.4 * LARGEST, 1.4 * LARGEST)
     axes.set_yticks([-100.0, -10.0, -1.0, 0.0, 1.0, 10.0, 100.0], ["−100", "−10", "−1", "0", "1", "10", "100"])
     axes.tick_params(axis="y", labelsize=SMALL_SIZE)
     axes.minorticks_off()
     axes.set_ylabel("Difference [%]")
-    axes.set_xlabel(AXIAL_LABEL, labelpad=1.0)
-    _tidy(axes, found.semi_elliptic)
+    _tidy(axes, found.semi_elliptic, labelled=True)
 
 
 def _mark_stations(found: Comparison, axes: Axes, *, named: bool) -> None:
     """Draw a line at every station and, below the axes, the letter that the cuts across repeat."""
     low, high = axial_range(found.semi_elliptic)
+    length = measure("mm")
     for letter, station in zip("ABC", found.stations, strict=True):
-        axes.axvline(station.y, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+        axes.axvline(length.factor * station.y, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
         if not named:
             continue
         near = [other.y for other in found.stations if 0.0 < abs(other.y - station.y) < CROWDED * (high - low)]
         side: Alignment = "center" if not near else "left" if station.y > near[0] else "right"
         axes.annotate(
-            letter, (station.y, 0.0), xycoords=axes.get_xaxis_transform(), xytext=(0.0, -4.0),
+            letter, (length.factor * station.y, 0.0), xycoords=axes.get_xaxis_transform(), xytext=(0.0, -4.0),
             textcoords="offset points", ha=side, va="top", fontsize=SMALL_SIZE, color=FAINT_INK, weight="bold",
         )  # fmt: skip
 
 
-def _tidy(axes: Axes, semi: Solution) -> None:
-    axes.locator_params(axis="x", steps=[1, 2, 5, 10])
-    axes.set_xlim(axial_range(semi))
+def _tidy(axes: Axes, semi: Solution, *, labelled: bool) -> None:
+    along(axes, axial_range(semi), labelled=labelled, labelpad=1.0)
     draw_body_ends(semi, axes, named=False)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    open_frame(axes)
 
 
 def draw_across(found: Comparison, axes: Axes, station: Station) -> None:
     """Draw the pressure across at a station: of each cell, and as the strips assume it."""
+    length, stress = measure("mm"), measure("MPa")
     x, pressure = found.patch.across(station.y)
     touching = np.convolve(pressure > 0.0, [1, 1, 1], mode="same") > 0
-    axes.plot(x[touching], pressure[touching], ".", markersize=2.4, color=INK, zorder=2.0)
+    axes.plot(length(x[touching]), stress(pressure[touching]), ".", markersize=2.4, color=INK, zorder=2.0)
     widest = float(np.max(np.abs(x[pressure > 0.0]), initial=0.0))
     highest = float(pressure.max())
     for solution in found.strips:
         across, shape = _own_shape(solution, station.y)
         _, colour, dashes = MARKS[solution.element.name]
-        axes.plot(across, shape, color=colour, linewidth=LINE, linestyle=dashes, zorder=1.5)
+        axes.plot(length(across), stress(shape), color=colour, linewidth=LINE, linestyle=dashes, zorder=1.5)
         widest, highest = max(widest, float(across[-1])), max(highest, float(shape.max()))
-    axes.set_xlim(-ROOM * (widest or 1.0), ROOM * (widest or 1.0))
-    axes.set_ylim(0.0, ROOM * (highest or 1.0))
+    reach = length.factor * ROOM * (widest or 1.0)
+    axes.set_xlim(-reach, reach)
+    axes.set_ylim(0.0, stress.factor * ROOM * (highest or 1.0))
     letter = "ABC"[found.stations.index(station)]
     words = f"{station.reason},\n$y$ = {place(axial_range(found.semi_elliptic), station.y)}"
     axes.set_title(words, loc="left", fontsize=SMALL_SIZE, pad=4.0)
     axes.text(0.03, 0.97, letter, transform=axes.transAxes, va="top", weight="bold", fontsize=SIZE, color=FAINT_INK)
-    axes.set_xlabel("Across $x$ [mm]", labelpad=1.0)
+    axes.set_xlabel(length.label("Across $x$"), labelpad=1.0)
     axes.locator_params(axis="both", nbins=4)
     axes.tick_params(labelsize=SMALL_SIZE)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    open_frame(axes)
 
 
 def _own_shape(solution: Solution, y: float) -> tuple[Array, Array]:

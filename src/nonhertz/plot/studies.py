@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.plot.axes import measure, open_frame
 from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import BACKING, COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
 
@@ -64,7 +65,7 @@ def study_lines(
     if words:
         ax.set_xticks(at, [str(word) for word in places.tolist()])
     ax.set(xlabel=x_label, ylabel=y_label)
-    _open(ax)
+    open_frame(ax)
     every = np.concatenate([np.asarray(values, dtype=float) for values in lines.values()])
     every = every[np.isfinite(every)]
     if every.size and every.min() > 0.0 and every.max() > WIDE * every.min():
@@ -136,7 +137,7 @@ def histogram(
     numbers = np.asarray(values, dtype=float).ravel()
     numbers = numbers[np.isfinite(numbers)]
     ax.set(xlabel=label, ylabel="Samples")
-    _open(ax)
+    open_frame(ax)
     if not numbers.size:
         ax.text(0.5, 0.5, "no sample has a number", transform=ax.transAxes, ha="center", va="center")
         return ax
@@ -162,6 +163,8 @@ def tornado(
 ) -> Axes:
     """Draw Sobol's indices as bars, the first name on top: the first index inside the total one.
 
+    They are shares of the variance: an estimate from few samples that is below 0 or above 1 is drawn there.
+
     Parameters
     ----------
     names : sequence of str
@@ -180,16 +183,17 @@ def tornado(
     """
     places = -np.arange(len(names), dtype=float)
     line: dict[str, Any] = {"fmt": "none", "capsize": 2.0, "linewidth": THIN}
-    ax.barh(places, np.asarray(total), height=0.62, color=PALE, edgecolor=FAINT_INK, linewidth=HAIR, label="total")
-    ax.barh(places, np.asarray(first), height=0.34, color=FIRST, label="alone")
+    first, total = (np.clip(np.asarray(each, dtype=float), 0.0, 1.0) for each in (first, total))
+    ax.barh(places, total, height=0.62, color=PALE, edgecolor=FAINT_INK, linewidth=HAIR, label="total")
+    ax.barh(places, first, height=0.34, color=FIRST, label="alone")
     if errors is not None:
-        ax.errorbar(np.asarray(first), places, xerr=np.asarray(errors[0]), ecolor=INK, **line)
-        ax.errorbar(np.asarray(total), places + 0.24, xerr=np.asarray(errors[1]), ecolor=FAINT_INK, **line)
+        ax.errorbar(first, places, xerr=np.asarray(errors[0]), ecolor=INK, **line)
+        ax.errorbar(total, places + 0.24, xerr=np.asarray(errors[1]), ecolor=FAINT_INK, **line)
     ax.set_yticks(places, list(names))
     ax.set_xlabel("Share of the variance")
-    ax.set_xlim(left=min(0.0, ax.get_xlim()[0]))
+    ax.set_xlim(0.0, 1.0)
     ax.legend(fontsize=SMALL_SIZE, frameon=False, loc="lower right")
-    _open(ax)
+    open_frame(ax)
     return ax
 
 
@@ -217,13 +221,14 @@ def profile_band(
     matplotlib.axes.Axes
         ``ax``.
     """
-    low, high = (1e3 * np.asarray(each) for each in band)
-    ax.fill_between(np.asarray(y), low, high, color=SECOND, alpha=0.25, linewidth=0.0, label=label)
-    ax.plot(y, 1e3 * np.asarray(nominal), color=INK, linewidth=LINE, label="nominal")
+    length, depth = measure("mm"), measure("mm", "um")
+    low, high = depth(band[0]), depth(band[1])
+    ax.fill_between(length(y), low, high, color=SECOND, alpha=0.25, linewidth=0.0, label=label)
+    ax.plot(length(y), depth(nominal), color=INK, linewidth=LINE, label="nominal")
     ax.invert_yaxis()
-    ax.set(xlabel="y [mm]", ylabel="Relief [µm]")
+    ax.set(xlabel=length.label("Axial position $y$"), ylabel=depth.label("Relief"))
     ax.legend(fontsize=SMALL_SIZE, frameon=False, loc="lower center")
-    _open(ax)
+    open_frame(ax)
     return ax
 
 
@@ -234,8 +239,3 @@ def _shades(count: int) -> Sequence[Any]:
     import matplotlib as mpl
 
     return [mpl.colormaps[COLOUR_MAP](share) for share in np.linspace(0.0, 0.85, count)]
-
-
-def _open(ax: Axes) -> None:
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)

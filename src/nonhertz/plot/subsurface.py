@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import chosen, mm, mpa
-from nonhertz.plot.axial import AXIAL_LABEL, body_ends, conditions, number, place, written
+from nonhertz.amounts import mm, mpa
+from nonhertz.plot.axes import ROUND, key_above, measure
+from nonhertz.plot.axial import body_ends, conditions, number, place, written
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.sheets import (
@@ -21,11 +22,9 @@ from nonhertz.plot.sheets import (
     HIGHEST_STRETCHED,
     LEFT,
     STRETCHES,
-    TITLE,
     WIDTH,
-    blank,
     panel,
-    write_title,
+    sheet,
 )
 from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
@@ -41,7 +40,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Entry = tuple["Line2D", str]
 
-STRESS_LABEL = "Von Mises stress [MPa]"
 # The first is drawn last: it may lie on the second, which is larger.
 MARKS = {
     "von_mises": ("o", 3.0, "max. von Mises"),
@@ -106,7 +104,7 @@ def axial_stress(
     landmarks = [_mark(name, getattr(overall, name), span, ax) for name in MARKS]
     lines = _draw_contours(field, y, _last_colour(solution, overall), ax, bar)
     _label(lines, field, y, _calm_column(solution, y, overall, station), overall, ax)
-    ax.set_xlabel(AXIAL_LABEL)
+    ax.set_xlabel(measure("mm").label("Axial position $y$"))
     plane = f"body {field.body} at $x$ = {written(mm(field.x[0, 0]))}{_scale(stretch)}"
     _head(solution, plane, landmarks, [*contact, *section, *ends], ax)
     return ax
@@ -152,7 +150,7 @@ def section_stress(
     landmarks = [_mark(name, getattr(section, name), None, ax) for name in MARKS]
     lines = _draw_contours(field, x, _last_colour(solution, section), ax, bar)
     _label(lines, field, x, int(np.abs(x - middle).argmin()), section, ax)
-    ax.set_xlabel("Across $x$ [mm]")
+    ax.set_xlabel(measure("mm").label("Across $x$"))
     ends = solution.contact_y[0][0], solution.contact_y[-1][1]
     _head(solution, f"body {field.body} at $y$ = {_station(y, ends)}", landmarks, contact, ax)
     return ax
@@ -242,10 +240,9 @@ def _scale(stretch: float) -> str:
 
 def _sheet(title: str, width: float, height: float) -> tuple[Figure, Axes, Axes]:
     """Return a sheet with its title, axes of that size [inch] and, beside them, axes for a colour bar."""
-    figure = blank(HEAD + (TITLE if title else 0.0) + height + BOTTOM)
+    figure = sheet(HEAD + height + BOTTOM, title)
     axes = panel(figure, LEFT, BOTTOM, width, height)
     bar = panel(figure, LEFT + width + BAR_GAP, BOTTOM, BAR, height)
-    write_title(figure, title)
     return figure, axes, bar
 
 
@@ -258,12 +255,13 @@ def _framed(solution: Solution, field: Field) -> tuple[float, float]:
 
 
 def _frame(ax: Axes, span: tuple[float, float], depth: float, stretch: float) -> None:
-    ax.locator_params(steps=[1, 2, 5, 10])
+    length = measure("mm")
+    ax.locator_params(steps=ROUND)
     ax.locator_params(axis="y", nbins=6)
-    ax.set_xlim(span)
-    ax.set_ylim(depth, 0.0)
+    ax.set_xlim(*length(span))
+    ax.set_ylim(length.factor * depth, 0.0)
     ax.set_aspect(stretch, adjustable="box")
-    ax.set_ylabel("Depth $z$ [mm]")
+    ax.set_ylabel(length.label("Depth $z$"))
 
 
 def _last_colour(solution: Solution, found: Extremes) -> float:
@@ -275,24 +273,26 @@ def _draw_contours(field: Field, along: Array, limit: float, ax: Axes, bar: Axes
     """Fill bands of von Mises stress, draw the lines between them and the colour bar; return the lines."""
     from matplotlib.ticker import MaxNLocator
 
-    levels = chosen().ticks(MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values, 0.0, limit or 1.0, "MPa")
-    stress, depths = np.ma.masked_invalid(field.von_mises.T), field.z[0]
+    length, drawn = measure("mm"), measure("MPa")
+    levels = MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, drawn.factor * (limit or 1.0))
+    stress, depths = np.ma.masked_invalid(drawn(field.von_mises.T)), length(field.z[0])
     # On the surface itself the stress is also unbounded at a step of the pressure from strip to strip.
     extend = "max" if float(stress[depths > 0.0].max()) > levels[-1] else "neither"
     shown = stress if extend == "max" else np.minimum(stress, levels[-1])
-    bands = ax.contourf(along, depths, shown, levels, cmap=COLOUR_MAP, extend=extend, zorder=0.5)
+    bands = ax.contourf(length(along), depths, shown, levels, cmap=COLOUR_MAP, extend=extend, zorder=0.5)
     # The colour map goes from dark to bright.
     colours = ["white" if level < 0.5 * levels[-1] else INK for level in levels[1:]]
-    lines = ax.contour(along, depths, stress, levels[1:], colors=colours, linewidths=HAIR, zorder=0.8)
+    lines = ax.contour(length(along), depths, stress, levels[1:], colors=colours, linewidths=HAIR, zorder=0.8)
     where: dict[str, Any] = {"ax": ax} if bar is None else {"cax": bar}
-    ax.figure.colorbar(bands, label=STRESS_LABEL, **where)
+    ax.figure.colorbar(bands, label=drawn.label("Von Mises stress"), **where)
     return lines
 
 
 def _label(lines: ContourSet, field: Field, along: Array, column: int, found: Extremes, ax: Axes) -> None:
     """Label contour lines where they cross a column below the largest stress, far enough apart."""
     ax.apply_aspect()
-    low, high = ax.get_ylim()[1], ax.get_ylim()[0]
+    length, stress = measure("mm"), measure("MPa")
+    low, high = ax.get_ylim()[1] / length.factor, ax.get_ylim()[0] / length.factor
     apart = APART * (high - low) * ax.figure.dpi / ax.bbox.height
     near = 2.0 * float(np.ptp(along)) / along.size
     horizontal = "y" if np.ptp(field.y) > 0.0 else "x"
@@ -300,14 +300,12 @@ def _label(lines: ContourSet, field: Field, along: Array, column: int, found: Ex
     taken = [each.z for each in marked if abs(getattr(each, horizontal) - along[column]) < near] + [0.0, high]
     places = []
     for level in np.asarray(lines.levels)[::-1].tolist():
-        depth = _crossing(field.von_mises[column], field.z[0], level, apart)
+        depth = _crossing(stress(field.von_mises[column]), field.z[0], level, apart)
         if depth is not None and all(abs(depth - other) > apart for other in taken):
             taken.append(depth)
-            places.append((float(along[column]), depth))
+            places.append((float(length(along[column])), float(length(depth))))
     if places:
-        factor = chosen().of("MPa")[1]
-        written = {level: f"{factor * level:.4g}" for level in lines.levels}
-        ax.clabel(lines, manual=places, fmt=written, fontsize=SMALL_SIZE, inline_spacing=2.0)
+        ax.clabel(lines, manual=places, fmt="%.4g", fontsize=SMALL_SIZE, inline_spacing=2.0)
 
 
 def _crossing(stress: Array, depths: Array, level: float, apart: float) -> float | None:
@@ -335,9 +333,11 @@ def _mark(name: str, found: Extreme, span: tuple[float, float] | None, ax: Axes)
     marker, size, words = MARKS[name]
     # The stress field of the strips is symmetric about x = 0.
     sideways = [found.y] if span else [-found.x, found.x] if found.x > 0.0 else [0.0]
-    depth = np.nan if found.at_bore and found.z > ax.get_ylim()[0] else found.z  # further down than is drawn
+    length = measure("mm")
+    depth = length.factor * found.z
+    depth = np.nan if found.at_bore and depth > ax.get_ylim()[0] else depth  # further down than is drawn
     (mark,) = ax.plot(
-        sideways, [depth] * len(sideways), marker, markersize=size, color=INK, markerfacecolor="white",
+        length(sideways), [depth] * len(sideways), marker, markersize=size, color=INK, markerfacecolor="white",
         markeredgewidth=THIN, clip_on=False, zorder=4.0 - 0.1 * size,
     )  # fmt: skip
     at = [f"$x$ = ±{written(mm(found.x), 3)}"] if found.x > 0.0 else []
@@ -346,17 +346,15 @@ def _mark(name: str, found: Extreme, span: tuple[float, float] | None, ax: Axes)
 
 
 def _draw_surface(intervals: tuple[tuple[float, float], ...], label: str, ax: Axes) -> list[Entry]:
-    drawn = [
-        ax.plot(interval, [0.0, 0.0], color=SECOND, linewidth=2.4, solid_capstyle="butt", clip_on=False, zorder=2.5)
-        for interval in intervals
-    ]
+    style: dict[str, Any] = {"color": SECOND, "linewidth": 2.4, "solid_capstyle": "butt", "zorder": 2.5}
+    drawn = [ax.plot(measure("mm")(pair), [0.0, 0.0], clip_on=False, **style) for pair in intervals]
     return [(drawn[0][0], label)] if drawn else []
 
 
 def _draw_station(station: float | None, span: tuple[float, float], ax: Axes) -> list[Entry]:
     if station is None:
         return []
-    line = ax.axvline(station, color=INK, linewidth=THIN, linestyle="--", zorder=1.5)
+    line = ax.axvline(measure("mm").factor * station, color=INK, linewidth=THIN, linestyle="--", zorder=1.5)
     return [(line, f"cross-section, $y$ = {_station(station, span)}")]
 
 
@@ -370,7 +368,8 @@ def _draw_ends(solution: Solution, span: tuple[float, float], ax: Axes) -> list[
     entries: dict[str, Line2D] = {}
     for end, name in body_ends(solution):
         if span[0] < end < span[1]:
-            entries[name] = ax.axvline(end, color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
+            at = measure("mm").factor * end
+            entries[name] = ax.axvline(at, color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
     return [(next(iter(entries.values())), ", ".join(entries))] if entries else []
 
 
@@ -382,8 +381,6 @@ def _head(solution: Solution, plane: str, landmarks: list[Entry], others: list[E
     blank_entry = (Line2D([], [], linestyle="none"), "")
     entries = [*landmarks, *others, *[blank_entry] * (len(landmarks) - len(others))]
     handles, labels = zip(*entries, strict=True)
-    ax.legend(
-        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.4,
-        borderpad=0.2, handlelength=1.8, handletextpad=0.5, columnspacing=1.4, frameon=False, fontsize=SMALL_SIZE,
-    )  # fmt: skip
+    spacing = {"borderaxespad": 0.4, "handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.4}
+    key_above(ax, handles, labels, columns=2, **spacing)
     ax.set_title(f"{conditions(solution)}; {plane}", loc="left", pad=HEAD_POINTS)

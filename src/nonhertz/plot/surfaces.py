@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import um
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, draw_body_ends, head, written
+from nonhertz.plot.axes import along, measure, open_frame
+from nonhertz.plot.axial import axial_range, draw_body_ends, head, written
 from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, PALE, SECOND
 from nonhertz.result.solution import Solution
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
-
-MICROMETRES = 1e3
 
 LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
 """Clearance, as a multiple of the deepest interference: up to the first all of it is drawn; if there is more, the axis
@@ -47,32 +46,30 @@ def profile(solution: Solution, ax: Axes = OWN) -> Axes:
         ``ax``.
     """
     span = axial_range(solution)
-    before, after = distances(solution)
+    length, distance = measure("mm"), measure("mm", "um")
+    y, (before, after) = length(solution.y), (distance(1e-3 * each) for each in distances(solution))
 
-    for count, (low, high) in enumerate(solution.contact_y):
+    for count, (low, high) in enumerate(length(pair) for pair in solution.contact_y):
         label = "in contact" if count == 0 else None
         ax.axvspan(low, high, facecolor=PALE, edgecolor="none", zorder=0.5, label=label)
     ax.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
     draw_body_ends(solution, ax)
     label = r"undeformed, $h - (\delta + \gamma y)$"
-    ax.plot(solution.y, before, color=SECOND, linewidth=LINE, linestyle="--", label=label)
-    ax.plot(solution.y, after, color=FIRST, linewidth=LINE, label="deformed gap")
+    ax.plot(y, before, color=SECOND, linewidth=LINE, linestyle="--", label=label)
+    ax.plot(y, after, color=FIRST, linewidth=LINE, label="deformed gap")
     label = "elastic displacement"
-    ax.fill_between(solution.y, before, after, facecolor=FIRST, alpha=0.16, linewidth=0.0, label=label)
+    ax.fill_between(y, before, after, facecolor=FIRST, alpha=0.16, linewidth=0.0, label=label)
 
     bottom, top = drawn_range(before, after)
-    ax.locator_params(axis="x", steps=[1, 2, 5, 10])
-    ax.set_xlim(span)
+    along(ax, span)
     ax.set_ylim(bottom, top)
-    ax.set_xlabel(AXIAL_LABEL)
-    ax.set_ylabel("Distance of the surfaces [µm]")
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)
+    ax.set_ylabel(distance.label("Distance of the surfaces"))
+    open_frame(ax)
     inside = (solution.y >= span[0]) & (solution.y <= span[1])
-    largest = float((-MICROMETRES * solution.interference)[inside].max())
+    largest = float(-solution.interference[inside].min())
     handles, labels = ax.get_legend_handles_labels()
     order = [1, 2, 3, 0] if solution.contact_y else [0, 1, 2]
-    remark = _cut(largest) if largest > top else ""
+    remark = _cut(largest) if distance(largest) > top else ""
     head(solution, ax, [handles[k] for k in order], [labels[k] for k in order], remark=remark)
     return ax
 
@@ -80,7 +77,7 @@ def profile(solution: Solution, ax: Axes = OWN) -> Axes:
 def _cut(largest: float) -> str:
     if np.isinf(largest):
         return "axis cut, the relief is infinite at an end"
-    return f"axis cut, the undeformed distance reaches {written(um(1e-3 * largest), 3)}"
+    return f"axis cut, the undeformed distance reaches {written(um(largest), 3)}"
 
 
 def distances(solution: Solution) -> tuple[Array, Array]:
@@ -89,14 +86,14 @@ def distances(solution: Solution) -> tuple[Array, Array]:
     The undeformed one is negative where the bodies would overlap. An infinite relief cannot be drawn: both are NaN
     there, and the line is interrupted.
     """
-    before = -MICROMETRES * solution.interference
-    after = MICROMETRES * solution.gap
+    before = -1e3 * solution.interference
+    after = 1e3 * solution.gap
     drawn = np.isfinite(before) & np.isfinite(after)
     return np.where(drawn, before, np.nan), np.where(drawn, after, np.nan)
 
 
 def drawn_range(before: Array, after: Array) -> tuple[float, float]:
-    """Return the range of distances [micrometre] to draw, chosen so that the contact fills it."""
+    """Return the range of distances, in one unit, to draw, chosen so that the contact fills it."""
     depth = max(-float(np.nanmin(before)), 0.0)
     clearance = float(np.nanmax(np.maximum(before, after)))
     if depth == 0.0:

@@ -16,7 +16,6 @@ from nonhertz.amounts import chosen
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.title_block import TitleBlock
-from nonhertz.plot.units import rewrite_units
 from nonhertz.report.downloads import Download
 from nonhertz.report.drawing import inline_svg
 from nonhertz.report.results import Results
@@ -136,7 +135,6 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
 
 def _drawn(picture: Picture, number: int) -> tuple[int, Markup]:
     """Return the number of a figure, and the figure."""
-    rewrite_units(picture.figure)
     return number, _safe(inline_svg(picture.figure, f"figure-{number}", picture.caption, picture.description))
 
 

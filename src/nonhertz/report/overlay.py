@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.plot.axial import AXIAL_LABEL, axial_range, mark_unlimited
-from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, blank, panel
+from nonhertz.plot.axes import Measure, along, measure, open_frame
+from nonhertz.plot.axial import axial_range, mark_unlimited
+from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, panel, sheet
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
 from nonhertz.report.results import BearingResults, CaseResults
 
@@ -23,7 +24,6 @@ LINES = (
 )  # fmt: skip
 HIGH, LOW, BETWEEN, MARGIN, ROW = 2.3, 1.5, 0.25, 0.15, 0.17  # inches; the last is a line of the legend
 ROOM, BEYOND = 1.08, 1.6  # axis limit over the largest value: usually, and where a pressure has no limit
-MICROMETRES = 1e3
 
 
 def compared_contacts(found: Sequence[CaseResults]) -> Figure:
@@ -31,30 +31,33 @@ def compared_contacts(found: Sequence[CaseResults]) -> Figure:
     with sheet_style():
         figure, (upper, middle, lower) = _sheet([HIGH, LOW, LOW], len(found))
         tops = []
+        length, stress, distance = measure("mm"), measure("MPa"), measure("mm", "um")
         for each, (colour, dashes) in zip(found, lines_of(len(found)), strict=True):
             solution = each.solution
             drawn: dict[str, Any] = {"color": colour, "linestyle": dashes, "linewidth": LINE}
-            separation = MICROMETRES * solution.contact.separation(solution.y)
+            separation = distance(solution.contact.separation(solution.y))
             separation = np.where(np.isfinite(separation), separation, np.nan)
             touching = separation[solution.line_load > 0.0]
             tops.append(float(np.nanmax(touching)) if touching.size else 0.0)
-            for axes, values in ((upper, solution.centre_pressure), (middle, solution.half_width), (lower, separation)):
-                axes.plot(solution.y, values, **drawn)
+            pressure, half_width = stress(solution.centre_pressure), length(solution.half_width)
+            for axes, values in ((upper, pressure), (middle, half_width), (lower, separation)):
+                axes.plot(length(solution.y), values, **drawn)
         sharp = any(each.solution.singular_ends for each in found)
-        upper.set_ylim(0.0, max(each.solution.max_pressure for each in found) * (BEYOND if sharp else ROOM) or 1.0)
-        middle.set_ylim(0.0, max(float(each.solution.half_width.max()) for each in found) * ROOM or 1.0)
+        highest = stress.factor * max(each.solution.max_pressure for each in found)
+        widest = length.factor * max(float(each.solution.half_width.max()) for each in found)
+        upper.set_ylim(0.0, highest * (BEYOND if sharp else ROOM) or 1.0)
+        middle.set_ylim(0.0, widest * ROOM or 1.0)
         # Beyond the contact a relief may rise to tenths of a millimetre.
         lower.set_ylim(min(0.0, *lower.get_ylim()), BEYOND * max(tops) or 1.0)
         lower.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
         mark_unlimited([each.solution for each in found], upper, [colour for colour, _ in lines_of(len(found))])
-        upper.set_ylabel("Centre-line pressure $p_0$ [MPa]")
-        middle.set_ylabel("Half-width $b$ [mm]")
-        lower.set_ylabel("Separation [µm]")
+        upper.set_ylabel(stress.label("Centre-line pressure $p_0$"))
+        middle.set_ylabel(length.label("Half-width $b$"))
+        lower.set_ylabel(distance.label("Separation"))
         spans = [axial_range(each.solution) for each in found]
         for axes in (upper, middle, lower):
-            axes.set_xlim(min(low for low, _ in spans), max(high for _, high in spans))
-            axes.locator_params(axis="x", steps=[1, 2, 5, 10])
-        lower.set_xlabel(AXIAL_LABEL)
+            span = min(low for low, _ in spans), max(high for _, high in spans)
+            along(axes, span, labelled=axes is lower)
         _legend(upper, upper.lines[: len(found)], [each.label for each in found])
         return figure
 
@@ -66,21 +69,23 @@ def all_pressed(found: Sequence[BearingResults]) -> bool:
 
 def compared_bearings(found: Sequence[BearingResults]) -> Figure:
     """Return a sheet with the loads of all rollers of solved bearings and, below, their pressures if all have any."""
-    curves = {"load": "Load at the inner ring [N]"}
+    curves = {"load": ("Load at the inner ring", "N")}
     if all_pressed(found):
-        curves["max_pressure"] = "Maximum pressure [MPa]"
+        curves["max_pressure"] = ("Maximum pressure", "MPa")
     with sheet_style():
         figure, every = _sheet([HIGH] * len(curves), len(found))
-        for axes, (name, label) in zip(every, curves.items(), strict=True):
-            handles = _around(axes, found, name)
-            axes.set_ylabel(label)
+        for axes, (name, (label, unit)) in zip(every, curves.items(), strict=True):
+            largest = [float(getattr(each.solution, name)[:, 0].max()) for each in found]
+            drawn = measure(unit, values=largest)
+            handles = _around(axes, found, name, drawn)
+            axes.set_ylabel(drawn.label(label))
             if axes is every[0]:
                 _legend(axes, handles, [each.label for each in found])
         every[-1].set_xlabel("Angle of the roller [degrees]")
         return figure
 
 
-def _around(axes: Axes, found: Sequence[BearingResults], name: str) -> list[object]:
+def _around(axes: Axes, found: Sequence[BearingResults], name: str, drawn: Measure) -> list[object]:
     """Draw a line for each row of each bearing, and return one of each bearing for the key."""
     handles: list[object] = []
     top = 0.0
@@ -90,7 +95,7 @@ def _around(axes: Axes, found: Sequence[BearingResults], name: str) -> list[obje
         for row in range(len(solution.bearing.rows)):
             these = solution.rollers_of(row)
             angle = (np.degrees(solution.angle[these]) + 180.0) % 360.0 - 180.0
-            values = getattr(solution, name)[these, 0]
+            values = drawn(getattr(solution, name)[these, 0])
             order = np.argsort(angle)
             (line,) = axes.plot(
                 angle[order], values[order], color=colour, linestyle=dashes, linewidth=LINE, marker="o", markersize=3.0
@@ -107,13 +112,12 @@ def _around(axes: Axes, found: Sequence[BearingResults], name: str) -> list[obje
 def _sheet(heights: Sequence[float], count: int) -> tuple[Figure, list[Axes]]:
     """Return a sheet of panels one below the other, with room above for a legend of so many lines."""
     height = BOTTOM + sum(heights) + BETWEEN * (len(heights) - 1)
-    figure, panels = blank(height + 0.12 + ROW * count), []
+    figure, panels = sheet(height + 0.12 + ROW * count), []
     for each in heights:
         panels.append(panel(figure, LEFT, height - each, WIDTH - LEFT - MARGIN, each))
         height -= each + BETWEEN
+    open_frame(*panels)
     for axes in panels:
-        for side in ("top", "right"):
-            axes.spines[side].set_visible(False)
         axes.tick_params(labelbottom=axes is panels[-1])
     return figure, panels
 

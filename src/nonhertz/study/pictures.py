@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import SI, given
+from nonhertz.amounts import chosen, given, of_dimension
 from nonhertz.errors import AccuracyWarning, NonhertzError
 from nonhertz.files.spreads import Distribution
+from nonhertz.plot.axes import Measure, measure
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.studies import histogram, profile_band, study_lines, study_map, tornado
 from nonhertz.plot.style import sheet_style
@@ -32,9 +33,8 @@ FEW = 6  # lines in one panel; of more values a map is drawn
 MOST_DRAWN = 100_000  # rows
 LAND = 0.94  # of the length, on which a relief is looked at for the height of its drawing
 BAND, PLACES, MOST_PROFILES = (0.025, 0.975), 401, 400
+_SECTIONS = ("load", "bearing", "solver", "life")  # of a file, which go without saying
 _PICTURED = {"approach", "load", "max_pressure", "max_half_width", "max_load", "reference", "modified"}
-_SMALL = 0.5  # mm, below which people read micrometres
-_THOUSANDS = {"N": "kN", "N mm": "N m", "MPa": "GPa"}
 
 
 def sweep_figures(sweep: Sweep) -> dict[str, Figure]:
@@ -67,11 +67,18 @@ def tolerance_figures(found: Tolerance) -> dict[str, Figure]:
 
 
 def _distribution(found: Tolerance, quantity: Quantity) -> Callable[[Axes], object]:
-    factor = quantity.factor
-    intervals = {each.share: (factor * each.low, factor * each.high) for each in found.quantiles(quantity.name)}
+    intervals = {each.share: (each.low, each.high) for each in found.quantiles(quantity.name)}
     certain = {share: ends for share, ends in intervals.items() if np.all(np.isfinite(ends))}
-    values = factor * found.samples(quantity.name)
-    return lambda ax: histogram(values, ax, label=quantity_label(quantity), quantiles=certain)
+    return lambda ax: _samples(found.samples(quantity.name), quantity, ax, certain)
+
+
+def _samples(
+    values: NDArray[Any], quantity: Quantity, ax: Axes, quantiles: dict[float, tuple[float, float]] | None = None
+) -> object:
+    """Draw samples of a quantity, and quantiles of them."""
+    drawn = _drawn(quantity, values)
+    ends = {share: (float(drawn(low)), float(drawn(high))) for share, (low, high) in (quantiles or {}).items()}
+    return histogram(drawn(values), ax, label=drawn.label(_capital(quantity.label)), quantiles=ends)
 
 
 def _indices(quantity: Quantity, indices: Sequence[Index]) -> Callable[[Axes], object]:
@@ -79,8 +86,8 @@ def _indices(quantity: Quantity, indices: Sequence[Index]) -> Callable[[Axes], o
     first, total, *errors = columns
 
     def draw(ax: Axes) -> None:
-        tornado([each.path for each in indices], first, total, ax, errors=(errors[0], errors[1]))
-        ax.set_title(quantity.label, loc="left")
+        tornado([in_words(each.path) for each in indices], first, total, ax, errors=(errors[0], errors[1]))
+        ax.set_title(_capital(quantity.label), loc="left")
 
     return draw
 
@@ -130,13 +137,12 @@ def design_figures(found: Design) -> dict[str, Figure]:
     y, best, was = found.relief
     # Corners are many times as deep as a profile.
     inner = np.abs(y - y.mean()) < LAND * 0.5 * np.ptp(y)
-    deepest = 1.5e3 * float(np.nanmax(np.stack([best, was])[:, inner]))
+    deepest = 1.5 * float(np.nanmax(np.stack([best, was])[:, inner]))
 
     def relief(ax: Axes) -> None:
-        lines = {"designed": 1e3 * best, "before": 1e3 * was}
-        study_lines(y, lines, ax, x_label="y [mm]", y_label="Relief [µm]")
-        ax.set_yscale("linear")
-        ax.set_ylim(deepest, -0.05 * deepest)
+        depth = measure("mm", "um")
+        _along(y, {"designed": depth(best), "before": depth(was)}, ax, depth.label("Relief"))
+        ax.set_ylim(*depth((deepest, -0.05 * deepest)))
 
     def convergence(ax: Axes) -> None:
         lines = {
@@ -148,7 +154,9 @@ def design_figures(found: Design) -> dict[str, Figure]:
         }
         longest = max(len(values) for values in lines.values())
         padded = {name: np.pad(values, (0, longest - len(values)), mode="edge") for name, values in lines.items()}
-        label = "Largest pressure [MPa]" if found.goal == "pressure" else "Life over that before"
+        drawn = measure("MPa") if found.goal == "pressure" else measure("")
+        label = drawn.label("Largest pressure" if found.goal == "pressure" else "Life over that before")
+        padded = {name: drawn(values) for name, values in padded.items()}
         study_lines(np.arange(1, longest + 1), padded, ax, x_label="Points looked at", y_label=label)
 
     return {"design": panels([*drawings, relief, convergence], found.was.title)}
@@ -156,10 +164,11 @@ def design_figures(found: Design) -> dict[str, Figure]:
 
 def front_figure(found: Front, labels: tuple[str, str] = ("first loads", "second loads")) -> Figure:
     """Return a figure of a Pareto front."""
-    names = [f"Largest pressure, {label} [MPa]" for label in labels]
+    stress = measure("MPa")
+    names = [stress.label(f"Largest pressure, {label}") for label in labels]
 
     def draw(ax: Axes) -> None:
-        study_lines(found.first, {"": found.second}, ax, x_label=names[0], y_label=names[1])
+        study_lines(stress(found.first), {"": stress(found.second)}, ax, x_label=names[0], y_label=names[1])
 
     return panels([draw], "")
 
@@ -184,17 +193,24 @@ def _before_and_after(found: Design, number: int) -> Callable[[Axes], object]:
                 before = solve(found.was.contact, load=load.load, tilt=load.tilt, **found.was.solver)
                 lines["before"] = (before.y, before.centre_pressure)
         y = np.unique(np.concatenate([each for each, _ in lines.values()]))
-        values = {name: np.interp(y, *each, left=0.0, right=0.0) for name, each in lines.items()}
-        study_lines(y, values, ax, x_label="y [mm]", y_label="Pressure [MPa]")
-        ax.set_yscale("linear")
+        stress = measure("MPa")
+        values = {name: stress(np.interp(y, *each, left=0.0, right=0.0)) for name, each in lines.items()}
+        _along(y, values, ax, stress.label("Centre-line pressure $p_0$"))
         ax.set_ylim(bottom=0.0)
         ax.set_title(named_loads([load])[0], loc="left")
 
     return draw
 
 
+def _along(y: NDArray[Any], lines: dict[str, NDArray[Any]], ax: Axes, label: str) -> None:
+    """Draw lines along a contact, on an axis from zero."""
+    length = measure("mm")
+    study_lines(length(y), lines, ax, x_label=length.label("Axial position $y$"), y_label=label)
+    ax.set_yscale("linear")
+
+
 def panels(drawings: Sequence[Callable[[Axes], object]], title: str) -> Figure:
-    """Return a figure of several drawings, two side by side."""
+    """Return a figure of several drawings, two side by side; the last of an odd number has the whole width."""
     from matplotlib.figure import Figure
 
     columns = min(2, len(drawings))
@@ -202,33 +218,45 @@ def panels(drawings: Sequence[Callable[[Axes], object]], title: str) -> Figure:
     with sheet_style():
         figure = Figure(figsize=(WIDTH, 0.4 + PANEL_HEIGHT * rows), layout="constrained")
         figure.suptitle(title, x=0.01, ha="left", fontsize=10)
-        for number, draw in enumerate(drawings, start=1):
-            draw(figure.add_subplot(rows, columns, number))
+        grid = figure.add_gridspec(rows, columns)
+        for number, draw in enumerate(drawings):
+            row, column = divmod(number, columns)
+            alone = number == len(drawings) - 1 and column == 0
+            draw(figure.add_subplot(grid[row, :] if alone else grid[row, column]))
         # Laid out while the style holds.
         figure.draw_without_rendering()
     return figure
 
 
-def scaled(name: str, unit: str, values: NDArray[Any]) -> tuple[NDArray[Any], str]:
-    """Return values of a path in a unit that people read them in, and the label of their axis."""
+def in_words(path: str) -> str:
+    """Return what people call the value at a path.
+
+    Examples
+    --------
+    >>> in_words("load.load"), in_words("body.a.profile[1].drop"), in_words("bearing.axial_clearance")
+    ('Load', 'Body a, profile 1, drop', 'Axial clearance')
+    """
+    keys = path.replace("body.", "body ").replace("[", " ").replace("]", "").replace("_", " ").split(".")
+    return _capital(", ".join(keys[1:] if keys[0] in _SECTIONS and len(keys) > 1 else keys))
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
+def scaled(path: str, unit: str, values: NDArray[Any]) -> tuple[NDArray[Any], str]:
+    """Return values of a path as they are drawn, and the label of their axis."""
     if values.dtype.kind not in "iuf":
-        return values, name
-    largest = float(np.nanmax(np.abs(values), initial=0.0))
-    factor, shown = 1.0, unit
-    if unit == "mm" and largest < _SMALL:
-        factor, shown = 1e3, "um"
-    elif unit == "rad" and largest < 1.0:
-        factor, shown = 1e3, "mrad"
-    elif unit in _THOUSANDS and largest >= 1e4:
-        factor, shown = 1e-3, _THOUSANDS[unit]
-    return factor * values, f"{name} [{shown}]" if shown else name
+        return values, in_words(path)
+    drawn = Measure(*of_dimension(values.tolist(), unit).scale)
+    return drawn(values), drawn.label(in_words(path))
 
 
-def quantity_label(quantity: Quantity) -> str:
-    """Return the label of a quantity's axis."""
-    label = quantity.label[:1].upper() + quantity.label[1:]
-    unit = SI.of(quantity.shown_unit)[0]
-    return f"{label} [{unit}]" if unit else label
+def _drawn(quantity: Quantity, values: NDArray[Any]) -> Measure:
+    """Return how numbers of a quantity are drawn: in the unit that suits the largest of them."""
+    known = quantity.factor * values[np.isfinite(values)]
+    unit, factor = chosen().of(quantity.shown_unit, known.tolist())
+    return Measure(factor * quantity.factor, unit)
 
 
 def _panel(drawing: Callable[[Quantity, Axes], object], quantity: Quantity) -> Callable[[Axes], object]:
@@ -249,9 +277,7 @@ def _drawing(sweep: Sweep) -> Callable[[Quantity, Axes], object] | None:
     if any(isinstance(spread, Distribution) for spread in sweep.plan.spreads.values()):
         if len(sweep.shape) > 1:
             return None
-        return lambda quantity, ax: histogram(
-            quantity.factor * sweep[quantity.name], ax, label=quantity_label(quantity)
-        )
+        return lambda quantity, ax: _samples(sweep[quantity.name], quantity, ax)
     lists = [np.asarray(sweep.plan.spreads[path]) for path in sweep.paths]
     longer = [(path, values) for path, values in zip(sweep.paths, lists, strict=True) if values.size > 1]
     if len(longer) == 1:
@@ -263,8 +289,9 @@ def _of_one(sweep: Sweep, path: str, values: NDArray[Any]) -> Callable[[Quantity
     x, label = scaled(path, sweep.unit(path), values)
 
     def draw(quantity: Quantity, ax: Axes) -> object:
-        numbers = quantity.factor * sweep[quantity.name].ravel()
-        return study_lines(x, {"": numbers}, ax, x_label=label, y_label=quantity_label(quantity))
+        numbers = sweep[quantity.name].ravel()
+        drawn = _drawn(quantity, numbers)
+        return study_lines(x, {"": drawn(numbers)}, ax, x_label=label, y_label=drawn.label(_capital(quantity.label)))
 
     return draw
 
@@ -280,16 +307,17 @@ def _of_two(sweep: Sweep, axes: Sequence[tuple[str, NDArray[Any]]]) -> Callable[
     y, y_label = scaled(named[0], sweep.unit(named[0]), named[1])
 
     def draw(quantity: Quantity, ax: Axes) -> object:
-        numbers = quantity.factor * sweep[quantity.name].reshape(sizes)
+        drawn = _drawn(quantity, sweep[quantity.name])
+        numbers, label = drawn(sweep[quantity.name]).reshape(sizes), drawn.label(_capital(quantity.label))
         numbers = numbers if by_first else numbers.T
         if named[1].size > FEW and not any(words):
-            return study_map(x, y, numbers, ax, x_label=x_label, y_label=y_label, label=quantity_label(quantity))
+            return study_map(x, y, numbers, ax, x_label=x_label, y_label=y_label, label=label)
         key, _, unit = y_label.partition(" [")
         unit = unit.rstrip("]")
         names = [
             str(value) if isinstance(value, str | bool) else f"{given(value)} {unit}".rstrip() for value in y.tolist()
         ]
         lines = dict(zip(names, numbers, strict=True))
-        return study_lines(x, lines, ax, x_label=x_label, y_label=quantity_label(quantity), key=key)
+        return study_lines(x, lines, ax, x_label=x_label, y_label=label, key=key)
 
     return draw

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import um
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
+from nonhertz.plot.axes import key_above, measure, open_frame
 from nonhertz.plot.axial import written
 from nonhertz.plot.own import OWN, drawing
-from nonhertz.plot.style import FIRST, LINE, SECOND, SMALL_SIZE, THIN
+from nonhertz.plot.style import FIRST, LINE, SECOND, THIN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-MICROMETRES = 1e3
 # Multiples of the load: close together where clearance makes the curve steep.
 MULTIPLES = 1.5 * (np.arange(1, 7) / 6.0) ** 2
 POINTS = 201
@@ -63,30 +63,27 @@ def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps
     if not ways:
         raise InputError("solution", "without force", "have a force on the inner ring", "give a radial or an axial one")
     size = float(np.linalg.norm(solution.force[:3]))
-    unit, name = (1e-3, "kN") if size >= 1e3 else (1.0, "N")
+    force, distance = measure("N", values=[size]), measure("mm", "um")
+    load = force.factor * size
     multiples, curve = _curve(solution, maps)
     by = "maps" if maps is not None else solution.method
     slope = _slope(solution.stiffness, solution.force)
     for (label, way), (colour, dashes) in zip(ways.items(), ((FIRST, "-"), (SECOND, "--")), strict=False):
-        at = MICROMETRES * float(solution.displacement[:3] @ way)
-        _draw_curve(ax, unit * size, multiples, curve @ way, {"color": colour, "linestyle": dashes}, f"{label} by {by}")
-        rise = MICROMETRES * TANGENT * float(slope @ way)
-        ends = unit * size * np.array([1.0 - TANGENT, 1.0 + TANGENT])
-        ax.plot(ends, [at - rise, at + rise], color=colour, linewidth=THIN)
-        words = f"{label}, {written(um(1e-3 * at))} by {solution.method}, with tangent"
-        ax.plot([unit * size], [at], "o", markersize=5.0, color=colour, markerfacecolor="white", label=words)
-    ax.set_xlim(0.0, 1.04 * MULTIPLES[-1] * unit * size)
+        at, rise = float(solution.displacement[:3] @ way), TANGENT * float(slope @ way)
+        moved = distance(curve @ way)
+        _draw_curve(ax, load, multiples, moved, {"color": colour, "linestyle": dashes}, f"{label} by {by}")
+        ends = [load * (1.0 - TANGENT), load * (1.0 + TANGENT)]
+        ax.plot(ends, distance([at - rise, at + rise]), color=colour, linewidth=THIN)
+        words = f"{label}, {written(um(at))} by {solution.method}, with tangent"
+        ax.plot([load], distance([at]), "o", markersize=5.0, color=colour, markerfacecolor="white", label=words)
+    ax.set_xlim(0.0, 1.04 * MULTIPLES[-1] * load)
     ax.margins(y=0.08)
     low, high = ax.get_ylim()
     ax.set_ylim(min(low, 0.0), max(high, 0.0))
-    ax.set_xlabel(f"Force on the inner ring [{name}]")
-    ax.set_ylabel("Displacement of\nthe inner ring [µm]")
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)
-    ax.legend(
-        loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1 if len(ways) == 1 else 2, borderaxespad=0.2,
-        borderpad=0.2, handlelength=2.6, columnspacing=1.6, frameon=False, fontsize=SMALL_SIZE,
-    )  # fmt: skip
+    ax.set_xlabel(force.label("Force on the inner ring"))
+    ax.set_ylabel(distance.label("Displacement of\nthe inner ring"))
+    open_frame(ax)
+    key_above(ax, columns=1 if len(ways) == 1 else 2, handlelength=2.6)
     return ax
 
 
@@ -166,10 +163,10 @@ def _slope(stiffness: Array, force: Array) -> Array:
 
 
 def _draw_curve(ax: Axes, load: float, multiples: Array, along: Array, style: dict[str, Any], label: str) -> None:
-    """Draw a smooth line with given slopes through states that were found."""
+    """Draw a smooth line with given slopes through states that were found, in the units of the axes."""
     from scipy.interpolate import CubicHermiteSpline
 
-    moved, slope = MICROMETRES * along
+    moved, slope = along
     found = np.isfinite(moved)
     if np.count_nonzero(found) < 2:
         return

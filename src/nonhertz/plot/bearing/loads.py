@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import chosen, newton
+from nonhertz.amounts import newton
 from nonhertz.errors import InputError
+from nonhertz.plot.axes import Measure, measure
 from nonhertz.plot.axial import number, written
 from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN
@@ -72,11 +73,11 @@ def bearing_loads(solution: BearingSolution, ax: PolarAxes = OWN, *, row: int = 
     these = solution.rollers_of(row)
     angle, load = solution.angle[these], solution.load[these]
     top = ROOM * (float(solution.load.max()) or 1.0)
-    unit, name = (1e-3, "kN") if top >= 1e3 else (1.0, "N")
-    _lay(ax, _emptiest(angle, load), top, unit, name)
-    _draw_bars(ax, angle, unit * load)
+    force = measure("N", values=[top])
+    _lay(ax, _emptiest(angle, load), top, force)
+    _draw_bars(ax, angle, force(load))
     _draw_rollers(ax, angle, load)
-    _draw_force(ax, solution, unit * top)
+    _draw_force(ax, solution, force.factor * top)
     zone = number(math.degrees(solution.load_zone[row]), 3)
     words = f"{np.count_nonzero(load[:, 0])} of {angle.size} rollers loaded, load zone {zone}°"
     if load.any():
@@ -87,24 +88,23 @@ def bearing_loads(solution: BearingSolution, ax: PolarAxes = OWN, *, row: int = 
     return ax
 
 
-def _lay(ax: PolarAxes, numbers_at: float, top: float, unit: float, name: str) -> None:
+def _lay(ax: PolarAxes, numbers_at: float, load: float, force: Measure) -> None:
     """Set up directions, rings of equal load and their numbers."""
     from matplotlib.ticker import MaxNLocator
 
     ax.set_theta_zero_location("S")
     ax.set_theta_direction(1)
-    ax.set_ylim(0.0, unit * top)
-    ax.set_rorigin(-HOLE * unit * top)
+    top = force.factor * load
+    ax.set_ylim(0.0, top)
+    ax.set_rorigin(-HOLE * top)
     spokes = 2.0 * math.pi * np.arange(SPOKES) / SPOKES
     axes = {0: " (+y)", SPOKES // 4: "\n(+z)"}
     ax.set_xticks(spokes, [f"{360 * k // SPOKES}°{axes.get(k, '')}" for k in range(SPOKES)])
-    locator = MaxNLocator(MOST_RINGS, steps=STEPS)
-    ticks = [each for each in chosen().ticks(locator.tick_values, 0.0, unit * top, name) if 0 < each < unit * top]
-    read, factor = chosen().of(name)
+    ticks = [each for each in MaxNLocator(MOST_RINGS, steps=STEPS).tick_values(0.0, top) if 0 < each < top]
     ax.set_yticks(ticks, [])
     for each in ticks:
         # Not as labels of the ticks, which bars would cover.
-        words = f"{number(factor * each)} {read}"
+        words = f"{number(each)} {force.unit}"
         ax.text(
             numbers_at, each, words, ha="center", va="center", fontsize=SMALL_SIZE, bbox=BACKING, zorder=5.0,
         )  # fmt: skip

@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mpa
+from nonhertz.plot.axes import measure
 from nonhertz.plot.axial import number, place, written
+from nonhertz.plot.contact_area import colour_bar_to
 from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, SMALL_SIZE
 
@@ -21,7 +23,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 RINGS = ("inner", "outer")
-PRESSURE_LABEL = "Centre-line pressure $p_0$ [MPa]"
 UNLOADED = "#D9D9D9"  # no colour of the map
 QUARTER, STEP = 90.0, 45.0  # degrees
 
@@ -68,21 +69,22 @@ def bearing_pressure(
     order = np.concatenate([order[-1:], order, order[:1]])
     first = place_of[order[0]] - 360.0
     edges = first + pitch * (np.arange(order.size + 1) - 0.5)
-    shown = np.ma.masked_less_equal(found.pressure[order], 0.0)
+    length, stress = measure("mm"), measure("MPa")
+    shown = np.ma.masked_less_equal(stress(found.pressure[order]), 0.0)
     ax.set_facecolor(UNLOADED)
     ax.pcolormesh(
-        edges, _edges(found.y), shown.T, cmap=COLOUR_MAP, vmin=0.0, vmax=colour_limit(solution), rasterized=True,
-        zorder=1.0,
+        edges, length(_edges(found.y)), shown.T, cmap=COLOUR_MAP, vmin=0.0,
+        vmax=stress.factor * colour_limit(solution), rasterized=True, zorder=1.0,
     )  # fmt: skip
     for edge in edges[1:-1]:
         ax.axvline(edge, color="white", linewidth=HAIR, zorder=2.0)
     ax.set_xlim(middle - 180.0, middle + 180.0)
-    ax.set_ylim(float(found.y[0]), float(found.y[-1]))
+    ax.set_ylim(*length(found.y[[0, -1]]))
     ticks = middle + np.linspace(-180.0, 180.0, round(360.0 / STEP) + 1)
     ax.set_xticks(ticks, [f"{number(each % 360.0)}°" for each in ticks])
     ax.locator_params(axis="y", nbins=5, steps=[1, 2, 5, 10])
     ax.set_xlabel("Angle of the roller, from +y towards +z")
-    ax.set_ylabel("$y$ [mm]")
+    ax.set_ylabel(length.label("$y$"))
     several = f"Row {row + 1}, " if len(solution.bearing.rows) > 1 else ""
     name = f"{several}{ring} ring"
     ax.set_title(name[0].upper() + name[1:], loc="left", fontsize=SMALL_SIZE, pad=3.0)
@@ -99,16 +101,11 @@ def colour_limit(solution: BearingSolution) -> float:
 
 def draw_colour_bar(solution: BearingSolution, area: Axes, **where: Any) -> None:
     """Draw the colour bar in the figure of an ``area``, ending in an arrow if pressures exceed the last colour."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
     highest = colour_limit(solution)
     rows = range(len(solution.bearing.rows))
     largest = max(float(solution.unrolled_pressure(ring, row=row).pressure.max()) for row in rows for ring in RINGS)
-    colours = ScalarMappable(Normalize(0.0, highest), COLOUR_MAP)
     # Interpolation on another grid than that of the strips is no reason for an arrow; a sharp end is.
-    beyond = largest > 1.01 * highest
-    area.figure.colorbar(colours, label=PRESSURE_LABEL, extend="max" if beyond else "neither", **where)
+    colour_bar_to(highest, "Centre-line pressure $p_0$", area, beyond=largest > 1.01 * highest, **where)
 
 
 def _middle(solution: BearingSolution) -> float:
@@ -141,8 +138,10 @@ def _mark_largest(solution: BearingSolution, ax: Axes, ring: str, row: int, midd
         return
     at = float(_unrolled(np.degrees(solution.angle[these][most : most + 1]), middle)[0])
     y = float(solution.max_pressure_y[these, column][most])
-    ax.plot([at], [y], "o", markersize=4.0, markeredgecolor=INK, markerfacecolor="white", zorder=4.0, clip_on=False)
-    span = ax.get_ylim()
+    drawn = measure("mm")(y)
+    ax.plot([at], [drawn], "o", markersize=4.0, markeredgecolor=INK, markerfacecolor="white", zorder=4.0, clip_on=False)
+    low, high = ax.get_ylim()
+    span = low / measure("mm").factor, high / measure("mm").factor
     angle = number(float(np.degrees(solution.angle[these][most])))
     words = f"largest {written(mpa(pressure[most]))} at {angle}°, $y$ = {place(span, y)}"
     ax.set_title(words, loc="right", fontsize=SMALL_SIZE, pad=3.0)

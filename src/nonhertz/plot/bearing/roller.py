@@ -9,7 +9,8 @@ import numpy as np
 
 from nonhertz.amounts import mpa, mrad, newton
 from nonhertz.errors import InputError
-from nonhertz.plot.axial import AXIAL_LABEL, number, written
+from nonhertz.plot.axes import along, key_above, measure, open_frame
+from nonhertz.plot.axial import number, written
 from nonhertz.plot.bearing.pressure import RINGS
 from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, SECOND, SMALL_SIZE, THIN
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from nonhertz.bearing import BearingSolution
 
 COLOURS = {"inner": (FIRST, "-"), "outer": (SECOND, "--")}
-MICROMETRES = 1e3
 POINTS = 801
 ROOM = 1.12
 NO_TILT = 1e-9  # rad
@@ -66,7 +66,7 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
         If no roller is loaded, or the bearing was solved by slices.
     """
     roller, row, within = most_loaded(solution)
-    largest = 0.0
+    largest, length, stress = 0.0, measure("mm"), measure("MPa")
     for ring in RINGS:
         contact = solution.contact(roller, ring)
         if contact is None:
@@ -76,16 +76,16 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
         words = f"{ring} ring, {written(newton(contact.load))}: largest {written(mpa(contact.max_pressure))}"
         # To where the contact ends, not to the next strip beyond.
         y = np.unique(np.concatenate([contact.y, np.ravel(contact.contact_y)]))
-        ax.plot(y, contact.pressure(0.0, y), color=colour, linestyle=dashes, linewidth=LINE, label=words)
+        pressure = stress(contact.pressure(0.0, y))
+        ax.plot(length(y), pressure, color=colour, linestyle=dashes, linewidth=LINE, label=words)
         places = places_of_largest(contact)
-        ax.plot(
-            places, [contact.max_pressure] * len(places), "o", markersize=4.0, color=colour, markerfacecolor="white"
-        )
+        tops = stress([contact.max_pressure] * len(places))
+        ax.plot(length(places), tops, "o", markersize=4.0, color=colour, markerfacecolor="white")
     if not largest:
         raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
-    _lay(solution, ax, row)
-    ax.set_ylim(0.0, ROOM * largest)
-    ax.set_ylabel("Centre-line\npressure $p_0$ [MPa]")
+    _lay(solution, ax, row, labelled=False)
+    ax.set_ylim(0.0, stress.factor * ROOM * largest)
+    ax.set_ylabel(stress.label("Centre-line\npressure $p_0$"))
     several = f"row {row + 1}, " if len(solution.bearing.rows) > 1 else ""
     where = number(math.degrees(solution.angle[roller]), 4)
     words = f"Most loaded roller: {several}number {within} at {where}°"
@@ -94,7 +94,7 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     ):
         words += "; pressure has no limit at sharp ends"
     ax.set_title(words, loc="left", fontsize=SMALL_SIZE, pad=18.0)
-    _key(ax)
+    key_above(ax, columns=2, handlelength=2.6)
     return ax
 
 
@@ -124,7 +124,7 @@ def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     """
     roller, row, _ = most_loaded(solution)
     half = 0.5 * solution.bearing.rows[row].bearing.roller_length
-    shown = 0.0
+    shown, length, depth = 0.0, measure("mm"), measure("mm", "um")
     for count, ring in enumerate(RINGS):
         contact = solution.contact(roller, ring)
         if contact is None:
@@ -133,41 +133,31 @@ def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
         low, high = max(-half, contact.contact.interval[0]), min(half, contact.contact.interval[1])
         # Strictly inside: a profile may be infinite at its very end.
         y = np.linspace(low, high, POINTS)[1:-1]
-        relief = MICROMETRES * contact.contact.separation_at(y)
+        relief = np.array(contact.contact.separation_at(y))
         relief[~np.isfinite(relief)] = np.nan
         words = f"{ring} ring, tilt {written(mrad(contact.tilt if abs(contact.tilt) > NO_TILT else 0.0), 3)}"
-        ax.plot(y, relief, color=colour, linestyle=dashes, linewidth=LINE, label=words)
+        ax.plot(length(y), depth(relief), color=colour, linestyle=dashes, linewidth=LINE, label=words)
         touching = [end for pair in contact.contact_y for end in pair]
         at_ends = np.nanmax(np.interp(touching, y, relief))
-        shown = max(shown, DEEP * MICROMETRES * contact.penetration, AT_ENDS * float(at_ends))
+        shown = max(shown, DEEP * contact.penetration, AT_ENDS * float(at_ends))
         for pair in contact.contact_y:
             at = 0.03 + 0.05 * count
-            ax.plot(pair, [at, at], transform=ax.get_xaxis_transform(), color=colour, linewidth=2.0 * LINE,
+            ax.plot(length(pair), [at, at], transform=ax.get_xaxis_transform(), color=colour, linewidth=2.0 * LINE,
                     solid_capstyle="butt")  # fmt: skip
     if not shown:
         raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
-    _lay(solution, ax, row)
+    _lay(solution, ax, row, labelled=True)
     # Downwards, as material is taken away; room for the bars below the deepest that is drawn.
-    ax.set_ylim(1.15 * shown, -0.08 * shown)
+    ax.set_ylim(*depth([1.15 * shown, -0.08 * shown]))
     ax.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
-    ax.set_ylabel("Relief of roller\nand ring [µm]")
-    ax.set_xlabel(AXIAL_LABEL)
-    _key(ax)
+    ax.set_ylabel(depth.label("Relief of roller\nand ring"))
+    key_above(ax, columns=2, handlelength=2.6)
     return ax
 
 
-def _lay(solution: BearingSolution, ax: Axes, row: int) -> None:
+def _lay(solution: BearingSolution, ax: Axes, row: int, *, labelled: bool) -> None:
     half = 0.5 * solution.bearing.rows[row].bearing.roller_length
     for end in (-half, half):
-        ax.axvline(end, color=FAINT_INK, linewidth=THIN, linestyle=":", zorder=1.0)
-    ax.set_xlim(-half * (1.0 + 2.0 * MARGIN), half * (1.0 + 2.0 * MARGIN))
-    ax.locator_params(axis="x", steps=[1, 2, 5, 10])
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)
-
-
-def _key(ax: Axes) -> None:
-    ax.legend(
-        loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2, borderpad=0.2, handlelength=2.6,
-        columnspacing=1.6, frameon=False, fontsize=SMALL_SIZE,
-    )  # fmt: skip
+        ax.axvline(measure("mm").factor * end, color=FAINT_INK, linewidth=THIN, linestyle=":", zorder=1.0)
+    along(ax, (-half * (1.0 + 2.0 * MARGIN), half * (1.0 + 2.0 * MARGIN)), labelled=labelled)
+    open_frame(ax)

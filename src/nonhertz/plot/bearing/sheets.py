@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from typing import TYPE_CHECKING, cast
 
 from nonhertz.amounts import mrad, newton
@@ -12,8 +11,8 @@ from nonhertz.plot.bearing.displacement import directions, displacement_against_
 from nonhertz.plot.bearing.loads import bearing_loads
 from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure, draw_colour_bar
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
-from nonhertz.plot.sheets import BAR, BAR_GAP, BAR_ROOM, BOTTOM, LEFT, WIDTH, blank, panel
-from nonhertz.plot.style import SMALL_SIZE, TITLE_SIZE, sheet_style
+from nonhertz.plot.sheets import BAR, BAR_GAP, BAR_ROOM, BOTTOM, LEFT, WIDTH, panel, sheet
+from nonhertz.plot.style import SMALL_SIZE, sheet_style
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,9 +23,7 @@ if TYPE_CHECKING:
 
     from nonhertz.bearing import BearingMaps, BearingSolution
 
-# Inches. Of the sheet's head: a line of the title, the line of conditions.
-TITLE_LINE, CONDITIONS, MARGIN = 0.19, 0.24, 0.15
-TITLE_LETTERS, CONDITION_LETTERS = 78, 104  # that fit in a line
+MARGIN, CONDITION_LETTERS = 0.15, 104  # inches, and letters that fit in a line
 # The polar picture of one row and of several side by side, what is written around it, the key below.
 ALONE, BESIDE, AROUND, HEAD_OF_POLAR, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
 PER_LINE = 2
@@ -72,7 +69,8 @@ def _loads(solution: BearingSolution, title: str) -> Figure:
     size, across = (ALONE, 1) if rows == 1 else (BESIDE, PER_LINE)
     lines = math.ceil(rows / across)
     block = HEAD_OF_POLAR + size + 2.0 * AROUND
-    figure, bottom = _sheet(solution, title, lines * block + KEY)
+    bottom = lines * block + KEY
+    figure = _sheet(solution, title, bottom)
     entries: dict[str, Artist] = {}
     for row in range(rows):
         line, column = divmod(row, across)
@@ -91,7 +89,8 @@ def _loads(solution: BearingSolution, title: str) -> Figure:
 def _pressure(solution: BearingSolution, title: str) -> Figure:
     panels = [(row, ring) for row in range(len(solution.bearing.rows)) for ring in RINGS]
     height = len(panels) * (PANEL_HEAD + PANEL)
-    figure, bottom = _sheet(solution, title, height + BOTTOM)
+    bottom = height + BOTTOM
+    figure = _sheet(solution, title, bottom)
     width = WIDTH - LEFT - BAR_ROOM
     for count, (row, ring) in enumerate(panels):
         bottom -= PANEL_HEAD + PANEL
@@ -108,37 +107,23 @@ def _pressure(solution: BearingSolution, title: str) -> Figure:
 
 
 def _roller(solution: BearingSolution, title: str) -> Figure:
-    figure, bottom = _sheet(solution, title, ROLLER_HEAD + ROLLER_PANEL + BETWEEN + RELIEF_PANEL + BOTTOM)
-    width = WIDTH - LEFT_OF_TWO - MARGIN
-    bottom -= ROLLER_HEAD + ROLLER_PANEL
+    width, bottom = WIDTH - LEFT_OF_TWO - MARGIN, BETWEEN + RELIEF_PANEL + BOTTOM
+    figure = _sheet(solution, title, ROLLER_HEAD + ROLLER_PANEL + bottom)
     most_loaded_roller(solution, panel(figure, LEFT_OF_TWO, bottom, width, ROLLER_PANEL)).tick_params(labelbottom=False)
     roller_relief(solution, panel(figure, LEFT_OF_TWO, bottom - BETWEEN - RELIEF_PANEL, width, RELIEF_PANEL))
     return figure
 
 
 def _displacement(solution: BearingSolution, title: str, maps: BearingMaps | None) -> Figure:
-    figure, bottom = _sheet(solution, title, CURVE_HEAD + CURVE + BOTTOM)
-    axes = panel(figure, LEFT_OF_TWO, bottom - CURVE_HEAD - CURVE, WIDTH - LEFT_OF_TWO - MARGIN, CURVE)
+    figure = _sheet(solution, title, CURVE_HEAD + CURVE + BOTTOM)
+    axes = panel(figure, LEFT_OF_TWO, BOTTOM, WIDTH - LEFT_OF_TWO - MARGIN, CURVE)
     displacement_against_load(solution, axes, maps=maps)
     return figure
 
 
-def _sheet(solution: BearingSolution, title: str, height: float) -> tuple[Figure, float]:
-    """Return a sheet with its head, below which there is room of a height [inch], and where that begins."""
-    titles = textwrap.wrap(title, TITLE_LETTERS)
-    lines = _lines(conditions(solution))
-    head = 0.08 + TITLE_LINE * len(titles) + CONDITIONS + 0.14 * (len(lines) - 1)
-    figure = blank(head + height)
-    place, line = MARGIN / WIDTH, head + height - 0.08
-    if titles:
-        # User text: a dollar sign must not start mathtext.
-        figure.text(
-            place, line / (head + height), "\n".join(titles), va="top", weight="bold", fontsize=TITLE_SIZE,
-            parse_math=False,
-        )  # fmt: skip
-    line -= TITLE_LINE * len(titles)
-    figure.text(place, line / (head + height), "\n".join(lines), va="top")
-    return figure, height
+def _sheet(solution: BearingSolution, title: str, height: float) -> Figure:
+    """Return a sheet of a bearing with its conditions, below which there is room of a height [inch]."""
+    return sheet(height, title, _lines(conditions(solution)), MARGIN)
 
 
 def _lines(parts: Sequence[str]) -> list[str]:

@@ -69,6 +69,7 @@ function drawPressure(answer, pinned, span) {
         line(y, clamped(pressure), { stroke: FIRST, clip: true }),
         ...largestMark(answer, top[1]),
         ...singularMarks(answer, top[1], span),
+        ...cornerMarks(answer),
         ...reading(y, clamped(pressure), (place) => `y  ${amount(y[place], "mm")}\np₀ ${amount(pressure[place], "MPa")}`),
       ],
     },
@@ -89,6 +90,22 @@ function largestMark(answer, top) {
       strokeWidth: 4,
     }),
   ];
+}
+
+/** Where the pressure rises again at the corner of a body; the largest has its number already. */
+function cornerMarks({ corners, key, span }) {
+  const middle = (span[0] + span[1]) / 2;
+  return corners.map(({ y, pressure }) =>
+    Plot.text([[y, pressure]], {
+      text: [pressure < 0.999 * key.max_pressure ? `corner, ${amount(pressure, "MPa")}` : "corner"],
+      dy: pressure < 0.999 * key.max_pressure ? -8 : 10,
+      dx: y < middle ? 8 : -8,
+      textAnchor: y < middle ? "start" : "end",
+      fill: INK,
+      stroke: "var(--surface)",
+      strokeWidth: 4,
+    }),
+  );
 }
 
 function singularMarks(answer, top, span) {

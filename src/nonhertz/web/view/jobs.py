@@ -171,13 +171,11 @@ def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> b
     """Return a figure of a bearing as a file."""
     from nonhertz.plot.bearing.sheets import bearing_figures
     from nonhertz.plot.sheets import image
-    from nonhertz.plot.units import rewrite_units
 
     case, solution = _loaded(sound(document, BearingCase))
     figures = bearing_figures(solution, case.title)
     if name not in figures:
         return broken([("", nothing_drawn(name, solution))])
-    rewrite_units(figures[name])
     return image(figures[name], kind)
 
 
