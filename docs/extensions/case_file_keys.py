@@ -20,11 +20,10 @@ from nonhertz.inputs.fields import (
     Flag,
     OneOrTwo,
     Part,
-    Parts,
     Quantities,
     Quantity,
+    Several,
     Word,
-    Words,
     text_of,
 )
 
@@ -132,15 +131,17 @@ def kind(key: Key) -> str:
             found = [_words(one.words), "whole number"]
         case Word():
             found = [_words(one.words) or "text"]
-        case Quantities() | Words():
+        case Quantities():
             found = ["list"]
+        case Several():
+            found = [] if one.of else ["list"]
         case Flag():
             found = ["``true``, ``false``"]
         case Custom():
             found = [f"``{one.json['const']}``"]
         case _:
             found = ["text"] if getattr(one, "named", ()) else []
-    found += ["table"] if key.tables and not isinstance(one, Parts) else []
+    found += ["table"] if key.tables and not isinstance(one, Several) else []
     found += ["list"] if key.several else []
     found += ["list of two"] if one is not key.each else []
     return " or ".join(filter(None, found))

@@ -366,8 +366,8 @@ def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
         (
             {"models": ["zaretzky", 3]},
             [
-                "models[1] = 'zaretzky' must be a known fatigue model: the nearest is 'zaretsky'",
-                "models[2] = 3 must be a known fatigue model",
+                "models[1] = 'zaretzky' must be one of 'lundberg-palmgren', 'ioannides-harris', 'zaretsky'",
+                "models[2] = 3 must be one of 'lundberg-palmgren'",
             ],
         ),
         ({"slope": 0}, ["slope = 0.0 must be positive"]),

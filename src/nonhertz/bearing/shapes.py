@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, numbers, whole
-from nonhertz.inputs.fields import Count, Input, Parts, Quantities, Quantity, Word, described, together
+from nonhertz.inputs.fields import Count, Input, Part, Quantities, Quantity, Several, Word, described, together
 
 Array = NDArray[np.float64]
 #: The curve through numbers at angles.
@@ -60,7 +60,7 @@ class Waves(Input):
 
     terms: Annotated[
         tuple[Wave, ...],
-        Parts("the waves, which add", Wave, MOST_ORDER + 1, "write [{ waves = 2, amplitude = '5 um' }]"),
+        Several(Part("the waves, which add", Wave, "write [{ waves = 2, amplitude = '5 um' }]"), MOST_ORDER + 1),
     ]
 
     def __post_init__(self) -> None:

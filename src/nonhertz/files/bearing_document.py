@@ -26,13 +26,12 @@ from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, samp
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import one_line
-from nonhertz.inputs.fields import Input, Part, Parts, Word, default_of, described, together
+from nonhertz.inputs.fields import Input, Part, Several, Word, default_of, described, together
 from nonhertz.life.spectrum import at_most_whole
 
 PARTS = ("roller", "inner", "outer")
 SHAPES = ("inner_shape", "outer_shape")
 PAIR = "a second row like the first, and how it lies"
-_SPECTRUM = "write each load under a heading [[life.spectrum]]"
 
 
 @described(kw_only=True)
@@ -41,12 +40,14 @@ class BearingLifeConditions(LifeConditions):
 
     spectrum: Annotated[
         tuple[LoadCase, ...],
-        Parts(
-            "loads with their shares of the revolutions, in place of [load], whose speed they have if they give none; "
-            "what their shares leave of the revolutions is without load",
-            LoadCase,
+        Several(
+            Part(
+                "loads with their shares of the revolutions, in place of [load], whose speed they have if they give "
+                "none; what their shares leave of the revolutions is without load",
+                LoadCase,
+                "write each load under a heading [[life.spectrum]]",
+            ),
             LOADS,
-            _SPECTRUM,
         ),
     ] = ()
 

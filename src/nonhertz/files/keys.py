@@ -17,7 +17,7 @@ from nonhertz.bearing.shapes import Deviations, Waves
 from nonhertz.files.bearing_document import PAIR, PARTS, SHAPES
 from nonhertz.files.profiles import KINDS, keys_of, meaning_of, needed_keys
 from nonhertz.files.ring_shapes import ShapeFile
-from nonhertz.inputs.fields import Described, Input, Part, Parts, default_of
+from nonhertz.inputs.fields import Described, Input, Part, Several, default_of
 from nonhertz.model.profile import Profile
 
 #: Of a bearing's file as people write it: the bearing before its parts, and a second row after all that the first has.
@@ -130,7 +130,7 @@ def _key(name: str, each: Described, usual: Any, inner: Any) -> Key:
     if name in SHAPES:
         shapes = {"waves": Waves, "deviations": Deviations, "file": ShapeFile}
         return Key(each, None, tuple(replace(table_of(cls), word=word) for word, cls in shapes.items()), several=True)
-    if isinstance(each, Parts):
+    if isinstance(each, Several) and each.of is not None:
         return Key(each, usual, (table_of(each.of),), several=True)
     likely = getattr(each, "likely", None)
     return Key(each, usual, () if inner is None else (replace(table_of(inner), likely=likely),))

@@ -15,7 +15,7 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.mistakes import path_of
-from nonhertz.inputs.fields import Described, Part, Parts, nearest
+from nonhertz.inputs.fields import Described, Part, Several, nearest
 from nonhertz.model.profile import PARAMETERS
 
 Keys = tuple[str | int, ...]
@@ -179,7 +179,7 @@ def _at_key(value: Any, key: Key, keys: Keys, short: Keys, others: tuple[str, ..
             yield path_of(keys), keys, (*leaf, others)
     if isinstance(value, list) and key.several:
         yield from _in_entries(value, key.tables, keys, short)
-    elif (isinstance(value, dict) or value is None) and not isinstance(key.each, Parts):
+    elif (isinstance(value, dict) or value is None) and not isinstance(key.each, Several):
         yield from _in_tables(value, _of_its_kind(value, key.tables), keys, short)
 
 

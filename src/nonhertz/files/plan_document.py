@@ -12,7 +12,7 @@ from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.sections import FORMAT_FIELD
 from nonhertz.inputs.checks import one_line
-from nonhertz.inputs.fields import Count, Custom, Input, Part, Parts, Quantity, Word, described
+from nonhertz.inputs.fields import Count, Custom, Input, Part, Quantity, Several, Word, described
 from nonhertz.life import MODELS, LoadCase
 
 _REMEDY = "write a line for each path, such as \"load.load\" = '5 kN : 40 kN : 8'"
@@ -82,7 +82,9 @@ class DesignGoal(Input):
     ] = None
     loads: Annotated[
         tuple[DesignLoad, ...],
-        Parts("the loads; those of the case if left out", DesignLoad, LOADS, "write each under [[design.loads]]"),
+        Several(
+            Part("the loads; those of the case if left out", DesignLoad, "write each under [[design.loads]]"), LOADS
+        ),
     ] = ()
     where: Annotated[
         Mapping[str, Any],

@@ -20,7 +20,7 @@ from nonhertz.inputs.fields import (
     Described,
     Input,
     Part,
-    Parts,
+    Several,
     given_beside,
     nearest,
     one_by_one,
@@ -187,8 +187,8 @@ class Reading:
     def value(self, name: str, given: Any) -> Any:
         """Return what a field is given, with the inputs that its tables hold; errors are relative to it."""
         each, inner = self._described(name), self.fields[name].inputs.get(name)
-        if isinstance(each, Parts):
-            return self._several(name, each, given)
+        if isinstance(each, Several) and each.of is not None:
+            return self._several(name, each, each.of, given)
         if getattr(each, "of", None) is Profile:
             from nonhertz.files.profiles import dimensions, read_profile  # which reads its tables with this module
 
@@ -237,13 +237,13 @@ class Reading:
         headings = [f"[{path_of((*self.place, name, each))}]" for each in needed]
         return "write it under a heading " + (" and ".join(headings) or f"[{path_of((*self.place, name))}]")
 
-    def _several(self, name: str, each: Parts, given: Any) -> Any:
+    def _several(self, name: str, each: Several, of: type[Input], given: Any) -> Any:
         if not isinstance(given, list) or not given:
-            raise InputError("", given, "be a list of tables", each.remedy)
+            raise InputError("", given, "be a list of tables", each.each.remedy)
         if len(given) > each.most:
-            raise InputError("", given, f"have at most {each.most} tables", each.remedy)
+            raise InputError("", given, f"have at most {each.most} tables", each.each.remedy)
         place = (*self.place, name)
-        return one_by_one("", given, lambda number, entry: read(each.of, entry, self.file, (*place, number)))
+        return one_by_one("", given, lambda number, entry: read(of, entry, self.file, (*place, number)))
 
     def _named(self) -> type[Input] | None:
         """Return the class by its word, or that of tables without one; None if it cannot be known."""

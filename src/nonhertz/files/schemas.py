@@ -19,7 +19,7 @@ from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.profiles import KINDS as KINDS_OF_PROFILES
 from nonhertz.files.results import NUMBERS
 from nonhertz.files.sections import CaseDocument
-from nonhertz.inputs.fields import Part, Parts, text_of
+from nonhertz.inputs.fields import Part, Several, text_of
 from nonhertz.model.body import BODIES
 from nonhertz.result.quantities import ALONG, QUANTITIES
 from nonhertz.result.solution import EdgeKind, Status
@@ -77,7 +77,7 @@ def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
     """Return the JSON schema of what a key holds."""
     each, usual = key.each, key.usual
     inner = [_of_table(one, tables) if one.name else _of_profile(one) for one in key.tables]
-    if isinstance(each, Parts):
+    if isinstance(each, Several) and inner:
         found = each.schema() | {"items": inner[0]}
     elif key.several:
         found = {"anyOf": [{"anyOf": inner}, {"type": "array", "items": {"anyOf": inner}}]}

@@ -21,10 +21,9 @@ from nonhertz.inputs.fields import (
     Custom,
     Input,
     Part,
-    Parts,
     Quantity,
+    Several,
     Word,
-    Words,
     described,
     together,
 )
@@ -224,7 +223,14 @@ class Life(Input):
     ] = None
     models: Annotated[
         tuple[str, ...],
-        Words("names of the fatigue models; all of them if left out", "fatigue model", tuple(MODELS), MISTAKES),
+        Several(
+            Word(
+                "names of the fatigue models; all of them if left out",
+                "name fatigue models, such as ['zaretsky']",
+                tuple(MODELS),
+            ),
+            MISTAKES,
+        ),
     ] = ()
     slope: Annotated[
         float | None,
@@ -261,11 +267,13 @@ class Life(Input):
     ] = None
     spectrum: Annotated[
         tuple[LoadCase, ...],
-        Parts(
-            "loads with their shares of the revolutions, in place of [load]",
-            LoadCase,
+        Several(
+            Part(
+                "loads with their shares of the revolutions, in place of [load]",
+                LoadCase,
+                "write each load under a heading [[life.spectrum]]",
+            ),
             LOADS,
-            "write each load under a heading [[life.spectrum]]",
         ),
     ] = ()
     dent: Annotated[

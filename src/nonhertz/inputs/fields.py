@@ -353,78 +353,44 @@ class OrFlag:
 
 
 @dataclass(frozen=True)
-class Words:
-    """Several words of a list, without repeats.
+class Several:
+    """Several words without repeats, or several inputs of one class.
 
     Attributes
     ----------
-    meaning : str
-        As of `Quantity`.
-    what : str
-        What one of them is called.
-    words : tuple of str
-        All that there are.
+    each : Word or Part
+        What one of them is; its meaning and remedy are those of all.
     most : int
         The largest number of them.
     """
 
-    meaning: str
-    what: str
-    words: tuple[str, ...]
+    each: Word | Part
     most: int
 
-    def take(self, name: str, value: Any) -> tuple[str, ...]:
-        """Return the words."""
-        remedy = f"choose from {', '.join(self.words)}"
-        if not isinstance(value, list | tuple) or value == []:
-            raise InputError(name, value, "be a list of names", remedy)
-        if len(value) > self.most:
-            raise InputError(name, value, f"have at most {self.most} names", remedy)
-        return tuple(dict.fromkeys(one_by_one(name, value, self._known)))
+    @property
+    def meaning(self) -> str:
+        """What they are."""
+        return self.each.meaning
 
-    def _known(self, _: int, word: Any) -> Any:
-        if word not in self.words:
-            raise unknown("", word, self.what, word, self.words)
-        return word
-
-    def schema(self) -> dict[str, Any]:
-        """Return the schema of a list."""
-        return {"type": "array", "items": {"enum": list(self.words)}, "minItems": 1}
-
-
-@dataclass(frozen=True)
-class Parts:
-    """Several inputs of one class.
-
-    Attributes
-    ----------
-    meaning : str
-        As of `Quantity`.
-    of : type
-        Their class.
-    most : int
-        The largest number of them.
-    remedy : str
-        How to give them.
-    """
-
-    meaning: str
-    of: type
-    most: int
-    remedy: str
+    @property
+    def of(self) -> type | None:
+        """The class of the inputs; None for words."""
+        return self.each.of if isinstance(self.each, Part) else None
 
     def take(self, name: str, value: Any) -> tuple[Any, ...]:
-        """Return the inputs."""
-        given = isinstance(value, list | tuple) and value != []
-        if not given or not all(isinstance(each, self.of) for each in value):
-            raise InputError(name, value, f"be a list of {self.of.__name__}", self.remedy)
+        """Return them."""
+        if not isinstance(value, list | tuple) or value == []:
+            condition = f"be a list of {'names' if self.of is None else self.of.__name__}"
+            raise InputError(name, value, condition, self.each.remedy)
         if len(value) > self.most:
-            raise InputError(name, value, f"have at most {self.most} entries", self.remedy)
-        return tuple(value)
+            condition = f"have at most {self.most} {'names' if self.of is None else 'entries'}"
+            raise InputError(name, value, condition, self.each.remedy)
+        found = one_by_one(name, value, lambda _, entry: self.each.take("", entry))
+        return tuple(dict.fromkeys(found) if self.of is None else found)
 
     def schema(self) -> dict[str, Any]:
-        """Return the schema of a list, but for its entries."""
-        return {"type": "array", "minItems": 1}
+        """Return the schema of a list, but for tables in it."""
+        return {"type": "array", "minItems": 1} | ({"items": self.each.schema()} if self.of is None else {})
 
 
 @dataclass(frozen=True)
@@ -454,7 +420,7 @@ class Custom:
 
 
 #: All ways to describe a field.
-KINDS = (Quantity, OneOrTwo, Quantities, Count, Flag, OrFlag, Word, Words, Part, Parts, Custom)
+KINDS = (Quantity, OneOrTwo, Quantities, Count, Flag, OrFlag, Word, Part, Several, Custom)
 
 
 def _word_or(name: str, value: Any, words: Mapping[str, Any], number: str, remedy: str) -> str:

@@ -20,8 +20,8 @@ from nonhertz.inputs.fields import (
     Part,
     Quantities,
     Quantity,
+    Several,
     Word,
-    Words,
     text_of,
 )
 from nonhertz.inputs.units import in_unit
@@ -46,7 +46,7 @@ def input_for(key: Key, value: Any, place: Place, range_: Range | None) -> FormF
             made = replace(made, kind="choice", options=words)
         case Flag():
             made = replace(made, kind="boolean", options=options_of(("true", "false")))
-        case Words() | Quantities():
+        case Several() | Quantities():
             made = replace(made, kind="list", unit=getattr(each, "unit", ""), options=words)
         case OrFlag():
             made = replace(made, kind="json", options=options_of(("true", "false", *_words(each.each))))
@@ -61,7 +61,8 @@ def input_for(key: Key, value: Any, place: Place, range_: Range | None) -> FormF
 
 def _words(each: Described) -> tuple[str, ...]:
     """Return the words that may stand for a value."""
-    return tuple(each.named if isinstance(each, Part) else getattr(each, "words", ()))
+    one = each.each if isinstance(each, Several) else each
+    return tuple(one.named if isinstance(one, Part) else getattr(one, "words", ()))
 
 
 def _default(key: Key) -> str:
