@@ -11,7 +11,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli.printing import print_result
-from nonhertz.files.results import UNITS, as_json
+from nonhertz.files.results import UNITS, as_object, key_by_key
 from nonhertz.result.solution import Solution
 from nonhertz.show.summary import sections, summary_rows
 from nonhertz.verdict import of_contact
@@ -169,7 +169,7 @@ def test_the_rows_fit_a_narrow_terminal(sharp: Solution, capsys: pytest.CaptureF
 def test_the_result_has_both_ends(name: str, request: pytest.FixtureRequest) -> None:
     solution: Solution = request.getfixturevalue(name)
     case = nh.Case(solution.contact, {"load": solution.load}, title=name)
-    result = json.loads(as_json(solution, case), parse_constant=pytest.fail)
+    result = json.loads(key_by_key(as_object(solution, case)), parse_constant=pytest.fail)
     assert len(result["edge_pressure"]) == 2
     for entry, edge in zip(result["edge_pressure"], solution.edge_pressure, strict=True):
         assert entry == {

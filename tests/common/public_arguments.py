@@ -15,7 +15,7 @@ import numpy as np
 
 import nonhertz as nh
 from nonhertz import bearing, hertz, life, measured, profile, strength, subsurface
-from nonhertz.files.results import as_json
+from nonhertz.files.results import as_object, key_by_key
 from nonhertz.files.sections import Life
 from nonhertz.files.title_block import TitleBlock
 
@@ -79,7 +79,7 @@ MANY.save(FOLDER / "many.npz")
 for _name, _text in {
     "plan.toml": f'case = "{EXAMPLE.as_posix()}"\n[over]\n"load.load" = ["1 kN"]\n',
     "profile.csv": "-1, 0\n1, 0\n",
-    "result.json": as_json(SOLUTION, nh.Case(CONTACT, {"load": 6e3})),
+    "result.json": key_by_key(as_object(SOLUTION, nh.Case(CONTACT, {"load": 6e3}))),
 }.items():
     (FOLDER / _name).write_text(_text, encoding="utf-8")
 

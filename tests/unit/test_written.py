@@ -13,7 +13,7 @@ from nonhertz.files.bearingfile import BearingCase, starting_bearing
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case, read_case, starting_case
 from nonhertz.files.held import as_toml
-from nonhertz.files.results import as_json, as_object
+from nonhertz.files.results import as_object, key_by_key
 from nonhertz.files.sections import Life, OverrolledDent
 from nonhertz.life import LoadCase
 from nonhertz.model.profile import CATALOGUE, Profile
@@ -232,7 +232,7 @@ def solved(request):
 def test_a_result_is_read_back_to_the_last_digit(solved, tmp_path):
     case, solution = solved
     path = tmp_path / "result.json"
-    path.write_text(as_json(solution, case))
+    path.write_text(key_by_key(as_object(solution, case)))
     found = nh.read_result(path)
     assert found.case.contact == case.contact
     for field in dataclasses.fields(solution):

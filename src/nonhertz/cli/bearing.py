@@ -10,10 +10,10 @@ from cyclopts import Parameter
 from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out, written
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import InputError, without_accuracy_warnings
-from nonhertz.files.bearing_results import as_json as json_text
 from nonhertz.files.bearing_results import as_object, comparison_files, comparison_object, files
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
 from nonhertz.files.changes import changes_in
+from nonhertz.files.results import key_by_key
 from nonhertz.plot import bearing_figures
 from nonhertz.show.bearing import compared_sections, sections
 from nonhertz.verdict import of_bearing
@@ -68,7 +68,7 @@ def bearing(
         raise placed(error) from None
     made = written(out, lambda: files(solution, case, *found), lambda: bearing_figures(solution, case.title))
     if as_json:
-        print(json_text(as_object(solution, case, *found)))
+        print(key_by_key(as_object(solution, case, *found)))
         return
     print_result(
         case.title,
@@ -85,6 +85,6 @@ def _compare(case: BearingCase, out: Path | None, as_json: bool) -> None:
     strips, slices = case.solve("strips"), case.solve("slices")
     made = written(out, lambda: comparison_files(strips, slices, case.title))
     if as_json:
-        print(json_text(comparison_object(strips, slices, case.title)))
+        print(key_by_key(comparison_object(strips, slices, case.title)))
     else:
         print_result(case.title, compared_sections(strips, slices), written=made, piped=WIDTH)

@@ -14,8 +14,8 @@ from nonhertz.cli.printing import Progress, print_result
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import placed, read_case
 from nonhertz.files.changes import changes_in
-from nonhertz.files.comparisons import as_json as json_text
-from nonhertz.files.comparisons import files
+from nonhertz.files.comparisons import as_object, files
+from nonhertz.files.results import key_by_key
 from nonhertz.show.comparison import sections
 
 _METHODS = 3
@@ -58,6 +58,6 @@ def compare(
     title = read.title
     made = written(out, lambda: files(found, title), lambda: {"comparison": plot.comparison(found, title)})
     if as_json:
-        print(json_text(found, title))
+        print(key_by_key(as_object(found, title)))
     else:
         print_result(title, sections(found), warnings=found.warnings, written=made)

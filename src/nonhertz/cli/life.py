@@ -15,8 +15,8 @@ from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.files.casefile import read_case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.held import named
-from nonhertz.files.lives import Assessment, files
-from nonhertz.files.lives import as_json as json_text
+from nonhertz.files.lives import Assessment, as_object, files
+from nonhertz.files.results import key_by_key
 from nonhertz.life import MODELS
 from nonhertz.plot import dent_figure, life_figure
 from nonhertz.show.analysis import assessed, models_for, spectrum_solved
@@ -78,7 +78,7 @@ def life(
     first, other = found[0], found[1] if len(found) > 1 else None
     made = written(out, lambda: files(first, other), lambda: _figures(first, other))
     if as_json:
-        print(json_text(first, other))
+        print(key_by_key(as_object(first, other)))
     else:
         print_result(first.title, _shown(first, other), written=made, piped=WIDTH)
 

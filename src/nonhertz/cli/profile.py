@@ -15,8 +15,8 @@ from nonhertz.cli.options import AsJson, UnitsRead, refuse_unwritable_out, writt
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import InputError
 from nonhertz.files.measured import checked, measured_from, trace_from
-from nonhertz.files.prepared import as_json as json_text
-from nonhertz.files.prepared import files
+from nonhertz.files.prepared import as_object, files
+from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import one_of
 from nonhertz.measured import Fit, Measured
 from nonhertz.measured.fit import KINDS
@@ -107,7 +107,7 @@ def profile(
         lambda: {"profile-steps": measured_figure(measured, name, fits[0] if fits else None)},
     )
     if as_json:
-        print(json_text(measured, fits))
+        print(key_by_key(as_object(measured, fits)))
         return
     blocks = [Said(measured.trace.notes), Table(_profile_rows(measured)), Table(_fit_rows(fits), _FITTED, (0, 1))]
     print_result(name, [Section("", blocks)], warnings=measured.warnings, written=made)

@@ -11,8 +11,8 @@ from nonhertz.cli.printing import Progress, print_result
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import read_case
 from nonhertz.files.changes import changes_in
-from nonhertz.files.stresses import all_findings, files
-from nonhertz.files.stresses import as_json as json_text
+from nonhertz.files.results import key_by_key
+from nonhertz.files.stresses import all_findings, as_object, files
 from nonhertz.model.body import BODIES
 from nonhertz.plot import stress_figures, stress_planes
 from nonhertz.show.analysis import largest_stresses, solved
@@ -66,7 +66,7 @@ def stress(
     with Progress(_SEARCHES + (out is not None)) as progress:
         found = largest_stresses(solution, station, name, progress.announce)
         strength = assess(solution, body=name, largest=found[0])
-        text = json_text(solution, *found, strength, read.title)
+        text = key_by_key(as_object(solution, *found, strength, read.title))
         made: tuple[Path, ...] = ()
         if out is not None:
             progress.announce("planes and figures")

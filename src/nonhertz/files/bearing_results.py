@@ -105,11 +105,6 @@ def _clearance(case: BearingCase) -> dict[str, Any] | None:
     return numbers | axial | {"expansion": Mounting(**case.fit).expansion(case.bearing)} | fits
 
 
-def as_json(entries: dict[str, Any]) -> str:
-    """Return an object as JSON text, one of its keys per line."""
-    return key_by_key(entries)
-
-
 def _life(found: BearingLife) -> dict[str, Any]:
     rating = plain(dataclasses.asdict(found.rating))
     names = [each.name for each in dataclasses.fields(found) if each.name not in {"rating", "singular_ends", "parts"}]
@@ -177,7 +172,7 @@ def files(
 ) -> dict[str, str]:
     """Return the texts of result.json, rollers.csv and lines.csv, by file name."""
     return {
-        "result.json": as_json(as_object(solution, case, life, reason, found)) + "\n",
+        "result.json": key_by_key(as_object(solution, case, life, reason, found)) + "\n",
         "rollers.csv": rollers_table(solution),
         "lines.csv": lines_table(solution, int(case.solver.get("laminae", LAMINAE))),
     }
@@ -212,7 +207,7 @@ def comparison_table(strips: BearingSolution, slices: BearingSolution) -> str:
 def comparison_files(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, str]:
     """Return the texts of comparison.json and comparison.csv, by file name."""
     return {
-        "comparison.json": as_json(comparison_object(strips, slices, title)) + "\n",
+        "comparison.json": key_by_key(comparison_object(strips, slices, title)) + "\n",
         "comparison.csv": comparison_table(strips, slices),
     }
 

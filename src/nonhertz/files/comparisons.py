@@ -43,11 +43,6 @@ def as_object(found: Comparison, title: str) -> dict[str, Any]:
     }
 
 
-def as_json(found: Comparison, title: str) -> str:
-    """Return `as_object` as JSON text, one key per line."""
-    return key_by_key(as_object(found, title))
-
-
 def as_table(found: Comparison) -> str:
     """Return all strips, and the plane grid at their centres, as CSV with a header of names and units."""
     rows = []
@@ -61,7 +56,7 @@ def as_table(found: Comparison) -> str:
 @read_in("si")
 def files(found: Comparison, title: str) -> dict[str, str]:
     """Return the texts of comparison.json and comparison.csv, by file name."""
-    return {"comparison.json": as_json(found, title) + "\n", "comparison.csv": as_table(found)}
+    return {"comparison.json": key_by_key(as_object(found, title)) + "\n", "comparison.csv": as_table(found)}
 
 
 def _quantity(each: ComparedQuantity) -> dict[str, Any]:

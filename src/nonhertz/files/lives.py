@@ -117,11 +117,6 @@ def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, A
     return _head(found) | {"models": _models(found)} | _tail(found) | compared | {"units": UNITS}
 
 
-def as_json(found: Assessment, other: Assessment | None = None) -> str:
-    """Return `as_object` as JSON text, one key per line."""
-    return key_by_key(as_object(found, other))
-
-
 def as_table(found: Assessment) -> str:
     """Return the damage density along both bodies as CSV with a header of names and units."""
     rows = (
@@ -136,7 +131,7 @@ def as_table(found: Assessment) -> str:
 @read_in("si")
 def files(found: Assessment, other: Assessment | None) -> dict[str, str]:
     """Return the texts of life.json and life.csv, and of compared.csv if there is another case, by file name."""
-    texts = {"life.json": as_json(found, other) + "\n", "life.csv": as_table(found)}
+    texts = {"life.json": key_by_key(as_object(found, other)) + "\n", "life.csv": as_table(found)}
     return texts if other is None else texts | {"compared.csv": as_table(other)}
 
 

@@ -69,11 +69,6 @@ def as_object(measured: Measured, fits: Sequence[Fit] = ()) -> dict[str, Any]:
     }
 
 
-def as_json(measured: Measured, fits: Sequence[Fit] = ()) -> str:
-    """Return `as_object` as JSON text, one key per line."""
-    return key_by_key(as_object(measured, fits))
-
-
 def as_table(measured: Measured) -> str:
     """Return positions and relief as CSV, which ``kind = "tabulated"`` reads."""
     # A picometre is finer than any machine resolves.
@@ -134,7 +129,7 @@ def files(
         Fitted profiles, best first.
     """
     return {
-        "profile.json": as_json(measured, fits) + "\n",
+        "profile.json": key_by_key(as_object(measured, fits)) + "\n",
         TABLE: as_table(measured),
         "profile.toml": as_case(seen_from(directory, file), values, measured, fits),
     }

@@ -104,11 +104,6 @@ def plain(value: Any) -> Any:
     return number if math.isfinite(number) else None
 
 
-def as_json(solution: Solution, case: Case) -> str:
-    """Return `as_object` as JSON text, one key per line."""
-    return key_by_key(as_object(solution, case))
-
-
 def key_by_key(entries: dict[str, Any]) -> str:
     """Return an object as JSON text, one of its keys per line.
 
@@ -133,4 +128,4 @@ def as_table(solution: Solution) -> str:
 @read_in("si")
 def files(solution: Solution, case: Case) -> dict[str, str]:
     """Return the texts of result.json and table.csv, by file name."""
-    return {"result.json": as_json(solution, case) + "\n", "table.csv": as_table(solution)}
+    return {"result.json": key_by_key(as_object(solution, case)) + "\n", "table.csv": as_table(solution)}

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import read_in
-from nonhertz.files.results import key_by_key, plain
+from nonhertz.files.results import plain
 from nonhertz.findings import Finding, as_warnings
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
@@ -61,11 +61,6 @@ def as_object(
     }
 
 
-def as_json(solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str) -> str:
-    """Return `as_object` as JSON text, one key per line."""
-    return key_by_key(as_object(solution, overall, section, strength, title))
-
-
 def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
     """Return a quantity of the strips interpolated at a station, zero outside the contact."""
     touching = any(low <= y <= high for low, high in solution.contact_y)
@@ -81,7 +76,7 @@ def as_table(field: Field) -> str:
 
 
 def files(text: str, planes: Mapping[str, Field]) -> dict[str, str]:
-    """Return the texts of stress.json, as `as_json` made it, and of a table for each plane, by file name."""
+    """Return the texts of stress.json, as text, and of a table for each plane, by file name."""
     return {"stress.json": text + "\n", **{f"{name}.csv": as_table(field) for name, field in planes.items()}}
 
 

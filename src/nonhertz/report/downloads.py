@@ -7,12 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from nonhertz.files.bearing_results import as_json as bearing_as_json
 from nonhertz.files.bearing_results import as_object as bearing_as_object
 from nonhertz.files.bearing_results import comparison_files, rollers_table
-from nonhertz.files.lives import as_json as lives_as_json
-from nonhertz.files.results import as_json, as_table
-from nonhertz.files.stresses import as_json as stresses_as_json
+from nonhertz.files.lives import as_object as lives_as_object
+from nonhertz.files.results import as_object, as_table, key_by_key
+from nonhertz.files.stresses import as_object as stresses_as_object
 from nonhertz.report.results import BearingResults, CaseResults, Results
 
 _KINDS = {".toml": "application/toml", ".json": "application/json", ".csv": "text/csv"}
@@ -61,19 +60,19 @@ def downloads(found: Results) -> list[Download]:
 def _of_contact(found: CaseResults) -> Iterator[tuple[str, str, str]]:
     solution, case = found.solution, found.case
     yield "table.csv", "the strips", as_table(solution)
-    yield "result.json", "all numbers of the solution", as_json(solution, case) + "\n"
+    yield "result.json", "all numbers of the solution", key_by_key(as_object(solution, case)) + "\n"
     if found.stress:
-        text = stresses_as_json(solution, *found.stress, found.strengths[0], case.title)
+        text = key_by_key(stresses_as_object(solution, *found.stress, found.strengths[0], case.title))
         yield "stress.json", "the largest stresses", text + "\n"
     if found.lives:
-        yield "life.json", "the lives", lives_as_json(found.lives) + "\n"
+        yield "life.json", "the lives", key_by_key(lives_as_object(found.lives)) + "\n"
 
 
 def _of_bearing(found: BearingResults) -> Iterator[tuple[str, str, str]]:
     solution, case = found.solution, found.case
     if solution is None:
         return
-    text = bearing_as_json(bearing_as_object(solution, case, found.life, found.reason, found.strained)) + "\n"
+    text = key_by_key(bearing_as_object(solution, case, found.life, found.reason, found.strained)) + "\n"
     yield "rollers.csv", "all rollers", rollers_table(solution)
     yield "result.json", "all numbers of the bearing", text
     if found.slices is not None:

@@ -16,7 +16,7 @@ from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.commented import as_toml_like
 from nonhertz.files.held import parsed
-from nonhertz.files.results import as_json, as_table
+from nonhertz.files.results import as_object, as_table, key_by_key
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import attempted
@@ -151,7 +151,7 @@ def table(document: dict[str, Any]) -> bytes:
 def result(document: dict[str, Any]) -> bytes:
     """Return all numbers of a solution as JSON."""
     case, solution = _solved(document)
-    return f"{as_json(solution, case)}\n".encode()
+    return f"{key_by_key(as_object(solution, case))}\n".encode()
 
 
 def _solved(document: dict[str, Any]) -> tuple[Case, Solution]:
