@@ -341,6 +341,20 @@ def in_column(values: Iterable[float], significant: int = 5) -> list[str]:
     return [f"{value:.{decimals}f}" if value else "0" for value in values]
 
 
+def percent(relative: float, significant: int = 2) -> str:
+    """Return a difference in per cent with its sign, without decimals where it is large; nothing where it is rounding.
+
+    Examples
+    --------
+    >>> percent(0.1237), percent(-0.0251), percent(0.12371, 3), percent(1e-9)
+    ('+12 %', '-2.5 %', '+12.4 %', '')
+    """
+    change = 100.0 * relative
+    if abs(change) < 1e-6:
+        return ""
+    return f"{change:+.0f} %" if abs(change) >= 10 ** (significant - 1) else f"{change:+.{significant}g} %"
+
+
 def with_error(shown: Amount, error: float) -> str:
     """Return an amount of one number with its standard error, in its unit, both to the second digit of that.
 

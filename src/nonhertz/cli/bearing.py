@@ -87,4 +87,4 @@ def _compare(case: BearingCase, out: Path | None, as_json: bool) -> None:
     if as_json:
         print(key_by_key(comparison_object(strips, slices, case.title)))
     else:
-        print_result(case.title, compared_sections(strips, slices), written=made, piped=WIDTH)
+        print_result(case.title, compared_sections(case, strips, slices), written=made, piped=WIDTH)

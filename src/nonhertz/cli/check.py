@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.amounts import mm
+from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.cli import BAD_INPUT, FINE
 from nonhertz.cli.options import Changes
 from nonhertz.errors import CaseError, ConvergenceError, InputError
@@ -15,19 +16,13 @@ from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.held import holds_plan, opened
+from nonhertz.files.keys import table_of, unit_of
 from nonhertz.files.planfile import DESIGN, Plan, case_or_bearing_in, design_in
+from nonhertz.model.prescription import Prescription
 from nonhertz.show.analysis import attempted
 from nonhertz.study.design import checked as checked_design
 from nonhertz.study.points import Points
 from nonhertz.study.quantities import chosen
-
-_UNITS = {
-    **dict.fromkeys(("load", "radial", "axial"), "N"),
-    **dict.fromkeys(("approach", "radial_displacement", "axial_displacement"), "mm"),
-    "tilt": "rad",
-    "moment": "N mm",
-    "speed": "1/min",
-}
 
 
 def check(file: Path, /, *, changes: Changes = ()) -> int:
@@ -60,10 +55,8 @@ def _held(path: Path, changes: Mapping[str, Any]) -> str:
 def _contact(case: Case) -> str:
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
     attempted(case)
-    low, high = case.contact.interval
-    return (
-        f"{case.title!r}, bodies face each other from y = {mm(low, high, between=' to '):g}, {_listed(case.prescribed)}"
-    )
+    ends, pressed = mm(*case.contact.interval, between=" to "), _listed(case.prescribed, Prescription)
+    return f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
 
 
 def _bearing(case: BearingCase) -> str:
@@ -71,7 +64,7 @@ def _bearing(case: BearingCase) -> str:
     with contextlib.suppress(ConvergenceError):
         case.solve("slices")
     kind, count = case.document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
-    return f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed) or 'no load'}"
+    return f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed, BearingLoad) or 'no load'}"
 
 
 def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> str:
@@ -96,9 +89,11 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
     return f"{plan.title!r}, {' and '.join(said) or 'which varies nothing'}"
 
 
-def _listed(prescribed: dict[str, Any]) -> str:
+def _listed(prescribed: dict[str, Any], cls: Any) -> str:
+    """Return loads, motions and speed as files have them, with the units that their descriptions say."""
     found = []
     for name, value in prescribed.items():
         numbers = value if isinstance(value, tuple) else (value,)
-        found.append(f"{name} = {', '.join(f'{each:g}' for each in numbers)} {_UNITS[name]}")
+        unit = unit_of(table_of(cls).keys[name])
+        found.append(f"{name} = {', '.join(f'{each:g}' for each in numbers)} {unit}")
     return ", ".join(found)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -94,13 +95,20 @@ def profile(
         Directory for profile.csv, profile.json, profile.toml and the figure; created if it does not exist.
     """
     refuse_unwritable_out(out)
-    values = _options(
-        position_unit=position_unit, height_unit=height_unit, position_column=position_column,
-        height_column=height_column, sense=sense, level=level, align=align, trim=trim, corner=corner,
-        outliers=outliers, smooth=smooth, cutoff=cutoff, slope=slope, points=points,
-    )  # fmt: skip
-    measured = _prepared(file, values)
-    fits, name = _fitted(measured, fit), measured.trace.name
+    words = {
+        "position_unit": position_unit, "height_unit": height_unit, "position_column": position_column,
+        "height_column": height_column, "sense": sense, "level": level, "align": align, "trim": trim, "corner": corner,
+        "outliers": outliers, "smooth": smooth, "cutoff": cutoff, "slope": slope, "points": points,
+    }  # fmt: skip
+    with _options_named():
+        values = {key: checked(key, _meant(key, word)) for key, word in words.items() if word is not None}
+        measured = measured_from(trace_from(file, values), values)
+        _ = measured.states
+    fits: tuple[Fit, ...] = ()
+    if fit is not None:
+        one_of("--fit", fit, (*KINDS, BEST), "name a kind of profile, or 'best' to compare all")
+        fits = measured.fit_best() if fit == BEST else (measured.fit(fit),)
+    name = measured.trace.name
     made = written(
         out,
         lambda: files(out or Path(), file, values, measured, fits),
@@ -113,63 +121,16 @@ def profile(
     print_result(name, [Section("", blocks)], warnings=measured.warnings, written=made)
 
 
-def _options(**words: str | bool | None) -> dict[str, Any]:
-    """Return the values of command-line options by case-file key; None is left out.
-
-    Text that looks like a number becomes one, "no" is false, and lengths are text with a unit or a number in mm.
-
-    Raises
-    ------
-    InputError
-        If a value has the wrong type; the option is named as on the command line.
-    """
-    values = {}
-    for name, word in words.items():
-        if word is None:
-            continue
-        try:
-            values[name] = checked(name, _meant(name, word))
-        except InputError as error:
-            raise _option_named(error) from None
-    return values
-
-
-def _option_named(error: InputError) -> InputError:
-    """Return the same error with the option named as on the command line."""
-    if error.field == "file":
-        remedy = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", error.remedy)
-        return InputError("file", error.value, error.condition, remedy)
-    return InputError("--" + error.field.replace("_", "-"), error.value, error.condition, error.remedy)
-
-
-def _prepared(file: Path, values: Mapping[str, Any]) -> Measured:
-    """Return the profile in a file after all steps.
-
-    Raises
-    ------
-    InputError
-        If the file cannot be read or a step does not suit it.
-    """
+@contextlib.contextmanager
+def _options_named() -> Iterator[None]:
+    """Name refused values by the options that people type."""
     try:
-        measured = measured_from(trace_from(file, values), values)
-        _ = measured.states
+        yield
     except InputError as error:
-        raise _option_named(error) from None
-    return measured
-
-
-def _fitted(measured: Measured, kind: str | None) -> tuple[Fit, ...]:
-    """Return the requested fits: of one kind, of all kinds for "best", or none.
-
-    Raises
-    ------
-    InputError
-        If the kind cannot be fitted.
-    """
-    if kind is None:
-        return ()
-    one_of("--fit", kind, (*KINDS, BEST), "name a kind of profile, or 'best' to compare all")
-    return measured.fit_best() if kind == BEST else (measured.fit(kind),)
+        remedy, field = error.remedy, "--" + error.field.replace("_", "-")
+        if error.field == "file":
+            remedy, field = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", remedy), "file"
+        raise InputError(field, error.value, error.condition, remedy) from None
 
 
 def _profile_rows(measured: Measured) -> list[tuple[str, str]]:
@@ -224,6 +185,7 @@ def _parameter(fit: Fit, name: str) -> str:
 
 
 def _meant(name: str, word: str | bool) -> Any:
+    """Return the value that a word means: a number if it looks like one, false for "no", or text with a unit."""
     if isinstance(word, bool) or name in _WORDS:
         return word
     if word.lower() in _NO | _YES:

@@ -5,21 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-import numpy as np
-
-from nonhertz.amounts import Amount, digits, mpa
-from nonhertz.bearing.balance import NO_LOAD
+from nonhertz.amounts import Amount, digits, mpa, percent
 from nonhertz.bearing.quantities import SolvedBearing
 from nonhertz.model.body import BODIES
 from nonhertz.report.inputs import InputGroup
 from nonhertz.report.results import BearingResults, CaseResults, Results
-from nonhertz.result.quantities import QUANTITIES, Quantity
+from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure
+from nonhertz.show.bearing import clean
 from nonhertz.show.lives import without_ratio
 from nonhertz.show.sections import Cell
-from nonhertz.study.quantities import OF_BEARING, number_of
+from nonhertz.study.quantities import OF_BEARING
 
 ABSENT = "–"
+NOTICED = 5e-6  # relative difference
 # What is not the shape of a body: sections of files, and keys of bodies.
 _CONDITIONS = {"load", "solver", "life", "fit"}
 _BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_length", "clearance"}
@@ -86,21 +85,12 @@ def _of_bearings(found: Sequence[BearingResults]) -> list[Compared]:
         if name in _OF_LIFE:
             values = [math.nan if each.life is None else float(getattr(each.life, name)) for each in found]
         else:
-            values = [math.nan if each is None else _beside_others(quantity, each) for each in solved]
+            values = [math.nan if each is None else clean(quantity, each) for each in solved]
         if name == "loaded_rollers":
             rows.append((quantity.label, *(f"{each:g}" if math.isfinite(each) else ABSENT for each in values)))
         elif any(value and math.isfinite(value) for value in values):
             rows.append(compared(quantity.label, quantity.amount(*values)))
     return rows
-
-
-def _beside_others(quantity: Quantity, solved: SolvedBearing) -> float:
-    """Return a number, zero where it is rounding beside the largest load or motion."""
-    value, found = number_of(quantity, solved), solved.solution
-    load, moved = float(found.load.max()), float(np.max(np.abs(found.displacement[:3])))
-    pitch = found.bearing.rows[0].bearing.pitch
-    largest = {"N": load, "N mm": load * pitch, "mm": moved, "rad": moved / pitch}.get(quantity.unit, 0.0)
-    return 0.0 if abs(value) <= NO_LOAD * largest else value
 
 
 def lives(found: Sequence[CaseResults]) -> list[Compared]:
@@ -161,7 +151,5 @@ def _number(value: float) -> str:
 def _change(value: float, first: float) -> str:
     if not (math.isfinite(value) and math.isfinite(first)) or first == 0.0:
         return ""
-    change = 100.0 * (value - first) / abs(first)
-    if abs(change) >= 999.5:
-        return f"{change:+.0f} %"
-    return f"{change:+.3g} %" if abs(change) >= 5e-4 else "0 %"
+    change = (value - first) / abs(first)
+    return percent(change, 3) if abs(change) >= NOTICED else "0 %"

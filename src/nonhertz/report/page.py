@@ -126,7 +126,7 @@ def _shown(found: Results) -> list[Section]:
             return []
         sections = bearing.sections(found.case, found.solution, found.life, found.reason)
         if found.slices is not None:
-            sections += bearing.compared_sections(found.solution, found.slices)
+            sections += bearing.compared_sections(found.case, found.solution, found.slices)
         return sections
     sections = contact.sections(found.solution)
     if found.stress is not None:

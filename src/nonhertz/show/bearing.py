@@ -8,18 +8,27 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, um
+from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, percent, um
 from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.frames import RINGS
-from nonhertz.bearing.quantities import SolvedBearing, further
+from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
+from nonhertz.result.quantities import Quantity
 from nonhertz.show.sections import Row, Said, Section, Table, summary
+from nonhertz.study.quantities import number_of
 from nonhertz.verdict import STATIC_LIMIT
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
+#: Numbers that strips and slices have alike.
+_COMPARED = (
+    *(f"{what}_{axis}" for what, axes in (("displacement", "xyz"), ("tilt", "yz"), ("force", "xyz"), ("moment", "yz"))
+      for axis in axes),
+    "max_load", "loaded_rollers",
+)  # fmt: skip
 _PLAY = 1e-3  # mm, below which diameters are rounded
 
 
@@ -34,9 +43,10 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
     ]
 
 
-def compared_sections(strips: BearingSolution, slices: BearingSolution) -> list[Section]:
+def compared_sections(case: BearingCase, strips: BearingSolution, slices: BearingSolution) -> list[Section]:
     """Return what is shown of a bearing by strips and by slices."""
-    whole = Table(compared_rows(strips, slices), ("", "strips", "slices", "difference"), (0,))
+    rows = compared_rows(SolvedBearing(case, strips), SolvedBearing(case, slices))
+    whole = Table(rows, ("", "strips", "slices", "difference"), (0,))
     return [
         Section("Strips beside slices", [whole]),
         Section("", [compared_table(strips, slices), Said([OF_LARGEST])]),
@@ -122,31 +132,27 @@ def roller_table(solution: BearingSolution) -> Table:
     return Table(rows, heads, (), "numbers narrow")
 
 
-def compared_rows(strips: BearingSolution, slices: BearingSolution) -> list[tuple[str, str, str, str]]:
+def compared_rows(strips: SolvedBearing, slices: SolvedBearing) -> list[tuple[str, str, str, str]]:
     """Return name, value by strips, value by slices and difference of what describes the whole bearing."""
     rows = []
-    pitch = strips.bearing.rows[0].bearing.pitch
-    for name, values, lever in (
-        ("displacement", [each.displacement[:3] for each in (strips, slices)], 1.0),
-        ("tilt", [each.displacement[3:] for each in (strips, slices)], pitch),
-        ("force", [each.force[:3] for each in (strips, slices)], 1.0),
-        ("moment", [each.force[3:] for each in (strips, slices)], 1.0 / pitch),
-    ):
-        size = max(_size(each, name) for each in (strips, slices))
-        factor, unit = {"displacement": um, "tilt": mrad, "force": newton, "moment": newton_mm}[name](
-            *np.ravel(values)
-        ).scale
-        for axis, one, other in zip("xyz" if len(values[0]) == 3 else "yz", *values, strict=True):
-            if max(abs(one), abs(other)) * lever > 1e-8 * size:
-                shown = [f"{digits(factor * value)} {unit}" for value in (one, other)]
-                rows.append((f"{name} {axis}", shown[0], shown[1], _change(one, other)))
-    one, other = (float(each.load.max()) for each in (strips, slices))
-    factor, unit = newton(one, other).scale
-    shown = [f"{digits(factor * load)} {unit}" for load in (one, other)]
-    rows.append(("largest load", shown[0], shown[1], _change(one, other)))
-    counts = [int(np.count_nonzero(carrying(each))) for each in (strips, slices)]
-    rows.append(("loaded rollers", str(counts[0]), str(counts[1]), ""))
+    for name in _COMPARED:
+        quantity = QUANTITIES[name]
+        one, other = (clean(quantity, each) for each in (strips, slices))
+        if one or other:
+            numbers, unit = quantity.amount(one, other).apart("g" if name == "loaded_rollers" else "")
+            of_strips, of_slices = (f"{each} {unit}".rstrip() for each in numbers)
+            change = percent(other / one - 1.0) if one and name != "loaded_rollers" else ""
+            rows.append((quantity.label, of_strips, of_slices, change))
     return rows
+
+
+def clean(quantity: Quantity, solved: SolvedBearing) -> float:
+    """Return a number, zero where it is rounding beside the largest load or motion; nan where there is none."""
+    value, found = number_of(quantity, solved), solved.solution
+    load, moved = float(found.load.max()), float(np.max(np.abs(found.displacement[:3])))
+    pitch = found.bearing.rows[0].bearing.pitch
+    largest = {"N": load, "N mm": load * pitch, "mm": moved, "rad": moved / pitch}.get(quantity.unit, 0.0)
+    return 0.0 if abs(value) <= NO_LOAD * largest else value
 
 
 def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
@@ -159,7 +165,7 @@ def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
     for j, row in enumerate(_row_numbers(strips.bearing)):
         cells = [str(j), row, _degrees(strips.angle[j])]
         for one, other in zip(strips.load[j], slices.load[j], strict=True):
-            change = _percent((other - one) / most) if most > 0.0 and one != other else ""
+            change = percent((other - one) / most) if most > 0.0 and one != other else ""
             cells += [digits(factor * one), digits(factor * other), change]
         rows.append(tuple(cells))
     return Table(rows, heads, (), "numbers narrow")
@@ -385,24 +391,3 @@ def _factors_row(found: BearingLife) -> Row:
         return "", f"{factors}, without lubrication", ""
     of_oil = f"kappa = {digits(found.viscosity_ratio, 3)}, e_C = {digits(found.contamination, 3)}"
     return "", f"{factors}, a_ISO = {'none' if found.no_reference else digits(found.life_factor, 4)}", of_oil
-
-
-def _size(solution: BearingSolution, name: str) -> float:
-    """Return what is large among forces [N], or among displacements [mm]; moments and tilts are taken at the pitch."""
-    pitch = solution.bearing.rows[0].bearing.pitch
-    values: NDArray[np.float64]
-    if name in {"force", "moment"}:
-        values = solution.force * [1.0, 1.0, 1.0, 1.0 / pitch, 1.0 / pitch]
-    else:
-        values = solution.displacement * [1.0, 1.0, 1.0, pitch, pitch]
-    return float(np.max(np.abs(values)))
-
-
-def _change(one: float, other: float) -> str:
-    return _percent(other / one - 1.0) if one not in {0.0, other} else ""
-
-
-def _percent(relative: float) -> str:
-    percent = 100.0 * relative
-    # What is given is met to rounding.
-    return "" if abs(percent) < 1e-6 else f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.2g} %"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from nonhertz.amounts import amount, digits, mm
+from nonhertz.amounts import amount, digits, mm, percent
 from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
 from nonhertz.show.sections import Said, Section, Table
 
@@ -56,13 +56,7 @@ def _difference(value: float, each: ComparedQuantity) -> str:
         return ""
     if each.absolute:
         return f"{'+' * (value > 0.0)}{amount(value, each.unit):.2g}" if value else "0"
-    # A prescribed load, for example, is met to rounding error.
-    return _percent(value) if abs(value) > 1e-10 else "0"
-
-
-def _percent(relative: float) -> str:
-    percent = 100.0 * relative
-    return f"{percent:+.0f} %" if abs(percent) >= 10.0 else f"{percent:+.2g} %"
+    return percent(value) or "0"
 
 
 def _time(seconds: float) -> str:
@@ -70,6 +64,6 @@ def _time(seconds: float) -> str:
 
 
 def _sentence(each: Stretch) -> str:
-    worst = _percent(each.largest) if math.isfinite(each.largest) else "the plane grid has no contact"
+    worst = percent(each.largest) if math.isfinite(each.largest) else "the plane grid has no contact"
     where = mm(each.low, each.high, between=" to ")
     return f"{each.element} strips, y = {where:.5g} ({worst} at {mm(each.at):.5g})."
