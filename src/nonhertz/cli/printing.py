@@ -29,88 +29,6 @@ Update = Callable[..., None]
 _STYLES = {"head": "bold", "warning": "yellow"}
 
 
-class Printed:
-    """A result as it is printed: a title in bold, tables, sentences and warnings.
-
-    Parameters
-    ----------
-    title : str
-        Its title; empty for none.
-    piped : int or None
-        How wide it is where there is no terminal; None for what COLUMNS says, or else 80.
-    """
-
-    def __init__(self, title: str = "", piped: int | None = 100) -> None:
-        self._console = Console(highlight=False, width=None if sys.stdout.isatty() else piped)
-        if title:
-            self._console.print(Text(title, style="bold"))
-
-    def say(self, *sentences: object, style: str = "") -> None:
-        """Print sentences; as text, since rich would take [MPa] for markup."""
-        for sentence in sentences:
-            self._console.print(Text(str(sentence), style), soft_wrap=True)
-
-    def judge(self, found: Verdict | None) -> None:
-        """Print whether limits are met, and what decides it, if that is known."""
-        if found is not None:
-            colour = {Level.MET: "green", Level.NOT_MET: "bold red"}.get(found.level, "yellow")
-            self.say(f"{found.level.value.capitalize()}. {found.sentence}", style=colour)
-
-    def warn(self, *sentences: object) -> None:
-        """Print warnings."""
-        self.say(*(f"warning: {sentence}" for sentence in sentences), style="yellow")
-
-    def show(self, sections: Iterable[Section]) -> None:
-        """Print sections one below the other, with an empty line between them.
-
-        Summaries that follow each other are one table.
-        """
-        groups: list[list[Table | Said]] = []
-        for section in sections:
-            blocks = [each for each in section.blocks if isinstance(each, Table | Said) and len(each)]
-            if groups and blocks and _is_summary(first := blocks[0]) and _is_summary(before := groups[-1][-1]):
-                groups[-1][-1] = replace(before, rows=[*before.rows, *first.rows])
-                groups[-1] += blocks[1:]
-            elif blocks:
-                groups.append(blocks)
-        for number, blocks in enumerate(groups):
-            if number:
-                self.blank()
-            for block in blocks:
-                if isinstance(block, Table):
-                    self.table(block)
-                else:
-                    self.say(*block.sentences, style=_STYLES.get(block.layout, ""))
-
-    def table(self, shown: Table, *, room: int = 0) -> None:
-        """Print rows, without the columns that are blank throughout: numbers to the right, words to the left.
-
-        The second column has ``room`` for a title, which may be broken. A table is wider than the terminal if need be:
-        a truncated number looks like a different one.
-        """
-        if not shown.rows:
-            return
-        heads, left = shown.heads, shown.words
-        columns = shown_columns(shown)
-        table = Grid(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=bool(heads), header_style="dim")
-        for at in columns:
-            words = left is None or at in left
-            table.add_column(
-                Text(heads[at] if heads else ""),
-                justify="left" if words else "right",
-                no_wrap=not words or (room > 0 and at != 1),
-                min_width=room if at == 1 and room else None,
-            )
-        for row in shown.rows:
-            heading = "bold" if len(row) == 1 else ""
-            table.add_row(*(Text(str(row[at]) if at < len(row) else "", heading) for at in columns))
-        print_table(self._console, table)
-
-    def blank(self) -> None:
-        """Print an empty line."""
-        self._console.print()
-
-
 def print_result(
     title: str,
     sections: Iterable[Section],
@@ -120,16 +38,72 @@ def print_result(
     written: Iterable[Path] = (),
     piped: int | None = 100,
 ) -> None:
-    """Print a result: its verdict, its sections, warnings, and the files that were written."""
-    printing = Printed(title, piped)
-    printing.judge(verdict)
-    printing.show(sections)
-    printing.warn(*warnings)
+    """Print a result as people read it: title, verdict, sections, warnings, and the files that were written.
+
+    Where there is no terminal it is so wide as ``piped`` says, None for what COLUMNS says, or else 80.
+    """
+    console = Console(highlight=False, width=None if sys.stdout.isatty() else piped)
+
+    def say(sentence: object, style: str = "") -> None:
+        """Print a sentence; as text, since rich would take [MPa] for markup."""
+        console.print(Text(str(sentence), style), soft_wrap=True)
+
+    if title:
+        console.print(Text(title, style="bold"))
+    if verdict is not None:
+        colour = {Level.MET: "green", Level.NOT_MET: "bold red"}.get(verdict.level, "yellow")
+        say(f"{verdict.level.value.capitalize()}. {verdict.sentence}", colour)
+    for number, blocks in enumerate(_grouped(sections)):
+        if number:
+            console.print()
+        for block in blocks:
+            if isinstance(block, Table):
+                _print_rows(console, block)
+            else:
+                for sentence in block.sentences:
+                    say(sentence, _STYLES.get(block.layout, ""))
+    for warning in warnings:
+        say(f"warning: {warning}", "yellow")
     print_written(written)
+
+
+def _grouped(sections: Iterable[Section]) -> list[list[Table | Said]]:
+    """Return what stands together without an empty line; summaries that follow each other are one table."""
+    groups: list[list[Table | Said]] = []
+    for section in sections:
+        blocks = [each for each in section.blocks if isinstance(each, Table | Said) and len(each)]
+        if groups and blocks and _is_summary(first := blocks[0]) and _is_summary(before := groups[-1][-1]):
+            groups[-1][-1] = replace(before, rows=[*before.rows, *first.rows])
+            groups[-1] += blocks[1:]
+        elif blocks:
+            groups.append(blocks)
+    return groups
 
 
 def _is_summary(block: Table | Said) -> TypeGuard[Table]:
     return isinstance(block, Table) and block.layout == SUMMARY
+
+
+def _print_rows(console: Console, shown: Table) -> None:
+    """Print rows, without the columns that are blank throughout: numbers to the right, words to the left.
+
+    A table is wider than the terminal if need be: a truncated number looks like a different one.
+    """
+    heads, columns = shown.heads, shown_columns(shown)
+    table = Grid(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=bool(heads), header_style="dim")
+    for at in columns:
+        words = shown.words is None or at in shown.words
+        breaks = at == 1 if shown.room else words
+        table.add_column(
+            Text(heads[at] if heads else ""),
+            justify="left" if words else "right",
+            no_wrap=not breaks,
+            min_width=shown.room if at == 1 and shown.room else None,
+        )
+    for row in shown.rows:
+        heading = "bold" if len(row) == 1 else ""
+        table.add_row(*(Text(str(row[at]) if at < len(row) else "", heading) for at in columns))
+    print_table(console, table)
 
 
 def print_written(written: Iterable[Path]) -> None:

@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from cyclopts import Parameter
 
 from nonhertz.cli import FINE, NOT_CONVERGED
 from nonhertz.cli.options import Changes, UnitsRead, named_as
 from nonhertz.cli.printing import Progress, print_written
-from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
-from nonhertz.files.bearingfile import BearingCase
+from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import refuse_unwritable, write_files
-from nonhertz.files.held import named
 from nonhertz.files.planfile import read_any
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.report import MARK, examined, rendered, settled, steps
-from nonhertz.report.results import of_one_kind
+from nonhertz.report.results import of_each, of_one_kind
 
 _REMEDY = "give the name of a file such as report.html"
 _NEAR = 2000  # characters at the beginning of a report, which include its mark
@@ -71,7 +69,9 @@ def report(
     with named_as(project="--project", author="--author", date="--date"):
         block = TitleBlock(project=project, author=author, date=date)
     path = _target(out, cases)
-    read = _read(cases, changes_in(changes))
+    set_to = changes_in(changes)
+    with without_accuracy_warnings():  # which the report shows
+        read = of_each(cases, lambda path: path, lambda path: read_any(path, set_to))
     with named_as(cases="CASE"):
         first = of_one_kind(read)[0]
     if compare and isinstance(first, Case):
@@ -89,30 +89,6 @@ def report(
     for each in failed:
         print(f"{each.label}: {each.complaint}", file=sys.stderr)
     return NOT_CONVERGED if failed else FINE
-
-
-def _read(paths: Sequence[Path], changes: Mapping[str, Any]) -> list[Case | BearingCase]:
-    """Return what is in files, without issuing warnings, which the report shows.
-
-    Raises
-    ------
-    CaseError
-        With every mistake in all of them; with several files each is prefixed by its path.
-    """
-    with without_accuracy_warnings():
-        if len(paths) == 1:
-            return [read_any(paths[0], changes)]
-        cases: list[Case | BearingCase] = []
-        mistakes: list[str] = []
-        for path in paths:
-            try:
-                with named(path):
-                    cases.append(read_any(path, changes))
-            except CaseError as error:
-                mistakes += error.mistakes
-    if mistakes:
-        raise CaseError(mistakes)
-    return cases
 
 
 def _target(out: Path | None, cases: Sequence[Path]) -> Path:

@@ -10,7 +10,7 @@ from typing import Any
 
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out
-from nonhertz.cli.printing import Printed, print_result, print_written
+from nonhertz.cli.printing import print_result
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.changes import changes_in
@@ -21,13 +21,13 @@ from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
 from nonhertz.show.analysis import attempted
+from nonhertz.show.sections import Section
 from nonhertz.show.summary import overview_table, sections
 from nonhertz.verdict import of_contact
 
 TABLE = "cases.csv"
 TABLES = (".csv", ".xlsx")
 WIDTH = 120  # of piped output
-_TITLE = 30  # columns at least for a title, which may be broken
 
 
 def solve(
@@ -79,12 +79,8 @@ def _solve_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
     if as_json:
         print(json.dumps(objects(found), allow_nan=False))
     else:
-        printing = Printed(piped=WIDTH)
-        printing.table(overview_table(found), room=_TITLE)
-        for each in found:
-            if each.solution is not None:
-                printing.warn(*(f"{each.name}: {warning}" for warning in each.solution.warnings))
-        print_written(made)
+        warnings = [f"{each.name}: {one}" for each in found if each.solution for one in each.solution.warnings]
+        print_result("", [Section("", [overview_table(found)])], warnings=warnings, written=made, piped=WIDTH)
     sys.stdout.flush()
     for each in found:
         for sentence in each.complaints:

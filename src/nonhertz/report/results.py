@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeVar
 
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
@@ -34,6 +35,8 @@ from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
 from nonhertz.verdict import Verdict, of_bearing, of_contact
 
+Given = TypeVar("Given")
+Made = TypeVar("Made")
 STRESS_STEPS = 2  # in the whole body and in a cross-section
 
 
@@ -155,22 +158,33 @@ def settled(cases: Sequence[Case | BearingCase]) -> tuple[Results, ...]:
         If a case made in Python has something no case file can hold, which a report shows, or there are cases of both
         kinds; before anything is solved.
     """
-    same = of_one_kind(cases)
-    for case in same:
+    for case in of_one_kind(cases):
         _ = case.document
-    found: list[Results] = []
+    each = list(zip(cases, labels(cases), strict=True))
+    return tuple(of_each(each, lambda one: one[0].file_name, lambda one: _solved(*one)))
+
+
+def of_each(given: Sequence[Given], name: Callable[[Given], str | Path], make: Callable[[Given], Made]) -> list[Made]:
+    """Return what is made of each.
+
+    Raises
+    ------
+    CaseError
+        With every mistake; with several, each is prefixed by the name of what it is in.
+    """
+    made: list[Made] = []
     mistakes: list[str] = []
     places: list[str] = []
-    for case, label in zip(same, labels(same), strict=True):
+    for each in given:
         try:
-            with named(case.file_name) if len(same) > 1 else contextlib.nullcontext():
-                found.append(_solved(case, label))
+            with named(name(each)) if len(given) > 1 else contextlib.nullcontext():
+                made.append(make(each))
         except CaseError as error:
             mistakes += error.mistakes
             places += error.places
     if mistakes:
         raise CaseError(mistakes, places)
-    return tuple(found)
+    return made
 
 
 def _solved(case: Case | BearingCase, label: str) -> Results:

@@ -47,6 +47,8 @@ class Table(Block):
         Class by which a page lays it out.
     title : str
         Its caption on a page.
+    room : int
+        Columns of a terminal for the words of the second column at least, which alone may be broken; 0 for no such.
     folded : str
         What a page shows in place of it until it is unfolded; empty if it is open.
     """
@@ -56,6 +58,7 @@ class Table(Block):
     words: Sequence[int] | None = None
     layout: str = "numbers"
     title: str = ""
+    room: int = 0
     folded: str = ""
 
     def __len__(self) -> int:

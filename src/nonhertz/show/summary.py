@@ -17,6 +17,7 @@ from nonhertz.show.sections import Row, Section, Table, summary
 if TYPE_CHECKING:
     from nonhertz.files.several import Attempt
 
+_TITLE = 30  # columns at least for a title
 _OVERVIEW = ("load", "max_pressure", "approach", "max_half_width", "contact_length")
 
 
@@ -48,7 +49,7 @@ def overview_table(attempts: Sequence[Attempt]) -> Table:
         heads.append(f"{quantity.label} [{unit}]")
         columns.append(["" if value is None else digits(factor * value) for value in values])
     rows = [(each.name, each.title, *cells, _remark(each)) for each, *cells in zip(attempts, *columns, strict=True)]
-    return Table(rows, ("case", "title", *heads, ""), (0, 1, len(heads) + 2))
+    return Table(rows, ("case", "title", *heads, ""), (0, 1, len(heads) + 2), room=_TITLE)
 
 
 def _remark(attempt: Attempt) -> str:
