@@ -52,6 +52,7 @@ def test_field_near_the_contact_of_a_thin_wall_is_that_of_elements():
     np.testing.assert_allclose(found.von_mises, [341.0, 753.0, 200.0, 281.0], rtol=0.01)
 
 
+@pytest.mark.slow
 def test_random_rollers_are_as_by_quadratic_elements():
     expected = np.loadtxt(DATA / "hollow-roller-stress.txt")
     for solution, values in zip(solutions(), expected, strict=True):
