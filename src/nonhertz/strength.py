@@ -25,8 +25,7 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import one_of
 from nonhertz.model.body import Body, BodyName
 from nonhertz.result.ends import ends_in_words, outermost
-from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import ReadOnly
+from nonhertz.result.solution import ReadOnly, Solved
 from nonhertz.subsurface import Extreme, Extremes, extremes
 from nonhertz.subsurface.evaluation import Within, refuse_options
 from nonhertz.subsurface.inside import Inside, checked_solution

@@ -30,8 +30,7 @@ from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import ends_in_words, outermost, step_at
-from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import EdgeKind, ReadOnly, SingularEnd, Solution
+from nonhertz.result.solution import EdgeKind, ReadOnly, SingularEnd, Solution, Solved
 from nonhertz.subsurface.evaluation import Running, refuse_options
 from nonhertz.subsurface.inside import checked_body, checked_solution
 

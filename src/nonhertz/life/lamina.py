@@ -27,7 +27,7 @@ from nonhertz.inputs.checks import one_of, text, whole
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL, STEEL_MODULUS
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import Solved
 
 Array = NDArray[np.float64]
 FEWEST, MOST = 30, 2000

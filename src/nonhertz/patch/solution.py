@@ -13,21 +13,21 @@ from nonhertz.amounts import mm
 from nonhertz.bodies.ends import FINITE_FROM, ends
 from nonhertz.bodies.solid import HERTZ, Shape
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, HasFindings
+from nonhertz.findings import Finding
 from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.patch.footprint import half_widths
 from nonhertz.patch.resources import memory
 from nonhertz.result import brief
 from nonhertz.result.ends import SAME_PLACE, corner_ends, ends_in_words, singular_ends
-from nonhertz.result.solution import ContactResult, ErrorEstimate, SingularEnd, Status, read_only
+from nonhertz.result.solution import ErrorEstimate, SingularEnd, Solved, Status, read_only
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PatchSolution(HasFindings, ContactResult):
+class PatchSolution(Solved):
     """A contact solved on a plane grid.
 
     Attributes

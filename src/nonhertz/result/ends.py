@@ -11,8 +11,7 @@ from nonhertz.amounts import mm
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
 from nonhertz.result.maximum import distance_beyond, singular_y
-from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import EdgeKind, EdgePressure, SingularEnd
+from nonhertz.result.solution import EdgeKind, EdgePressure, SingularEnd, Solved
 from nonhertz.strip.overlaps import runs
 
 Array = NDArray[np.float64]

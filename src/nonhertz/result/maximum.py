@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from nonhertz.compiled import compiled, plain_array
 
 if TYPE_CHECKING:
-    from nonhertz.result.protocol import Solved
+    from nonhertz.result.solution import Solved
 
 Array = NDArray[np.float64]
 

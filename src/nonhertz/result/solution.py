@@ -7,12 +7,13 @@ import math
 import os
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import EndStrength
+from nonhertz.bodies.solid import Shape
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import broadcast, numbers
@@ -32,7 +33,6 @@ if TYPE_CHECKING:
     from nonhertz.result.gradient import Gradient
     from nonhertz.result.measures import Measure
     from nonhertz.result.nodes import NodalLoads
-    from nonhertz.result.protocol import Solved
 
 Array = NDArray[np.float64]
 Values = TypeVar("Values", bound=NDArray[Any])
@@ -225,24 +225,107 @@ def read_only(array: Values) -> Values:
     return array
 
 
-class ContactResult(ReadOnly):
-    """What strips and plane grid derive from their arrays in the same way, and how both are printed."""
+if TYPE_CHECKING:
+
+    class _Derived:
+        """What is a field of one of both, and is worked out by the other."""
+
+        @property
+        def penetration(self) -> float: ...
+        @property
+        def y(self) -> Array: ...
+        @property
+        def edges(self) -> Array: ...
+        @property
+        def line_load(self) -> Array: ...
+        @property
+        def half_width(self) -> Array: ...
+        @property
+        def centre_pressure(self) -> Array: ...
+        @property
+        def largest_across(self) -> Array: ...
+        @property
+        def extent_across(self) -> tuple[Array, Array]: ...
+        @property
+        def symmetric_across(self) -> bool: ...
+        @property
+        def shape(self) -> Shape: ...
+        @property
+        def contact_y(self) -> tuple[tuple[float, float], ...]: ...
+        @property
+        def singular_ends(self) -> tuple[SingularEnd, ...]: ...
+        @property
+        def peaks_at_corner(self) -> bool: ...
+
+else:
+    _Derived = object
+
+
+class Solved(HasFindings, ReadOnly, _Derived):
+    """A solved contact, on strips or on a plane grid: what code that reads a result relies on.
+
+    Attributes
+    ----------
+    contact : Contact
+        What was solved.
+    status : Status
+        How the solve ended.
+    approach, tilt : float
+        delta [mm] and gamma [rad].
+    load, moment : float
+        Q [N] and T [N mm].
+    penetration : float
+        The largest interference of the undeformed bodies [mm].
+    y : ndarray, shape (n,)
+        Centres of the strips, or of the rows of cells [mm], ascending.
+    edges : ndarray, shape (n + 1,)
+        Their edges [mm].
+    line_load : ndarray, shape (n,)
+        Load per length q [N/mm].
+    half_width : ndarray, shape (n,)
+        b [mm].
+    centre_pressure, largest_across : ndarray, shape (n,)
+        Pressure p0 on the centre line, and the largest one across the contact [MPa].
+    extent_across : tuple of ndarray, shape (n,)
+        Middle of the contact across, and half of its extent [mm].
+    symmetric_across : bool
+        Whether the pressure is the same at x and at -x.
+    shape : Shape
+        Shape of the pressure across that the influence is computed with.
+    contact_y : tuple of (float, float)
+        The intervals in contact along y [mm], ascending.
+    singular_ends : tuple of SingularEnd
+        The ends at which the pressure has no limit, ascending.
+    peaks_at_corner : bool
+        Whether the largest pressure is at a corner of the profile, where it has no limit.
+    error_estimate : ErrorEstimate
+        Estimated discretisation errors.
+    findings : tuple of Finding
+        What strains the model.
+    """
+
+    contact: Contact
+    status: Status
+    approach: float
+    tilt: float
+    load: float
+    moment: float
+    error_estimate: ErrorEstimate
 
     def __repr__(self) -> str:
         return brief.plain_text(type(self).__name__, self._said())
 
     def _repr_html_(self) -> str:
-        return brief.drawn(type(self).__name__, self._said(), cast("Solved", self))
+        return brief.drawn(type(self).__name__, self._said(), self)
 
     def _said(self) -> list[str]:
         raise NotImplementedError
 
     @cached_property
     def _largest(self) -> tuple[float, float]:
-        solved = cast("Solved", self)
-        if not solved.contact_y:
+        if not self.contact_y:
             return 0.0, math.nan
-        pressure, y = largest_pressure(solved.y, solved.largest_across, solved.half_width, singular_y(solved))
+        pressure, y = largest_pressure(self.y, self.largest_across, self.half_width, singular_y(self))
         return float(pressure), float(y)
 
     @property
@@ -256,23 +339,18 @@ class ContactResult(ReadOnly):
         return self._largest[1]
 
     @cached_property
-    def _widest(self) -> float:
-        solved = cast("Solved", self)
-        return float(largest_half_width(solved.y, solved.half_width, singular_y(solved))[0])
-
-    @property
     def max_half_width(self) -> float:
         """The largest half-width more than a half-width from `singular_ends` [mm], zero where nothing touches."""
-        return self._widest
+        return float(largest_half_width(self.y, self.half_width, singular_y(self))[0])
 
     @property
-    def contact_length(self: Solved) -> float:
+    def contact_length(self) -> float:
         """Length of all intervals in contact together [mm]."""
         return math.fsum(high - low for low, high in self.contact_y)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Solution(HasFindings, ContactResult):
+class Solution(Solved):
     """A solved contact.
 
     Attributes

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, callback, finite, flag, numbers, thread_count, whole
 from nonhertz.model.body import BodyName
-from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import Solved
 from nonhertz.subsurface.field import Field
 from nonhertz.subsurface.inside import LEAST, NARROWING, Inside, checked_body, checked_solution
 

@@ -24,8 +24,7 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import Body, BodyName
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import Solution
+from nonhertz.result.solution import Solution, Solved
 from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.field import TAU_XY, TAU_YZ
 from nonhertz.subsurface.free_faces import FreeFaceField, Spectrum

@@ -17,8 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.hertz import LineContact
 from nonhertz.inputs.checks import broadcast
 from nonhertz.model.body import BodyName
-from nonhertz.result.protocol import Solved
-from nonhertz.result.solution import ReadOnly
+from nonhertz.result.solution import ReadOnly, Solved
 from nonhertz.subsurface.evaluation import POINTS_REMEDY, Within, across_at, field_at, finite_numbers, refuse_options
 from nonhertz.subsurface.field import TAU_XZ, max_shear_of, orthogonal_shear_of, von_mises_of
 from nonhertz.subsurface.inside import Inside, checked_solution

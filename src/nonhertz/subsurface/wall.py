@@ -18,7 +18,7 @@ from nonhertz.bodies.depths.finite import bending_of
 from nonhertz.bodies.wall_stress import OPPOSITE, TOP
 from nonhertz.compiled import compiled, plain_array
 from nonhertz.model.body import Body
-from nonhertz.result.protocol import Solved
+from nonhertz.result.solution import Solved
 from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.free_faces import FreeFaceField
 from nonhertz.subsurface.tails import TWO_PI
