@@ -207,6 +207,35 @@ def test_every_place_of_a_slider_of_loads_can_be_solved(document):
             assert again.range == field.slider.range, "it would run away from the hand"
 
 
+def test_what_a_bearing_cannot_have_is_not_offered():
+    def offered(name: str) -> set[str]:
+        return {each.path for each in form(tomllib.loads(starting_bearing(name)), "bearing").fields}
+
+    assert any(path.startswith("fit") for path in offered("cylindrical"))
+    assert not any(path.startswith("fit") for path in offered("thrust"))
+    assert not {"inner.diameter", "outer.diameter"} & offered("thrust")
+    # A raceway has one diameter: there is no choice of a table of y and diameter.
+    for name in ("cylindrical", "tapered-pair"):
+        every = list(form(tomllib.loads(starting_bearing(name)), "bearing").fields)
+        assert [each.label for each in every if each.kind == "switch" and each.path.endswith("diameter")] == [
+            "diameter by"
+        ]
+    assert "inner.diameter" in offered("cylindrical")
+
+
+def test_a_bounded_profile_beside_corners_is_not_dragged_off_its_roller():
+    def slider(document: dict[str, Any]) -> Any:
+        return next(each.slider for each in form(document, "bearing").fields if each.path == "roller.profile[1].shift")
+
+    bounded = tomllib.loads(starting_bearing("cylindrical"))
+    assert slider(bounded) is None
+    crowned = changed(bounded, "roller.profile", [{"kind": "crown", "radius": 1500.0}])
+    found = slider(crowned)
+    assert found is not None
+    for shift in (found.range.low, found.range.high):
+        assert answer(changed(crowned, "roller.profile", [{"kind": "crown", "radius": 1500.0, "shift": shift}]))["ok"]
+
+
 def test_what_a_bearing_does_not_bear_has_no_slider():
     assert fields(FEW)["load.axial"].slider is None
     assert fields(changed(FEW, "bearing.design", "NUP"))["load.axial"].slider is not None

@@ -28,7 +28,7 @@ from nonhertz.inputs.fields import Count, Flag, OneOrTwo, Part, Quantities, Word
 from nonhertz.model.body import Body
 from nonhertz.web.form.fields import Edits, FormField, FormGroup, Option, text_in
 from nonhertz.web.form.inputs import ABSENT, input_for, label_of, stray
-from nonhertz.web.form.ranges import ENDS, ONE, Range, of_body, ranges_of
+from nonhertz.web.form.ranges import ENDS, ONE, Range, of_body, ranges_of, size_of
 
 #: Keys that all kinds of profile have, kept when the kind is changed.
 COMMON: Final = ("shift", "scale", "flip")
@@ -42,6 +42,8 @@ FOLDED: Final = (
 )
 #: Keys that are a number in the form, unless a file has a table in their place.
 MOSTLY_NUMBERS: Final = ("bore",)
+#: Parts of a bearing whose diameter is that of a raceway, one number.
+RINGS: Final = ("inner", "outer")
 #: Files are dropped or pasted: the page reads none by name.
 UNREAD: Final = "file"
 #: The most frequently changed keys come first; the rest in the order of their class.
@@ -57,6 +59,7 @@ _NOT_BESIDE: Final = {
 _ONLY_BESIDE: Final = {"at": "drop", "chamfer": "length"}
 #: Of a bearing file, what another kind of bearing leaves as it is.
 _OF_ALL_BEARINGS: Final = ("format", "solver", "report")
+_NOTICEABLE: Final = 0.1  # of the length of a body, by which a slider moves a profile
 #: What a kind of body needs; a diameter if it is not listed.
 _NEEDED: Final = {"roller": ("diameter", "length"), "plate": ()}
 
@@ -66,14 +69,18 @@ def form(document: dict[str, Any], file: Literal["case", "bearing"] = "case") ->
     whole = table_of(CaseDocument if file == "case" else BearingFile)
     asked = {name: key for name, key in whole.keys.items() if name != "format"}
     given = {name: value for name, value in document.items() if name != "format" or value != FORMAT}
-    return _Maker(ranges_of(document, file)).group(replace(whole, keys=asked), given, (), "Case")
+    return _Maker(ranges_of(document, file), document.get("bearing")).group(
+        replace(whole, keys=asked), given, (), "Case"
+    )
 
 
 class _Maker:
     """Makes the parts of a form, whose sliders have these ranges."""
 
-    def __init__(self, ranges: Mapping[str, Range | None]) -> None:
+    def __init__(self, ranges: Mapping[str, Range | None], bearing: Any = None) -> None:
         self.ranges = ranges
+        #: Whether the rings are washers, flat and without seats that would press on a raceway.
+        self.washers = isinstance(bearing, dict) and bearing.get("kind") == "thrust"
         #: What the profile of the body says of its size, in place of the usual start.
         self.sizes: Mapping[str, float] = {}
 
@@ -102,7 +109,7 @@ class _Maker:
         keys, ranges = named.keys, self.ranges
         if "profile" in keys:
             self.sizes = _sizes(given, named)
-            self.ranges = {**ranges, **of_body(given)}
+            self.ranges = {**ranges, **of_body(given), **({} if _can_be_moved(given, named) else {"shift": None})}
         if {"load", "radius"} <= set(keys):
             # The radius of a profile for a design load is the one across the contact.
             self.ranges = {**ranges, "radius": ranges["across.radius"]}
@@ -111,6 +118,8 @@ class _Maker:
         members += self._switches(named, given, place)
         folded: list[FormField | FormGroup] = []
         shown = set(keys) - _unchosen(named, given)
+        if self.washers and (not place or place[0] in RINGS):
+            shown -= {"fit", "diameter"} - set(given)
         for name in sorted(shown, key=[*FIRST, *keys].index):
             entry = self._member(keys[name], given.get(name, ABSENT), (*place, name), given, named)
             unfolded = keys[name].usual is MISSING or any(name in pair for pair in named.pairs)
@@ -133,7 +142,8 @@ class _Maker:
         plain = isinstance(each, Part) and not each.named
         if key.tables and (plain or (name in MOSTLY_NUMBERS and isinstance(value, dict))):
             return self._table(key, value, place)
-        if key.tables and name not in MOSTLY_NUMBERS:
+        alone = name in MOSTLY_NUMBERS or (name == "diameter" and place[0] in RINGS and not isinstance(value, dict))
+        if key.tables and not alone:
             return self._value_or_table(key, value, place)
         made = input_for(key, value, place, self._range(place))
         return replace(made, default=_usual_depth(given, within)) if name == "depth" else made
@@ -358,6 +368,19 @@ def _sizes(given: dict[str, Any], body: Table) -> dict[str, float]:
     drop = float(made.profile.relief(end) - made.profile.relief(0.0))
     values = {name: value for name, value in entry[1].items() if isinstance(value, float)} | {"drop": drop}
     return {name: float(f"{value:.4g}") for name, value in values.items() if math.isfinite(value) and value}
+
+
+def _can_be_moved(given: dict[str, Any], body: Table) -> bool:
+    """Return whether the profiles of a body leave room to be moved: beside corners, a bounded one leaves none."""
+    if not {"corner_radius", "chamfer"} & set(given) or not isinstance(given.get("profile"), list | dict):
+        return True
+    shift = _NOTICEABLE * size_of("length", given.get("length"))
+    moved = [each | {"shift": shift} if isinstance(each, dict) else each for each in profile_tables(given)]
+    try:
+        read(Body, given | {"profile": moved}, likely=body.likely)
+    except InputError:
+        return False
+    return True
 
 
 def _unchosen(table: Table, given: dict[str, Any]) -> set[str]:

@@ -191,7 +191,7 @@ def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]
 
 def of_body(given: Mapping[str, Any]) -> dict[str, Range]:
     """Return the ranges of what lies on a body or is cut out of it, as far as its length and diameter are known."""
-    length, diameter = (_size(name, given.get(name)) for name in ("length", "diameter"))
+    length, diameter = (size_of(name, given.get(name)) for name in ("length", "diameter"))
     corner = Range(_DECADES * length, 0.25 * length, "log", 0.05 * length)
     of_length = {
         "at": Range(0.25 * length, _WITHIN * length, "linear", 0.45 * length),
@@ -202,7 +202,7 @@ def of_body(given: Mapping[str, Any]) -> dict[str, Range]:
     return (of_length if length else {}) | (bore if diameter else {})
 
 
-def _size(name: str, value: Any) -> float:
+def size_of(name: str, value: Any) -> float:
     """Return the size of a dimension [mm]; zero where it is not a plain one."""
     try:
         size = in_unit(name, value, "mm")
@@ -252,6 +252,7 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range | None]:
         "axial_clearance": loose,
         "interference": _around(_TIGHT * pitch),
         "smoothing": Range(0.0, _stop(_TIGHT * pitch), "linear", 0.0),
+        **dict.fromkeys(("position", "shift", "centre"), _around(0.5 * length)),
         **_of_seat("shaft", row.inner, 0.5, 0.8, 0.95),
         **_of_seat("housing", row.outer, 1.05, 1.2, 1.6),
         "speed": Range(0.01 * _stop(_FASTEST / pitch), _stop(_FASTEST / pitch), "linear", 0.0),
