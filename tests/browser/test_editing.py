@@ -239,6 +239,28 @@ def test_what_was_drawn_goes_when_another_case_is_begun_and_comes_with_its_answe
     desk.settle()
 
 
+def test_a_sketch_shows_what_is_pressed_on_what_and_marks_what_is_changed(desk: Desk) -> None:
+    sketch, marked = desk.page.locator("#sketch > svg"), desk.page.locator("#sketch .changed")
+    bodies = "body a, diameter 20.00 mm, 20.00 mm long pressed on body b, flat"
+    assert sketch.get_attribute("aria-label") == f"At scale: {bodies}."
+    assert marked.count() == 0
+    desk.write("body.a.diameter", "30 mm")
+    assert sketch.get_attribute("aria-label") == f"At scale: {bodies.replace('diameter 20', 'diameter 30')}."
+    assert marked.get_attribute("class") == "body a changed"
+    width, height = (
+        marked.locator("path").nth(view).evaluate(f"shape => shape.getBBox().{side}")
+        for view, side in ((1, "width"), (0, "height"))
+    )
+    assert_allclose(width / height, 20.0 / 30.0, rtol=1e-3)
+    desk.write("load.load", "10 kN")
+    assert marked.get_attribute("class") == "load changed"
+    desk.page.locator("#templates summary").click()
+    desk.press('[data-template="spherical"]')
+    assert "hollow, diameter" in sketch.get_attribute("aria-label")
+    assert marked.count() == 0
+    desk.photograph("sketch")
+
+
 def test_a_slow_answer_is_waited_for_and_given_up(desk: Desk) -> None:
     before = desk.numbers
     desk.page.route("**/solve", lambda route: None, times=1)

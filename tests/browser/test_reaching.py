@@ -89,7 +89,7 @@ def test_every_input_has_a_name_and_every_figure_words(desk: Desk) -> None:
     labels = desk.page.locator("main [role=img]").evaluate_all(
         "all => all.map(each => each.getAttribute('aria-label'))"
     )
-    assert len(labels) == 8  # four figures along the contact, two of stress, two profiles
+    assert len(labels) == 9  # the sketch, four figures along the contact, two of stress, two profiles
     assert all(label.endswith(".") for label in labels)
     identifiers = desk.page.locator("[id]").evaluate_all("all => all.map(each => each.id)")
     assert len(set(identifiers)) == len(identifiers)

@@ -4,6 +4,7 @@ import { Curve } from "./curve.js";
 import { byId } from "./elements.js";
 import { Live, post } from "./live.js";
 import { roundTrip, watchProgram } from "./status.js";
+import { Sketch } from "./sketch.js";
 import { Strength } from "./strength.js";
 import { View } from "./view.js";
 import { Work } from "./work.js";
@@ -13,6 +14,7 @@ let refining = 0;
 
 const view = new View((profiles) => work.drawProfiles(profiles));
 const curve = new Curve(byId("case"));
+const sketch = new Sketch(byId("case"));
 const strength = new Strength((found) => view.searched(found));
 
 const live = new Live({
@@ -21,7 +23,10 @@ const live = new Live({
     if (answer.ok) view.show(document, answer);
     else view.refuse(document, answer);
     if (stress) showStress(answer, false);
-    if (answer.ok) curve.at(document, answer.key);
+    if (answer.ok) {
+      curve.at(document, answer.key);
+      sketch.draw(answer.bodies);
+    }
     roundTrip(since, begun, answer);
   },
   stressed(answer) {
@@ -73,7 +78,10 @@ const work = new Work(JSON.parse(byId("start").textContent), {
   },
   drawn: () => curve.offer(),
   renamed: () => curve.reread(),
-  begun: () => view.clear(),
+  begun() {
+    view.clear();
+    sketch.clear();
+  },
 });
 
 for (const choice of document.querySelectorAll("[name=stress-unit]"))

@@ -176,13 +176,13 @@ function sector(from, to, low, high) {
   return `M${point(from, low)}L${point(from, high)}${out}L${point(to, low)}${back}Z`;
 }
 
-function made(name, attributes) {
+export function made(name, attributes) {
   const element = document.createElementNS(SPACE, name);
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
   return element;
 }
 
-function text(x, y, words, style) {
+export function text(x, y, words, style) {
   const element = made("text", { x: x.toFixed(1), y: y.toFixed(1), class: style });
   element.textContent = words;
   return element;

@@ -14,6 +14,7 @@
  *   verdict: {level: string, words: string, sentence: string} | null,
  *   summary: [string, string, string][], key: Key, profiles: Profiles, interval: [number | null, number | null],
  *   span: [number, number],
+ *   bodies: Record<"a" | "b", import("./sketch.js").Seen>,
  *   line: {y: (number | null)[], pressure: (number | null)[], half_width: (number | null)[], line_load: (number | null)[]},
  *   footprint: {y: (number | null)[], half_width: (number | null)[], pressure: (number | null)[]},
  *   gap: {y: number[], before: (number | null)[], after: (number | null)[], range: [number, number] | null},

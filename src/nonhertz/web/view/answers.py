@@ -60,6 +60,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "gap": _gap(solution),
         "life": None if complaint or not solution.contact_y else _life(case, solution),
         "profiles": profiles({"a": case.contact.a, "b": case.contact.b}),
+        "bodies": {"a": _seen(case.contact.a), "b": _seen(case.contact.b)},
         "interval": plain(case.contact.interval),
         "span": _span(solution),
         "contact": plain(solution.contact_y),
@@ -128,6 +129,13 @@ def lines(solution: Solution) -> dict[str, list[float | None]]:
         for name, column in found.items():
             column += [*([None] if column else []), *piece[name]]
     return found
+
+
+def _seen(body: Body) -> dict[str, Any]:
+    """Return what a sketch at scale shows of a body: its curvature in the middle, and where it ends."""
+    low, high = body.interval
+    middle = 0.5 * (low + high) if math.isfinite(high - low) else body.position
+    return {"curvature": float(body.curvature(middle)), "interval": plain(body.interval)}
 
 
 def _span(solution: Solution) -> list[float]:
