@@ -248,8 +248,8 @@ EXCESSES = {
         "must have at most 2000 entries",
     ),
     "load": (changed(load={f"k{n}": n for n in range(41)}), "must have at most 40 keys"),
-    "load.tilt": (changed(load={"load": 1.0, "tilt": None}), "load.tilt = None must be a number"),
-    "life.models[2]": (changed(life={"models": ["weibull", None]}), "life.models[2] = None must be a number"),
+    "load.tilt": (changed(load={"load": 1.0, "tilt": None}), "load.tilt must be a number"),
+    "life.models[2]": (changed(life={"models": ["weibull", None]}), "life.models[2] must be a number"),
 }
 
 
