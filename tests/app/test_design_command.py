@@ -6,26 +6,11 @@ import json
 from pathlib import Path
 
 import pytest
+from crowned_roller import CASE
 
 import nonhertz as nh
 from nonhertz.cli import main
 
-CASE = """
-title = "A roller on a plate"
-[body.a]
-diameter = 20.0
-length = 20.0
-profile = [{ kind = "crown", radius = "4 m" }]
-side_faces = "none"
-depth = "none"
-[body.b]
-side_faces = "none"
-depth = "none"
-[load]
-load = "20 kN"
-[solver]
-strips = 41
-"""
 PLAN = """
 case = "roller.toml"
 [vary]
@@ -120,7 +105,7 @@ def test_a_front_of_aligned_and_misaligned_loads(folder, capsys):
         f"case-{k}.toml" for k in range(1, len(points) + 1)
     }
     case = nh.read_case(folder / "plan-design" / "case-1.toml")
-    again = nh.solve(case.contact, load=20e3, strips=41)
+    again = nh.solve(case.contact, load=20e3, strips=case.solver["strips"])
     assert again.max_pressure == pytest.approx(points[0]["max_pressure_without_tilt"], rel=1e-6)
     assert len((folder / "plan-design" / "front.csv").read_text(encoding="utf-8").splitlines()) == 1 + len(points)
 

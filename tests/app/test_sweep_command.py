@@ -13,23 +13,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from crowned_roller import CASE
 
 from nonhertz.cli import main
-
-CASE = """
-title = "A roller on a plate"
-[body.a]
-diameter = 20.0
-length = 20.0
-profile = [{ kind = "crown", radius = "4 m" }]
-side_faces = "none"
-depth = "none"
-[body.b]
-side_faces = "none"
-depth = "none"
-[load]
-load = "20 kN"
-"""
 
 
 @pytest.fixture
