@@ -5,6 +5,7 @@ A command is a function in a module of its own, which is imported when it runs; 
 
 from __future__ import annotations
 
+import ast
 import contextlib
 import contextvars
 import itertools
@@ -12,6 +13,7 @@ import re
 import sys
 import warnings
 from collections.abc import Iterator, Sequence
+from importlib import resources
 from pathlib import Path
 
 from cyclopts import App, CycloptsError, UnusedCliTokensError
@@ -21,52 +23,12 @@ from nonhertz.amounts import choose_units
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.errors import ConvergenceError, InputError
 
-#: Module and function of each command, and the first line of its docstring, for the list of all without importing any.
-COMMANDS = {
-    "solve": ("solve:solve", "Solve case files and print a summary, or a table of several."),
-    "bearing": ("bearing:bearing", "Solve a bearing file and print loads, pressures and life of the whole bearing."),
-    "compare": (
-        "compare:compare",
-        "Solve a case file with strips of both elements and on a plane grid, and compare them.",
-    ),
-    "stress": ("stress:stress", "Solve a case file and find the largest stresses below the surface."),
-    "life": ("life:life", "Solve a case file and assess how long both bodies last by several fatigue models."),
-    "report": (
-        "report:report",
-        "Solve case files or bearing files and write one HTML report that anyone can open in a browser.",
-    ),
-    "profile": ("profile:profile", "Prepare a measured profile step by step, and say what each step did."),
-    "map": (
-        "map:contact_map",
-        "Make a map of a case: load, moment and stiffness over approach and tilt, for other programs.",
-    ),
-    "nodes": (
-        "nodes:nodes",
-        "Solve a case file and find pressures and forces at the nodes of a finite element mesh.",
-    ),
-    "design": (
-        "design:design",
-        "Find the profile or the dimensions with the least largest pressure, or the longest life.",
-    ),
-    "sweep": ("sweep:sweep_plan", "Solve a case or a bearing for many values of what its file holds."),
-    "tolerance": (
-        "tolerance:study_tolerance",
-        "Find how results are distributed when dimensions and loads are, and which tolerance matters.",
-    ),
-    "check": ("check:check", "List all mistakes in a case file, a bearing file or a plan."),
-    "materials": ("materials:materials", "List the materials that a case file may name, with what they bear."),
-    "new": ("new:new", "Write a commented case file, bearing file or plan to start from."),
-    "schema": (
-        "schema:schema",
-        "Print the JSON schema of case, bearing, plan or result files, by which editors and other programs check them.",
-    ),
-    "serve": (
-        "serve:serve",
-        "Open a page in the browser on which to change a case or a bearing and see it solved as you type.",
-    ),
-    "warm": ("warm:warm", "Compile everything now, so that no later command has to: for containers and CI."),
-    "verify": ("verify:verify", "Compare with publications, exact solutions and other methods."),
-}
+#: A command is a module, and a function in it of the same name unless another is named here.
+COMMANDS = (
+    *("solve", "bearing", "compare", "stress", "life", "report", "profile", "map", "nodes", "design", "sweep"),
+    *("tolerance", "check", "materials", "new", "schema", "serve", "warm", "verify"),
+)
+_FUNCTIONS = {"map": "contact_map", "sweep": "sweep_plan", "tolerance": "study_tolerance"}
 _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 
 
@@ -81,9 +43,18 @@ def _application(listed: bool) -> App:
         print_error=False,
         suppress_keyboard_interrupt=False,
     )
-    for name, (place, line) in COMMANDS.items():
-        found.command(f"nonhertz.cli.{place}", name=name, **({"help": line} if listed else {}))
+    for name in COMMANDS:
+        function = _FUNCTIONS.get(name, name)
+        more = {"help": _first_line(name, function)} if listed else {}
+        found.command(f"nonhertz.cli.{name}:{function}", name=name, **more)
     return found
+
+
+def _first_line(module: str, function: str) -> str:
+    """Return the first line of a command's docstring, without importing what it is in."""
+    source = resources.files("nonhertz.cli").joinpath(f"{module}.py").read_text("utf-8")
+    (found,) = (each for each in ast.parse(source).body if isinstance(each, ast.FunctionDef) and each.name == function)
+    return (ast.get_docstring(found) or "").partition("\n")[0]
 
 
 app = _application(listed=False)
