@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import base64
 import json
 import re
-from html.parser import HTMLParser
 from pathlib import Path
 
 import numpy as np
 import pytest
 from few_rollers import PAIR, SIX, changed
+from report_page import Page
 
 import nonhertz as nh
 import nonhertz.report.layout
@@ -41,33 +40,6 @@ load = "6 kN"
 """
 RIB = "rib = { end_radius = 140, height = 4.8 }"
 TAPERED = changed(PAIR, ('"pair"', '"Pair"'), ("pair = ", f"{RIB}\npair = "))
-
-
-class Page(HTMLParser):
-    """What stands in a page."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__(convert_charrefs=True)
-        self.elements: list[tuple[str, dict[str, str]]] = []
-        self.words: list[str] = []
-        self.inside = ""
-        self.feed(text)
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.elements.append((tag, {name: value or "" for name, value in attrs}))
-        self.inside = tag
-
-    def handle_data(self, data: str) -> None:
-        if self.inside != "style":
-            self.words.append(data)
-
-    @property
-    def text(self) -> str:
-        return " ".join(" ".join(self.words).split())
-
-    def files(self) -> dict[str, bytes]:
-        links = [attributes for tag, attributes in self.elements if tag == "a" and "download" in attributes]
-        return {link["download"]: base64.b64decode(link["href"].partition("base64,")[2]) for link in links}
 
 
 def case_of(text: str, name: str = "bearing.toml") -> BearingCase:
