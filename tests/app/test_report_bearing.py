@@ -171,6 +171,19 @@ def test_a_bearing_without_balance_is_reported_as_such(folder, capsys, monkeypat
     assert main(["report", "few.toml", "sliced.toml", "--out", "two.html"]) == 1
 
 
+def test_bearings_are_announced_and_a_comparison_without_balance_is_told(few, monkeypatch):
+    announced: list[str] = []
+    (solved,) = settled([few.case], announced.append)
+    assert announced == ["bearing"]
+
+    def stop(*_: object, **__: object) -> None:
+        raise nh.ConvergenceError("No balance.", None)
+
+    monkeypatch.setattr("nonhertz.bearing.verb.solve", stop)
+    (found,) = examined([solved], compare=True)
+    assert (found.solution, found.complaint) == (None, "No balance.")
+
+
 # What it says
 
 

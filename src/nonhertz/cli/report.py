@@ -78,7 +78,8 @@ def report(
         remedy = f"use 'nonhertz compare {first.path}' for strips beside the plane grid"
         raise InputError("--compare", str(first.path), "be used with bearing files", remedy)
     refuse_unwritable(path.parent)
-    found = settled(read)
+    with Progress(len(read)) as progress:
+        found = settled(read, progress.announce)
     with Progress(steps(found, life=life, stress=stress) + 1) as progress:
         found = examined(found, life=life, stress=stress, compare=compare, announce=progress.announce)
         progress.announce("figures")

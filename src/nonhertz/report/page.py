@@ -96,7 +96,7 @@ def compose(
         remedy = "make one with nonhertz.report.TitleBlock"
         raise InputError("title_block", title_block, "be a TitleBlock", remedy)
     with read_in(units):
-        found = examined(settled(cases), life=life, stress=stress, compare=compare, announce=announce)
+        found = examined(settled(cases, announce), life=life, stress=stress, compare=compare, announce=announce)
         return rendered(found, title_block)
 
 

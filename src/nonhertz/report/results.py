@@ -147,8 +147,8 @@ def of_one_kind(cases: Sequence[Case | BearingCase]) -> Sequence[Case | BearingC
     return cases
 
 
-def settled(cases: Sequence[Case | BearingCase]) -> tuple[Results, ...]:
-    """Return the solutions of all cases, or of all bearings.
+def settled(cases: Sequence[Case | BearingCase], announce: Announce = in_silence) -> tuple[Results, ...]:
+    """Return the solutions of all cases, or of all bearings; ``announce`` is called with the label of each.
 
     Raises
     ------
@@ -161,7 +161,7 @@ def settled(cases: Sequence[Case | BearingCase]) -> tuple[Results, ...]:
     for case in of_one_kind(cases):
         _ = case.document
     each = list(zip(cases, labels(cases), strict=True))
-    return tuple(of_each(each, lambda one: one[0].file_name, lambda one: _solved(*one)))
+    return tuple(of_each(each, lambda one: one[0].file_name, lambda one: _solved(*one, announce)))
 
 
 def of_each(given: Sequence[Given], name: Callable[[Given], str | Path], make: Callable[[Given], Made]) -> list[Made]:
@@ -187,7 +187,8 @@ def of_each(given: Sequence[Given], name: Callable[[Given], str | Path], make: C
     return made
 
 
-def _solved(case: Case | BearingCase, label: str) -> Results:
+def _solved(case: Case | BearingCase, label: str, announce: Announce) -> Results:
+    announce(label)
     if isinstance(case, Case):
         return CaseResults(case, label, *attempted(case))
     with without_accuracy_warnings():
@@ -223,7 +224,11 @@ def examined(
     announce : callable
         Called with the name of each step as it begins; `steps` returns how often.
     """
-    after = [_after(each, life is not False, stress, compare, announce) for each in found]
+    after = of_each(
+        found,
+        lambda each: each.case.file_name,
+        lambda each: _after(each, life is not False, stress, compare, announce),
+    )
     living = [each for each in after if isinstance(each, CaseResults) and _wants_life(each, life)]
     with_lives = iter(_assessed(living, announce))
     return tuple(next(with_lives) if each in living else each for each in after)
@@ -246,7 +251,10 @@ def _after(found: Results, rated: bool, stress: bool, compare: bool, announce: A
         with without_accuracy_warnings():
             life, reason = found.case.rated(found.solution) if rated else (None, "")
             by_strips = found.solution.method == "strips"
-            slices = found.case.solve("slices") if compare and by_strips else None
+            try:
+                slices = found.case.solve("slices") if compare and by_strips else None
+            except ConvergenceError as error:
+                return BearingResults(found.case, found.label, None, str(error))
         return replace(found, life=life, reason=reason, slices=slices)
     if not stress:
         return found
