@@ -18,6 +18,7 @@ from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
+from nonhertz.show.lives import of_life
 from nonhertz.show.sections import Row, Said, Section, Table, summary
 from nonhertz.study.quantities import number_of
 from nonhertz.verdict import STATIC_LIMIT
@@ -29,6 +30,7 @@ _COMPARED = (
       for axis in axes),
     "max_load", "loaded_rollers",
 )  # fmt: skip
+_REVOLUTIONS = " million revolutions"
 _PLAY = 1e-3  # mm, below which diameters are rounded
 
 
@@ -97,9 +99,9 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
             "knows neither preload nor moment" if unknown else "",
         ),
         ("static safety", "none" if unknown else safety, ""),
-        ("life L10", "none" if unknown else _revolutions(found.basic), "ISO 281, of bearing steel"),
-        ("L10r", _revolutions(found.reference), found.no_reference or "laminae of ISO/TS 16281"),
-        ("modified life", _revolutions(found.modified), _hours(found.modified, speed)),
+        ("life L10", "none" if unknown else of_life(found.basic, _REVOLUTIONS), "ISO 281, of bearing steel"),
+        ("L10r", of_life(found.reference, _REVOLUTIONS), found.no_reference or "laminae of ISO/TS 16281"),
+        ("modified life", of_life(found.modified, _REVOLUTIONS), _hours(found.modified, speed)),
         _factors_row(found),
     ]
 
@@ -370,12 +372,6 @@ def _row_numbers(bearing: RollerBearing | Paired) -> Iterator[str]:
 
 def _degrees(angle: float) -> str:
     return f"{math.degrees(angle):.1f}"
-
-
-def _revolutions(value: float) -> str:
-    if math.isnan(value):
-        return "none"
-    return f"{digits(value, 4)} million revolutions" if math.isfinite(value) else "no damage"
 
 
 def _hours(millions: float, speed: float | None) -> str:

@@ -51,7 +51,7 @@ def ratio_rows(found: Assessment, other: Assessment) -> list[tuple[str, ...]]:
         (
             life.model.name,
             *_lives(other, number),
-            *(_relative(found.over(other, body, number)) for body in BODIES),
+            *(of_life(found.over(other, body, number)) for body in BODIES),
         )
         for number, life in enumerate(found.lives["a"])
     ]
@@ -86,7 +86,7 @@ def _of_dents(found: Assessment) -> list[str]:
     number = (
         f"{dents:g} dent{'s' * (dents != 1)}" if per_area is None else f"{per_area:.4g} dents on a square millimetre"
     )
-    lives = ", ".join(f"{_relative(life)} ({name})" for name, life in found.dent_lives.items())
+    lives = ", ".join(f"{of_life(life)} ({name})" for name, life in found.dent_lives.items())
     verb = "leaves" if (per_area, dents) == (None, 1) else "leave"
     lines = [f"{number} in the raceway of body {found.dent.body} {verb} this part of its life: {lives}."]
     if any(getattr(life.model, "stress", "") == "orthogonal_shear" for life in found.lives["b"]):
@@ -120,14 +120,15 @@ def _spectrum(found: Assessment) -> list[Table]:
 
 def _lives(found: Assessment, number: int) -> tuple[str, ...]:
     revolutions = found.million_revolutions(number)
-    relative = (_relative(found.lives[body][number].relative) for body in BODIES)
-    return *relative, "" if revolutions is None else _relative(revolutions)
+    relative = (of_life(found.lives[body][number].relative) for body in BODIES)
+    return *relative, "" if revolutions is None else of_life(revolutions)
 
 
-def _relative(value: float) -> str:
+def of_life(value: float, unit: str = "") -> str:
+    """Return a life in words, with its unit; none where there is no number, and where there is no damage."""
     if math.isnan(value):
         return "none"
-    return digits(value, 4) if math.isfinite(value) else "no damage"
+    return f"{digits(value, 4)}{unit}" if math.isfinite(value) else "no damage"
 
 
 def _integrand(model: Model) -> str:

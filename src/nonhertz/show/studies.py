@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -83,7 +83,7 @@ def sweep_rows(sweep: Sweep) -> list[tuple[str, str, str, str]]:
     for quantity in sweep.quantities:
         ends = sweep.extremes(quantity.name)
         if ends is not None:
-            (low, high), unit = _in_one_unit(quantity, ends)
+            (low, high), unit = quantity.amount(*ends).apart()
             rows.append((quantity.label, low, high, unit))
     return rows
 
@@ -93,9 +93,8 @@ def quantile_rows(found: Tolerance) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for quantity in _spread(found):
         label, quantiles = quantity.label, found.quantiles(quantity.name)
-        texts, unit = _in_one_unit(
-            quantity, [number for each in quantiles for number in (each.low, each.value, each.high)]
-        )
+        numbers = [number for each in quantiles for number in (each.low, each.value, each.high)]
+        texts, unit = quantity.amount(*numbers).apart()
         for k, each in enumerate(quantiles):
             low, value, high = texts[3 * k : 3 * k + 3]
             between = f"{low} to {high}" if math.isfinite(each.low + each.high) else "too few samples to say"
@@ -136,11 +135,6 @@ def _spread(found: Tolerance) -> list[Quantity]:
     return spread
 
 
-def _in_one_unit(quantity: Quantity, values: Sequence[float]) -> tuple[list[str], str]:
-    """Return numbers of a quantity in the unit that suits the largest of them."""
-    return quantity.amount(*values).apart()
-
-
 def index_rows(found: Tolerance) -> list[tuple[str, list[tuple[str, str, str, str]]]]:
     """Return for every quantity that varies its label and the cells of `INDEX_COLUMNS`, most important first."""
     sections = []
@@ -161,14 +155,11 @@ def _share(value: float, error: float) -> str:
 
 def failure_rows(sweep: Sweep) -> list[str]:
     """Return why rows have failed, a sentence for each reason, the commonest first."""
-    failed = sweep.failed
-    if not failed:
-        return []
+    reasons = sweep.reasons()
     shown = [
-        f"{times} {'rows' if times > 1 else 'row'}, the first {first}: {sentence}"
-        for sentence, times, first in sweep.reasons()
+        f"{times} {'rows' if times > 1 else 'row'}, the first {first}: {sentence}" for sentence, times, first in reasons
     ]
-    rest = failed - sum(times for _, times, _ in sweep.reasons())
+    rest = sweep.failed - sum(times for _, times, _ in reasons)
     return [*shown, f"{rest} more rows for other reasons."] if rest else shown
 
 
