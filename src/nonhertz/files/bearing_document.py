@@ -22,11 +22,10 @@ from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.mistakes import place_of
 from nonhertz.files.reading import Reading, Surroundings, read, section
 from nonhertz.files.ring_shapes import read_shape, shape_tables
-from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, sampled
+from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, sampled, title_of
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
-from nonhertz.inputs.checks import one_line
-from nonhertz.inputs.fields import Input, Part, Several, Word, default_of, described, together
+from nonhertz.inputs.fields import Input, Part, Several, default_of, described, together
 from nonhertz.life.spectrum import at_most_whole
 
 PARTS = ("roller", "inner", "outer")
@@ -62,9 +61,7 @@ class BearingFile(Input):
     """A bearing file."""
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
-    title: Annotated[
-        str, Word("what the bearing is called in tables and figures", "write a short name", condition=one_line)
-    ] = ""
+    title: Annotated[str, title_of("bearing")] = ""
     # What a section depends on comes before it.
     roller: Rollers
     inner: InnerRing

@@ -10,10 +10,11 @@ from typing import Annotated, Any
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.sampling import Sampling
-from nonhertz.files.sections import FORMAT_FIELD
+from nonhertz.files.sections import FORMAT_FIELD, title_of
 from nonhertz.inputs.checks import one_line
 from nonhertz.inputs.fields import Count, Custom, Input, Part, Quantity, Several, Word, described
 from nonhertz.life import MODELS, LoadCase
+from nonhertz.life import model as fatigue_model
 
 _REMEDY = "write a line for each path, such as \"load.load\" = '5 kN : 40 kN : 8'"
 _VARIED: dict[str, Any] = {
@@ -42,6 +43,11 @@ def _by_path(name: str, value: Any, remedy: str) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise InputError(name, value, "be a table", remedy)
     return dict(flat(value))
+
+
+def _by_paths(meaning: str) -> Custom:
+    """Return what describes a table of values by path."""
+    return Custom(meaning, _by_path, _VARIED, _REMEDY)
 
 
 def _as_given(name: str, value: Any, remedy: str) -> Any:
@@ -88,11 +94,18 @@ class DesignGoal(Input):
     ] = ()
     where: Annotated[
         Mapping[str, Any],
-        Custom("what must hold under every load, such as approach = 'at most 30 um'", _by_path, _VARIED, _REMEDY),
+        _by_paths("what must hold under every load, such as approach = 'at most 30 um'"),
     ] = field(default_factory=dict)
 
     @property
-    def cases(self) -> tuple[LoadCase, ...]:
+    def keywords(self) -> dict[str, Any]:
+        """What is given: keywords of `nonhertz.design.best`."""
+        model = None if self.model is None else fatigue_model(self.model)
+        found = {"goal": self.goal, "model": model, "starts": self.starts, "loads": self._cases or None}
+        return {"where": self.where} | {name: value for name, value in found.items() if value is not None}
+
+    @property
+    def _cases(self) -> tuple[LoadCase, ...]:
         """The loads with their shares."""
         even = 1.0 / max(1, len(self.loads))
         unsaid = all(each.share is None for each in self.loads)
@@ -107,9 +120,7 @@ class PlanDocument(Input):
     """A plan file."""
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
-    title: Annotated[
-        str, Word("what the study is called in tables and figures", "write a short name", condition=one_line)
-    ] = ""
+    title: Annotated[str, title_of("study")] = ""
     case: Annotated[
         str,
         Word(
@@ -119,21 +130,16 @@ class PlanDocument(Input):
         ),
     ]
     over: Annotated[
-        Mapping[str, Any],
-        Custom(
-            "of a sweep: what each path of the case runs over; all combinations are rows", _by_path, _VARIED, _REMEDY
-        ),
+        Mapping[str, Any], _by_paths("of a sweep: what each path of the case runs over; all combinations are rows")
     ] = field(default_factory=dict)
     vary: Annotated[
-        Mapping[str, Any],
-        Custom("of a design: lowest and highest value of each path that it may choose", _by_path, _VARIED, _REMEDY),
+        Mapping[str, Any], _by_paths("of a design: lowest and highest value of each path that it may choose")
     ] = field(default_factory=dict)
     design: Annotated[DesignGoal, Part("what the design is best for", DesignGoal, "give a table")] = field(
         default_factory=DesignGoal
     )
     tolerance: Annotated[
-        Mapping[str, Any],
-        Custom("of a tolerance study: the distribution of each path of the case", _by_path, _VARIED, _REMEDY),
+        Mapping[str, Any], _by_paths("of a tolerance study: the distribution of each path of the case")
     ] = field(default_factory=dict)
     samples: Annotated[Sampling, Part("how samples are drawn from distributions", Sampling, "give a table")] = (
         Sampling()

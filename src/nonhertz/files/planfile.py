@@ -27,7 +27,6 @@ from nonhertz.files.spreads import Distribution, Spread, spread_in
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import listed, one_of
 from nonhertz.inputs.files import legible, seen_from
-from nonhertz.life import model
 
 #: The tables of a plan that say what is varied: in a sweep, and within tolerances.
 LOAD = "load.load"
@@ -381,12 +380,4 @@ def design_in(
     if not isinstance(case, Case):
         raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
     found = read(PlanDocument, document)
-    given: dict[str, Any] = {"vary": found.vary, "where": found.design.where}
-    for name in ("goal", "starts"):
-        if getattr(found.design, name) is not None:
-            given[name] = getattr(found.design, name)
-    if found.design.model is not None:
-        given["model"] = model(found.design.model)
-    if found.design.loads:
-        given["loads"] = found.design.cases
-    return case, given
+    return case, {"vary": found.vary} | found.design.keywords

@@ -331,14 +331,17 @@ FORMAT_FIELD = Custom(
 )
 
 
+def title_of(what: str) -> Word:
+    """Return what describes the title in a kind of file."""
+    return Word(f"what the {what} is called in tables and figures", "write a short name", condition=one_line)
+
+
 @described(kw_only=True)
 class CaseDocument(Input):
     """A case file."""
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
-    title: Annotated[
-        str, Word("what the case is called in tables and figures", "write a short name", condition=one_line)
-    ] = ""
+    title: Annotated[str, title_of("case")] = ""
     body: Annotated[Bodies, Part("the two bodies", Bodies, "give both")]
     load: Annotated[Prescription, Part("what presses them together", Prescription, "give it")]
     solver: Annotated[Solver, Part("how it is solved", Solver, "give a table")] = Solver()

@@ -188,7 +188,7 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
         if ":" in given and parameter.unit is not None:
             return _evenly(parameter, given)
         # Of words a text is always a list; none of theirs has a comma.
-        return tuple(_written(parameter, word.strip()) for word in given.split(","))
+        return tuple(_value(parameter, word.strip(), bare=True) for word in given.split(","))
     if not isinstance(given, list | tuple) or not given:
         remedy = "write a list, a range such as '0 : 40 kN : 41', or a distribution such as 'normal(80 mm, 5 um)'"
         raise InputError(parameter.path, given, "hold values", remedy)
@@ -196,18 +196,6 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
         remedy = "write fewer, or a distribution to draw from"
         raise InputError(parameter.path, f"{len(given)} values", f"have {MOST_VALUES} values at most", remedy)
     return tuple(_entry(parameter, each) for each in given)
-
-
-def value_in(parameter: Parameter, given: Any) -> Any:
-    """Return a single value in the base unit; a word or a switch as it is, for the file's own checks."""
-    is_word = isinstance(given, str) and (parameter.unit is None or not begins_with_digits(given))
-    if is_word or isinstance(given, bool):
-        return given
-    if parameter.unit is None:
-        raise InputError(parameter.path, given, "be a word, or true or false", "give the path of a single value")
-    value = in_unit(parameter.path, given, parameter.unit)
-    finite(parameter.path, value, "give a number")
-    return int(value) if parameter.whole and value == int(value) else value
 
 
 def bounds_in(parameter: Parameter, given: Any) -> tuple[float, float]:
@@ -304,17 +292,23 @@ def number_in(field: str, text: str, unit: str) -> float:
 
 
 def _entry(parameter: Parameter, given: Any) -> Any:
-    """Return an entry of a list, in which zero needs no unit in quotes either."""
-    return _written(parameter, given) if isinstance(given, str) and parameter.unit else value_in(parameter, given)
+    """Return an entry of a list in the base unit; in it zero needs no unit in quotes either."""
+    return _value(parameter, given, bare=parameter.unit not in {None, ""})
 
 
-def _written(parameter: Parameter, word: str) -> Any:
-    """Return a single value that is written without quotes of its own."""
+def _value(parameter: Parameter, given: Any, *, bare: bool) -> Any:
+    """Return a single value in the base unit; a word or a switch as it is, for the file's own checks.
+
+    ``bare`` is a text without quotes of its own.
+    """
+    if isinstance(given, str) and (parameter.unit is None or not begins_with_digits(given)):
+        return {"true": True, "false": False}.get(given, given) if bare and parameter.unit is None else given
+    if isinstance(given, bool):
+        return given
     if parameter.unit is None:
-        return {"true": True, "false": False}.get(word, word)
-    if not begins_with_digits(word):
-        return value_in(parameter, word)
-    value = number_in(parameter.path, word, parameter.unit)
+        raise InputError(parameter.path, given, "be a word, or true or false", "give the path of a single value")
+    value = (number_in if bare and isinstance(given, str) else in_unit)(parameter.path, given, parameter.unit)
+    finite(parameter.path, value, "give a number")
     return int(value) if parameter.whole and value == int(value) else value
 
 

@@ -379,12 +379,13 @@ class Several:
 
     def take(self, name: str, value: Any) -> tuple[Any, ...]:
         """Return them."""
+        remedy = f"choose from {', '.join(self.each.words)}" if isinstance(self.each, Word) else self.each.remedy
         if not isinstance(value, list | tuple) or value == []:
             condition = f"be a list of {'names' if self.of is None else self.of.__name__}"
-            raise InputError(name, value, condition, self.each.remedy)
+            raise InputError(name, value, condition, remedy)
         if len(value) > self.most:
             condition = f"have at most {self.most} {'names' if self.of is None else 'entries'}"
-            raise InputError(name, value, condition, self.each.remedy)
+            raise InputError(name, value, condition, remedy)
         found = one_by_one(name, value, lambda _, entry: self.each.take("", entry))
         return tuple(dict.fromkeys(found) if self.of is None else found)
 
