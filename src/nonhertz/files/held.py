@@ -200,7 +200,7 @@ class HeldCase(Held):
 
     @staticmethod
     def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-        """Return the fields that a document gives; raises `InputsError` with every mistake in it."""
+        """Return the fields that a document gives; raises ``InputsError`` with every mistake in it."""
         raise NotImplementedError
 
     @classmethod

@@ -334,7 +334,7 @@ def prepare(
         bool | Middle,
         OrFlag(
             Word("", "choose how to find the middle", get_args(Middle)),
-            "how the middle of the body is found; false leaves y as it is",
+            "how the middle of the body is found, 'ends' (true) or 'symmetry'; false leaves y as it is",
         ),
     ] = True,
     trim: Annotated[
@@ -347,7 +347,7 @@ def prepare(
     corner: Annotated[
         Corners,
         Word(
-            "whether corners that the trace holds are kept, smoothed apart from the land, or cut off",
+            "whether corners that the trace holds are kept ('keep'), smoothed apart from the land, or cut off ('cut')",
             "choose what becomes of the corners",
             get_args(Corners),
         ),
@@ -361,7 +361,10 @@ def prepare(
     ] = True,
     smooth: Annotated[
         bool | Filter,
-        OrFlag(Word("", "choose a filter", get_args(Filter)), "the filter that takes roughness off, or false"),
+        OrFlag(
+            Word("", "choose a filter", get_args(Filter)),
+            "the filter that takes roughness off, 'gaussian' (true) or 'spline', or false",
+        ),
     ] = "gaussian",
     cutoff: Annotated[
         float | None,
@@ -393,6 +396,11 @@ def prepare(
 
     Without a cutoff it is 0.8 mm, or a fifth of a land that is shorter; without a slope 0.05. Eight points per cutoff
     are all points where there is no filter; corners have points of their own.
+
+    Returns
+    -------
+    Measured
+        The trace with its steps.
 
     Raises
     ------
