@@ -107,14 +107,8 @@ def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, A
 
     A number that is not finite is None.
     """
-    compared = {}
-    if other is not None:
-        models = [
-            entry | {"ratio": {body: plain(found.over(other, body, number)) for body in BODIES}}
-            for number, entry in enumerate(_models(other))
-        ]
-        compared = {"compared_with": _head(other) | {"models": models} | _tail(other)}
-    return _head(found) | {"models": _models(found)} | _tail(found) | compared | {"units": UNITS}
+    compared = {} if other is None else {"compared_with": _own(other, found)}
+    return _own(found) | compared | {"units": UNITS}
 
 
 def as_table(found: Assessment) -> str:
@@ -135,37 +129,27 @@ def files(found: Assessment, other: Assessment | None) -> dict[str, str]:
     return texts if other is None else texts | {"compared.csv": as_table(other)}
 
 
-def _head(found: Assessment) -> dict[str, Any]:
-    return {
-        "title": found.title,
-        "status": [solution.status.label for solution, _ in found.spectrum],
-        "rollers": found.rollers,
-        "raceway": found.raceway,
-    }
-
-
-def _models(found: Assessment) -> list[dict[str, Any]]:
-    entries = []
+def _own(found: Assessment, against: Assessment | None = None) -> dict[str, Any]:
+    """Return the lives of one case, with those of another over them if there is one."""
+    models = []
     for number, both in enumerate(zip(*(found.lives[body] for body in BODIES), strict=True)):
         model = both[0].model
         parameters = {key: value for key, value in asdict(model).items() if key not in {"name", "source"}}
         by_body = dict(zip(BODIES, both, strict=True))
-        entries.append(
-            {
-                "name": model.name,
-                "parameters": parameters | {"slope": model.slope},
-                "source": model.source,
-                "relative_life": {body: plain(life.relative) for body, life in by_body.items()},
-                "million_revolutions": plain(found.million_revolutions(number)),
-                "damage": {body: plain(life.damage) for body, life in by_body.items()},
-                "reference": {body: plain(life.reference) for body, life in by_body.items()},
-            }
-            | ({"with_dents": plain(found.dent_lives[model.name])} if model.name in found.dent_lives else {})
-        )
-    return entries
-
-
-def _tail(found: Assessment) -> dict[str, Any]:
+        entry = {
+            "name": model.name,
+            "parameters": parameters | {"slope": model.slope},
+            "source": model.source,
+            "relative_life": {body: plain(life.relative) for body, life in by_body.items()},
+            "million_revolutions": plain(found.million_revolutions(number)),
+            "damage": {body: plain(life.damage) for body, life in by_body.items()},
+            "reference": {body: plain(life.reference) for body, life in by_body.items()},
+        }
+        if model.name in found.dent_lives:
+            entry["with_dents"] = plain(found.dent_lives[model.name])
+        if against is not None:
+            entry["ratio"] = {body: plain(against.over(found, body, number)) for body in BODIES}
+        models.append(entry)
     spectrum = [
         {
             "load": plain(solution.load),
@@ -176,4 +160,12 @@ def _tail(found: Assessment) -> dict[str, Any]:
         }
         for solution, share in found.spectrum
     ]
-    return {"spectrum": spectrum, **as_warnings(found.findings, found.notes)}
+    return {
+        "title": found.title,
+        "status": [solution.status.label for solution, _ in found.spectrum],
+        "rollers": found.rollers,
+        "raceway": found.raceway,
+        "models": models,
+        "spectrum": spectrum,
+        **as_warnings(found.findings, found.notes),
+    }
