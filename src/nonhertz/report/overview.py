@@ -15,7 +15,6 @@ from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBe
 from nonhertz.bearing.frames import RINGS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.model.body import Body, TabulatedDiameter
-from nonhertz.model.contact import Contact
 from nonhertz.model.materials import MATERIALS
 from nonhertz.report.inputs import shown
 from nonhertz.report.results import BearingResults, CaseResults, Results
@@ -68,7 +67,7 @@ def opening(found: Results) -> str:
     acting = [_acting(name, prescribed[name]) for name in _PRESCRIBED if name in prescribed and prescribed[name] != 0.0]
     under = f"under {', '.join(acting[:-1])}{' and ' * (len(acting) > 1)}{acting[-1]}" if acting else "without a load"
     if isinstance(found, CaseResults):
-        a, b = (f"{_body(body, letter)}" for body, letter in _bodies(found.solution.contact))
+        a, b = _body(found.solution.contact.a, "a"), _body(found.solution.contact.b, "b")
         return f"{a[0].upper()}{a[1:]} and {b} {under}."
     case = found.case
     row, rows = case.bearing.rows[0].bearing, len(case.bearing.rows)
@@ -84,10 +83,6 @@ def _acting(name: str, value: Any) -> str:
     words, kind = _PRESCRIBED[name]
     values = value if hasattr(value, "__iter__") else (value,)
     return f"{words} {kind(*values, between=' and '):.5g}"
-
-
-def _bodies(contact: Contact) -> list[tuple[Body, str]]:
-    return [(contact.a, "a"), (contact.b, "b")]
 
 
 def _body(body: Body, letter: str) -> str:

@@ -27,7 +27,7 @@ from nonhertz.show import lives as life_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.lives import RATIO
-from nonhertz.show.sections import Block, Cell, Picture, Row, Said, Section, Table, summary
+from nonhertz.show.sections import SUMMARY, Block, Cell, Picture, Row, Said, Section, Table, summary
 
 _OF_CONTACT = Words(
     kind="Elastic contact, solved with strip elements",
@@ -110,7 +110,9 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
     if len(found) == 1:
         only = found[0]
         shown = _shown(only)
-        numbers = first_numbers(only, _summaries(shown))
+        tables = (block for section in shown for block in section.blocks if isinstance(block, Table))
+        rows = [row for table in tables if table.layout == SUMMARY for row in table.rows]
+        numbers = first_numbers(only, rows)  # type: ignore[arg-type]  # summaries have rows of three words
         part = Part(only, [*_with_figures(only, shown, numbers), *_given(only, words)], numbers=numbers)
         return laid_out(only.case.title, words, head, opening(only), [part])
     parts = [Part(None, _compared(found, words))]
@@ -132,11 +134,6 @@ def _shown(found: Results) -> list[Section]:
     if found.stress is not None:
         sections += stresses.sections(found.solution, *found.stress, found.strengths)
     return sections + (life_shown.sections(found.lives) if found.lives else [])
-
-
-def _summaries(sections: Sequence[Section]) -> list[Row]:
-    tables = (block for section in sections for block in section.blocks if isinstance(block, Table))
-    return [row for table in tables if table.layout == "summary" for row in table.rows]  # type: ignore[misc]
 
 
 def _with_figures(found: Results, sections: Sequence[Section], numbers: Sequence[Row]) -> Iterator[Section]:

@@ -28,9 +28,19 @@ def sections(solution: Solution) -> list[Section]:
 
 def summary_rows(solution: Solution) -> list[Row]:
     """Return name, value and remark of all in the summary: status, quantities, models, strips and Newton steps."""
+    estimate, told = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
+    # The error is that of the penetration, which is nearly the approach where it is not told.
+    remarks = {
+        "penetration" if told else "approach": error_words(estimate.approach),
+        "load": error_words(estimate.load),
+        "max_half_width": "away from singular ends" if solution.singular_ends else "",
+    }
     rows = [("status", solution.status.label, "")]
-    for name in QUANTITIES:
-        rows += _ROWS[name](solution) if name in _ROWS else [_row(name, solution)]
+    for name, quantity in QUANTITIES.items():
+        if name in _ROWS:
+            rows += _ROWS[name](solution)
+        elif told or name != "penetration":
+            rows.append((quantity.label, quantity.text(solution), remarks.get(name, "")))
     for name, body in zip(BODIES, (solution.contact.a, solution.contact.b), strict=True):
         rows.append((f"body {name}", type(body).__name__.lower(), body.model))
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
@@ -59,37 +69,12 @@ def _remark(attempt: Attempt) -> str:
     return ", ".join(filter(None, (status, warnings)))
 
 
-def _approach_rows(solution: Solution) -> list[Row]:
-    told = is_noticeable(solution.approach, solution.penetration)
-    return [_row("approach", solution, "" if told else error_words(solution.error_estimate.approach))]
-
-
-def _penetration_rows(solution: Solution) -> list[Row]:
-    """Return the penetration, to which the error of the approach relates, unless it is nearly the approach."""
-    if not is_noticeable(solution.approach, solution.penetration):
-        return []
-    return [_row("penetration", solution, error_words(solution.error_estimate.approach))]
-
-
-def _load_rows(solution: Solution) -> list[Row]:
-    return [_row("load", solution, error_words(solution.error_estimate.load))]
-
-
 def _contact_rows(solution: Solution) -> list[Row]:
     """Return where the bodies touch, and the pressure at the ends."""
     if not solution.contact_y:
         return [("contact along y", "none", "")]
     ends = [(f"edge at y = {mm(edge.y):.5g}", *_convention(edge, solution)) for edge in solution.edge_pressure]
     return [("contact along y", "; ".join(str(mm(*ends, between=" to ")) for ends in solution.contact_y), ""), *ends]
-
-
-def _row(name: str, solution: Solution, remark: str = "") -> Row:
-    quantity = QUANTITIES[name]
-    return quantity.label, quantity.text(solution), remark
-
-
-def _half_width_rows(solution: Solution) -> list[Row]:
-    return [_row("max_half_width", solution, "away from singular ends" if solution.singular_ends else "")]
 
 
 def _pressure_rows(solution: Solution) -> list[Row]:
@@ -99,14 +84,14 @@ def _pressure_rows(solution: Solution) -> list[Row]:
     remark = error_words(solution.error_estimate.max_pressure)
     if solution.peaks_at_corner:
         remark = "no limit, at a corner of the profile"
-    elif any(edge.kind is EdgeKind.CUT_OFF and _at(edge, solution) for edge in solution.edge_pressure):
+    elif any(
+        edge.kind is EdgeKind.CUT_OFF and abs(edge.y - solution.max_pressure_y) <= edge.strip_width
+        for edge in solution.edge_pressure
+    ):
         remark = "cut off by the strips"
     where, _, away = where_largest(solution).partition(", ")
-    return [_row("max_pressure", solution, remark), ("", where, away)]
-
-
-def _at(edge: EdgePressure, solution: Solution) -> bool:
-    return abs(edge.y - solution.max_pressure_y) <= edge.strip_width
+    quantity = QUANTITIES["max_pressure"]
+    return [(quantity.label, quantity.text(solution), remark), ("", where, away)]
 
 
 def _convention(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
@@ -124,13 +109,9 @@ def _convention(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
             return f"{mpa(edge.pressure)}", "cut off by the strips"
 
 
-# Quantities that need more than their number, or that another row covers.
+# Quantities that need more than a row of their own, or that another row covers.
 _ROWS: dict[str, Callable[[Solution], list[Row]]] = {
-    "approach": _approach_rows,
-    "penetration": _penetration_rows,
-    "load": _load_rows,
     "max_pressure": _pressure_rows,
     "max_pressure_y": lambda _: [],
-    "max_half_width": _half_width_rows,
     "contact_length": _contact_rows,
 }
