@@ -26,6 +26,7 @@ _TOGETHER, _GLUE = (
     "\ue000",
 )
 Update = Callable[..., None]
+_VERDICTS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
 _STYLES = {"head": "bold", "warning": "yellow"}
 
 
@@ -102,7 +103,8 @@ def _print_rows(console: Console, shown: Table) -> None:
         )
     for row in shown.rows:
         heading = "bold" if len(row) == 1 else ""
-        table.add_row(*(Text(str(row[at]) if at < len(row) else "", heading) for at in columns))
+        cells = [str(row[at]) if at < len(row) else "" for at in columns]
+        table.add_row(*(Text(cell, _VERDICTS.get(cell, heading)) for cell in cells))
     print_table(console, table)
 
 

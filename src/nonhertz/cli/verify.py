@@ -2,23 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
-
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
 
 from nonhertz.cli import FINE, NOT_VERIFIED
 from nonhertz.cli.options import AsJson, Words, refuse_unwritable_out
-from nonhertz.cli.printing import Progress, print_table, print_written
+from nonhertz.cli.printing import Progress, print_result, print_written
+from nonhertz.show.sections import Section, Table
 from nonhertz.verify import chosen, sections
-from nonhertz.verify.claim import Section
 from nonhertz.verify.page import COLUMNS, row, summary, tally, write_page
 from nonhertz.verify.page import as_json as json_text
-
-_WIDTHS = {"claim": 3, "source": 2}  # shares of the width that the numbers leave
-_COLOURS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
 
 
 def verify(
@@ -47,7 +39,9 @@ def verify(
             progress.wipe()
             found.append(section)
             if not as_json:
-                _print_section(section)
+                table = Table([row(check) for check in section.checks], COLUMNS, (0, 1, len(COLUMNS) - 1))
+                print_result(f"{section.title}  ({section.name})", [Section("", [table])])
+                print()
     command = " ".join(["nonhertz verify --out DIR", *(["--only", *names] if only else [])])
     made = write_page(out, found, command) if out is not None else ()
     if as_json:
@@ -56,20 +50,3 @@ def verify(
         print_written(made)
         print(summary(found))
     return NOT_VERIFIED if tally(found)["FAIL"] else FINE
-
-
-def _print_section(section: Section) -> None:
-    """Print a section's checks as a table."""
-    printing = Console(highlight=False, width=None if sys.stdout.isatty() else 100)
-    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="dim", expand=True)
-    for column in COLUMNS:
-        if column in _WIDTHS:
-            table.add_column(column, ratio=_WIDTHS[column], overflow="fold")
-        else:
-            table.add_column(column, justify="left" if column == "verdict" else "right", no_wrap=True)
-    for check in section.checks:
-        *cells, verdict = row(check)
-        table.add_row(*map(Text, cells), Text(verdict, style=_COLOURS[verdict]))
-    printing.print(Text.assemble((section.title, "bold"), (f"  ({section.name})", "dim")))
-    print_table(printing, table)
-    printing.print()
