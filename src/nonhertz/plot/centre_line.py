@@ -57,13 +57,6 @@ def pressure(solution: Solution, ax: Axes = OWN) -> Axes:
     ----------
     solution : Solution
         A solved contact.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
 
     References
     ----------

@@ -45,11 +45,6 @@ def footprint(solution: Solution, ax: Axes = OWN, *, stretch: float = 1.0, colou
         Factor by which x is drawn larger than y; the axes say so unless it is 1.
     colour_bar : bool
         Whether to draw a colour bar below, which takes room from ``ax``.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     pieces = outlines(solution)
     length, stress = measure("mm"), measure("MPa")

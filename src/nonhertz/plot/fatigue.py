@@ -59,15 +59,8 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes = OWN, *, c
         Solutions and their shares of the revolutions.
     lives : sequence of Life
         Lives of one body by several models.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     compared : sequence of Life
         Lives of that body in another case; only the first is drawn, as a broad grey line.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     widest = max((solution for solution, _ in spectrum), key=lambda solution: float(np.ptp(axial_range(solution))))
     spans = [axial_range(solution) for solution, _ in spectrum]

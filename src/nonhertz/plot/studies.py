@@ -40,17 +40,10 @@ def study_lines(
         Values of the parameter: numbers, or words.
     lines : mapping of str to array_like, shape (n,)
         Numbers by what the line is called; a single line needs no name.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     x_label, y_label : str
         Names of the axes, with units.
     key : str
         Heading of the names.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     places = np.asarray(x)
     words = places.dtype.kind not in "iuf"
@@ -91,11 +84,6 @@ def study_map(
         Where to draw; a colour bar is put beside it; if left out, in a figure of its own, ``ax.figure``.
     x_label, y_label, label : str
         Names of the axes and of the numbers, with units.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     numbers = np.ma.masked_invalid(np.asarray(values, dtype=float))
     ax.set(xlabel=x_label, ylabel=y_label)
@@ -122,17 +110,10 @@ def histogram(
     ----------
     values : array_like
         The numbers; those that are not finite are left out.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     label : str
         Name of the numbers, with their unit.
     quantiles : mapping of float to pair of float, optional
         Intervals by share, such as ``{0.5: (1990.0, 2010.0)}``.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     numbers = np.asarray(values, dtype=float).ravel()
     numbers = numbers[np.isfinite(numbers)]
@@ -171,15 +152,8 @@ def tornado(
         The parameters.
     first, total : array_like, shape (n,)
         Their indices.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     errors : pair of array_like, shape (n,), optional
         Half the widths of the intervals of both.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     places = -np.arange(len(names), dtype=float)
     line: dict[str, Any] = {"fmt": "none", "capsize": 2.0, "linewidth": THIN}
@@ -211,15 +185,8 @@ def profile_band(
         Relief of the nominal profile [mm].
     band : pair of array_like, shape (n,)
         Lowest and highest relief of the band [mm].
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     label : str
         What the band is.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     length, depth = measure("mm"), measure("mm", "um")
     low, high = depth(band[0]), depth(band[1])

@@ -90,11 +90,6 @@ def axial_stress(
         Factor by which depth is drawn larger than y; the heading says so unless it is 1.
     bar : matplotlib.axes.Axes, optional
         Where to draw the colour bar; if left out, beside ``ax``, which shrinks to make room.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     y = field.y[:, 0]
     span = _framed(solution, field)
@@ -136,11 +131,6 @@ def section_stress(
         Where to draw; made smaller to fit the shape of the plane; if left out, in a figure of its own, ``ax.figure``.
     bar : matplotlib.axes.Axes, optional
         Where to draw the colour bar; if left out, beside ``ax``, which shrinks to make room.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     x, y = field.x[:, 0], float(field.y[0, 0])
     middle, half_width = (float(each) for each in across_at(solution, np.asarray(y)))

@@ -37,13 +37,6 @@ def profile(solution: Solution, ax: Axes = OWN) -> Axes:
     ----------
     solution : Solution
         A solved contact.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
     """
     span = axial_range(solution)
     length, distance = measure("mm"), measure("mm", "um")

@@ -43,16 +43,9 @@ def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps
     ----------
     solution : BearingSolution
         A loaded bearing.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     maps : BearingMaps, optional
         Of this bearing, from `nonhertz.bearing.maps`, up to 1.5 times the loads. With them the six states take
         milliseconds; by strips they take about a second.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
 
     Raises
     ------

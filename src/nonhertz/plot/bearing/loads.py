@@ -54,11 +54,6 @@ def bearing_loads(solution: BearingSolution, ax: PolarAxes = OWN, *, row: int = 
     row : int
         Which row of rollers, from 0.
 
-    Returns
-    -------
-    matplotlib.projections.polar.PolarAxes
-        ``ax``.
-
     Raises
     ------
     InputError

@@ -41,19 +41,12 @@ def bearing_pressure(
     ----------
     solution : BearingSolution
         A loaded bearing, solved by strips.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
     ring : {"inner", "outer"}
         Which ring.
     row : int
         Which row of rollers, from 0.
     colour_bar : bool
         Whether to draw a colour bar, which takes room from ``ax``.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
 
     Raises
     ------

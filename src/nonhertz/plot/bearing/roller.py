@@ -52,13 +52,6 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     ----------
     solution : BearingSolution
         A loaded bearing, solved by strips.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
 
     Raises
     ------
@@ -109,13 +102,6 @@ def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     ----------
     solution : BearingSolution
         A loaded bearing, solved by strips.
-    ax : matplotlib.axes.Axes, optional
-        Where to draw; if left out, in a figure of its own, ``ax.figure``.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        ``ax``.
 
     Raises
     ------
