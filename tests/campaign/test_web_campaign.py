@@ -29,12 +29,12 @@ from page_requests import PATHS, Requests
 from nonhertz.files.casefile import starting_case
 from nonhertz.web.form.fields import FormField
 from nonhertz.web.form.form import form
-from nonhertz.web.limits import GRACE_SECONDS
+from nonhertz.web.limits import ANSWER_SECONDS
 from nonhertz.web.server.units import HEADER
 
 EDITS, HOSTILE, CHANGED = extent(2_000, 300), 200, extent(10_000, 1_000)
-SLOWEST = GRACE_SECONDS + 1.0
-"""s, for any answer: later ones are given up for newer cases."""
+SLOWEST = ANSWER_SECONDS + 1.0
+"""s, for any answer: a case is given up at its time limit."""
 MEMORY = 500.0
 """MB, of any process."""
 GROWTH, SHARE = 20.0, 0.05
@@ -207,7 +207,7 @@ def parts_of(path: str) -> list[str | int]:
 def test_random_edits(server, capsys):
     port, pid = server
     walk, outcomes, times, memory = Walk(2026), Counter[str](), [], []
-    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as client:
+    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=2.0 * SLOWEST) as client:
         meet_new_shapes(client)
         for number in range(EDITS):
             document = walk.step()
@@ -336,7 +336,7 @@ def test_hostile_requests(server, capsys):
         assert b"Traceback" not in answer
         assert b"root:" not in answer
     lines = open_connections(port, 40)
-    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as client:
+    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=2.0 * SLOWEST) as client:
         assert client.post("/solve", json={"document": STARTING}).json()["ok"], "and then it goes on"
     for line in lines:
         line.close()
@@ -349,7 +349,7 @@ def test_hostile_requests(server, capsys):
 def test_changed_requests(server, capsys):
     port, pid = server
     requests, outcomes, times, memory = Requests(), Counter[str](), [], 0.0
-    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as client:
+    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=2.0 * SLOWEST) as client:
         for number in range(CHANGED):
             sent = requests.request(number)
             begun = time.perf_counter()

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from nonhertz.amounts import Amount, mm, mrad, newton
+from nonhertz.amounts import Amount, given, mm, mrad, newton
 from nonhertz.plot.axes import key_above, measure
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
@@ -171,21 +171,14 @@ def head(solution: Solution, ax: Axes, handles: Sequence[Artist], labels: Sequen
 
 
 def number(value: float, digits: int = 4) -> str:
-    """Return ``value`` to a number of significant digits in plain notation, with a true minus sign.
+    """Return ``value`` to a number of significant digits, with a true minus sign.
 
     Examples
     --------
     >>> number(-8.31249), number(2431.7), number(0.0)
     ('−8.312', '2432', '0')
     """
-    if value == 0.0 or not np.isfinite(value):
-        return "0" if value == 0.0 else ("−∞" if value < 0 else "∞")
-    decade = int(np.floor(np.log10(abs(value))))
-    if decade < -6:
-        return f"{value:.{digits - 1}e}".replace("-", "−")
-    text = f"{value:.{max(0, digits - 1 - decade)}f}"
-    text = text.rstrip("0").rstrip(".") if "." in text else text
-    return text.replace("-", "−")
+    return given(value, digits).replace("-", "−").replace("inf", "∞")
 
 
 def written(found: Amount, digits: int = 4) -> str:
@@ -196,8 +189,7 @@ def written(found: Amount, digits: int = 4) -> str:
     >>> written(newton(20000.0)), written(mm(-1.5, 0.25, between=" and "))
     ('20 kN', '−1.5 and 0.25 mm')
     """
-    factor, unit = found.scale
-    return f"{found.between.join(number(factor * value, digits) for value in found.values)} {unit}"
+    return f"{found:.{digits}g}".replace("-", "−")
 
 
 def place(span: tuple[float, float], *y: float, between: str = " and ") -> str:
