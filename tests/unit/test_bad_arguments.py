@@ -252,6 +252,8 @@ ELSEWHERE = {"life.Laminae", "measured.Measured", "Comparison.along"}
 WRITES = {
     "BearingCase.write",
     "Case.write",
+    "Result.save",
+    "Solution.save",
     "Solutions.save",
     "study.Sweep.write",
     "ContactMap.save",

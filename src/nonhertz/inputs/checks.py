@@ -131,9 +131,10 @@ def one_line(field: str, value: Any, remedy: str) -> None:
 
 
 def broadcast(remedy: str, *places: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
-    """Return arrays broadcast against each other, or refuse shapes that cannot be."""
+    """Return arrays broadcast against each other, which cannot be written to, or refuse shapes that cannot be."""
     try:
-        return np.broadcast_arrays(*places)
+        shape = np.broadcast_shapes(*(place.shape for place in places))
+        return tuple(np.broadcast_to(place, shape) for place in places)
     except ValueError:
         shapes = tuple(place.shape for place in places)
         raise InputError("shapes of the coordinates", shapes, "broadcast against each other", remedy) from None

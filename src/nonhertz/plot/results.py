@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 from nonhertz.bearing import BearingSolution
+from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.bearing.displacement import displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
@@ -38,6 +39,10 @@ def draw(result: Solution | BearingSolution, what: str, ax: Axes | None = None) 
     """Draw one thing of a result, as its method ``plot`` does."""
     drawings = OF_BEARINGS if isinstance(result, BearingSolution) else OF_CONTACTS
     one_of("what", what, tuple(drawings), "choose one of them")
+    from matplotlib import axes
+
+    if ax is not None and not isinstance(ax, axes.Axes):
+        raise InputError("ax", ax, "be axes of matplotlib", "leave it out for a figure of its own")
     drawn: Axes = drawings[what](result, ax)
     return drawn
 
