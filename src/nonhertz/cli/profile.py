@@ -15,7 +15,7 @@ from nonhertz.amounts import mm, of_dimension, um, with_error
 from nonhertz.cli.options import AsJson, UnitsRead, refuse_unwritable_out, written
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import InputError
-from nonhertz.files.measured import checked, measured_from, trace_from
+from nonhertz.files.measured import checked, measured_in
 from nonhertz.files.prepared import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import one_of
@@ -102,7 +102,7 @@ def profile(
     }  # fmt: skip
     with _options_named():
         values = {key: checked(key, _meant(key, word)) for key, word in words.items() if word is not None}
-        measured = measured_from(trace_from(file, values), values)
+        measured = measured_in(file, values)
         _ = measured.states
     fits: tuple[Fit, ...] = ()
     if fit is not None:

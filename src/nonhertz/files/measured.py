@@ -5,7 +5,7 @@ The file stays as the machine wrote it; the table says, key by key, how to proce
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Annotated, Any, get_args
 
@@ -82,7 +82,7 @@ class MeasuredProfile(ProfileKind):
         if special(folder / self.file):
             raise InputError("file", self.file, "be a file, not a device or a pipe", "save the measured points in one")
         values = {name: value for name, value in vars(self).items() if value is not None}
-        measured = measured_from(trace_from(folder / self.file, values), values)
+        measured = measured_in(folder / self.file, values)
         warn(measured.findings_for())
         return measured.profile(self.interpolation)
 
@@ -101,23 +101,21 @@ def checked(name: str, value: Any) -> Any:
     return known[name].take(name, value)
 
 
-def measured_from(trace: Trace, values: Mapping[str, Any]) -> Measured:
-    """Return a trace processed by the steps that the checked values specify.
+def measured_in(
+    source: Path | bytes,
+    values: Mapping[str, Any],
+    name: str | None = None,
+    change: Callable[[Trace], Trace] | None = None,
+) -> Measured:
+    """Return the profile in a file, read and prepared as checked values specify.
+
+    ``change`` is made to its trace before any step.
 
     Raises
     ------
     InputError
-        If a value is out of range.
+        If it cannot be read, or a value is out of range.
     """
-    return prepare(trace, **{name: values[name] for name in PREPARING if name in values})
-
-
-def trace_from(source: Path | bytes, values: Mapping[str, Any], name: str | None = None) -> Trace:
-    """Return the trace in a file, with its columns read as the checked values specify.
-
-    Raises
-    ------
-    InputError
-        If it cannot be read.
-    """
-    return read_trace(source, name, **{key: values[key] for key in READING if key in values})
+    trace = read_trace(source, name, **{key: values[key] for key in READING if key in values})
+    trace = trace if change is None else change(trace)
+    return prepare(trace, **{key: values[key] for key in PREPARING if key in values})

@@ -181,6 +181,8 @@ def _object(path: Path) -> dict[str, Any]:
 
 def _solution(found: dict[str, Any], case: Case) -> Solution:
     low, high = found["edge_pressure"]
+    # Files of the first format have no kinds.
+    kinds = [str(each["kind"]) for each in found.get("findings", ())]
     return Solution(
         contact=case.contact,
         element=ELEMENTS[found["element"]],
@@ -200,13 +202,8 @@ def _solution(found: dict[str, Any], case: Case) -> Solution:
         peaks_at_corner=bool(found["peaks_at_corner"]),
         iterations=int(found["iterations"]),
         error_estimate=ErrorEstimate(**{name: _number(value) for name, value in found["error_estimate"].items()}),
-        findings=tuple(starmap(said, zip_longest(map(str, found["warnings"]), _kinds(found), fillvalue=""))),
+        findings=tuple(starmap(said, zip_longest(map(str, found["warnings"]), kinds, fillvalue=""))),
     )
-
-
-def _kinds(found: dict[str, Any]) -> list[str]:
-    """Return the kinds of what was found, which files of the first format do not have."""
-    return [str(each["kind"]) for each in found.get("findings", ())]
 
 
 def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSolution:

@@ -8,7 +8,7 @@ from nonhertz.amounts import read_in
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.measured import KIND, checked, measured_from, trace_from
+from nonhertz.files.measured import KIND, checked, measured_in
 from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.files.title_block import TitleBlock
@@ -205,7 +205,7 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
             content, file = case.attachments.get(str(table.get("file"))), table.get("file")
             if table.get("kind") == KIND and content is not None:
                 values = {key: checked(key, value) for key, value in table.items() if key != "kind"}
-                measured = measured_from(trace_from(content, values, file), values)
+                measured = measured_in(content, values, file)
                 rows = [(state.name, state.words, "") for state in measured.states]
                 caption = f"From the measured points of {file} to the profile, step by step."
                 picture = Picture(measured_figure(measured), caption, " ".join(words for _, words, _ in rows))

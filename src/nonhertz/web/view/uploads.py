@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, um
 from nonhertz.errors import InputError
-from nonhertz.files.measured import checked, measured_from, trace_from
+from nonhertz.files.measured import checked, measured_in
 from nonhertz.measured import Measured, StepResult, Trace
 from nonhertz.measured.corners import positions
 from nonhertz.measured.trace import FEWEST_POINTS
@@ -46,7 +46,7 @@ def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> dict[s
     if mistakes:
         return broken(mistakes)
     try:
-        measured = measured_from(_averaged(trace_from(content, values, name)), values)
+        measured = measured_in(content, values, name, _averaged)
         return _answer(measured, values.get("interpolation"))
     except InputError as error:
         return broken([(_path(error.field), str(error))])
