@@ -48,7 +48,10 @@ _NEXT_SECTION = re.compile(r"^[A-Z][a-z]+\n-+$", re.MULTILINE)
 
 
 class Described(Protocol):
-    """What a field holds: stands in ``Annotated`` beside its type."""
+    """What a field holds: stands in ``Annotated`` beside its type.
+
+    In all kinds of it ``meaning``, ``condition``, ``remedy`` and ``words`` are as of `Quantity`.
+    """
 
     @property
     def meaning(self) -> str:
@@ -135,8 +138,6 @@ class OneOrTwo:
     ----------
     each : Quantity
         What both are.
-    meaning : str
-        As of `Quantity`.
     names : pair of str
         What tells them apart.
     single : int or None
@@ -194,8 +195,6 @@ class Word:
 
     Attributes
     ----------
-    meaning, condition, remedy
-        As of `Quantity`.
     words : tuple of str
         The words; none for any text.
     """
@@ -224,8 +223,6 @@ class Part:
 
     Attributes
     ----------
-    meaning : str
-        As of `Quantity`.
     of : type
         Its class.
     remedy : str
@@ -265,14 +262,10 @@ class Count:
 
     Attributes
     ----------
-    meaning : str
-        As of `Quantity`.
     least : int
         The smallest.
     most : float
         The largest, infinite for any.
-    remedy, words
-        As of `Quantity`.
     """
 
     meaning: str
@@ -299,13 +292,7 @@ class Count:
 
 @dataclass(frozen=True)
 class Flag:
-    """True or False.
-
-    Attributes
-    ----------
-    meaning, remedy
-        As of `Quantity`.
-    """
+    """True or False."""
 
     meaning: str
     remedy: str = "write true or false, without quotes"
@@ -328,8 +315,6 @@ class OrFlag:
     ----------
     each : Described
         What it is otherwise.
-    meaning : str
-        As of `Quantity`.
     """
 
     each: Described
@@ -400,8 +385,6 @@ class Custom:
 
     Attributes
     ----------
-    meaning, condition, remedy
-        As of `Quantity`.
     json : mapping
         Its JSON schema.
     """
