@@ -20,7 +20,6 @@ from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.inputs.files import legible
 from nonhertz.result.tables import csv_text
-from nonhertz.show.sections import Said, Section
 from nonhertz.show.studies import design_sections
 from nonhertz.study.design import Design, best
 from nonhertz.study.pictures import design_figures
@@ -70,7 +69,7 @@ def design(
     if as_json:
         print(text)
     else:
-        print_result(title, [*shown, Section("", [Said([f"wrote {path}" for path in made], "paragraphs")])])
+        print_result(title, shown, written=made)
 
 
 def _texts(found: Design, out: Path) -> dict[str, str]:
