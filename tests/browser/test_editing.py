@@ -267,6 +267,7 @@ def test_a_slow_answer_is_waited_for_and_given_up(desk: Desk) -> None:
     desk.type(desk.field("load.load"), "25 kN")
     desk.page.locator("#state", has_text="still solving").wait_for()
     assert not desk.mistakes
+    assert "outdated" in desk.page.locator("#results").get_attribute("class")
     desk.page.locator("#cancel").click()
     desk.settle()
     assert desk.page.locator(".state").inner_text().strip() == "last good result cancelled"

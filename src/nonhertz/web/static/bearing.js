@@ -98,7 +98,7 @@ async function runStrips() {
   strips = stop;
   const begun = performance.now();
   byId("round-trip").textContent = "; strips are being solved …";
-  const done = whileSolving(() => gaveUp("Cancelled"), `${SLICED}; strips are being solved`);
+  const done = whileSolving(() => gaveUp("Cancelled"), `${SLICED}; strips are being solved`, false);
   const answer = await asked("bearing/solve", { document: work.document, method: "strips" }, stop.signal);
   done();
   if (stop.signal.aborted) return;

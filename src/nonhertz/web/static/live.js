@@ -128,7 +128,7 @@ export class Live {
       const begun = performance.now();
       const stop = new AbortController();
       this.asking = { stop, since: begun };
-      const done = whileSolving(() => stop.abort());
+      const done = whileSolving(() => stop.abort(), "still solving", true);
       const answer = await this.ask(wanted, stress, stop.signal);
       done();
       this.asking = null;

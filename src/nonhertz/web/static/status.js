@@ -42,15 +42,17 @@ async function statusOf(place) {
 /**
  * Count the seconds of an answer that takes long, beside a button that gives it up; return what ends that.
  * @param {() => void} giveUp
- * @param {string} [words] what goes on
+ * @param {string} words what goes on
+ * @param {boolean} outdates whether what is shown is of another case
  */
-export function whileSolving(giveUp, words = "still solving") {
+export function whileSolving(giveUp, words, outdates) {
   const [begun, button] = [performance.now(), byId("cancel")];
   const count = () => {
     byId("state").textContent = words;
     byId("round-trip").textContent = `… ${Math.round((performance.now() - begun) / 1e3)} s`;
     button.hidden = false;
     button.onclick = giveUp;
+    byId("results").classList.toggle("outdated", outdates);
   };
   const counting = window.setInterval(count, AGAIN);
   return () => {
