@@ -58,7 +58,8 @@ def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None)
     """
     shown = [pair for pair in zip(measured.states, measured.states[1:], strict=False) if pair[1].name != "thin"]
     with sheet_style():
-        top = sum(_height(after) for _, after in shown) + _last_height(measured, fit)
+        corners = HEAD + 1.5 * TALL + FOOT + 0.2 if measured.points.land is not None else 0.0
+        top = sum(_height(after) for _, after in shown) + _relief_height(fit) + corners
         figure = sheet(top, title)
         for count, (before, after) in enumerate(shown, start=1):
             _draw_step(figure, top, count, before, after)
@@ -97,10 +98,6 @@ def _height(after: StepResult) -> float:
 
 def _relief_height(fit: Fit | None) -> float:
     return LAST_HEAD + 1.5 * TALL + FOOT + 0.2 + (SLIM + GAP if fit is not None else 0.0)
-
-
-def _last_height(measured: Measured, fit: Fit | None) -> float:
-    return _relief_height(fit) + (HEAD + 1.5 * TALL + FOOT + 0.2 if measured.points.land is not None else 0.0)
 
 
 def _draw_step(figure: Figure, top: float, count: int, before: StepResult, after: StepResult) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -46,7 +47,11 @@ def sweep_figures(sweep: Sweep) -> dict[str, Figure]:
     if drawing is None or len(sweep) > MOST_DRAWN:
         return {}
     shown = [quantity for quantity in _pictured(sweep) if sweep.extremes(quantity.name) is not None][:PANELS]
-    return {"sweep": panels([_panel(drawing, quantity) for quantity in shown], sweep.plan.title)} if shown else {}
+    return (
+        {"sweep": panels([functools.partial(drawing, quantity) for quantity in shown], sweep.plan.title)}
+        if shown
+        else {}
+    )
 
 
 def tolerance_figures(found: Tolerance) -> dict[str, Figure]:
@@ -257,10 +262,6 @@ def _drawn(quantity: Quantity, values: NDArray[Any]) -> Measure:
     known = quantity.factor * values[np.isfinite(values)]
     unit, factor = chosen().of(quantity.shown_unit, known.tolist())
     return Measure(factor * quantity.factor, unit)
-
-
-def _panel(drawing: Callable[[Quantity, Axes], object], quantity: Quantity) -> Callable[[Axes], object]:
-    return lambda ax: drawing(quantity, ax)
 
 
 def _pictured(sweep: Sweep) -> tuple[Quantity, ...]:

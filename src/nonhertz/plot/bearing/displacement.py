@@ -114,7 +114,12 @@ def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, 
         states[1.0] = solution
     multiples = np.array(sorted(states))
     nowhere = np.full(3, np.nan)
-    moved = [[nowhere, nowhere] if (each := states[m]) is None else _moved(each, m) for m in multiples]
+    moved = [
+        [nowhere, nowhere]
+        if (each := states[m]) is None
+        else [each.displacement[:3], _slope(each.stiffness, each.force) / m]
+        for m in multiples
+    ]
     return multiples, np.array(moved).transpose(1, 0, 2)
 
 
@@ -124,11 +129,6 @@ def _speed(solution: BearingSolution) -> float:
         return 0.0
     at_one = solution.bearing.rows[0].bearing.load_by_speed(1.0)[1]
     return 30.0 / math.pi * math.sqrt(float(solution.roller_load[0, 1]) / at_one) if at_one > 0.0 else 0.0
-
-
-def _moved(found: BearingSolution, multiple: float) -> list[Array]:
-    """Return the displacement [mm] and its derivative by the multiple of the forces."""
-    return [found.displacement[:3], _slope(found.stiffness, found.force) / multiple]
 
 
 def _one(solution: BearingSolution, given: dict[str, Any], how: dict[str, Any]) -> BearingSolution | None:

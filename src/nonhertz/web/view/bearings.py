@@ -46,7 +46,10 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         If something that the case says about life is refused.
     """
     life, reason = case.rated(solution)
-    pressed = solution.method == "strips"
+    if solution.method == "strips":
+        contacts = [[_lines(solution.contact(j, ring)) for ring in RINGS] for j in range(solution.angle.size)]
+    else:
+        contacts = _by_slices(solution, case.solver.get("laminae", LAMINAE))
     rows = [*summary_rows(case, solution), *life_rows(life, reason, case.prescribed.get("speed"))]
     rollers = roller_table(solution)
     return {
@@ -61,7 +64,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "rib_load": numbers(solution.rib_load),
         "force": numbers(solution.force),
         "most": most_loaded(solution),
-        "contacts": _by_strips(solution) if pressed else _by_slices(solution, case.solver.get("laminae", LAMINAE)),
+        "contacts": contacts,
         "verdict": verdict_seen(of_bearing(solution, life)),
         "summary": [list(row) for row in rows],
         "columns": list(rollers.heads),
@@ -106,12 +109,8 @@ def _relief(row: RollerBearing, ring: str) -> dict[str, Any]:
     return relief_between(max(-half, contact.interval[0]), min(half, contact.interval[1]), contact.separation_at)
 
 
-def _by_strips(solution: BearingSolution) -> list[list[dict[str, Any] | None]]:
-    """Return for every roller and ring the lines along the contact; None where there is no load."""
-    return [[_lines(solution.contact(j, ring)) for ring in RINGS] for j in range(solution.angle.size)]
-
-
 def _lines(contact: Solution | None) -> dict[str, Any] | None:
+    """Return the lines along a contact by strips; None where there is no load."""
     if contact is None:
         return None
     return lines(contact) | {
@@ -124,7 +123,7 @@ def _lines(contact: Solution | None) -> dict[str, Any] | None:
 
 
 def _by_slices(solution: BearingSolution, laminae: int) -> list[list[dict[str, Any] | None]]:
-    """Return the same of slices: steps of line load, without pressure."""
+    """Return for every roller and ring the steps of line load, without pressure; None where there is no load."""
     found: list[list[dict[str, Any] | None]] = []
     for row in solution.bearing.rows:
         slices = standard_slices(row.bearing, laminae)
