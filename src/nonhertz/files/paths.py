@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import chain, product
 from typing import Any
 
 from nonhertz.errors import InputError
@@ -19,8 +20,6 @@ from nonhertz.inputs.fields import Described, Part, Several, nearest
 from nonhertz.model.profile import PARAMETERS
 
 Keys = tuple[str | int, ...]
-#: Path, keys, and unit, wholeness and alternatives of a single value.
-Leaf = tuple[str, Keys, tuple[str | None, bool, tuple[str, ...]]]
 
 #: Keys of tables that say what a table is; unless they are a choice of words, they are not to be varied on their own.
 _NAMES = ("kind", "format", "title")
@@ -112,13 +111,21 @@ def parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
     kind : type
         The class of what it holds, `CaseDocument` or `BearingFile`.
     """
-    found: dict[str, Parameter] = {}
-    for path, keys, leaf in _in_tables(document, (table_of(kind),), (), ()):
-        found.setdefault(path, Parameter(path, keys, *leaf))
-    for place, _ in body_tables(document):
-        path = f"{place}.profile"
-        found[path] = Parameter(path, tuple(path.split(".")), None)
-    return found
+    found = [*_in_tables(document, (table_of(kind),), ())]
+    ways = [(keys, each) for each in found for keys in _without_positions(each.keys)]
+    count = Counter(keys for keys, _ in ways)
+    known = {path_of(keys): each for keys, each in ways if keys == each.keys or count[keys] == 1}
+    known |= {
+        f"{place}.profile": Parameter("", (*place.split("."), "profile"), None) for place, _ in body_tables(document)
+    }
+    return {path: replace(each, path=path) for path, each in known.items()}
+
+
+def _without_positions(keys: Keys) -> Iterator[Keys]:
+    """Yield keys without some of the positions in them, those with all of them last."""
+    choices: list[tuple[Keys, ...]] = [((), (key,)) if isinstance(key, int) else ((key,),) for key in keys]
+    for kept in product(*choices):
+        yield tuple(chain.from_iterable(kept))
 
 
 def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
@@ -156,47 +163,28 @@ def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     raise InputError(path, path, "be a path to a value of the file", remedy)
 
 
-def _in_tables(value: Any, tables: Sequence[Table], keys: Keys, short: Keys) -> Iterator[Leaf]:
-    """Yield path, keys and kind of all that a value, one of these tables, holds or could hold.
-
-    ``short`` are the keys without positions that say nothing.
-    """
+def _in_tables(value: Any, tables: Sequence[Table], keys: Keys) -> Iterator[Parameter]:
+    """Yield all that a value, one of these tables, holds or could hold."""
     if any(table.kinds for table in tables):
-        yield path_of((*short, "kind")), (*keys, "kind"), (None, False, ())
+        yield Parameter("", (*keys, "kind"), None)
     # Of a drop it depends on the kind of profile which parameter it determines.
     pairs = [pair for table in tables for pair in table.pairs if "drop" not in pair]
     for name, key in {name: key for table in tables for name, key in table.keys.items()}.items():
-        others = tuple(other for pair in pairs if name in pair for other in pair if other != name)
-        yield from _at_key(_entry(value, name), key, (*keys, name), (*short, name), others)
+        leaf = None if key.several or name in _NAMES else _leaf(key.each)
+        if leaf is not None:
+            others = tuple(other for pair in pairs if name in pair for other in pair if other != name)
+            yield Parameter("", (*keys, name), *leaf, others)
+        yield from _within(_entry(value, name), key, (*keys, name))
 
 
-def _at_key(value: Any, key: Key, keys: Keys, short: Keys, others: tuple[str, ...]) -> Iterator[Leaf]:
-    """Yield what a key holds or could hold."""
-    leaf = None if key.several else _leaf(key.each)
-    if leaf is not None and keys[-1] not in _NAMES:
-        yield path_of(short), keys, (*leaf, others)
-        if short != keys:
-            yield path_of(keys), keys, (*leaf, others)
+def _within(value: Any, key: Key, keys: Keys) -> Iterator[Parameter]:
+    """Yield what the tables at a key hold or could hold."""
     if isinstance(value, list) and key.several:
-        yield from _in_entries(value, key.tables, keys, short)
+        for position, entry in enumerate(value, start=1):
+            if isinstance(entry, dict):
+                yield from _in_tables(entry, _of_its_kind(entry, key.tables), (*keys, position))
     elif (isinstance(value, dict) or value is None) and not isinstance(key.each, Several):
-        yield from _in_tables(value, _of_its_kind(value, key.tables), keys, short)
-
-
-def _in_entries(value: list[Any], tables: Sequence[Table], keys: Keys, short: Keys) -> Iterator[Leaf]:
-    """Yield what the tables of a list hold; without their position where it is the only one with such a key."""
-    found = [
-        each
-        for position, entry in enumerate(value, start=1)
-        if isinstance(entry, dict)
-        for each in _in_tables(entry, _of_its_kind(entry, tables), (*keys, position), (*short, position))
-    ]
-    tails = Counter(inner[len(keys) + 1 :] for _, inner, _ in found)
-    for _, inner, leaf in found:
-        tail = inner[len(keys) + 1 :]
-        if tails[tail] == 1:
-            yield path_of((*short, *tail)), inner, leaf
-    yield from found
+        yield from _in_tables(value, _of_its_kind(value, key.tables), keys)
 
 
 def _of_its_kind(value: Any, tables: Sequence[Table]) -> Sequence[Table]:
