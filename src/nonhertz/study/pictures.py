@@ -246,7 +246,7 @@ def in_words(path: str) -> str:
 
 
 def _capital(words: str) -> str:
-    return words[:1].upper() + words[1:]
+    return words if words.startswith("d ") else words[:1].upper() + words[1:]  # a derivative is written small
 
 
 def scaled(path: str, unit: str, values: NDArray[Any]) -> tuple[NDArray[Any], str]:
