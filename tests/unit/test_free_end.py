@@ -110,6 +110,7 @@ def test_closer_than_the_table_the_logarithm_goes_on(finer):
     np.testing.assert_allclose(added(u, inner, outer)[[H, C]], integrated(u, inner, outer), rtol=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("element", ELEMENTS)
 def test_an_element_of_ones_own_has_a_table_of_its_own(element):
     # One that only shares its name with a shipped one, and the same under another name.

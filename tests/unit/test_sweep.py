@@ -266,7 +266,7 @@ def test_a_bearing_is_swept_too():
 def test_a_picture_has_a_line_for_each_of_few_values_or_words(over, below, lines):
     found = nh.sweep(replace(CASE, solver={"strips": 11}), over=over, quantities=("load_by_approach",), workers=1)
     (axes,) = sweep_figures(found)["sweep"].axes
-    assert (axes.get_xlabel(), axes.get_ylabel()) == (below, "D load / d approach [N/µm]")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (below, "d load / d approach [N/µm]")
     legend = axes.get_legend()
     assert lines == ([text.get_text() for text in legend.get_texts()] if legend else len(axes.lines))
 
