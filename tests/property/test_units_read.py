@@ -37,6 +37,7 @@ WORDS = {
     "N/µm": {"lbf/µin"}, "N/mrad": {"lbf/mrad"}, "N/mm": {"lbf/in"},
     "mm/µm": {"in/mil"}, "m/mrad": {"in/mrad"},
 }  # fmt: skip
+INITIAL = re.compile(r"\b[A-Z]\. (?=[A-Z])")  # of an author, who may be called N.
 UNIT = re.compile(rf"[\[(]?({'|'.join(sorted(map(re.escape, WORDS), key=len, reverse=True))})(?:[\])^.,;:][^/]*)?")
 
 #: No powers of length and stress: what stands for a gram and for a tonne per cubic millimetre.
@@ -161,7 +162,7 @@ def printed_to(
 
 def compare_words(said: str, read: str) -> None:
     """Assert that nothing but numbers and units changes, and that all units do."""
-    before, after = (NUMBER.sub("#", each).split() for each in (said, read))
+    before, after = (NUMBER.sub("#", INITIAL.sub("", each)).split() for each in (said, read))
     assert len(before) == len(after)
     for one, other in zip(before, after, strict=True):
         unit = UNIT.fullmatch(one)

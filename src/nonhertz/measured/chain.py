@@ -394,8 +394,8 @@ def prepare(
 ) -> Measured:
     """Return a trace with the usual steps: level, align, trim, outliers, smooth, thin.
 
-    Without a cutoff it is 0.8 mm, or a fifth of a land that is shorter; without a slope 0.05. Eight points per cutoff
-    are all points where there is no filter; corners have points of their own.
+    Without a cutoff it is that usual for rollers, or a fifth of a land that is shorter; without a slope 0.05. Eight
+    points per cutoff are all points where there is no filter; corners have points of their own.
 
     Returns
     -------
