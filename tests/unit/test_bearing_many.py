@@ -48,6 +48,11 @@ def test_states_are_those_of_one_at_a_time():
     assert_allclose(pickle.loads(pickle.dumps(found)).load, found.load)
 
 
+def test_states_take_no_steps_from_one_another():
+    # Together they are more than one search may take.
+    assert B.solve_many(row(), radial=np.full(120, 3e3), tilt=5e-4, method="slices").converged.all()
+
+
 def test_all_motions_at_once_lead_back_to_the_forces():
     found = B.solve_many(row(), radial=np.array([500.0, 9e3]), tilt=5e-4, method="slices")
     again = B.solve_many(row(), displacement=found.displacement[None], method="slices")
