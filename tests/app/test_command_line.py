@@ -210,7 +210,7 @@ def test_nothing_is_left_behind_when_writing_fails(
 ) -> None:
     Path("old").mkdir()
     Path("old/result.json").write_text("old", encoding="utf-8")
-    monkeypatch.setattr(nonhertz.plot, "save", fail)
+    monkeypatch.setattr("nonhertz.plot.sheets.save", fail)
     assert main(["solve", case, "--out", "old"]) == 3
     assert main(["solve", case, "--out", "new/results"]) == 3
     assert capsys.readouterr().out == ""

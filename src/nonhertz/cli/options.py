@@ -78,9 +78,8 @@ def drawing(figures: Figures) -> Callable[[Path], None]:
     """Return what draws figures and saves them in a folder."""
 
     def draw(folder: Path) -> None:
-        from nonhertz.plot import save
+        from nonhertz.plot import save_all
 
-        for name, figure in figures().items():
-            save(figure, folder / name)
+        save_all(figures(), folder)
 
     return draw

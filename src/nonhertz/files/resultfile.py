@@ -93,8 +93,7 @@ class Result:
         import nonhertz  # figures are made beside files, not below them
 
         def draw(drafts: Path) -> None:
-            for name, figure in nonhertz.plot.figures(self.solution, self.case.title).items():
-                nonhertz.plot.save(figure, drafts / name)
+            nonhertz.plot.save_all(nonhertz.plot.figures(self.solution, self.case.title), drafts)
 
         texts = self._files()
         try:

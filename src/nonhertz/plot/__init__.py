@@ -23,7 +23,7 @@ from nonhertz.plot.contact_area import footprint
 from nonhertz.plot.fatigue import dent_figure, life_density, life_figure
 from nonhertz.plot.measured import measured_figure
 from nonhertz.plot.results import draw, figures
-from nonhertz.plot.sheets import save
+from nonhertz.plot.sheets import save, save_all
 from nonhertz.plot.side_by_side import comparison
 from nonhertz.plot.subsurface import axial_stress, section_stress, stress_figures, stress_planes
 from nonhertz.plot.surfaces import profile
@@ -47,6 +47,7 @@ __all__ = [
     "profile",
     "roller_relief",
     "save",
+    "save_all",
     "section_stress",
     "stress_figures",
     "stress_planes",

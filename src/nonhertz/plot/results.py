@@ -37,10 +37,10 @@ OF_BEARINGS: Final[Drawings] = {
 
 def draw(result: Solution | BearingSolution, what: str, ax: Axes | None = None) -> Axes:
     """Draw one thing of a result, as its method ``plot`` does."""
-    drawings = OF_BEARINGS if isinstance(result, BearingSolution) else OF_CONTACTS
-    one_of("what", what, tuple(drawings), "choose one of them")
     from matplotlib import axes
 
+    drawings = OF_BEARINGS if isinstance(result, BearingSolution) else OF_CONTACTS
+    one_of("what", what, tuple(drawings), "choose one of them")
     if ax is not None and not isinstance(ax, axes.Axes):
         raise InputError("ax", ax, "be axes of matplotlib", "leave it out for a figure of its own")
     drawn: Axes = drawings[what](result, ax)

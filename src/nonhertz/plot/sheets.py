@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -75,6 +75,12 @@ def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
         figure.savefig(svg, dpi=PNG_DPI, metadata={"Date": None})
         figure.savefig(png, dpi=PNG_DPI)
     return svg, png
+
+
+def save_all(figures: Mapping[str, Figure], folder: Path) -> None:
+    """Write figures into a folder under their names, as `save` does."""
+    for name, figure in figures.items():
+        save(figure, folder / name)
 
 
 def image(figure: Figure, kind: Literal["svg", "png"]) -> bytes:
