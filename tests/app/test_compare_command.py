@@ -80,7 +80,7 @@ def test_the_strips_of_the_file_are_taken(case: str, capsys: pytest.CaptureFixtu
 
 
 def test_nothing_is_left_behind_when_writing_fails(case: str, leaves_nothing_behind: Callable[..., None]) -> None:
-    leaves_nothing_behind(nonhertz.plot, "save", ["compare", case, *CELLS])
+    leaves_nothing_behind(nonhertz.plot, "save_all", ["compare", case, *CELLS])
 
 
 def test_a_file_in_the_place_of_the_directory_is_refused_before_anything_runs(

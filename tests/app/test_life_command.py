@@ -200,7 +200,7 @@ def test_all_files_are_written(case: str, capsys: pytest.CaptureFixture[str]) ->
 
 
 def test_nothing_is_left_behind_when_writing_fails(case: str, leaves_nothing_behind: Callable[..., None]) -> None:
-    leaves_nothing_behind(nonhertz.plot, "save", ["life", case, *QUICK])
+    leaves_nothing_behind(nonhertz.plot, "save_all", ["life", case, *QUICK])
 
 
 def test_what_is_no_number_is_null_and_said_in_words(case: str, capsys: pytest.CaptureFixture[str]) -> None:
