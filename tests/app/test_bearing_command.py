@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import re
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -464,20 +461,6 @@ def test_a_balance_that_is_not_found_is_one_sentence(folder, capsys, monkeypatch
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == ("", "Rollers and rings found no balance.\n")
     assert not Path("results").exists()
-
-
-def test_help_of_a_command_imports_neither_compiler_nor_figures() -> None:
-    program = (
-        "import sys\n"
-        "from nonhertz.cli import main\n"
-        "main(['bearing', '--help'])\n"
-        "heavy = {'numba', 'pint', 'matplotlib', 'jinja2', 'starlette'} & set(sys.modules)\n"
-        "sys.exit(', '.join(sorted(heavy)) or 0)\n"
-    )
-    environment = os.environ | {"PYTHONPATH": str(Path(nh.__file__).parents[1])}
-    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, env=environment)
-    assert (run.returncode, run.stderr) == (0, "")
-    assert "--compare" in run.stdout
 
 
 # Fits

@@ -1,7 +1,7 @@
 """The command line: read the input, call one function, print.
 
 A command is a function in a module of its own, and `nonhertz.cli.commands` the table of them. Only the module of the
-command that runs is imported, so that ``nonhertz --help`` answers at once.
+command that runs is imported, and none for ``--help``, which answers at once.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """The table of commands, and how one of them is run.
 
-A command is a function in a module of its own, which is imported when it runs; ``--help`` prints its docstring.
+A command is a function in a module of its own. Its signature and its docstring, which ``--help`` prints, are read from
+the source; what it needs is imported when it runs, so that help and mistyped options are answered at once.
 """
 
 from __future__ import annotations
@@ -8,13 +9,16 @@ from __future__ import annotations
 import ast
 import contextlib
 import contextvars
+import functools
+import importlib
 import itertools
 import re
 import sys
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from importlib import resources
 from pathlib import Path
+from typing import Any
 
 from cyclopts import App, CycloptsError, UnusedCliTokensError
 
@@ -32,8 +36,12 @@ _FUNCTIONS = {"map": "contact_map", "sweep": "sweep_plan", "tolerance": "study_t
 _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 
 
-def _application(listed: bool) -> App:
-    """Return all commands; where they are ``listed`` alone, none is imported."""
+# What signatures are made of.
+_OF_SIGNATURES = {"__future__", "cyclopts", "nonhertz.cli.options", "pathlib", "typing"}
+
+
+def application(names: Iterable[str] = COMMANDS) -> App:
+    """Return these commands."""
     found = App(
         name="nonhertz",
         help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
@@ -43,21 +51,26 @@ def _application(listed: bool) -> App:
         print_error=False,
         suppress_keyboard_interrupt=False,
     )
-    for name in COMMANDS:
-        function = _FUNCTIONS.get(name, name)
-        more = {"help": _first_line(name, function)} if listed else {}
-        found.command(f"nonhertz.cli.{name}:{function}", name=name, **more)
+    for name in names:
+        found.command(_command(name, _FUNCTIONS.get(name, name)), name=name)
     return found
 
 
-def _first_line(module: str, function: str) -> str:
-    """Return the first line of a command's docstring, without importing what it is in."""
-    source = resources.files("nonhertz.cli").joinpath(f"{module}.py").read_text("utf-8")
-    (found,) = (each for each in ast.parse(source).body if isinstance(each, ast.FunctionDef) and each.name == function)
-    return (ast.get_docstring(found) or "").partition("\n")[0]
+def _command(name: str, function: str) -> Callable[..., int | None]:
+    """Return a function with signature and docstring of a command, which imports the command when it is called."""
+    source = resources.files("nonhertz.cli").joinpath(f"{name}.py")
+    tree = ast.parse(source.read_text("utf-8"), str(source))
+    tree.body = [each for each in tree.body if (isinstance(each, ast.ImportFrom) and each.module in _OF_SIGNATURES)
+                 or (isinstance(each, ast.FunctionDef) and each.name == function)]  # fmt: skip
+    scope: dict[str, Any] = {"__name__": f"nonhertz.cli.{name}"}
+    exec(compile(tree, str(source), "exec"), scope)
 
+    @functools.wraps(scope[function])
+    def imported(*args: Any, **kwargs: Any) -> int | None:
+        code: int | None = getattr(importlib.import_module(f"nonhertz.cli.{name}"), function)(*args, **kwargs)
+        return code
 
-app = _application(listed=False)
+    return imported
 
 
 def run(words: Sequence[str]) -> int:
@@ -78,11 +91,8 @@ def run(words: Sequence[str]) -> int:
 
 def _run(words: Sequence[str]) -> int:
     """Run one command in the units that it is asked to show; JSON is in SI units."""
-    known = app if words and words[0] in COMMANDS else _application(listed=True)
-    try:
-        command, bound, _ = known.parse_args(words, exit_on_error=False, print_error=False)
-    except ImportError as error:
-        raise error.__cause__ or error from None  # which says what is not installed
+    known = application(words[:1] if words and words[0] in COMMANDS else COMMANDS)
+    command, bound, _ = known.parse_args(words, exit_on_error=False, print_error=False)
     given = bound.arguments
     choose_units("si" if given.get("as_json") else given.get("units", "si"))
     try:
