@@ -59,6 +59,26 @@ def test_none_is_without_a_test():
     assert set(SCRIPTS) <= tested
 
 
+def test_the_method():
+    script = run("the_method")
+    # A second program by another hand: C, C', P and P' of a strip for one steel body, below the strip and beside it.
+    y, c, compliance = np.array([0.0, 1.0]), np.full(2, 0.25), (1 - 0.3**2) / (np.pi * 206000)
+    found = [compliance * each[:, 1] for each in script.coefficients(y, np.full(2, 0.4), c)]
+    beside, below = (1.18000912e-8, 1.40992791e-7, 1.19573140e-8, 1.37802852e-7), (
+        1.09428655e-7, 1.10433121e-6, 2.35687676e-6, 7.02720057e-6
+    )  # fmt: skip
+    assert_allclose(np.transpose(found), [beside, below], rtol=1e-8)
+    # The library on the same strips: an ellipse, one that the body cuts off, and a long contact that lifts off tilted.
+    whole, cut_off, long = script.edges, np.linspace(-4, 4, 42), np.linspace(-10, 10, 42)
+    for case in ((100, whole, 1000), (100, cut_off, 8000), (1000, long, 20e3, 2e-3)):
+        approach, pressure, half_width, moment = script.pressed(*case)
+        expected = script.by_the_library(*case)
+        assert_allclose(approach, expected[0], rtol=1e-9)
+        assert_allclose(pressure, expected[1], rtol=1e-9, atol=1e-9 * pressure.max())
+        assert_allclose(half_width, expected[2], rtol=1e-9, atol=1e-9 * half_width.max())
+        assert_allclose(moment, expected[3], rtol=1e-9, atol=1e-6)
+
+
 def test_crown_or_logarithm():
     script = run("crown_or_logarithm")
     # The contact on the strong crown ends well inside the roller: it is Hertz's ellipse. Side faces 1.6 mm beyond it,
