@@ -29,7 +29,7 @@ import nonhertz.plot
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
-from nonhertz.cli.commands import COMMANDS, application
+from nonhertz.cli.commands import COMMANDS, app
 from nonhertz.cli.printing import print_table
 from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.result.solution import Solution
@@ -394,7 +394,7 @@ def test_help(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
 
 def test_commands_are_listed_by_the_first_line_of_their_help(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--help"]) == 0
-    listed, app = " ".join(capsys.readouterr().out.replace("│", " ").split()), application()
+    listed = " ".join(capsys.readouterr().out.replace("│", " ").split())
     for name in COMMANDS:
         first, _, _ = (inspect.getdoc(app[name].default_command) or "").partition("\n")
         assert f"{name} {first}" in listed

@@ -15,7 +15,7 @@ import itertools
 import re
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -40,8 +40,8 @@ _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 _OF_SIGNATURES = {"__future__", "cyclopts", "nonhertz.cli.options", "pathlib", "typing"}
 
 
-def application(names: Iterable[str] = COMMANDS) -> App:
-    """Return these commands."""
+def _application() -> App:
+    """Return all commands."""
     found = App(
         name="nonhertz",
         help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
@@ -51,7 +51,7 @@ def application(names: Iterable[str] = COMMANDS) -> App:
         print_error=False,
         suppress_keyboard_interrupt=False,
     )
-    for name in names:
+    for name in COMMANDS:
         found.command(_command(name, _FUNCTIONS.get(name, name)), name=name)
     return found
 
@@ -73,6 +73,9 @@ def _command(name: str, function: str) -> Callable[..., int | None]:
     return imported
 
 
+app = _application()
+
+
 def run(words: Sequence[str]) -> int:
     """Run one command and return its exit code."""
     if ("--out", "") in itertools.pairwise(words) or "--out=" in words:
@@ -91,8 +94,7 @@ def run(words: Sequence[str]) -> int:
 
 def _run(words: Sequence[str]) -> int:
     """Run one command in the units that it is asked to show; JSON is in SI units."""
-    known = application(words[:1] if words and words[0] in COMMANDS else COMMANDS)
-    command, bound, _ = known.parse_args(words, exit_on_error=False, print_error=False)
+    command, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
     given = bound.arguments
     choose_units("si" if given.get("as_json") else given.get("units", "si"))
     try:
