@@ -36,6 +36,7 @@ SIZES: Final[Mapping[str, float]] = MappingProxyType(
         "m": 1e3,
         "km": 1e6,
         "mrad": 1e-3,
+        "%": 1e-2,
         "N/um": 1e3,
         "N/mrad": 1e3,
         "N mm/um": 1e3,

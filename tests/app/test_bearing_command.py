@@ -282,7 +282,7 @@ def test_lines_of_slices_add_up_to_the_loads(folder, capsys):
 
 
 def test_a_further_number_of_bearings_is_one_entry(folder, capsys, monkeypatch):
-    mean = Quantity("mean_load", "mean load", "", "N", lambda solved: solved.solution.load.mean(), "N")
+    mean = Quantity("mean_load", "mean load", "", "N", lambda solved: solved.solution.load.mean())
     monkeypatch.setitem(QUANTITIES, "mean_load", mean)
     loads = read_bearing("sliced.toml").solve().load
     assert main(["bearing", "sliced.toml"]) == 0

@@ -30,7 +30,7 @@ def test_a_column_is_what_the_solutions_say(chart, name):
 
 
 def test_a_quantity_that_is_made_of_whole_solutions_is_a_column_too(sweep, monkeypatch):
-    strips = Quantity("strips_in_contact", "", "", "", lambda one: float(np.count_nonzero(one.line_load)), "")
+    strips = Quantity("strips_in_contact", "", "", "", lambda one: float(np.count_nonzero(one.line_load)))
     monkeypatch.setitem(QUANTITIES, "strips_in_contact", strips)
     assert sweep.column("strips_in_contact").tolist() == [np.count_nonzero(one.line_load) for one in sweep]
     assert "strips_in_contact" in sweep.to_dataframe()

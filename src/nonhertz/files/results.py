@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from nonhertz.files.casefile import Case
 
 #: Quantities that are written as single numbers; the stiffness is written as a matrix.
-NUMBERS = tuple(name for name in QUANTITIES if "_by_" not in name)
+NUMBERS = tuple(name for name, quantity in QUANTITIES.items() if not quantity.within)
 
 #: Units of the numbers in a result; dimensionless ones are left out.
 UNITS: dict[str, Any] = {

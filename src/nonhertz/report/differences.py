@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from nonhertz.amounts import Amount, digits, mpa, percent
+from nonhertz.bearing.quantities import QUANTITIES as OF_BEARING
 from nonhertz.bearing.quantities import SolvedBearing
 from nonhertz.model.body import BODIES
 from nonhertz.report.inputs import InputGroup
@@ -15,14 +16,12 @@ from nonhertz.result.solution import EdgeKind, EdgePressure
 from nonhertz.show.bearing import clean
 from nonhertz.show.lives import without_ratio
 from nonhertz.show.sections import Cell
-from nonhertz.study.quantities import OF_BEARING
 
 ABSENT = "–"
 NOTICED = 5e-6  # relative difference
 # What is not the shape of a body: sections of files, and keys of bodies.
 _CONDITIONS = {"load", "solver", "life", "fit"}
 _BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_length", "clearance"}
-_OF_LIFE = ("static_safety", "basic", "reference", "modified")
 
 
 #: What it is, with its unit, and a cell for each case, whose remark is usually the difference from the first.
@@ -82,7 +81,7 @@ def _of_bearings(found: Sequence[BearingResults]) -> list[Compared]:
     rows: list[Compared] = []
     for name in sorted(set(OF_BEARING) - {"warnings"}, key=["max_pressure", *OF_BEARING].index):
         quantity = OF_BEARING[name]
-        if name in _OF_LIFE:
+        if quantity.within == "life":
             values = [math.nan if each.life is None else float(getattr(each.life, name)) for each in found]
         else:
             values = [math.nan if each is None else clean(quantity, each) for each in solved]

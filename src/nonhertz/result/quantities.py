@@ -40,11 +40,11 @@ class Quantity:
     get : callable
         Solution -> value in ``unit``.
     shown_unit : str
-        The unit in which people are shown it.
-    factor : float
-        Values in ``shown_unit`` over those in ``unit``.
+        The unit in which people are shown it; that of files if empty.
     scale : callable or None
         Solution -> size of the terms that it sums, in ``unit``; None if it is not a sum that may cancel to zero.
+    within : str
+        The array or the part of a result in which summaries and JSON have it; those without have a place of their own.
     """
 
     name: str
@@ -52,9 +52,9 @@ class Quantity:
     symbol: str
     unit: str
     get: Callable[[Any], float]
-    shown_unit: str
-    factor: float = 1.0
+    shown_unit: str = ""
     scale: Callable[[Any], float] | None = None
+    within: str = ""
 
     def clean(self, solution: Any) -> Any:
         """Return the value in ``unit``, zero where it is only rounding; of many solutions at once, of each."""
@@ -74,21 +74,14 @@ class Quantity:
 
 
 def _own(
-    name: str,
-    label: str,
-    symbol: str,
-    unit: str,
-    shown: tuple[str, float] | None = None,
-    scale: Callable[[Any], float] | None = None,
+    name: str, label: str, symbol: str, unit: str, shown: str = "", scale: Callable[[Any], float] | None = None
 ) -> Quantity:
     """Return the quantity that is an attribute of the solution."""
-    get: Callable[[Any], float] = attrgetter(name)
-    shown_unit, factor = shown or (unit, 1.0)
-    return Quantity(name, label, symbol, unit, get, shown_unit, factor, scale)
+    return Quantity(name, label, symbol, unit, attrgetter(name), shown, scale)
 
 
 def _slope(
-    row: int, column: int, name: str, unit: str, shown: tuple[str, float], scale: Callable[[Any], float] | None = None
+    row: int, column: int, name: str, unit: str, shown: str, scale: Callable[[Any], float] | None = None
 ) -> Quantity:
     """Return the quantity that is an entry of the stiffness."""
     force, _, motion = name.partition("_by_")
@@ -96,7 +89,7 @@ def _slope(
     def get(solution: Any) -> Any:  # works on Solutions too, all cases at once
         return solution.stiffness[..., row, column]
 
-    return Quantity(name, f"d {force} / d {motion}", "", unit, get, *shown, scale)
+    return Quantity(name, f"d {force} / d {motion}", "", unit, get, shown, scale, "stiffness")
 
 
 def _by_approach_on_lever(solution: Any) -> Any:
@@ -104,19 +97,19 @@ def _by_approach_on_lever(solution: Any) -> Any:
 
 
 _ALL = (
-    _own("approach", "approach", "delta", "mm", ("um", 1e3)),
-    _own("penetration", "penetration", "", "mm", ("um", 1e3)),
-    _own("tilt", "tilt", "gamma", "rad", ("mrad", 1e3)),
+    _own("approach", "approach", "delta", "mm", "um"),
+    _own("penetration", "penetration", "", "mm", "um"),
+    _own("tilt", "tilt", "gamma", "rad", "mrad"),
     _own("load", "load", "Q", "N"),
     _own("moment", "moment", "T", "N mm", scale=lambda solution: solution.load * solution.contact_length),
     _own("max_pressure", "maximum pressure", "", "MPa"),
     _own("max_pressure_y", "position of the maximum", "", "mm"),
     _own("max_half_width", "largest half-width", "", "mm"),
     _own("contact_length", "length of contact", "", "mm"),
-    _slope(0, 0, "load_by_approach", "N/mm", ("N/um", 1e-3)),
-    _slope(0, 1, "load_by_tilt", "N/rad", ("N/mrad", 1e-3), _by_approach_on_lever),
-    _slope(1, 0, "moment_by_approach", "N mm/mm", ("N mm/um", 1e-3), _by_approach_on_lever),
-    _slope(1, 1, "moment_by_tilt", "N mm/rad", ("N m/mrad", 1e-6)),
+    _slope(0, 0, "load_by_approach", "N/mm", "N/um"),
+    _slope(0, 1, "load_by_tilt", "N/rad", "N/mrad", _by_approach_on_lever),
+    _slope(1, 0, "moment_by_approach", "N mm/mm", "N mm/um", _by_approach_on_lever),
+    _slope(1, 1, "moment_by_tilt", "N mm/rad", "N m/mrad"),
 )
 
 #: Every number of a solution, by name.

@@ -24,12 +24,8 @@ from nonhertz.study.quantities import number_of
 from nonhertz.verdict import STATIC_LIMIT
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
-#: Numbers that strips and slices have alike.
-_COMPARED = (
-    *(f"{what}_{axis}" for what, axes in (("displacement", "xyz"), ("tilt", "yz"), ("force", "xyz"), ("moment", "yz"))
-      for axis in axes),
-    "max_load", "loaded_rollers",
-)  # fmt: skip
+#: What has the numbers that strips and slices have alike.
+_COMPARED = ("displacement", "force", "load")
 _REVOLUTIONS = " million revolutions"
 _PLAY = 1e-3  # mm, below which diameters are rounded
 
@@ -137,13 +133,12 @@ def roller_table(solution: BearingSolution) -> Table:
 def compared_rows(strips: SolvedBearing, slices: SolvedBearing) -> list[tuple[str, str, str, str]]:
     """Return name, value by strips, value by slices and difference of what describes the whole bearing."""
     rows = []
-    for name in _COMPARED:
-        quantity = QUANTITIES[name]
+    for quantity in (each for part in _COMPARED for each in QUANTITIES.values() if each.within == part):
         one, other = (clean(quantity, each) for each in (strips, slices))
         if one or other:
-            numbers, unit = quantity.amount(one, other).apart("g" if name == "loaded_rollers" else "")
+            numbers, unit = quantity.amount(one, other).apart("" if quantity.unit else "g")
             of_strips, of_slices = (f"{each} {unit}".rstrip() for each in numbers)
-            change = percent(other / one - 1.0) if one and name != "loaded_rollers" else ""
+            change = percent(other / one - 1.0) if one and quantity.unit else ""
             rows.append((quantity.label, of_strips, of_slices, change))
     return rows
 

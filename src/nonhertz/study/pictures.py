@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import chosen, given, of_dimension
+from nonhertz.amounts import given, of_dimension
 from nonhertz.errors import AccuracyWarning, NonhertzError
 from nonhertz.files.spreads import Distribution
 from nonhertz.plot.axes import Measure, measure
@@ -259,9 +259,7 @@ def scaled(path: str, unit: str, values: NDArray[Any]) -> tuple[NDArray[Any], st
 
 def _drawn(quantity: Quantity, values: NDArray[Any]) -> Measure:
     """Return how numbers of a quantity are drawn: in the unit that suits the largest of them."""
-    known = quantity.factor * values[np.isfinite(values)]
-    unit, factor = chosen().of(quantity.shown_unit, known.tolist())
-    return Measure(factor * quantity.factor, unit)
+    return Measure(*quantity.amount(*values[np.isfinite(values)].tolist()).scale)
 
 
 def _pictured(sweep: Sweep) -> tuple[Quantity, ...]:

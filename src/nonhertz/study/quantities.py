@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from nonhertz.bearing.quantities import LIVES, SolvedBearing
-from nonhertz.bearing.quantities import QUANTITIES as OF_LOADED
+from nonhertz.bearing.quantities import QUANTITIES as OF_BEARING
 from nonhertz.errors import InputError, NonhertzError
 from nonhertz.files.casefile import Case
 from nonhertz.inputs.fields import nearest
@@ -65,9 +65,9 @@ def _of_contact() -> dict[str, Quantity]:
 
     found = {name: replace(each, get=taken(each), scale=None) for name, each in QUANTITIES.items()}
     for quantity in (
-        Quantity("error", "estimated error of approach or load", "", "", _error, "%", 100.0),
-        Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings), ""),
-        Quantity("relative_life", "relative life", "", "", lambda s: s.life.relative, ""),
+        Quantity("error", "estimated error of approach or load", "", "", _error, "%"),
+        Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings)),
+        Quantity("relative_life", "relative life", "", "", lambda s: s.life.relative),
         Quantity("life", "life", "L10", LIVES[0], lambda s: s.life.million_revolutions or math.nan, LIVES[1]),
     ):
         found[quantity.name] = quantity
@@ -81,8 +81,6 @@ def _error(solved: SolvedContact) -> float:
 
 #: All numbers of a contact, by name.
 OF_CONTACT: Mapping[str, Quantity] = _of_contact()
-#: All numbers of a bearing, by name.
-OF_BEARING: Mapping[str, Quantity] = OF_LOADED
 #: Those of a row where none are named.
 USUAL_OF_CONTACT = (
     *("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length"),

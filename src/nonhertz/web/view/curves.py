@@ -6,6 +6,7 @@ import math
 import time
 from typing import Any, Final
 
+from nonhertz.amounts import read_in
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case
 from nonhertz.files.paths import Parameter, parameter, parameters
@@ -42,16 +43,14 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> dict[str,
         points.append(_point(document, varied, value, quantities))
         if time.perf_counter() - begun > CURVE_SECONDS:
             break
-    named = [
-        {
-            "name": each.name,
-            "label": each.label,
-            "unit": each.shown_unit.replace("um", "\u00b5m"),
-            "factor": each.factor,
-        }
-        for each in quantities
-    ]
+    named = [{"name": each.name, "label": each.label} | _as_read(each) for each in quantities]
     return {"ok": True, "quantities": named, "points": points}
+
+
+@read_in("si")
+def _as_read(quantity: Quantity) -> dict[str, Any]:
+    factor, unit = quantity.amount().scale
+    return {"unit": unit, "factor": factor}
 
 
 def _quantities(document: dict[str, Any]) -> tuple[Quantity, ...]:
@@ -73,5 +72,5 @@ def _point(
     if complaint:
         return {"value": value, "sentence": complaint}
     solved = SolvedContact(case, solution)
-    numbers = [quantity.factor * number_of(quantity, solved) for quantity in quantities]
+    numbers = [_as_read(quantity)["factor"] * number_of(quantity, solved) for quantity in quantities]
     return {"value": value, "numbers": [each if math.isfinite(each) else None for each in numbers]}
