@@ -16,8 +16,8 @@ def strips_between(low, high, *, curvature=0.1, separation=0.0, at_depth=NO_DEPT
     return Strips(y, low, high, np.full(y.size, curvature), separation + np.zeros(y.size), at_depth)
 
 
-def law_of(element=nh.SEMI_ELLIPTIC, terms=HALF_SPACE):
-    return influence.law_of(Influence(np.atleast_2d(terms)), element)
+def kernel_of(element=nh.SEMI_ELLIPTIC, terms=HALF_SPACE):
+    return influence.kernel_of(Influence(np.atleast_2d(terms)), element)
 
 
 def interpret(monkeypatch, **replaced):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from core_pieces import NO_DEPTH, law_of, strips_between
+from core_pieces import NO_DEPTH, kernel_of, strips_between
 from scipy.integrate import quad
 
 import nonhertz as nh
@@ -22,13 +22,13 @@ both_elements = pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOL
 
 def blocks(element, *, m=M, terms=HALF_SPACE, at_depth=NO_DEPTH):
     """[A], [t A'], [B], [t B'] of every active strip at every active centre."""
-    return coefficients_between(strips_between(LOW, HIGH, at_depth=at_depth), m, ACTIVE, law_of(element, terms))
+    return coefficients_between(strips_between(LOW, HIGH, at_depth=at_depth), m, ACTIVE, kernel_of(element, terms))
 
 
-def coefficients_between(strips, m, active, law):
+def coefficients_between(strips, m, active, kernel):
     """The same of any strips."""
     values = np.empty((4, active.size, active.size))
-    coefficients(strips, m, active, law, remote_of(strips, law, 1.1 * m.max()), values)
+    coefficients(strips, m, active, kernel, remote_of(strips, kernel, 1.1 * m.max()), values)
     return values
 
 
@@ -56,11 +56,11 @@ def test_near_and_far_coefficients_are_those_of_the_functions(element, active, w
     # The first term moves edges along, the second turns them about a face. The narrower the contact, the more is far.
     edges, m = np.linspace(-6.0, 6.0, 13) ** 3 / 36.0, np.linspace(0.2, 1.0, 12) * widest
     y, terms = 0.5 * (edges[1:] + edges[:-1]), np.array([[1.0, 0.0, 1.0], [-1.0, 13.0, 0.8], [1.0, 26.0, 0.3]])
-    strips, law = strips_between(edges[:-1], edges[1:]), law_of(element, terms)
-    remote = remote_of(strips, law, 1.1 * widest)
+    strips, kernel = strips_between(edges[:-1], edges[1:]), kernel_of(element, terms)
+    remote = remote_of(strips, kernel, 1.1 * widest)
     far = terms.shape[0] * y.size**2 - np.sum(remote.beyond - remote.first)
     assert far > (200 if widest == 0.4 else 300)
-    values, expected = coefficients_between(strips, m, active, law), np.zeros((4, active.size, active.size))
+    values, expected = coefficients_between(strips, m, active, kernel), np.zeros((4, active.size, active.size))
     a = np.sqrt(m[active])
     for sign, offset, weight in terms:
         ends = [
@@ -76,7 +76,7 @@ def test_a_distant_strip_is_the_point_load_of_boussinesq(element):
     m, width, distance = 0.04, 0.5, 200.0
     y = np.array([0.0, distance])
     strips = strips_between(y - 0.5 * width, y + 0.5 * width)
-    values = coefficients_between(strips, np.full(2, m), np.arange(2), law_of(element))
+    values = coefficients_between(strips, np.full(2, m), np.arange(2), kernel_of(element))
     np.testing.assert_allclose(values[0, 0, 1], width / distance, rtol=1e-5, atol=0.0)
     np.testing.assert_allclose(values[2, 0, 1] / m, width / distance**3, rtol=1e-5, atol=0.0)
 
@@ -115,8 +115,8 @@ def test_terms_add_up(element):
 def test_displacement_is_the_coefficients_times_the_loads(element):
     terms = np.vstack([HALF_SPACE, (-1.0, 7.0, 0.7)])
     expected = blocks(element, terms=terms)[0] @ (R * M)[ACTIVE]
-    strips, law, found = strips_between(LOW, HIGH), law_of(element, terms), np.empty(M.size)
-    lift(strips, M, R * M, law, remote_of(strips, law, 1.1 * M.max()), M > 0.0, found)
+    strips, kernel, found = strips_between(LOW, HIGH), kernel_of(element, terms), np.empty(M.size)
+    lift(strips, M, R * M, kernel, remote_of(strips, kernel, 1.1 * M.max()), M > 0.0, found)
     np.testing.assert_allclose(found[ACTIVE], expected, rtol=1e-13, atol=0.0)
 
 
@@ -252,6 +252,8 @@ def test_displacements_are_those_of_the_surface_against_the_points_at_depth(elem
 def test_contacts_with_and_without_free_faces_run_the_same_machine_code():
     """What is compiled for arrays that can be written to is compiled again for those that cannot."""
     faces = FreeSide(-2.0, -1, 0.5, 0.3), FreeSide(3.0, 1, 0.5, 0.25)
-    laws = [influence.law_of(Influence(np.atleast_2d(HALF_SPACE), faces=faces[:n]), nh.SEMI_ELLIPTIC) for n in range(3)]
-    kinds = [[(each.flags.writeable, each.flags.c_contiguous) for each in law if np.ndim(each)] for law in laws]
+    laws = [
+        influence.kernel_of(Influence(np.atleast_2d(HALF_SPACE), faces=faces[:n]), nh.SEMI_ELLIPTIC) for n in range(3)
+    ]
+    kinds = [[(each.flags.writeable, each.flags.c_contiguous) for each in kernel if np.ndim(each)] for kernel in laws]
     assert kinds[0] == kinds[1] == kinds[2]

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from core_pieces import interpret, law_of, strips_between
+from core_pieces import interpret, kernel_of, strips_between
 
 import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
@@ -32,7 +32,7 @@ def sought_from(r, m, rigid, gap=None):
 def run(r, m, rigid, *, relaxation=1.0, eager=True, element=nh.SEMI_ELLIPTIC, influence=HALF_SPACES):
     """Press a tilted crowned roller by a load, from a given start: status, steps, residual."""
     effort = Effort(loop.TOLERANCE, relaxation, eager)
-    return loop.newton(crowned(influence), GIVEN, law_of(element, influence.terms), sought_from(r, m, rigid), effort)
+    return loop.newton(crowned(influence), GIVEN, kernel_of(element, influence.terms), sought_from(r, m, rigid), effort)
 
 
 def start(m=0.05):
@@ -101,17 +101,17 @@ def test_nothing_in_contact_stagnates():
     assert (status, steps) == (STAGNATED, 0)
 
 
-def hurried(strips, given, law, sought, effort):
-    return loop.newton(strips, given, law, sought, Effort(effort.tolerance, 1e-3, True))
+def hurried(strips, given, kernel, sought, effort):
+    return loop.newton(strips, given, kernel, sought, Effort(effort.tolerance, 1e-3, True))
 
 
 def lost(*arguments):
     return STAGNATED, 1, np.inf
 
 
-def emptied(strips, given, law, sought, effort):
+def emptied(strips, given, kernel, sought, effort):
     sought.m[:] = 0.0
-    return loop.newton(strips, given, law, sought, effort)
+    return loop.newton(strips, given, kernel, sought, effort)
 
 
 @pytest.mark.parametrize(
@@ -149,9 +149,9 @@ def test_a_contact_may_be_much_wider_than_long():
 
 def check(r, m, rigid, separation=CROWN, gap=None):
     """Return what the last check finds wrong with a state on half-spaces under the load, and fill ``gap``."""
-    strips, law = crowned(separation=separation), law_of()
-    remote = remote_of(strips, law, max(m.max(), 1e-6))
-    return loop.violation(strips, GIVEN, law, remote, sought_from(r, m, rigid, gap))
+    strips, kernel = crowned(separation=separation), kernel_of()
+    remote = remote_of(strips, kernel, max(m.max(), 1e-6))
+    return loop.violation(strips, GIVEN, kernel, remote, sought_from(r, m, rigid, gap))
 
 
 def deepest(rigid):

@@ -28,16 +28,18 @@ def raised(problem):
     sought = settle.sought_of(found, 0, found.m.shape[1])
     given = Given(problem.prescribed, problem.target)
     effort = Effort(TOLERANCE, 1.0, True)
-    status, *_ = settle.loop(settle.strips_of(grids, 0), given, problem.law, sought, grids.shallowest[0], effort, True)
+    status, *_ = settle.loop(
+        settle.strips_of(grids, 0), given, problem.kernel, sought, grids.shallowest[0], effort, True
+    )
     return status, found.one(0)
 
 
 def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monkeypatch):
     begun, ended, newton = [], [], settle.newton
 
-    def noting(strips, given, law, sought, effort):
+    def noting(strips, given, kernel, sought, effort):
         begun.append(sought.m.copy())
-        done = newton(strips, given, law, sought, effort)
+        done = newton(strips, given, kernel, sought, effort)
         ended.append(sought.m.copy())
         return done
 
@@ -72,11 +74,11 @@ def test_a_case_that_cannot_follow_is_left_as_it_was():
     problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription(approach=0.01, tilt=0.0), nh.SEMI_ELLIPTIC)
     grids, found, answer = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1), np.zeros(6)
     target = problem.target[None]
-    settle.settle_all(grids, Given(problem.prescribed, target), problem.law, States.none(), found, TOLERANCE, False)
+    settle.settle_all(grids, Given(problem.prescribed, target), problem.kernel, States.none(), found, TOLERANCE, False)
     assert found.status[0] == CONVERGED
     before = [each.copy() for each in found]
-    remote, apart = blank_remote(21, problem.law), Given(problem.prescribed, np.array([[-1.0, 0.0]]))
-    assert not settle.follow(grids, apart, problem.law, remote, np.zeros(1), found, answer)
+    remote, apart = blank_remote(21, problem.kernel), Given(problem.prescribed, np.array([[-1.0, 0.0]]))
+    assert not settle.follow(grids, apart, problem.kernel, remote, np.zeros(1), found, answer)
     for was, each in zip(before, found, strict=True):
         np.testing.assert_array_equal(each, was)
     assert not answer.any()

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from core_pieces import law_of, strips_between
+from core_pieces import kernel_of, strips_between
 
 from nonhertz.strip.records import Given
 from nonhertz.strip.settle import blank_sought
@@ -16,7 +16,7 @@ CROWN = Y**2 / 2000.0
 def sprung(prescribed, target, separation=CROWN):
     sought = blank_sought(Y.size)
     strips = strips_between(EDGES[:-1], EDGES[1:], separation=separation)
-    springs(strips, Given(np.array(prescribed), np.array(target)), law_of(), sought)
+    springs(strips, Given(np.array(prescribed), np.array(target)), kernel_of(), sought)
     return sought.r * sought.m, sought.rigid
 
 

@@ -185,7 +185,7 @@ class StripLaw:
         """Let a contact follow on its strips; return whether it could."""
         remote, widest = self._remote_of(row, kept.grids)
         given = Given(self._given, np.array([pose]))
-        followed = follow(kept.grids, given, self._problem.law, remote, widest, kept.states, kept.answer)
+        followed = follow(kept.grids, given, self._problem.kernel, remote, widest, kept.states, kept.answer)
         kept.asked = pose if followed else kept.asked
         return followed
 
@@ -193,7 +193,7 @@ class StripLaw:
         """Solve a contact on its strips from the start; return whether it has a solution there."""
         given = Given(self._given, np.array([pose]))
         states = States.unsolved(kept.grids.counts, kept.grids.edges, 1)
-        settle_all(kept.grids, given, self._problem.law, kept.states, states, TOLERANCE, False)
+        settle_all(kept.grids, given, self._problem.kernel, kept.states, states, TOLERANCE, False)
         if states.status[0] != CONVERGED:
             return False
         kept.states, kept.asked, kept.answer = states, pose, _answer(states)
@@ -206,7 +206,7 @@ class StripLaw:
         if found is None or found[0].powers.shape[0] != grids.counts[0]:
             if len(self._remote) >= KEPT_REMOTE:
                 self._remote.clear()
-            found = self._remote[row] = blank_remote(int(grids.counts[0]), self._problem.law), np.zeros(1)
+            found = self._remote[row] = blank_remote(int(grids.counts[0]), self._problem.kernel), np.zeros(1)
         return found
 
     def _find(self, missing: dict[int, tuple[Pose, float]]) -> None:
@@ -215,7 +215,7 @@ class StripLaw:
             for row, (pose, depth) in missing.items():
                 states = States.unsolved(self._few.counts, self._few.edges, 1)
                 given = Given(self._given, np.array([pose]))
-                settle_all(self._few, given, self._problem.law, States.none(), states, TOLERANCE, False)
+                settle_all(self._few, given, self._problem.kernel, States.none(), states, TOLERANCE, False)
                 self._kept[row] = _Kept(self._few, states, pose, depth, pose, _answer(states))
             missing = {row: each for row, each in missing.items() if self._kept[row].states.status[0] != CONVERGED}
         else:

@@ -26,7 +26,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.result.measures import Measure, measure_of
 from nonhertz.result.solution import ReadOnly, Status
 from nonhertz.strip.adjoint import Linearised, linearised
-from nonhertz.strip.influence import law_of
+from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.records import Grids
 
 if TYPE_CHECKING:
@@ -168,7 +168,9 @@ class _Linear:
         m = solution.element_half_width**2
         r = np.divide(solution.contact.compliance * solution.line_load, m, out=np.zeros_like(m), where=m > 0.0)
         grids = _grids(solution, influence)
-        return cls(solution, linearised(grids, r, m, law_of(influence, solution.element)), influence, grids.at_depth[0])
+        return cls(
+            solution, linearised(grids, r, m, kernel_of(influence, solution.element)), influence, grids.at_depth[0]
+        )
 
     def moved(self, contact: Contact) -> Solution:
         """Return the same loads per length and half-widths on strips that move as the ends of a contact do.
@@ -214,7 +216,7 @@ class _Linear:
         alike = np.array_equal(influence.terms, self.influence.terms) and influence.faces == self.influence.faces
         if moved is not self.solution or not alike:
             m = moved.element_half_width**2
-            again = linearised(grids, m, m, law_of(influence, moved.element))
+            again = linearised(grids, m, m, kernel_of(influence, moved.element))
             y, (displaced, _, curved, _) = again.y, again.blocks
         elif not np.array_equal(grids.at_depth[0], self.at_depth):
             displaced = displaced + (self.at_depth - grids.at_depth[0])[np.ix_(linear.active, linear.active)]

@@ -20,7 +20,7 @@ from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
 from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
 from nonhertz.strip.problem import Problem, row_of
-from nonhertz.strip.records import Array, Flags, Given, Grids, Indices, Law, States, Strips
+from nonhertz.strip.records import Array, Flags, Given, Grids, Indices, Kernel, States, Strips
 from nonhertz.strip.settle import strips_of
 
 MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT, HIDDEN = range(9)
@@ -54,7 +54,7 @@ def shortfall(
     y, compliance = 0.5 * (edges[1:] + edges[:-1]), problem.compliance
     grids, given = problem.grids(*row_of(edges)), Given(problem.prescribed, problem.target)
     answer = Answer(compliance * line_load, half_width, gap, motion)
-    condition, found, at = first_unmet(strips_of(grids, 0), given, problem.law, answer)
+    condition, found, at = first_unmet(strips_of(grids, 0), given, problem.kernel, answer)
     if condition == MET:
         return None
     if condition in {FIRST, SECOND}:
@@ -79,7 +79,7 @@ def shortfall(
 def met_by(problem: Problem, states: States, targets: Array) -> Flags:
     """Return which of many states meet everything; ``targets`` as `Problem.target`, shape (cases, 2)."""
     grids, given = problem.grids(states.counts, states.edges), Given(problem.prescribed, plain_array(targets))
-    return _met_by(grids, given, problem.law, states)
+    return _met_by(grids, given, problem.kernel, states)
 
 
 class Answer(NamedTuple):
@@ -92,7 +92,7 @@ class Answer(NamedTuple):
 
 
 @compiled
-def _met_by(grids: Grids, given: Given, law: Law, states: States) -> Flags:
+def _met_by(grids: Grids, given: Given, kernel: Kernel, states: States) -> Flags:
     met = np.empty(states.status.size, np.bool_)
     for case in range(met.size):
         strips = strips_of(grids, 0 if grids.counts.size == 1 else case)
@@ -101,14 +101,14 @@ def _met_by(grids: Grids, given: Given, law: Law, states: States) -> Flags:
         for i in range(n):
             q[i], half_width[i] = states.r[case, i] * states.m[case, i], math.sqrt(states.m[case, i])
         answer = Answer(q, half_width, states.gap[case, :n], states.rigid[case])
-        condition, _, _ = first_unmet(strips, Given(given.by_force, given.target[case]), law, answer)
+        condition, _, _ = first_unmet(strips, Given(given.by_force, given.target[case]), kernel, answer)
         reach = max(abs(strips.low[0]), abs(strips.high[-1]))
         met[case] = condition == MET and steady(states.stiffness[case], reach)
     return met
 
 
 @compiled
-def first_unmet(strips: Strips, given: Given, law: Law, answer: Answer) -> tuple[int, float, int]:  # noqa: PLR0911  (one return per condition)
+def first_unmet(strips: Strips, given: Given, kernel: Kernel, answer: Answer) -> tuple[int, float, int]:  # noqa: PLR0911  (one return per condition)
     """Return the first condition that is not met, the value found, and the strip where it was found."""
     condition, at = _unusable(strips, answer)
     if condition != MET:
@@ -121,7 +121,7 @@ def first_unmet(strips: Strips, given: Given, law: Law, answer: Answer) -> tuple
         return HIDDEN, deepest, 0
     q, gap, motion = answer.q, answer.gap, answer.motion
     allowed = TOLERANCE * deepest + ROUNDING * longest
-    lift, bend = _lift_and_bend(strips, law, answer)
+    lift, bend = _lift_and_bend(strips, kernel, answer)
     for i in range(q.size):
         if not math.isfinite(strips.separation[i]) and q[i] == 0.0:
             continue
@@ -213,9 +213,9 @@ def _lengths(strips: Strips, answer: Answer) -> tuple[float, float]:
 
 
 @inlined
-def _lift_and_bend(strips: Strips, law: Law, answer: Answer) -> tuple[Array, Array]:
+def _lift_and_bend(strips: Strips, kernel: Kernel, answer: Answer) -> tuple[Array, Array]:
     """Return displacement [mm] and curvature [1/mm] of both surfaces together at every strip, on the centre line."""
-    y, terms, q, n = strips.y, law.terms, answer.q, strips.y.size
+    y, terms, q, n = strips.y, kernel.terms, answer.q, strips.y.size
     lift, bend, places = np.zeros(n), np.zeros(n), _looked_at(strips, answer)
     for j in range(n):
         if q[j] > 0.0:
@@ -225,15 +225,15 @@ def _lift_and_bend(strips: Strips, law: Law, answer: Answer) -> tuple[Array, Arr
                 sign, offset = terms[k, 0], terms[k, 1]
                 weight, high, low = sign * terms[k, 2], sign * strips.high[j] + offset, sign * strips.low[j] + offset
                 for i in places:
-                    upper = evaluate((high - y[i]) * inverse, law.table)
-                    lower = evaluate((low - y[i]) * inverse, law.table)
+                    upper = evaluate((high - y[i]) * inverse, kernel.table)
+                    lower = evaluate((low - y[i]) * inverse, kernel.table)
                     lift[i] += q[j] * weight * (upper[0] - lower[0])
                     bend[i] += by_bend * weight * (upper[2] - lower[2])
             if strips.at_depth.size:
                 for i in places:
                     lift[i] -= q[j] * strips.at_depth[i, j]
-    for k in range(law.faces.shape[0]):
-        _add_face(strips, law, answer, k, lift, bend)
+    for k in range(kernel.faces.shape[0]):
+        _add_face(strips, kernel, answer, k, lift, bend)
     return lift, bend
 
 
@@ -250,10 +250,10 @@ def _looked_at(strips: Strips, answer: Answer) -> Indices:
 
 
 @inlined
-def _add_face(strips: Strips, law: Law, answer: Answer, k: int, lift: Array, bend: Array) -> None:
+def _add_face(strips: Strips, kernel: Kernel, answer: Answer, k: int, lift: Array, bend: Array) -> None:
     """Add what a free side face adds: by its table where place and source are close to it, else by its series."""
-    y, q, half_width, table, n = strips.y, answer.q, answer.half_width, law.table, strips.y.size
-    place, side, share, first = law.faces[k, 0], law.faces[k, 1], law.faces[k, 2], int(law.faces[k, 3])
+    y, q, half_width, table, n = strips.y, answer.q, answer.half_width, kernel.table, strips.y.size
+    place, side, share, first = kernel.faces[k, 0], kernel.faces[k, 1], kernel.faces[k, 2], int(kernel.faces[k, 3])
     unit = 0.0
     for j in range(n):
         unit = max(unit, half_width[j] if q[j] > 0.0 else 0.0)
@@ -262,11 +262,11 @@ def _add_face(strips: Strips, law: Law, answer: Answer, k: int, lift: Array, ben
         u[i] = max(side * (place - y[i]), 0.0) / unit
     # Strips adjoin, so that the upper edge of one is the lower edge of the next.
     at_low = max(side * (place - strips.low[0]), 0.0) / unit
-    far_terms(u, at_low, law.face_tables, first, of_edges[0], work)
+    far_terms(u, at_low, kernel.face_tables, first, of_edges[0], work)
     for j in range(n):
         at_high = max(side * (place - strips.high[j]), 0.0) / unit
         of_low, of_high = of_edges[j % 2], of_edges[1 - j % 2]
-        far_terms(u, at_high, law.face_tables, first, of_high, work)
+        far_terms(u, at_high, kernel.face_tables, first, of_high, work)
         inner, outer = min(at_low, at_high), max(at_low, at_high)
         at_low = at_high
         if not q[j] > 0.0:
@@ -275,7 +275,7 @@ def _add_face(strips: Strips, law: Law, answer: Answer, k: int, lift: Array, ben
         by_bend = share * q[j] * inverse * inverse
         for i in range(n):
             if (u[i] + inner) * unit * inverse < AWAY:
-                near = added_by_face(y[i], strips.low[j], strips.high[j], inverse, law, k)
+                near = added_by_face(y[i], strips.low[j], strips.high[j], inverse, kernel, k)
                 lift[i] += share * q[j] * near[0]
                 bend[i] += by_bend * near[2]
                 continue
@@ -283,7 +283,7 @@ def _add_face(strips: Strips, law: Law, answer: Answer, k: int, lift: Array, ben
             for p in range(1 + POWERS):
                 part = side * (of_low[p, i] - of_high[p, i])
                 if within:
-                    part += far_whole(u[i], p, law.face_tables, first)
+                    part += far_whole(u[i], p, kernel.face_tables, first)
                 if p == 0:
                     risen = part
                 else:

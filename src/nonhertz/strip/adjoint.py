@@ -20,7 +20,7 @@ import numpy as np
 from nonhertz.compiled import compiled
 from nonhertz.strip.influence import coefficients, remote_of
 from nonhertz.strip.newton import touching
-from nonhertz.strip.records import Array, Grids, Indices, Law
+from nonhertz.strip.records import Array, Grids, Indices, Kernel
 from nonhertz.strip.settle import strips_of
 
 
@@ -84,7 +84,7 @@ class Linearised(NamedTuple):
         return np.asarray(np.linalg.solve(self.matrix(by_force).T, derivatives))
 
 
-def linearised(grids: Grids, r: Array, m: Array, law: Law) -> Linearised:
+def linearised(grids: Grids, r: Array, m: Array, kernel: Kernel) -> Linearised:
     """Return a solved contact, linearised.
 
     Parameters
@@ -93,17 +93,17 @@ def linearised(grids: Grids, r: Array, m: Array, law: Law) -> Linearised:
         One row.
     r, m : ndarray, shape (strips,)
         K q / a^2 and a^2, zero out of contact.
-    law : Law
+    kernel : Kernel
         How strips act.
     """
-    active, blocks = _linearised(grids, m, law)
+    active, blocks = _linearised(grids, m, kernel)
     y, width = grids.y[0, active], np.diff(grids.edges[0])[active]
     return Linearised(active, blocks, r[active], m[active], y, width)
 
 
 @compiled
-def _linearised(grids: Grids, m: Array, law: Law) -> tuple[Indices, Array]:
+def _linearised(grids: Grids, m: Array, kernel: Kernel) -> tuple[Indices, Array]:
     strips, active = strips_of(grids, 0), touching(m)
     blocks = np.empty((4, active.size, active.size))
-    coefficients(strips, m, active, law, remote_of(strips, law, m.max()), blocks)
+    coefficients(strips, m, active, kernel, remote_of(strips, kernel, m.max()), blocks)
     return active, blocks

@@ -19,7 +19,7 @@ from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
 from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table
-from nonhertz.strip.records import Array, Flags, Indices, Law, Strips
+from nonhertz.strip.records import Array, Flags, Indices, Kernel, Strips
 
 # Widths over distances below which nine terms of the series of a logarithm are exact to rounding.
 SHORT = 0.25
@@ -36,7 +36,7 @@ class Remote(NamedTuple):
     ----------
     first, beyond : ndarray of int, shape (terms + faces, n)
         The places that are not far from a term of a source: from ``first`` to before ``beyond``. After the terms of the
-        law, those for which a free side face is near.
+        kernel, those for which a free side face is near.
     powers : ndarray, shape (n, 1 + POWERS, n)
         Of each source, at each place: the logarithm of the far edge over the near one, and the differences of
         ``(widest / y'^2)^k`` between the edges, weighted and added up over all terms that are far.
@@ -50,18 +50,18 @@ class Remote(NamedTuple):
     widest: float
 
 
-def blank_remote(strips: int, law: Law) -> Remote:
+def blank_remote(strips: int, kernel: Kernel) -> Remote:
     """Return room for what that many strips do far away."""
-    sums = law.terms.shape[0] + law.faces.shape[0]
+    sums = kernel.terms.shape[0] + kernel.faces.shape[0]
     first, beyond = (np.zeros((sums, strips), dtype=np.int64) for _ in range(2))
     return Remote(first, beyond, np.zeros((strips, 1 + POWERS, strips)), 0.0)
 
 
 @compiled
-def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
+def remote_of(strips: Strips, kernel: Kernel, widest: float) -> Remote:
     """Return what strips with m up to ``widest`` [mm^2] do far away."""
-    y, n, terms = strips.y, strips.y.size, law.terms
-    sums = terms.shape[0] + law.faces.shape[0]
+    y, n, terms = strips.y, strips.y.size, kernel.terms
+    sums = terms.shape[0] + kernel.faces.shape[0]
     first, beyond = np.empty((sums, n), np.int64), np.empty((sums, n), np.int64)
     powers, distance, work = np.zeros((n, 1 + POWERS, n)), np.empty(n), np.empty((4, n))
     reach = REMOTE * math.sqrt(widest)
@@ -83,9 +83,9 @@ def remote_of(strips: Strips, law: Law, widest: float) -> Remote:
                 distance[i] = y[i] - right
             for begin, end in ((0, before), (after, n)):
                 _add_far(powers[j], begin, end, distance, width, weight, widest, work)
-    for k in range(law.faces.shape[0]):
+    for k in range(kernel.faces.shape[0]):
         at = terms.shape[0] + k
-        _add_beyond_face(strips, law.faces[k], law.face_tables, widest, powers, first[at], beyond[at])
+        _add_beyond_face(strips, kernel.faces[k], kernel.face_tables, widest, powers, first[at], beyond[at])
     return Remote(first, beyond, powers, widest)
 
 
@@ -164,7 +164,7 @@ def _add_far(
 
 
 @inlined
-def coefficients(strips: Strips, m: Array, active: Indices, law: Law, remote: Remote, out: Array) -> None:
+def coefficients(strips: Strips, m: Array, active: Indices, kernel: Kernel, remote: Remote, out: Array) -> None:
     """Fill ``out[:, i, j]`` with [A], [t A'], [B], [t B'] of strip j at the centre of strip i.
 
     Parameters
@@ -175,21 +175,21 @@ def coefficients(strips: Strips, m: Array, active: Indices, law: Law, remote: Re
         Squared half-widths [mm^2].
     active : ndarray of int, shape (k,)
         The strips that take part.
-    law : Law
+    kernel : Kernel
         How they act.
     remote : Remote
         How they act far away.
     out : ndarray, shape (4, k, k)
         Result.
     """
-    y, table, seen_there = strips.y, law.table, np.empty((4, strips.y.size))
+    y, table, seen_there = strips.y, kernel.table, np.empty((4, strips.y.size))
     for j in range(active.size):
         source = active[j]
         inverse = 1.0 / math.sqrt(m[source])
         _from_afar(remote.powers[source], m[source] / remote.widest, table, seen_there)
-        for k in range(law.terms.shape[0]):
-            sign, offset = law.terms[k, 0], law.terms[k, 1]
-            weight = sign * law.terms[k, 2]
+        for k in range(kernel.terms.shape[0]):
+            sign, offset = kernel.terms[k, 0], kernel.terms[k, 1]
+            weight = sign * kernel.terms[k, 2]
             high, low = sign * strips.high[source] + offset, sign * strips.low[source] + offset
             for i in range(remote.first[k, source], remote.beyond[k, source]):
                 a1, ta1, b1, tb1 = evaluate((high - y[i]) * inverse, table)
@@ -198,10 +198,10 @@ def coefficients(strips: Strips, m: Array, active: Indices, law: Law, remote: Re
                 seen_there[1, i] += weight * (ta1 - ta0)
                 seen_there[2, i] += weight * (b1 - b0)
                 seen_there[3, i] += weight * (tb1 - tb0)
-        for k in range(law.faces.shape[0]):
-            weight, at = law.faces[k, 2], law.terms.shape[0] + k
+        for k in range(kernel.faces.shape[0]):
+            weight, at = kernel.faces[k, 2], kernel.terms.shape[0] + k
             for i in range(remote.first[at, source], remote.beyond[at, source]):
-                a, ta, b, tb = added_by_face(y[i], strips.low[source], strips.high[source], inverse, law, k)
+                a, ta, b, tb = added_by_face(y[i], strips.low[source], strips.high[source], inverse, kernel, k)
                 seen_there[0, i] += weight * a
                 seen_there[1, i] += weight * ta
                 seen_there[2, i] += weight * b
@@ -233,12 +233,12 @@ def _from_afar(powers: Array, share: float, table: Array, seen_there: Array) -> 
 
 
 @compiled
-def lift(strips: Strips, m: Array, q: Array, law: Law, remote: Remote, wanted: Flags, out: Array) -> None:
+def lift(strips: Strips, m: Array, q: Array, kernel: Kernel, remote: Remote, wanted: Flags, out: Array) -> None:
     """Fill in the displacement per unit of compliance at strip centres, relative to the points at depth.
 
     Parameters
     ----------
-    strips, m, law, remote
+    strips, m, kernel, remote
         As for `coefficients`.
     q : ndarray, shape (n,)
         Loads K q [mm].
@@ -258,10 +258,10 @@ def lift(strips: Strips, m: Array, q: Array, law: Law, remote: Remote, wanted: F
             out[i] += q[j] * powers[0, i]
         for k in range(1, 1 + POWERS):
             power *= m[j] / remote.widest
-            factor = power * law.table[POWERS_AT + 2 * k - 2]
+            factor = power * kernel.table[POWERS_AT + 2 * k - 2]
             for i in range(n):
                 out[i] += factor * powers[k, i]
-        _lift_nearby(strips, j, inverse, q[j], law, remote, wanted, out)
+        _lift_nearby(strips, j, inverse, q[j], kernel, remote, wanted, out)
     if strips.at_depth.size:
         for i in range(n):
             for j in range(n):
@@ -270,28 +270,28 @@ def lift(strips: Strips, m: Array, q: Array, law: Law, remote: Remote, wanted: F
 
 @compiled
 def _lift_nearby(
-    strips: Strips, j: int, inverse: float, q: float, law: Law, remote: Remote, wanted: Flags, out: Array
+    strips: Strips, j: int, inverse: float, q: float, kernel: Kernel, remote: Remote, wanted: Flags, out: Array
 ) -> None:
     """Add the displacement by one source where it is not far away."""
-    low, high, terms = strips.low[j], strips.high[j], law.terms.shape[0]
+    low, high, terms = strips.low[j], strips.high[j], kernel.terms.shape[0]
     for k in range(terms):
         for i in range(remote.first[k, j], remote.beyond[k, j]):
             if wanted[i]:
-                out[i] += q * _term(strips.y[i], low, high, inverse, law.terms, k, law.table)
-    for k in range(law.faces.shape[0]):
+                out[i] += q * _term(strips.y[i], low, high, inverse, kernel.terms, k, kernel.table)
+    for k in range(kernel.faces.shape[0]):
         for i in range(remote.first[terms + k, j], remote.beyond[terms + k, j]):
             if wanted[i]:
-                out[i] += law.faces[k, 2] * q * added_by_face(strips.y[i], low, high, inverse, law, k)[0]
+                out[i] += kernel.faces[k, 2] * q * added_by_face(strips.y[i], low, high, inverse, kernel, k)[0]
 
 
 @compiled
-def added_by_face(y: float, low: float, high: float, inverse: float, law: Law, k: int) -> Four:
+def added_by_face(y: float, low: float, high: float, inverse: float, kernel: Kernel, k: int) -> Four:
     """Return what a free side face adds to [A], [t A'], [B] and [t B'] at ``y`` of one strip with 1/a = ``inverse``."""
-    place, side, first = law.faces[k, 0], law.faces[k, 1], int(law.faces[k, 3])
+    place, side, first = kernel.faces[k, 0], kernel.faces[k, 1], int(kernel.faces[k, 3])
     u = max(side * (place - y), 0.0) * inverse
     one, other = side * (place - low) * inverse, side * (place - high) * inverse
     inner, outer = max(min(one, other), 0.0), max(one, other, 0.0)
-    return free_end(u, inner, outer, law.face_tables, first, law.table)
+    return free_end(u, inner, outer, kernel.face_tables, first, kernel.table)
 
 
 @compiled
@@ -302,7 +302,7 @@ def _term(y: float, low: float, high: float, inverse: float, terms: Array, k: in
     return float(sign * terms[k, 2] * (upper - lower))
 
 
-def law_of(influence: Influence, element: Element) -> Law:
+def kernel_of(influence: Influence, element: Element) -> Kernel:
     """Return how strips act, for the compiled core."""
     materials = sorted({face.poisson for face in influence.faces})
     tables = [free_end_table(element, poisson) for poisson in materials]
@@ -312,28 +312,28 @@ def law_of(influence: Influence, element: Element) -> Law:
     table = tables[0].view() if len(tables) == 1 else np.concatenate([np.zeros(0), *tables])
     table.flags.writeable = False
     rows = np.array(faces, dtype=float).reshape(-1, 4)
-    return Law(influence.terms, element.table, element.line_factor, element.hertz_ratio, rows, table)
+    return Kernel(influence.terms, element.table, element.line_factor, element.hertz_ratio, rows, table)
 
 
 def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, element: Element) -> Array:
     """Return the displacement per unit of compliance at several places ``y``, relative to the points at depth."""
     at_depth: Array = influence.at_depth(y, edges) @ (r * m)
     places, ends, load, square = map(plain_array, (y, edges, r, m))
-    return _on_the_surface(places, ends, load, square, law_of(influence, element)) - at_depth
+    return _on_the_surface(places, ends, load, square, kernel_of(influence, element)) - at_depth
 
 
 @compiled
-def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, law: Law) -> Array:
+def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, kernel: Kernel) -> Array:
     result = np.zeros(places.size)
     for j in range(m.size):
         if m[j] > 0.0:
             inverse, q, low, high = 1.0 / math.sqrt(m[j]), r[j] * m[j], edges[j], edges[j + 1]
             for i in range(places.size):
                 seen = 0.0
-                for k in range(law.terms.shape[0]):
-                    seen += _term(places[i], low, high, inverse, law.terms, k, law.table)
-                for k in range(law.faces.shape[0]):
-                    seen += law.faces[k, 2] * added_by_face(places[i], low, high, inverse, law, k)[0]
+                for k in range(kernel.terms.shape[0]):
+                    seen += _term(places[i], low, high, inverse, kernel.terms, k, kernel.table)
+                for k in range(kernel.faces.shape[0]):
+                    seen += kernel.faces[k, 2] * added_by_face(places[i], low, high, inverse, kernel, k)[0]
                 result[i] += q * seen
     return result
 

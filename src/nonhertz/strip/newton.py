@@ -37,7 +37,7 @@ from nonhertz.strip.records import (
     Effort,
     Given,
     Indices,
-    Law,
+    Kernel,
     Sought,
     Strips,
 )
@@ -90,14 +90,14 @@ class _Equations(NamedTuple):
 
 
 @inlined
-def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effort) -> tuple[int, int, float]:
+def newton(strips: Strips, given: Given, kernel: Kernel, sought: Sought, effort: Effort) -> tuple[int, int, float]:
     """Solve the contact of strips, starting from the r, m and rigid motion in ``sought`` and overwriting it.
 
     Parameters
     ----------
     strips : Strips
         At least one.
-    given, law, sought, effort
+    given, kernel, sought, effort
         See `nonhertz.strip.records`.
 
     Returns
@@ -108,14 +108,14 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
     half = 0.5 * (strips.high[-1] - strips.low[0])
     rough = effort.tolerance > TOLERANCE
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
-    residual, remote = np.inf, remote_of(strips, law, ROOM * _widest(sought.m))
+    residual, remote = np.inf, remote_of(strips, kernel, ROOM * _widest(sought.m))
     for step in range(STEP_LIMIT):
         pair_lone_strip(strips, given, sought)
         active = touching(sought.m)
         if active.size == 0:
             return STAGNATED, step, residual
-        remote = _still_remote(strips, law, sought, remote)
-        equations, scale, noise, unsettled = _weighed(strips, given, law, remote, sought, active, half, effort.eager)
+        remote = _still_remote(strips, kernel, sought, remote)
+        equations, scale, noise, unsettled = _weighed(strips, given, kernel, remote, sought, active, half, effort.eager)
         residual = worse(unsettled, -(_least(sought.gap) + noise) / scale)
         # A strip whose m is NaN is not active and appears in no residual.
         if not math.isfinite(residual) or not math.isfinite(_sum(sought.m)):
@@ -135,11 +135,11 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
             return STAGNATED, step, residual
         sought.rigid[0] += effort.relaxation * first
         sought.rigid[1] += effort.relaxation * second / half
-        changed = _update(strips, law, equations, d_r, d_q, effort.relaxation, sought)
-        entered = _enter(strips, law, active, noise + LET_SETTLE * unsettled * scale, sought)
+        changed = _update(strips, kernel, equations, d_r, d_q, effort.relaxation, sought)
+        entered = _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, sought)
         if residual < nearly and largest < small_step and not changed and not entered:
-            remote = _still_remote(strips, law, sought, remote)
-            left = violation(strips, given, law, remote, sought)
+            remote = _still_remote(strips, kernel, sought, remote)
+            left = violation(strips, given, kernel, remote, sought)
             if left < effort.tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
@@ -147,13 +147,13 @@ def newton(strips: Strips, given: Given, law: Law, sought: Sought, effort: Effor
 
 @compiled
 def followed(
-    strips: Strips, given: Given, law: Law, sought: Sought, remote: Remote
+    strips: Strips, given: Given, kernel: Kernel, sought: Sought, remote: Remote
 ) -> tuple[bool, float, float, Remote]:
     """Let a contact on the strips where it was solved follow a given approach and tilt, overwriting ``sought``.
 
     Parameters
     ----------
-    strips, given, law
+    strips, given, kernel
         See `nonhertz.strip.records`; approach and tilt are given.
     sought : Sought
         A solution at another approach and tilt.
@@ -176,8 +176,8 @@ def followed(
         active = touching(sought.m)
         if active.size == 0 or _widest(sought.m) > (WIDEST * half) ** 2:
             break
-        remote = _still_remote(strips, law, sought, remote)
-        equations, scale, noise, unsettled = _weighed(strips, given, law, remote, sought, active, half, True)
+        remote = _still_remote(strips, kernel, sought, remote)
+        equations, scale, noise, unsettled = _weighed(strips, given, kernel, remote, sought, active, half, True)
         residual = worse(unsettled, -(_least(sought.gap) + noise) / scale)
         d_r, d_q = _directions(equations)
         response = _border(equations, d_q)
@@ -191,31 +191,38 @@ def followed(
                 load += equations.weights[i]
                 moment += equations.weights[i] * equations.lever[i]
             return True, load, moment * half, remote
-        _update(strips, law, equations, d_r, d_q, 1.0, sought)
-        _enter(strips, law, active, noise + LET_SETTLE * unsettled * scale, sought)
+        _update(strips, kernel, equations, d_r, d_q, 1.0, sought)
+        _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, sought)
     return False, 0.0, 0.0, remote
 
 
 @inlined
 def _weighed(
-    strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought, active: Indices, half: float, eager: bool
+    strips: Strips,
+    given: Given,
+    kernel: Kernel,
+    remote: Remote,
+    sought: Sought,
+    active: Indices,
+    half: float,
+    eager: bool,
 ) -> tuple[_Equations, float, float, float]:
     """Return the equations at a state, the scale and the noise of gaps, and the largest relative residual.
 
     The gap of idle strips is filled in, and not yet part of it.
     """
-    equations, unbent = _linearised(strips, given, law, remote, sought, active, half, eager)
+    equations, unbent = _linearised(strips, given, kernel, remote, sought, active, half, eager)
     scale, noise = _scales(strips, sought.rigid, active, half)
-    _idle_gaps(strips, law, remote, sought)
+    _idle_gaps(strips, kernel, remote, sought)
     unsettled = worse((_largest(equations.unclosed) - noise) / scale, unbent)
     return equations, scale, noise, worse(unsettled, _imbalance(given, equations.off, _sum(equations.weights)))
 
 
 @compiled
-def _still_remote(strips: Strips, law: Law, sought: Sought, remote: Remote) -> Remote:
+def _still_remote(strips: Strips, kernel: Kernel, sought: Sought, remote: Remote) -> Remote:
     """Return what strips do far away, worked out again if the contact has become too wide for it."""
     widest = _widest(sought.m)
-    return remote if not widest > remote.widest else remote_of(strips, law, ROOM * widest)
+    return remote if not widest > remote.widest else remote_of(strips, kernel, ROOM * widest)
 
 
 @compiled
@@ -310,12 +317,19 @@ def pair_lone_strip(strips: Strips, given: Given, sought: Sought) -> None:
 
 @inlined
 def _linearised(
-    strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought, active: Indices, half: float, eager: bool
+    strips: Strips,
+    given: Given,
+    kernel: Kernel,
+    remote: Remote,
+    sought: Sought,
+    active: Indices,
+    half: float,
+    eager: bool,
 ) -> tuple[_Equations, float]:
     """Return the equations at a state, whose r is brought to the curvature rows, and these rows' largest residual."""
     k = active.size
     blocks = np.empty((4, k, k))
-    coefficients(strips, sought.m, active, law, remote, blocks)
+    coefficients(strips, sought.m, active, kernel, remote, blocks)
     follows = _curved(blocks, strips.curvature, active)
     at = padded(k)
     r, m, missing = np.empty(k), np.empty(k), np.empty(k)
@@ -376,7 +390,7 @@ def _loads(sought: Sought) -> Array:
 
 
 @inlined
-def _idle_gaps(strips: Strips, law: Law, remote: Remote, sought: Sought) -> None:
+def _idle_gaps(strips: Strips, kernel: Kernel, remote: Remote, sought: Sought) -> None:
     """Fill the gap of the strips out of contact, zero for those in contact."""
     idle, some = np.empty(sought.m.size, np.bool_), False
     for i in range(idle.size):
@@ -384,7 +398,7 @@ def _idle_gaps(strips: Strips, law: Law, remote: Remote, sought: Sought) -> None
         some = some or idle[i]
     raised = np.zeros(idle.size)
     if some:
-        lift(strips, sought.m, _loads(sought), law, remote, idle, raised)
+        lift(strips, sought.m, _loads(sought), kernel, remote, idle, raised)
     for i in range(idle.size):
         # Where the bodies never meet the gap is infinite, whatever the displacement.
         apart = -_interference(strips, sought.rigid, i)
@@ -498,7 +512,7 @@ def _combine(d_r: Array, d_q: Array, first: float, second: float) -> float:
 
 @compiled
 def _update(
-    strips: Strips, law: Law, found: _Equations, d_r: Array, d_q: Array, relaxation: float, sought: Sought
+    strips: Strips, kernel: Kernel, found: _Equations, d_r: Array, d_q: Array, relaxation: float, sought: Sought
 ) -> bool:
     """Apply the relative steps of r and q in the first columns; return whether a strip left or was held back."""
     changed = False
@@ -516,14 +530,14 @@ def _update(
             changed = True
             required = found.blocks[0, k, k] * (1.0 + relaxation * sigma) - 0.5 * found.blocks[1, k, k] * mu
             width = strips.high[i] - strips.low[i]
-            m[i] = _own_width(old_m * required * old_r / r[i], width, law.table) if required > 0.0 else 0.0
+            m[i] = _own_width(old_m * required * old_r / r[i], width, kernel.table) if required > 0.0 else 0.0
         else:
             m[i] = old_m * (1.0 + mu)
     return changed
 
 
 @compiled
-def _enter(strips: Strips, law: Law, active: Indices, overlap: float, sought: Sought) -> bool:
+def _enter(strips: Strips, kernel: Kernel, active: Indices, overlap: float, sought: Sought) -> bool:
     """Put strips with more than this ``overlap`` in contact, with r from the nearest strip in contact."""
     entered = False
     for i in range(sought.gap.size):
@@ -534,7 +548,7 @@ def _enter(strips: Strips, law: Law, active: Indices, overlap: float, sought: So
                 if abs(j - i) < abs(nearest - i):
                     nearest = j
             sought.r[i] = sought.r[nearest] * strips.curvature[i] / strips.curvature[nearest]
-            sought.m[i] = _own_width(-sought.gap[i] / sought.r[i], strips.high[i] - strips.low[i], law.table)
+            sought.m[i] = _own_width(-sought.gap[i] / sought.r[i], strips.high[i] - strips.low[i], kernel.table)
     return entered
 
 
@@ -552,11 +566,11 @@ def _own_width(required: float, width: float, table: Array) -> float:
 
 
 @inlined
-def violation(strips: Strips, given: Given, law: Law, remote: Remote, sought: Sought) -> float:
+def violation(strips: Strips, given: Given, kernel: Kernel, remote: Remote, sought: Sought) -> float:
     """Fill the gap everywhere and return the largest relative violation of contact and balance."""
     half, n = 0.5 * (strips.high[-1] - strips.low[0]), sought.m.size
     q, raised = _loads(sought), np.empty(n)
-    lift(strips, sought.m, q, law, remote, np.ones(n, np.bool_), raised)
+    lift(strips, sought.m, q, kernel, remote, np.ones(n, np.bool_), raised)
     worst, deepest, load, moment = 0.0, -np.inf, 0.0, 0.0
     for i in range(n):
         depth = _interference(strips, sought.rigid, i)

@@ -11,9 +11,9 @@ import numpy as np
 from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import plain_array
 from nonhertz.strip.element import Element
-from nonhertz.strip.influence import law_of
+from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.newton import TOLERANCE
-from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Given, Grids, Indices, Law, States
+from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Given, Grids, Indices, Kernel, States
 from nonhertz.strip.settle import settle_all, sought_of, strips_of
 from nonhertz.strip.start import springs
 
@@ -90,9 +90,9 @@ class Problem:
         return other
 
     @cached_property
-    def law(self) -> Law:
+    def kernel(self) -> Kernel:
         """How strips act, for the compiled core."""
-        return law_of(self.influence, self.element)
+        return kernel_of(self.influence, self.element)
 
     def grids(self, count: Indices, edges: Array, *, at_rest: bool = False) -> Grids:
         """Return grids with everything that is known about them before their loads are.
@@ -173,7 +173,7 @@ def settled(
     found = States.unsolved(count, edges, len(targets))
     grids = problem.grids(count, edges)
     given = Given(problem.prescribed, plain_array(targets))
-    settle_all(grids, given, problem.law, near or States.none(), found, tolerance, patient)
+    settle_all(grids, given, problem.kernel, near or States.none(), found, tolerance, patient)
     return found
 
 
@@ -188,6 +188,6 @@ def sprung(problem: Problem, edges: Array) -> States:
     found = States.unsolved(count, rows, 1)
     # Springs do not move one another: thousands of them stand here without a matrix of all by all.
     strips, sought = strips_of(problem.grids(count, rows, at_rest=True), 0), sought_of(found, 0, edges.size - 1)
-    springs(strips, Given(problem.prescribed, problem.target), problem.law, sought)
+    springs(strips, Given(problem.prescribed, problem.target), problem.kernel, sought)
     found.status[0] = ITERATION_LIMIT
     return found.one(0)

@@ -52,7 +52,7 @@ class Given(NamedTuple):
     target: Array
 
 
-class Law(NamedTuple):
+class Kernel(NamedTuple):
     """How strips act.
 
     Attributes

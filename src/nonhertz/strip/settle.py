@@ -14,7 +14,7 @@ import numpy as np
 from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.influence import Remote, remote_of
 from nonhertz.strip.newton import ROOM, TOLERANCE, followed, newton
-from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Law, Sought, States, Strips
+from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Kernel, Sought, States, Strips
 from nonhertz.strip.start import prolong, springs
 
 NEARBY = 0.1  # relative change up to which the previous case serves as the start
@@ -30,7 +30,7 @@ BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS = range(7)
 
 @compiled
 def settle_all(
-    grids: Grids, given: Given, law: Law, near: States, found: States, tolerance: float, patient: bool
+    grids: Grids, given: Given, kernel: Kernel, near: States, found: States, tolerance: float, patient: bool
 ) -> None:
     """Solve every case on its strips, overwriting ``found``.
 
@@ -40,7 +40,7 @@ def settle_all(
         The strips of every case, or one grid for all.
     given : Given
         What is prescribed; ``target`` has a row per case.
-    law : Law
+    kernel : Kernel
         How strips act.
     near : States
         Solutions on other strips, where they have converged; no rows if there are none.
@@ -68,8 +68,8 @@ def settle_all(
                 possible = near.status.size > 0 and near.status[case] == CONVERGED
                 possible = possible and _from_near(strips, asked, near, case, trial)
             else:
-                springs(strips, asked, law, trial)
-                possible = start < SHORTENED or not too_thin(shallowest, law, trial.m, BEYOND_HELP)
+                springs(strips, asked, kernel, trial)
+                possible = start < SHORTENED or not too_thin(shallowest, kernel, trial.m, BEYOND_HELP)
                 possible = possible and (start < RAISED or asked.by_force[0])
             if not possible:
                 continue
@@ -77,7 +77,7 @@ def settle_all(
                 tolerance if start < RAISED else TOLERANCE, 0.5 if start == SHORTENED else 1.0, start != TOGETHER
             )
             # In this one place alone: wherever else the loop was called, it would be compiled again.
-            again, more, left = loop(strips, asked, law, trial, shallowest, effort, start == RAISED)
+            again, more, left = loop(strips, asked, kernel, trial, shallowest, effort, start == RAISED)
             if start <= SPRINGS or again == CONVERGED or left < residual:
                 take(trial, sought)
                 status, steps, residual = again, more, left
@@ -119,7 +119,7 @@ def _from_near(strips: Strips, asked: Given, near: States, case: int, sought: So
 
 @inlined
 def loop(
-    strips: Strips, given: Given, law: Law, sought: Sought, shallowest: Array, effort: Effort, raised: bool
+    strips: Strips, given: Given, kernel: Kernel, sought: Sought, shallowest: Array, effort: Effort, raised: bool
 ) -> tuple[int, int, float]:
     """Run the Newton loop from where ``sought`` stands, unless a body is thinner there than its contact is wide.
 
@@ -134,14 +134,14 @@ def loop(
         if reached > 0.0:
             take(last, sought)
         elif raised:
-            springs(strips, asked, law, sought)
+            springs(strips, asked, kernel, sought)
         for i in range(sought.m.size):
             sought.gap[i] = 0.0
         for i in range(4):
             sought.stiffness[i // 2, i % 2] = 0.0
         status, steps, residual = STAGNATED, 0, np.inf
-        if not too_thin(shallowest, law, sought.m, HOPELESS):
-            status, steps, residual = newton(strips, asked, law, sought, effort)
+        if not too_thin(shallowest, kernel, sought.m, HOPELESS):
+            status, steps, residual = newton(strips, asked, kernel, sought, effort)
         if not raised or (status == CONVERGED and share == 1.0):
             return status, steps, residual
         if share - reached < LEAST_RISE:
@@ -155,12 +155,14 @@ def loop(
 
 
 @compiled
-def follow(grids: Grids, given: Given, law: Law, remote: Remote, widest: Array, found: States, answer: Array) -> bool:
+def follow(
+    grids: Grids, given: Given, kernel: Kernel, remote: Remote, widest: Array, found: States, answer: Array
+) -> bool:
     """Let a solved case follow another approach and tilt on its strips; return whether it did, else it is unchanged.
 
     Parameters
     ----------
-    grids, law
+    grids, kernel
         As for `settle_all`; one row.
     given : Given
         An approach and a tilt, shape (1, 2).
@@ -178,15 +180,15 @@ def follow(grids: Grids, given: Given, law: Law, remote: Remote, widest: Array, 
     kept, sought = sought_of(found, 0, n), blank_sought(n)
     take(kept, sought)
     _foresee(strips, asked, sought)
-    if too_thin(grids.shallowest[0], law, sought.m, HOPELESS):
+    if too_thin(grids.shallowest[0], kernel, sought.m, HOPELESS):
         return False
     largest = 0.0
     for i in range(n):
         largest = max(largest, sought.m[i])
     known = Remote(remote.first, remote.beyond, remote.powers, widest[0])
     if not largest <= widest[0]:
-        known = remote_of(strips, law, ROOM * largest)
-    done, load, moment, known = followed(strips, asked, law, sought, known)
+        known = remote_of(strips, kernel, ROOM * largest)
+    done, load, moment, known = followed(strips, asked, kernel, sought, known)
     if known.widest != widest[0]:
         widest[0] = known.widest
         remote.first[:], remote.beyond[:], remote.powers[:] = known.first, known.beyond, known.powers
@@ -217,7 +219,7 @@ def _foresee(strips: Strips, given: Given, sought: Sought) -> None:
 
 
 @compiled
-def too_thin(shallowest: Array, law: Law, m: Array, least: float) -> bool:
+def too_thin(shallowest: Array, kernel: Kernel, m: Array, least: float) -> bool:
     """Return whether a body is less than ``least`` half-widths deep.
 
     Points at a depth comparable to the contact width move more than the surface, and the equations then have
@@ -225,7 +227,7 @@ def too_thin(shallowest: Array, law: Law, m: Array, least: float) -> bool:
     """
     thin = False
     for i in range(m.size):
-        thin = thin or shallowest[i] < least * law.hertz_ratio * math.sqrt(m[i])
+        thin = thin or shallowest[i] < least * kernel.hertz_ratio * math.sqrt(m[i])
     return thin
 
 

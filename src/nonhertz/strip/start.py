@@ -15,7 +15,7 @@ import numpy as np
 
 from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.newton import touching
-from nonhertz.strip.records import Array, Given, Law, Sought, Strips
+from nonhertz.strip.records import Array, Given, Kernel, Sought, Strips
 
 SECANTS = 30
 
@@ -29,7 +29,7 @@ class Bed(NamedTuple):
 
 
 @compiled
-def springs(strips: Strips, given: Given, law: Law, sought: Sought) -> None:
+def springs(strips: Strips, given: Given, kernel: Kernel, sought: Sought) -> None:
     """Fill ``sought`` with r, m and the rigid motion of independent springs."""
     # Mirrored where the moment is negative, so that two cases that are mirror images of each other start identically
     # to the last bit.
@@ -39,7 +39,7 @@ def springs(strips: Strips, given: Given, law: Law, sought: Sought) -> None:
     for i in range(n):
         half += 0.5 * (strips.high[i] - strips.low[i])
         count += 1 if math.isfinite(strips.separation[i]) else 0
-        sought.r[i] = strips.curvature[i] / law.line_factor
+        sought.r[i] = strips.curvature[i] / kernel.line_factor
         sought.m[i] = 0.0
     sought.rigid[0] = sought.rigid[1] = 0.0
     if count == 0:

@@ -16,7 +16,7 @@ from nonhertz.model.profile import iso_logarithmic
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import SEMI_ELLIPTIC
-from nonhertz.strip.influence import coefficients, law_of, remote_of
+from nonhertz.strip.influence import coefficients, kernel_of, remote_of
 from nonhertz.strip.records import Strips
 from nonhertz.verify.claim import Claim
 
@@ -48,13 +48,13 @@ def claims() -> Iterator[Claim]:
 
 def _assemble(contact: Contact, solution: Solution) -> None:
     element, y, edges = SEMI_ELLIPTIC, solution.y, solution.edges
-    law = law_of(influence_of(contact, element), element)
+    kernel = kernel_of(influence_of(contact, element), element)
     at_rest = np.zeros((0, 0))
     strips = Strips(y, edges[:-1], edges[1:], contact.curvature(y), contact.separation(y), at_rest)
     active = np.flatnonzero(solution.line_load > 0.0)
     square = np.maximum(solution.element_half_width, 1e-3) ** 2
-    remote = remote_of(strips, law, float(square.max()))
-    coefficients(strips, square, active, law, remote, np.empty((4, active.size, active.size)))
+    remote = remote_of(strips, kernel, float(square.max()))
+    coefficients(strips, square, active, kernel, remote, np.empty((4, active.size, active.size)))
 
 
 def _exponent(runs: list[Callable[[], object]]) -> float:
