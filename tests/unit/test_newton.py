@@ -8,7 +8,7 @@ import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.strip import newton as loop
 from nonhertz.strip.influence import remote_of
-from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, Effort, Given, Sought
+from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, Effort, Given, Unknowns
 
 STRIPS = 21
 EDGES = np.linspace(-10.0, 10.0, STRIPS + 1)
@@ -25,14 +25,16 @@ def crowned(influence=HALF_SPACES, separation=CROWN):
     return strips_between(EDGES[:-1], EDGES[1:], curvature=1.0 / RADIUS, separation=separation, at_depth=at_depth)
 
 
-def sought_from(r, m, rigid, gap=None):
-    return Sought(r, m, rigid, np.zeros(STRIPS) if gap is None else gap, np.zeros((2, 2)))
+def unknowns_from(r, m, rigid, gap=None):
+    return Unknowns(r, m, rigid, np.zeros(STRIPS) if gap is None else gap, np.zeros((2, 2)))
 
 
 def run(r, m, rigid, *, relaxation=1.0, eager=True, element=nh.SEMI_ELLIPTIC, influence=HALF_SPACES):
     """Press a tilted crowned roller by a load, from a given start: status, steps, residual."""
     effort = Effort(loop.TOLERANCE, relaxation, eager)
-    return loop.newton(crowned(influence), GIVEN, kernel_of(element, influence.terms), sought_from(r, m, rigid), effort)
+    return loop.newton(
+        crowned(influence), GIVEN, kernel_of(element, influence.terms), unknowns_from(r, m, rigid), effort
+    )
 
 
 def start(m=0.05):
@@ -101,17 +103,17 @@ def test_nothing_in_contact_stagnates():
     assert (status, steps) == (STAGNATED, 0)
 
 
-def hurried(strips, given, kernel, sought, effort):
-    return loop.newton(strips, given, kernel, sought, Effort(effort.tolerance, 1e-3, True))
+def hurried(strips, given, kernel, unknowns, effort):
+    return loop.newton(strips, given, kernel, unknowns, Effort(effort.tolerance, 1e-3, True))
 
 
 def lost(*arguments):
     return STAGNATED, 1, np.inf
 
 
-def emptied(strips, given, kernel, sought, effort):
-    sought.m[:] = 0.0
-    return loop.newton(strips, given, kernel, sought, effort)
+def emptied(strips, given, kernel, unknowns, effort):
+    unknowns.m[:] = 0.0
+    return loop.newton(strips, given, kernel, unknowns, effort)
 
 
 @pytest.mark.parametrize(
@@ -151,7 +153,7 @@ def check(r, m, rigid, separation=CROWN, gap=None):
     """Return what the last check finds wrong with a state on half-spaces under the load, and fill ``gap``."""
     strips, kernel = crowned(separation=separation), kernel_of()
     remote = remote_of(strips, kernel, max(m.max(), 1e-6))
-    return loop.violation(strips, GIVEN, kernel, remote, sought_from(r, m, rigid, gap))
+    return loop.violation(strips, GIVEN, kernel, remote, unknowns_from(r, m, rigid, gap))
 
 
 def deepest(rigid):
@@ -196,7 +198,7 @@ def kept(arm, at, moment=True):
     r = np.zeros(STRIPS)
     r[at], m[at] = 0.025, 0.05
     target = K_LOAD * np.array([1.0, Y[at] + arm])
-    loop.pair_lone_strip(crowned(), Given(np.array([True, moment]), target), sought_from(r, m, np.zeros(2)))
+    loop.pair_lone_strip(crowned(), Given(np.array([True, moment]), target), unknowns_from(r, m, np.zeros(2)))
     assert np.array_equal(r > 0.0, m > 0.0)
     return np.flatnonzero(m).tolist()
 

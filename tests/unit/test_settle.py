@@ -25,11 +25,11 @@ def problem():
 def raised(problem):
     """Return how raising the load of the problem ends, and the state that it leaves."""
     grids, found = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1)
-    sought = settle.sought_of(found, 0, found.m.shape[1])
+    unknowns = settle.unknowns_of(found, 0, found.m.shape[1])
     given = Given(problem.prescribed, problem.target)
     effort = Effort(TOLERANCE, 1.0, True)
     status, *_ = settle.loop(
-        settle.strips_of(grids, 0), given, problem.kernel, sought, grids.shallowest[0], effort, True
+        settle.strips_of(grids, 0), given, problem.kernel, unknowns, grids.shallowest[0], effort, True
     )
     return status, found.one(0)
 
@@ -37,10 +37,10 @@ def raised(problem):
 def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monkeypatch):
     begun, ended, newton = [], [], settle.newton
 
-    def noting(strips, given, kernel, sought, effort):
-        begun.append(sought.m.copy())
-        done = newton(strips, given, kernel, sought, effort)
-        ended.append(sought.m.copy())
+    def noting(strips, given, kernel, unknowns, effort):
+        begun.append(unknowns.m.copy())
+        done = newton(strips, given, kernel, unknowns, effort)
+        ended.append(unknowns.m.copy())
         return done
 
     interpret(monkeypatch, newton=noting)

@@ -5,7 +5,7 @@ import pytest
 from core_pieces import kernel_of, strips_between
 
 from nonhertz.strip.records import Given
-from nonhertz.strip.settle import blank_sought
+from nonhertz.strip.settle import blank_unknowns
 from nonhertz.strip.start import prolong, springs
 
 EDGES = np.linspace(-10.0, 10.0, 42)
@@ -14,10 +14,10 @@ CROWN = Y**2 / 2000.0
 
 
 def sprung(prescribed, target, separation=CROWN):
-    sought = blank_sought(Y.size)
+    unknowns = blank_unknowns(Y.size)
     strips = strips_between(EDGES[:-1], EDGES[1:], separation=separation)
-    springs(strips, Given(np.array(prescribed), np.array(target)), kernel_of(), sought)
-    return sought.r * sought.m, sought.rigid
+    springs(strips, Given(np.array(prescribed), np.array(target)), kernel_of(), unknowns)
+    return unknowns.r * unknowns.m, unknowns.rigid
 
 
 @pytest.mark.parametrize("moment", [0.0, 1e-2, -3e-2])
@@ -55,7 +55,7 @@ def test_no_contact_is_left_when_the_moment_vanishes_only_there():
 def test_a_parabola_is_prolonged_to_where_it_ends():
     m = np.maximum(1.0 - (Y / 6.3) ** 2, 0.0)
     edges = np.linspace(-9.925, 9.925, 398)
-    finer, near, found = 0.5 * (edges[1:] + edges[:-1]), blank_sought(Y.size), blank_sought(397)
+    finer, near, found = 0.5 * (edges[1:] + edges[:-1]), blank_unknowns(Y.size), blank_unknowns(397)
     near.r[:], near.m[:], near.rigid[:] = 0.025, m, (0.01, 2e-4)
     given = Given(np.array([True, False]), np.array([1e-2, 3e-4]))
     assert prolong(Y, near, strips_between(edges[:-1], edges[1:]), given, found)

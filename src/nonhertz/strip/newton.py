@@ -38,7 +38,7 @@ from nonhertz.strip.records import (
     Given,
     Indices,
     Kernel,
-    Sought,
+    Unknowns,
     Strips,
 )
 
@@ -90,14 +90,14 @@ class _Equations(NamedTuple):
 
 
 @inlined
-def newton(strips: Strips, given: Given, kernel: Kernel, sought: Sought, effort: Effort) -> tuple[int, int, float]:
-    """Solve the contact of strips, starting from the r, m and rigid motion in ``sought`` and overwriting it.
+def newton(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, effort: Effort) -> tuple[int, int, float]:
+    """Solve the contact of strips, starting from the r, m and rigid motion in ``unknowns`` and overwriting it.
 
     Parameters
     ----------
     strips : Strips
         At least one.
-    given, kernel, sought, effort
+    given, kernel, unknowns, effort
         See `nonhertz.strip.records`.
 
     Returns
@@ -108,38 +108,40 @@ def newton(strips: Strips, given: Given, kernel: Kernel, sought: Sought, effort:
     half = 0.5 * (strips.high[-1] - strips.low[0])
     rough = effort.tolerance > TOLERANCE
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
-    residual, remote = np.inf, remote_of(strips, kernel, ROOM * _widest(sought.m))
+    residual, remote = np.inf, remote_of(strips, kernel, ROOM * _widest(unknowns.m))
     for step in range(STEP_LIMIT):
-        pair_lone_strip(strips, given, sought)
-        active = touching(sought.m)
+        pair_lone_strip(strips, given, unknowns)
+        active = touching(unknowns.m)
         if active.size == 0:
             return STAGNATED, step, residual
-        remote = _still_remote(strips, kernel, sought, remote)
-        equations, scale, noise, unsettled = _weighed(strips, given, kernel, remote, sought, active, half, effort.eager)
-        residual = worse(unsettled, -(_least(sought.gap) + noise) / scale)
+        remote = _still_remote(strips, kernel, unknowns, remote)
+        equations, scale, noise, unsettled = _weighed(
+            strips, given, kernel, remote, unknowns, active, half, effort.eager
+        )
+        residual = worse(unsettled, -(_least(unknowns.gap) + noise) / scale)
         # A strip whose m is NaN is not active and appears in no residual.
-        if not math.isfinite(residual) or not math.isfinite(_sum(sought.m)):
+        if not math.isfinite(residual) or not math.isfinite(_sum(unknowns.m)):
             return STAGNATED, step, residual
 
         d_r, d_q = _directions(equations)
         response = _border(equations, d_q)
-        _store_stiffness(response, half, sought.stiffness)
+        _store_stiffness(response, half, unknowns.stiffness)
         if residual < effort.tolerance:
             for k in range(active.size):
-                sought.gap[active[k]] = equations.unclosed[k]
+                unknowns.gap[active[k]] = equations.unclosed[k]
             return CONVERGED, step, residual
 
         first, second = _rigid_step(response, given, equations, d_q)
         largest = _combine(d_r, d_q, first, second)
-        if _widest(sought.m) > (WIDEST * half) ** 2 or not math.isfinite(largest):
+        if _widest(unknowns.m) > (WIDEST * half) ** 2 or not math.isfinite(largest):
             return STAGNATED, step, residual
-        sought.rigid[0] += effort.relaxation * first
-        sought.rigid[1] += effort.relaxation * second / half
-        changed = _update(strips, kernel, equations, d_r, d_q, effort.relaxation, sought)
-        entered = _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, sought)
+        unknowns.rigid[0] += effort.relaxation * first
+        unknowns.rigid[1] += effort.relaxation * second / half
+        changed = _update(strips, kernel, equations, d_r, d_q, effort.relaxation, unknowns)
+        entered = _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
         if residual < nearly and largest < small_step and not changed and not entered:
-            remote = _still_remote(strips, kernel, sought, remote)
-            left = violation(strips, given, kernel, remote, sought)
+            remote = _still_remote(strips, kernel, unknowns, remote)
+            left = violation(strips, given, kernel, remote, unknowns)
             if left < effort.tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
@@ -147,15 +149,15 @@ def newton(strips: Strips, given: Given, kernel: Kernel, sought: Sought, effort:
 
 @compiled
 def followed(
-    strips: Strips, given: Given, kernel: Kernel, sought: Sought, remote: Remote
+    strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, remote: Remote
 ) -> tuple[bool, float, float, Remote]:
-    """Let a contact on the strips where it was solved follow a given approach and tilt, overwriting ``sought``.
+    """Let a contact on the strips where it was solved follow a given approach and tilt, overwriting ``unknowns``.
 
     Parameters
     ----------
     strips, given, kernel
         See `nonhertz.strip.records`; approach and tilt are given.
-    sought : Sought
+    unknowns : Unknowns
         A solution at another approach and tilt.
     remote : Remote
         What strips do far away, as the last call returned it.
@@ -171,28 +173,28 @@ def followed(
     """
     half = 0.5 * (strips.high[-1] - strips.low[0])
     for k in range(2):
-        sought.rigid[k] = given.target[k]
+        unknowns.rigid[k] = given.target[k]
     for _ in range(FOLLOWING):
-        active = touching(sought.m)
-        if active.size == 0 or _widest(sought.m) > (WIDEST * half) ** 2:
+        active = touching(unknowns.m)
+        if active.size == 0 or _widest(unknowns.m) > (WIDEST * half) ** 2:
             break
-        remote = _still_remote(strips, kernel, sought, remote)
-        equations, scale, noise, unsettled = _weighed(strips, given, kernel, remote, sought, active, half, True)
-        residual = worse(unsettled, -(_least(sought.gap) + noise) / scale)
+        remote = _still_remote(strips, kernel, unknowns, remote)
+        equations, scale, noise, unsettled = _weighed(strips, given, kernel, remote, unknowns, active, half, True)
+        residual = worse(unsettled, -(_least(unknowns.gap) + noise) / scale)
         d_r, d_q = _directions(equations)
         response = _border(equations, d_q)
         largest = _combine(d_r, d_q, 0.0, 0.0)
-        if not math.isfinite(residual) or not math.isfinite(largest) or not math.isfinite(_sum(sought.m)):
+        if not math.isfinite(residual) or not math.isfinite(largest) or not math.isfinite(_sum(unknowns.m)):
             break
         if residual < NEARLY and largest < SMALL_STEP:
-            _store_stiffness(response, half, sought.stiffness)
+            _store_stiffness(response, half, unknowns.stiffness)
             load, moment = response[0, 0], response[1, 0]
             for i in range(active.size):
                 load += equations.weights[i]
                 moment += equations.weights[i] * equations.lever[i]
             return True, load, moment * half, remote
-        _update(strips, kernel, equations, d_r, d_q, 1.0, sought)
-        _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, sought)
+        _update(strips, kernel, equations, d_r, d_q, 1.0, unknowns)
+        _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
     return False, 0.0, 0.0, remote
 
 
@@ -202,7 +204,7 @@ def _weighed(
     given: Given,
     kernel: Kernel,
     remote: Remote,
-    sought: Sought,
+    unknowns: Unknowns,
     active: Indices,
     half: float,
     eager: bool,
@@ -211,17 +213,17 @@ def _weighed(
 
     The gap of idle strips is filled in, and not yet part of it.
     """
-    equations, unbent = _linearised(strips, given, kernel, remote, sought, active, half, eager)
-    scale, noise = _scales(strips, sought.rigid, active, half)
-    _idle_gaps(strips, kernel, remote, sought)
+    equations, unbent = _linearised(strips, given, kernel, remote, unknowns, active, half, eager)
+    scale, noise = _scales(strips, unknowns.rigid, active, half)
+    _idle_gaps(strips, kernel, remote, unknowns)
     unsettled = worse((_largest(equations.unclosed) - noise) / scale, unbent)
     return equations, scale, noise, worse(unsettled, _imbalance(given, equations.off, _sum(equations.weights)))
 
 
 @compiled
-def _still_remote(strips: Strips, kernel: Kernel, sought: Sought, remote: Remote) -> Remote:
+def _still_remote(strips: Strips, kernel: Kernel, unknowns: Unknowns, remote: Remote) -> Remote:
     """Return what strips do far away, worked out again if the contact has become too wide for it."""
-    widest = _widest(sought.m)
+    widest = _widest(unknowns.m)
     return remote if not widest > remote.widest else remote_of(strips, kernel, ROOM * widest)
 
 
@@ -297,11 +299,11 @@ def _scales(strips: Strips, rigid: Array, active: Indices, half: float) -> tuple
 
 
 @compiled
-def pair_lone_strip(strips: Strips, given: Given, sought: Sought) -> None:
+def pair_lone_strip(strips: Strips, given: Given, unknowns: Unknowns) -> None:
     """Put a neighbour in contact beside a lone strip that must carry load and moment: one strip cannot."""
     if not (given.by_force[0] and given.by_force[1]):
         return
-    r, m = sought.r, sought.m
+    r, m = unknowns.r, unknowns.m
     alone, count = 0, 0
     for i in range(m.size):
         if m[i] > 0.0:
@@ -321,7 +323,7 @@ def _linearised(
     given: Given,
     kernel: Kernel,
     remote: Remote,
-    sought: Sought,
+    unknowns: Unknowns,
     active: Indices,
     half: float,
     eager: bool,
@@ -329,21 +331,21 @@ def _linearised(
     """Return the equations at a state, whose r is brought to the curvature rows, and these rows' largest residual."""
     k = active.size
     blocks = np.empty((4, k, k))
-    coefficients(strips, sought.m, active, kernel, remote, blocks)
+    coefficients(strips, unknowns.m, active, kernel, remote, blocks)
     follows = _curved(blocks, strips.curvature, active)
     at = padded(k)
     r, m, missing = np.empty(k), np.empty(k), np.empty(k)
     weights, lever, unclosed = np.empty(k), np.empty(k), np.empty(k)
     for i in range(k):
         source = active[i]
-        m[i] = sought.m[source]
-        required, before = follows[i, at + k], sought.r[source]
+        m[i] = unknowns.m[source]
+        required, before = follows[i, at + k], unknowns.r[source]
         # Far from the solution it may not even be positive.
         r[i] = min(max(required, LEAST_CHANGE * before), before / LEAST_CHANGE) if eager else before
         if math.isnan(before):
             r[i] = before
         missing[i] = required - r[i]
-        sought.r[source] = r[i]
+        unknowns.r[source] = r[i]
         weights[i] = r[i] * m[i] * (strips.high[source] - strips.low[source])
         lever[i] = strips.y[source] / half
     load = moment = unbent = 0.0
@@ -352,11 +354,11 @@ def _linearised(
         for j in range(k):
             lift += blocks[0, i, j] * (r[j] * m[j])
             bend += blocks[2, i, j] * r[j]
-        unclosed[i] = lift - _interference(strips, sought.rigid, active[i])
+        unclosed[i] = lift - _interference(strips, unknowns.rigid, active[i])
         unbent = worse(unbent, abs(bend / strips.curvature[active[i]] - 1.0))
         load += weights[i]
         moment += weights[i] * lever[i]
-    off = _balance(given, sought.rigid, load, moment, half)
+    off = _balance(given, unknowns.rigid, load, moment, half)
     return _Equations(active, blocks, follows, missing, r, m, weights, lever, unclosed, off), unbent
 
 
@@ -381,28 +383,28 @@ def _imbalance(given: Given, off: Array, load: float) -> float:
 
 
 @compiled
-def _loads(sought: Sought) -> Array:
+def _loads(unknowns: Unknowns) -> Array:
     """Return K q of every strip."""
-    q = np.empty(sought.m.size)
+    q = np.empty(unknowns.m.size)
     for i in range(q.size):
-        q[i] = sought.r[i] * sought.m[i]
+        q[i] = unknowns.r[i] * unknowns.m[i]
     return q
 
 
 @inlined
-def _idle_gaps(strips: Strips, kernel: Kernel, remote: Remote, sought: Sought) -> None:
+def _idle_gaps(strips: Strips, kernel: Kernel, remote: Remote, unknowns: Unknowns) -> None:
     """Fill the gap of the strips out of contact, zero for those in contact."""
-    idle, some = np.empty(sought.m.size, np.bool_), False
+    idle, some = np.empty(unknowns.m.size, np.bool_), False
     for i in range(idle.size):
-        idle[i] = not sought.m[i] > 0.0
+        idle[i] = not unknowns.m[i] > 0.0
         some = some or idle[i]
     raised = np.zeros(idle.size)
     if some:
-        lift(strips, sought.m, _loads(sought), kernel, remote, idle, raised)
+        lift(strips, unknowns.m, _loads(unknowns), kernel, remote, idle, raised)
     for i in range(idle.size):
         # Where the bodies never meet the gap is infinite, whatever the displacement.
-        apart = -_interference(strips, sought.rigid, i)
-        sought.gap[i] = (apart + raised[i] if math.isfinite(apart) else apart) if idle[i] else 0.0
+        apart = -_interference(strips, unknowns.rigid, i)
+        unknowns.gap[i] = (apart + raised[i] if math.isfinite(apart) else apart) if idle[i] else 0.0
 
 
 @compiled
@@ -512,11 +514,11 @@ def _combine(d_r: Array, d_q: Array, first: float, second: float) -> float:
 
 @compiled
 def _update(
-    strips: Strips, kernel: Kernel, found: _Equations, d_r: Array, d_q: Array, relaxation: float, sought: Sought
+    strips: Strips, kernel: Kernel, found: _Equations, d_r: Array, d_q: Array, relaxation: float, unknowns: Unknowns
 ) -> bool:
     """Apply the relative steps of r and q in the first columns; return whether a strip left or was held back."""
     changed = False
-    r, m = sought.r, sought.m
+    r, m = unknowns.r, unknowns.m
     for k in range(found.active.size):
         i = found.active[k]
         rho, sigma = d_r[k, 0], d_q[k, 0]
@@ -537,18 +539,18 @@ def _update(
 
 
 @compiled
-def _enter(strips: Strips, kernel: Kernel, active: Indices, overlap: float, sought: Sought) -> bool:
+def _enter(strips: Strips, kernel: Kernel, active: Indices, overlap: float, unknowns: Unknowns) -> bool:
     """Put strips with more than this ``overlap`` in contact, with r from the nearest strip in contact."""
     entered = False
-    for i in range(sought.gap.size):
-        if sought.gap[i] < -overlap:
+    for i in range(unknowns.gap.size):
+        if unknowns.gap[i] < -overlap:
             entered = True
             nearest = active[0]
             for j in active:
                 if abs(j - i) < abs(nearest - i):
                     nearest = j
-            sought.r[i] = sought.r[nearest] * strips.curvature[i] / strips.curvature[nearest]
-            sought.m[i] = _own_width(-sought.gap[i] / sought.r[i], strips.high[i] - strips.low[i], kernel.table)
+            unknowns.r[i] = unknowns.r[nearest] * strips.curvature[i] / strips.curvature[nearest]
+            unknowns.m[i] = _own_width(-unknowns.gap[i] / unknowns.r[i], strips.high[i] - strips.low[i], kernel.table)
     return entered
 
 
@@ -566,23 +568,23 @@ def _own_width(required: float, width: float, table: Array) -> float:
 
 
 @inlined
-def violation(strips: Strips, given: Given, kernel: Kernel, remote: Remote, sought: Sought) -> float:
+def violation(strips: Strips, given: Given, kernel: Kernel, remote: Remote, unknowns: Unknowns) -> float:
     """Fill the gap everywhere and return the largest relative violation of contact and balance."""
-    half, n = 0.5 * (strips.high[-1] - strips.low[0]), sought.m.size
-    q, raised = _loads(sought), np.empty(n)
-    lift(strips, sought.m, q, kernel, remote, np.ones(n, np.bool_), raised)
+    half, n = 0.5 * (strips.high[-1] - strips.low[0]), unknowns.m.size
+    q, raised = _loads(unknowns), np.empty(n)
+    lift(strips, unknowns.m, q, kernel, remote, np.ones(n, np.bool_), raised)
     worst, deepest, load, moment = 0.0, -np.inf, 0.0, 0.0
     for i in range(n):
-        depth = _interference(strips, sought.rigid, i)
-        sought.gap[i] = raised[i] - depth if math.isfinite(depth) else -depth
-        if sought.m[i] > 0.0:
-            worst = worse(worst, abs(sought.gap[i]))
+        depth = _interference(strips, unknowns.rigid, i)
+        unknowns.gap[i] = raised[i] - depth if math.isfinite(depth) else -depth
+        if unknowns.m[i] > 0.0:
+            worst = worse(worst, abs(unknowns.gap[i]))
             deepest = worse(deepest, depth)
             carried = q[i] * (strips.high[i] - strips.low[i])
             load += carried
             moment += carried * strips.y[i]
         else:
-            worst = worse(worst, -sought.gap[i])
-    off = _balance(given, sought.rigid, load, moment / half, half)
-    _, noise = _scales(strips, sought.rigid, touching(sought.m), half)
+            worst = worse(worst, -unknowns.gap[i])
+    off = _balance(given, unknowns.rigid, load, moment / half, half)
+    _, noise = _scales(strips, unknowns.rigid, touching(unknowns.m), half)
     return worse((worst - noise) / deepest, _imbalance(given, off, load))

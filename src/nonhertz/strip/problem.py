@@ -14,7 +14,7 @@ from nonhertz.strip.element import Element
 from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Given, Grids, Indices, Kernel, States
-from nonhertz.strip.settle import settle_all, sought_of, strips_of
+from nonhertz.strip.settle import settle_all, unknowns_of, strips_of
 from nonhertz.strip.start import springs
 
 KEPT_GRIDS = 2  # those of thousands of strips take megabytes
@@ -187,7 +187,7 @@ def sprung(problem: Problem, edges: Array) -> States:
     count, rows = row_of(edges)
     found = States.unsolved(count, rows, 1)
     # Springs do not move one another: thousands of them stand here without a matrix of all by all.
-    strips, sought = strips_of(problem.grids(count, rows, at_rest=True), 0), sought_of(found, 0, edges.size - 1)
-    springs(strips, Given(problem.prescribed, problem.target), problem.kernel, sought)
+    strips, unknowns = strips_of(problem.grids(count, rows, at_rest=True), 0), unknowns_of(found, 0, edges.size - 1)
+    springs(strips, Given(problem.prescribed, problem.target), problem.kernel, unknowns)
     found.status[0] = ITERATION_LIMIT
     return found.one(0)

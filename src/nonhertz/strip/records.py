@@ -1,4 +1,4 @@
-"""What the compiled core passes around: strips, what is given, how they act, what is sought, and how hard to try.
+"""What the compiled core passes around: strips, what is given, how they act, the unknowns, and how hard to try.
 
 Plain tuples of arrays, so that Python and compiled code share them. Lengths may be in any one unit; loads are
 multiplied by the compliance K, so that K q has the unit of a length and K Q that of its square.
@@ -79,7 +79,7 @@ class Kernel(NamedTuple):
     face_tables: Array
 
 
-class Sought(NamedTuple):
+class Unknowns(NamedTuple):
     """The unknowns, and what follows from them.
 
     Attributes
@@ -135,9 +135,9 @@ class States(NamedTuple):
     counts, edges : ndarray
         As in `Grids`; one row if all cases share their strips. Padding is out of contact.
     r, m, gap : ndarray, shape (cases, n)
-        As in `Sought`.
+        As in `Unknowns`.
     rigid, stiffness : ndarray, shape (cases, 2), (cases, 2, 2)
-        As in `Sought`.
+        As in `Unknowns`.
     status, steps : ndarray of int, shape (cases,)
         CONVERGED, ITERATION_LIMIT or STAGNATED; Newton steps.
     residual : ndarray, shape (cases,)

@@ -14,7 +14,7 @@ import numpy as np
 from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.influence import Remote, remote_of
 from nonhertz.strip.newton import ROOM, TOLERANCE, followed, newton
-from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Kernel, Sought, States, Strips
+from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Kernel, Unknowns, States, Strips
 from nonhertz.strip.start import prolong, springs
 
 NEARBY = 0.1  # relative change up to which the previous case serves as the start
@@ -57,7 +57,7 @@ def settle_all(
         asked, n = Given(given.by_force, given.target[case]), strips.y.size
         if not within_reach(strips, asked):
             continue
-        sought, trial = sought_of(found, case, n), blank_sought(n)
+        unknowns, trial = unknowns_of(found, case, n), blank_unknowns(n)
         status, steps, residual = STAGNATED, 0, np.inf
         for start in range(STARTS if patient else TOGETHER):
             if start == BEFORE:
@@ -79,7 +79,7 @@ def settle_all(
             # In this one place alone: wherever else the loop was called, it would be compiled again.
             again, more, left = loop(strips, asked, kernel, trial, shallowest, effort, start == RAISED)
             if start <= SPRINGS or again == CONVERGED or left < residual:
-                take(trial, sought)
+                take(trial, unknowns)
                 status, steps, residual = again, more, left
             if status == CONVERGED:
                 break
@@ -87,10 +87,10 @@ def settle_all(
 
 
 @compiled
-def _from_before(strips: Strips, given: Given, found: States, case: int, sought: Sought) -> bool:
+def _from_before(strips: Strips, given: Given, found: States, case: int, unknowns: Unknowns) -> bool:
     """Begin where the case before ended; return whether it is similar enough."""
     target, before, by_force = given.target[case], given.target[case - 1], given.by_force
-    previous = sought_of(found, case - 1, strips.y.size)
+    previous = unknowns_of(found, case - 1, strips.y.size)
     half, scale = 0.5 * (strips.high[-1] - strips.low[0]), abs(target[1])
     if not by_force[1]:
         scale = abs(previous.rigid[0]) / half
@@ -100,54 +100,54 @@ def _from_before(strips: Strips, given: Given, found: States, case: int, sought:
     near_second = abs(target[1] - before[1]) <= NEARBY * scale
     if found.status[case - 1] != CONVERGED or not (near_first and near_second):
         return False
-    take(previous, sought)
+    take(previous, unknowns)
     for k in range(2):
-        sought.rigid[k] = previous.rigid[k] if by_force[k] else target[k]
+        unknowns.rigid[k] = previous.rigid[k] if by_force[k] else target[k]
     return True
 
 
 @inlined
-def _from_near(strips: Strips, asked: Given, near: States, case: int, sought: Sought) -> bool:
+def _from_near(strips: Strips, asked: Given, near: States, case: int, unknowns: Unknowns) -> bool:
     """Begin with the solution on other strips; return whether any strip is in contact."""
     row = 0 if near.edges.shape[0] == 1 else case
     count = near.counts[row]
     y = np.empty(count)
     for i in range(count):
         y[i] = 0.5 * (near.edges[row, i + 1] + near.edges[row, i])
-    return prolong(y, sought_of(near, case, count), strips, asked, sought)
+    return prolong(y, unknowns_of(near, case, count), strips, asked, unknowns)
 
 
 @inlined
 def loop(
-    strips: Strips, given: Given, kernel: Kernel, sought: Sought, shallowest: Array, effort: Effort, raised: bool
+    strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, shallowest: Array, effort: Effort, raised: bool
 ) -> tuple[int, int, float]:
-    """Run the Newton loop from where ``sought`` stands, unless a body is thinner there than its contact is wide.
+    """Run the Newton loop from where ``unknowns`` stands, unless a body is thinner there than its contact is wide.
 
     If the load is to be ``raised``, it runs from springs under a small one, and on in steps as large as it allows. A
     state that converged only at a share of the load is not a solution and is not marked as one.
     """
     reached, share, steps = 0.0, 0.01 if raised else 1.0, 0
-    last, asked = blank_sought(sought.m.size), Given(given.by_force, np.empty(2))
+    last, asked = blank_unknowns(unknowns.m.size), Given(given.by_force, np.empty(2))
     for _ in range(RISES if raised else 1):
         for k in range(2):
             asked.target[k] = share * given.target[k] if given.by_force[k] else given.target[k]
         if reached > 0.0:
-            take(last, sought)
+            take(last, unknowns)
         elif raised:
-            springs(strips, asked, kernel, sought)
-        for i in range(sought.m.size):
-            sought.gap[i] = 0.0
+            springs(strips, asked, kernel, unknowns)
+        for i in range(unknowns.m.size):
+            unknowns.gap[i] = 0.0
         for i in range(4):
-            sought.stiffness[i // 2, i % 2] = 0.0
+            unknowns.stiffness[i // 2, i % 2] = 0.0
         status, steps, residual = STAGNATED, 0, np.inf
-        if not too_thin(shallowest, kernel, sought.m, HOPELESS):
-            status, steps, residual = newton(strips, asked, kernel, sought, effort)
+        if not too_thin(shallowest, kernel, unknowns.m, HOPELESS):
+            status, steps, residual = newton(strips, asked, kernel, unknowns, effort)
         if not raised or (status == CONVERGED and share == 1.0):
             return status, steps, residual
         if share - reached < LEAST_RISE:
             break
         if status == CONVERGED:
-            take(sought, last)
+            take(unknowns, last)
             reached, share = share, min(1.0, 2.0 * share)
         else:
             share = 0.5 * (reached + share)
@@ -177,45 +177,45 @@ def follow(
     """
     strips, asked = strips_of(grids, 0), Given(given.by_force, given.target[0])
     n = strips.y.size
-    kept, sought = sought_of(found, 0, n), blank_sought(n)
-    take(kept, sought)
-    _foresee(strips, asked, sought)
-    if too_thin(grids.shallowest[0], kernel, sought.m, HOPELESS):
+    kept, unknowns = unknowns_of(found, 0, n), blank_unknowns(n)
+    take(kept, unknowns)
+    _foresee(strips, asked, unknowns)
+    if too_thin(grids.shallowest[0], kernel, unknowns.m, HOPELESS):
         return False
     largest = 0.0
     for i in range(n):
-        largest = max(largest, sought.m[i])
+        largest = max(largest, unknowns.m[i])
     known = Remote(remote.first, remote.beyond, remote.powers, widest[0])
     if not largest <= widest[0]:
         known = remote_of(strips, kernel, ROOM * largest)
-    done, load, moment, known = followed(strips, asked, kernel, sought, known)
+    done, load, moment, known = followed(strips, asked, kernel, unknowns, known)
     if known.widest != widest[0]:
         widest[0] = known.widest
         remote.first[:], remote.beyond[:], remote.powers[:] = known.first, known.beyond, known.powers
     if done:
-        take(sought, kept)
+        take(unknowns, kept)
         answer[0], answer[1] = load, moment
         for k in range(4):
-            answer[2 + k] = sought.stiffness[k // 2, k % 2]
+            answer[2 + k] = unknowns.stiffness[k // 2, k % 2]
     return done
 
 
 @compiled
-def _foresee(strips: Strips, given: Given, sought: Sought) -> None:
+def _foresee(strips: Strips, given: Given, unknowns: Unknowns) -> None:
     """Change m as springs would, so that strips leave at once where the bodies no longer overlap."""
     touches = False
     for i in range(strips.y.size):
-        before = sought.rigid[0] + sought.rigid[1] * strips.y[i] - strips.separation[i]
+        before = unknowns.rigid[0] + unknowns.rigid[1] * strips.y[i] - strips.separation[i]
         now = given.target[0] + given.target[1] * strips.y[i] - strips.separation[i]
-        if sought.m[i] > 0.0 and before > 0.0:
+        if unknowns.m[i] > 0.0 and before > 0.0:
             touches = touches or now > 0.0
     if not touches:
         return
     for i in range(strips.y.size):
-        before = sought.rigid[0] + sought.rigid[1] * strips.y[i] - strips.separation[i]
+        before = unknowns.rigid[0] + unknowns.rigid[1] * strips.y[i] - strips.separation[i]
         now = given.target[0] + given.target[1] * strips.y[i] - strips.separation[i]
-        if sought.m[i] > 0.0 and before > 0.0:
-            sought.m[i] *= min(max(now / before, 0.0), 4.0)
+        if unknowns.m[i] > 0.0 and before > 0.0:
+            unknowns.m[i] *= min(max(now / before, 0.0), 4.0)
 
 
 @compiled
@@ -232,20 +232,20 @@ def too_thin(shallowest: Array, kernel: Kernel, m: Array, least: float) -> bool:
 
 
 @compiled
-def blank_sought(n: int) -> Sought:
+def blank_unknowns(n: int) -> Unknowns:
     """Return unknowns of ``n`` strips, all zero."""
-    return Sought(np.zeros(n), np.zeros(n), np.zeros(2), np.zeros(n), np.zeros((2, 2)))
+    return Unknowns(np.zeros(n), np.zeros(n), np.zeros(2), np.zeros(n), np.zeros((2, 2)))
 
 
 @compiled
-def take(other: Sought, sought: Sought) -> None:
-    """Overwrite ``sought`` with another on the same strips."""
-    for i in range(sought.m.size):
-        sought.r[i], sought.m[i], sought.gap[i] = other.r[i], other.m[i], other.gap[i]
+def take(other: Unknowns, unknowns: Unknowns) -> None:
+    """Overwrite ``unknowns`` with another on the same strips."""
+    for i in range(unknowns.m.size):
+        unknowns.r[i], unknowns.m[i], unknowns.gap[i] = other.r[i], other.m[i], other.gap[i]
     for k in range(2):
-        sought.rigid[k] = other.rigid[k]
+        unknowns.rigid[k] = other.rigid[k]
         for j in range(2):
-            sought.stiffness[k, j] = other.stiffness[k, j]
+            unknowns.stiffness[k, j] = other.stiffness[k, j]
 
 
 @compiled
@@ -260,9 +260,9 @@ def strips_of(grids: Grids, row: int) -> Strips:
 
 
 @compiled
-def sought_of(states: States, case: int, n: int) -> Sought:
-    """Return what is sought for one case on ``n`` strips, as views."""
-    return Sought(
+def unknowns_of(states: States, case: int, n: int) -> Unknowns:
+    """Return the unknowns of one case on ``n`` strips, as views."""
+    return Unknowns(
         states.r[case, :n], states.m[case, :n], states.rigid[case], states.gap[case, :n], states.stiffness[case]
     )
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.newton import touching
-from nonhertz.strip.records import Array, Given, Kernel, Sought, Strips
+from nonhertz.strip.records import Array, Given, Kernel, Unknowns, Strips
 
 SECANTS = 30
 
@@ -29,8 +29,8 @@ class Bed(NamedTuple):
 
 
 @compiled
-def springs(strips: Strips, given: Given, kernel: Kernel, sought: Sought) -> None:
-    """Fill ``sought`` with r, m and the rigid motion of independent springs."""
+def springs(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns) -> None:
+    """Fill ``unknowns`` with r, m and the rigid motion of independent springs."""
     # Mirrored where the moment is negative, so that two cases that are mirror images of each other start identically
     # to the last bit.
     side = -1.0 if given.by_force[1] and given.target[1] < 0.0 else 1.0
@@ -39,9 +39,9 @@ def springs(strips: Strips, given: Given, kernel: Kernel, sought: Sought) -> Non
     for i in range(n):
         half += 0.5 * (strips.high[i] - strips.low[i])
         count += 1 if math.isfinite(strips.separation[i]) else 0
-        sought.r[i] = strips.curvature[i] / kernel.line_factor
-        sought.m[i] = 0.0
-    sought.rigid[0] = sought.rigid[1] = 0.0
+        unknowns.r[i] = strips.curvature[i] / kernel.line_factor
+        unknowns.m[i] = 0.0
+    unknowns.rigid[0] = unknowns.rigid[1] = 0.0
     if count == 0:
         return
     bed = Bed(np.empty(count), np.empty(count), np.empty(count))
@@ -60,12 +60,12 @@ def springs(strips: Strips, given: Given, kernel: Kernel, sought: Sought) -> Non
     for _ in range(3):
         stiffness = 1.0 / (2.0 * (math.log(max(2.0 * half / largest, 1.5)) + 1.2))
         approach, tilt = _balance(bed, stiffness, turned)
-        sought.rigid[0], sought.rigid[1] = approach, side * tilt
+        unknowns.rigid[0], unknowns.rigid[1] = approach, side * tilt
         widest = 0.0
         for i in range(n):
             depth = approach + side * tilt * strips.y[i] - strips.separation[i]
-            sought.m[i] = depth * stiffness / sought.r[i] if depth > 0.0 else 0.0
-            widest = max(widest, sought.m[i])
+            unknowns.m[i] = depth * stiffness / unknowns.r[i] if depth > 0.0 else 0.0
+            widest = max(widest, unknowns.m[i])
         largest = max(math.sqrt(widest), 1e-6 * half)
 
 
@@ -154,8 +154,8 @@ def _excess_moment(bed: Bed, stiffness: float, tilt: float, given: Given) -> flo
 
 
 @inlined
-def prolong(near_y: Array, near: Sought, strips: Strips, given: Given, sought: Sought) -> bool:
-    """Fill ``sought`` from a solution on other strips, at ``near_y``; return whether any strip is in contact.
+def prolong(near_y: Array, near: Unknowns, strips: Strips, given: Given, unknowns: Unknowns) -> bool:
+    """Fill ``unknowns`` from a solution on other strips, at ``near_y``; return whether any strip is in contact.
 
     m passes linearly through zero where the contact ends: the first idle strip is given the value that continues
     the line, so that strips of the other grid are in or out of contact according to where it really ends.
@@ -176,11 +176,11 @@ def prolong(near_y: Array, near: Sought, strips: Strips, given: Given, sought: S
         if not (m > 0.0 and math.isfinite(strips.separation[i])):
             m = 0.0
         beside = bearing[min(left_bearing + 1, bearing.size - 1)]
-        sought.r[i] = _between(near_y, near.r, bearing[left_bearing], beside, y)
-        sought.m[i] = m
+        unknowns.r[i] = _between(near_y, near.r, bearing[left_bearing], beside, y)
+        unknowns.m[i] = m
         any_touches = any_touches or m > 0.0
     for k in range(2):
-        sought.rigid[k] = near.rigid[k] if given.by_force[k] else given.target[k]
+        unknowns.rigid[k] = near.rigid[k] if given.by_force[k] else given.target[k]
     return any_touches
 
 
