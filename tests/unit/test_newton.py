@@ -8,7 +8,7 @@ import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.strip import newton as loop
 from nonhertz.strip.influence import remote_of
-from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, Effort, Given, Unknowns
+from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, NewtonOptions, Given, Unknowns
 
 STRIPS = 21
 EDGES = np.linspace(-10.0, 10.0, STRIPS + 1)
@@ -31,9 +31,9 @@ def unknowns_from(r, m, rigid, gap=None):
 
 def run(r, m, rigid, *, relaxation=1.0, eager=True, element=nh.SEMI_ELLIPTIC, influence=HALF_SPACES):
     """Press a tilted crowned roller by a load, from a given start: status, steps, residual."""
-    effort = Effort(loop.TOLERANCE, relaxation, eager)
+    options = NewtonOptions(loop.TOLERANCE, relaxation, eager)
     return loop.newton(
-        crowned(influence), GIVEN, kernel_of(element, influence.terms), unknowns_from(r, m, rigid), effort
+        crowned(influence), GIVEN, kernel_of(element, influence.terms), unknowns_from(r, m, rigid), options
     )
 
 
@@ -103,17 +103,17 @@ def test_nothing_in_contact_stagnates():
     assert (status, steps) == (STAGNATED, 0)
 
 
-def hurried(strips, given, kernel, unknowns, effort):
-    return loop.newton(strips, given, kernel, unknowns, Effort(effort.tolerance, 1e-3, True))
+def hurried(strips, given, kernel, unknowns, options):
+    return loop.newton(strips, given, kernel, unknowns, NewtonOptions(options.tolerance, 1e-3, True))
 
 
 def lost(*arguments):
     return STAGNATED, 1, np.inf
 
 
-def emptied(strips, given, kernel, unknowns, effort):
+def emptied(strips, given, kernel, unknowns, options):
     unknowns.m[:] = 0.0
-    return loop.newton(strips, given, kernel, unknowns, effort)
+    return loop.newton(strips, given, kernel, unknowns, options)
 
 
 @pytest.mark.parametrize(

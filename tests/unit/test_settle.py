@@ -11,7 +11,7 @@ from nonhertz.strip import settle
 from nonhertz.strip.influence import blank_remote
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
-from nonhertz.strip.records import CONVERGED, STAGNATED, Effort, Given, States
+from nonhertz.strip.records import CONVERGED, STAGNATED, NewtonOptions, Given, States
 
 STRIPS = row_of(np.linspace(-10.0, 10.0, 22))
 
@@ -27,9 +27,9 @@ def raised(problem):
     grids, found = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1)
     unknowns = settle.unknowns_of(found, 0, found.m.shape[1])
     given = Given(problem.prescribed, problem.target)
-    effort = Effort(TOLERANCE, 1.0, True)
+    options = NewtonOptions(TOLERANCE, 1.0, True)
     status, *_ = settle.loop(
-        settle.strips_of(grids, 0), given, problem.kernel, unknowns, grids.shallowest[0], effort, True
+        settle.strips_of(grids, 0), given, problem.kernel, unknowns, grids.shallowest[0], options, True
     )
     return status, found.one(0)
 
@@ -37,9 +37,9 @@ def raised(problem):
 def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monkeypatch):
     begun, ended, newton = [], [], settle.newton
 
-    def noting(strips, given, kernel, unknowns, effort):
+    def noting(strips, given, kernel, unknowns, options):
         begun.append(unknowns.m.copy())
-        done = newton(strips, given, kernel, unknowns, effort)
+        done = newton(strips, given, kernel, unknowns, options)
         ended.append(unknowns.m.copy())
         return done
 

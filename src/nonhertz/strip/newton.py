@@ -34,7 +34,7 @@ from nonhertz.strip.records import (
     ITERATION_LIMIT,
     STAGNATED,
     Array,
-    Effort,
+    NewtonOptions,
     Given,
     Indices,
     Kernel,
@@ -90,14 +90,16 @@ class _Equations(NamedTuple):
 
 
 @inlined
-def newton(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, effort: Effort) -> tuple[int, int, float]:
+def newton(
+    strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, options: NewtonOptions
+) -> tuple[int, int, float]:
     """Solve the contact of strips, starting from the r, m and rigid motion in ``unknowns`` and overwriting it.
 
     Parameters
     ----------
     strips : Strips
         At least one.
-    given, kernel, unknowns, effort
+    given, kernel, unknowns, options
         See `nonhertz.strip.records`.
 
     Returns
@@ -106,7 +108,7 @@ def newton(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, eff
         One of CONVERGED, ITERATION_LIMIT, STAGNATED; Newton steps taken; largest relative residual.
     """
     half = 0.5 * (strips.high[-1] - strips.low[0])
-    rough = effort.tolerance > TOLERANCE
+    rough = options.tolerance > TOLERANCE
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
     residual, remote = np.inf, remote_of(strips, kernel, ROOM * _widest(unknowns.m))
     for step in range(STEP_LIMIT):
@@ -116,7 +118,7 @@ def newton(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, eff
             return STAGNATED, step, residual
         remote = _still_remote(strips, kernel, unknowns, remote)
         equations, scale, noise, unsettled = _weighed(
-            strips, given, kernel, remote, unknowns, active, half, effort.eager
+            strips, given, kernel, remote, unknowns, active, half, options.eager
         )
         residual = worse(unsettled, -(_least(unknowns.gap) + noise) / scale)
         # A strip whose m is NaN is not active and appears in no residual.
@@ -126,7 +128,7 @@ def newton(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, eff
         d_r, d_q = _directions(equations)
         response = _border(equations, d_q)
         _store_stiffness(response, half, unknowns.stiffness)
-        if residual < effort.tolerance:
+        if residual < options.tolerance:
             for k in range(active.size):
                 unknowns.gap[active[k]] = equations.unclosed[k]
             return CONVERGED, step, residual
@@ -135,14 +137,14 @@ def newton(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, eff
         largest = _combine(d_r, d_q, first, second)
         if _widest(unknowns.m) > (WIDEST * half) ** 2 or not math.isfinite(largest):
             return STAGNATED, step, residual
-        unknowns.rigid[0] += effort.relaxation * first
-        unknowns.rigid[1] += effort.relaxation * second / half
-        changed = _update(strips, kernel, equations, d_r, d_q, effort.relaxation, unknowns)
+        unknowns.rigid[0] += options.relaxation * first
+        unknowns.rigid[1] += options.relaxation * second / half
+        changed = _update(strips, kernel, equations, d_r, d_q, options.relaxation, unknowns)
         entered = _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
         if residual < nearly and largest < small_step and not changed and not entered:
             remote = _still_remote(strips, kernel, unknowns, remote)
             left = violation(strips, given, kernel, remote, unknowns)
-            if left < effort.tolerance:
+            if left < options.tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
 

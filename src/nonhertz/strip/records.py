@@ -263,7 +263,7 @@ class States(NamedTuple):
         return States(*rows)
 
 
-class Effort(NamedTuple):
+class NewtonOptions(NamedTuple):
     """How a loop is run.
 
     Attributes

@@ -14,7 +14,18 @@ import numpy as np
 from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.influence import Remote, remote_of
 from nonhertz.strip.newton import ROOM, TOLERANCE, followed, newton
-from nonhertz.strip.records import CONVERGED, STAGNATED, Array, Effort, Given, Grids, Kernel, Unknowns, States, Strips
+from nonhertz.strip.records import (
+    CONVERGED,
+    STAGNATED,
+    Array,
+    NewtonOptions,
+    Given,
+    Grids,
+    Kernel,
+    Unknowns,
+    States,
+    Strips,
+)
 from nonhertz.strip.start import prolong, springs
 
 NEARBY = 0.1  # relative change up to which the previous case serves as the start
@@ -73,11 +84,11 @@ def settle_all(
                 possible = possible and (start < RAISED or asked.by_force[0])
             if not possible:
                 continue
-            effort = Effort(
+            options = NewtonOptions(
                 tolerance if start < RAISED else TOLERANCE, 0.5 if start == SHORTENED else 1.0, start != TOGETHER
             )
             # In this one place alone: wherever else the loop was called, it would be compiled again.
-            again, more, left = loop(strips, asked, kernel, trial, shallowest, effort, start == RAISED)
+            again, more, left = loop(strips, asked, kernel, trial, shallowest, options, start == RAISED)
             if start <= SPRINGS or again == CONVERGED or left < residual:
                 take(trial, unknowns)
                 status, steps, residual = again, more, left
@@ -119,7 +130,13 @@ def _from_near(strips: Strips, asked: Given, near: States, case: int, unknowns: 
 
 @inlined
 def loop(
-    strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, shallowest: Array, effort: Effort, raised: bool
+    strips: Strips,
+    given: Given,
+    kernel: Kernel,
+    unknowns: Unknowns,
+    shallowest: Array,
+    options: NewtonOptions,
+    raised: bool,
 ) -> tuple[int, int, float]:
     """Run the Newton loop from where ``unknowns`` stands, unless a body is thinner there than its contact is wide.
 
@@ -141,7 +158,7 @@ def loop(
             unknowns.stiffness[i // 2, i % 2] = 0.0
         status, steps, residual = STAGNATED, 0, np.inf
         if not too_thin(shallowest, kernel, unknowns.m, HOPELESS):
-            status, steps, residual = newton(strips, asked, kernel, unknowns, effort)
+            status, steps, residual = newton(strips, asked, kernel, unknowns, options)
         if not raised or (status == CONVERGED and share == 1.0):
             return status, steps, residual
         if share - reached < LEAST_RISE:
