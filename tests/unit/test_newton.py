@@ -8,7 +8,7 @@ import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.strip import newton as loop
 from nonhertz.strip.influence import remote_of
-from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, NewtonOptions, Given, Unknowns
+from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, BoundaryConditions, NewtonOptions, Unknowns
 
 STRIPS = 21
 EDGES = np.linspace(-10.0, 10.0, STRIPS + 1)
@@ -16,7 +16,7 @@ Y = 0.5 * (EDGES[1:] + EDGES[:-1])
 RADIUS, TILT = 10.0, 2e-4
 CROWN = Y**2 / 8000.0
 K_LOAD = 0.0084  # K Q [mm^2], 3 kN on steel: the contact ends inside the body on both sides
-GIVEN = Given(np.array([True, False]), np.array([K_LOAD, TILT]))
+GIVEN = BoundaryConditions(np.array([True, False]), np.array([K_LOAD, TILT]))
 HALF_SPACES = Influence(HALF_SPACE)
 
 
@@ -103,17 +103,17 @@ def test_nothing_in_contact_stagnates():
     assert (status, steps) == (STAGNATED, 0)
 
 
-def hurried(strips, given, kernel, unknowns, options):
-    return loop.newton(strips, given, kernel, unknowns, NewtonOptions(options.tolerance, 1e-3, True))
+def hurried(strips, conditions, kernel, unknowns, options):
+    return loop.newton(strips, conditions, kernel, unknowns, NewtonOptions(options.tolerance, 1e-3, True))
 
 
 def lost(*arguments):
     return STAGNATED, 1, np.inf
 
 
-def emptied(strips, given, kernel, unknowns, options):
+def emptied(strips, conditions, kernel, unknowns, options):
     unknowns.m[:] = 0.0
-    return loop.newton(strips, given, kernel, unknowns, options)
+    return loop.newton(strips, conditions, kernel, unknowns, options)
 
 
 @pytest.mark.parametrize(
@@ -198,7 +198,9 @@ def kept(arm, at, moment=True):
     r = np.zeros(STRIPS)
     r[at], m[at] = 0.025, 0.05
     target = K_LOAD * np.array([1.0, Y[at] + arm])
-    loop.pair_lone_strip(crowned(), Given(np.array([True, moment]), target), unknowns_from(r, m, np.zeros(2)))
+    loop.pair_lone_strip(
+        crowned(), BoundaryConditions(np.array([True, moment]), target), unknowns_from(r, m, np.zeros(2))
+    )
     assert np.array_equal(r > 0.0, m > 0.0)
     return np.flatnonzero(m).tolist()
 

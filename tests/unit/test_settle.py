@@ -11,7 +11,7 @@ from nonhertz.strip import settle
 from nonhertz.strip.influence import blank_remote
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
-from nonhertz.strip.records import CONVERGED, STAGNATED, NewtonOptions, Given, States
+from nonhertz.strip.records import CONVERGED, STAGNATED, BoundaryConditions, NewtonOptions, States
 
 STRIPS = row_of(np.linspace(-10.0, 10.0, 22))
 
@@ -26,10 +26,10 @@ def raised(problem):
     """Return how raising the load of the problem ends, and the state that it leaves."""
     grids, found = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1)
     unknowns = settle.unknowns_of(found, 0, found.m.shape[1])
-    given = Given(problem.prescribed, problem.target)
+    conditions = BoundaryConditions(problem.prescribed, problem.target)
     options = NewtonOptions(TOLERANCE, 1.0, True)
     status, *_ = settle.loop(
-        settle.strips_of(grids, 0), given, problem.kernel, unknowns, grids.shallowest[0], options, True
+        settle.strips_of(grids, 0), conditions, problem.kernel, unknowns, grids.shallowest[0], options, True
     )
     return status, found.one(0)
 
@@ -37,9 +37,9 @@ def raised(problem):
 def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monkeypatch):
     begun, ended, newton = [], [], settle.newton
 
-    def noting(strips, given, kernel, unknowns, options):
+    def noting(strips, conditions, kernel, unknowns, options):
         begun.append(unknowns.m.copy())
-        done = newton(strips, given, kernel, unknowns, options)
+        done = newton(strips, conditions, kernel, unknowns, options)
         ended.append(unknowns.m.copy())
         return done
 
@@ -56,10 +56,10 @@ def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(p
     """Beyond three tenths of the load nothing converges."""
     tried, newton = [], settle.newton
 
-    def failing(strips, given, *others):
-        share = float(given.target[0] / problem.target[0])
+    def failing(strips, conditions, *others):
+        share = float(conditions.target[0] / problem.target[0])
         tried.append(share)
-        return newton(strips, given, *others) if share <= 0.3 else (STAGNATED, 1, np.inf)
+        return newton(strips, conditions, *others) if share <= 0.3 else (STAGNATED, 1, np.inf)
 
     interpret(monkeypatch, newton=failing)
     status, _ = raised(problem)
@@ -74,10 +74,12 @@ def test_a_case_that_cannot_follow_is_left_as_it_was():
     problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription(approach=0.01, tilt=0.0), nh.SEMI_ELLIPTIC)
     grids, found, answer = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1), np.zeros(6)
     target = problem.target[None]
-    settle.settle_all(grids, Given(problem.prescribed, target), problem.kernel, States.none(), found, TOLERANCE, False)
+    settle.settle_all(
+        grids, BoundaryConditions(problem.prescribed, target), problem.kernel, States.none(), found, TOLERANCE, False
+    )
     assert found.status[0] == CONVERGED
     before = [each.copy() for each in found]
-    remote, apart = blank_remote(21, problem.kernel), Given(problem.prescribed, np.array([[-1.0, 0.0]]))
+    remote, apart = blank_remote(21, problem.kernel), BoundaryConditions(problem.prescribed, np.array([[-1.0, 0.0]]))
     assert not settle.follow(grids, apart, problem.kernel, remote, np.zeros(1), found, answer)
     for was, each in zip(before, found, strict=True):
         np.testing.assert_array_equal(each, was)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from core_pieces import kernel_of, strips_between
 
-from nonhertz.strip.records import Given
+from nonhertz.strip.records import BoundaryConditions
 from nonhertz.strip.settle import blank_unknowns
 from nonhertz.strip.start import prolong, springs
 
@@ -16,7 +16,7 @@ CROWN = Y**2 / 2000.0
 def sprung(prescribed, target, separation=CROWN):
     unknowns = blank_unknowns(Y.size)
     strips = strips_between(EDGES[:-1], EDGES[1:], separation=separation)
-    springs(strips, Given(np.array(prescribed), np.array(target)), kernel_of(), unknowns)
+    springs(strips, BoundaryConditions(np.array(prescribed), np.array(target)), kernel_of(), unknowns)
     return unknowns.r * unknowns.m, unknowns.rigid
 
 
@@ -57,8 +57,8 @@ def test_a_parabola_is_prolonged_to_where_it_ends():
     edges = np.linspace(-9.925, 9.925, 398)
     finer, near, found = 0.5 * (edges[1:] + edges[:-1]), blank_unknowns(Y.size), blank_unknowns(397)
     near.r[:], near.m[:], near.rigid[:] = 0.025, m, (0.01, 2e-4)
-    given = Given(np.array([True, False]), np.array([1e-2, 3e-4]))
-    assert prolong(Y, near, strips_between(edges[:-1], edges[1:]), given, found)
+    conditions = BoundaryConditions(np.array([True, False]), np.array([1e-2, 3e-4]))
+    assert prolong(Y, near, strips_between(edges[:-1], edges[1:]), conditions, found)
     assert np.all(found.r == 0.025)
     assert found.rigid.tolist() == [0.01, 3e-4]
     # A chord continued over one more strip misses the parabola by twice (strip / 6.3)^2.

@@ -17,7 +17,7 @@ from nonhertz.strip.influence import Remote, blank_remote
 from nonhertz.strip.levels import ACCURACY, equal_grids, on_automatic_strips
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
-from nonhertz.strip.records import CONVERGED, Given, Grids, States
+from nonhertz.strip.records import CONVERGED, BoundaryConditions, Grids, States
 from nonhertz.strip.settle import follow, settle_all
 
 Array = NDArray[np.float64]
@@ -67,7 +67,9 @@ class StripLaw:
 
     def __init__(self, contact: Contact, strips: int | None = None, element: Element = SEMI_ELLIPTIC) -> None:
         self.contact = contact
-        self._problem = posed(contact, element, np.zeros(2, dtype=np.bool_), np.zeros(2), ACCURACY, asked=False)
+        self._problem = posed(
+            contact, element, np.zeros(2, dtype=np.bool_), np.zeros(2), ACCURACY, accuracy_given=False
+        )
         self._given = self._problem.prescribed
         few = equal_grids(self._problem, contact.interval, SAMPLES)[0]
         self._low, self._high = float(few[0]), float(few[-1])
@@ -184,14 +186,14 @@ class StripLaw:
     def _follows(self, row: int, kept: _Kept, pose: Pose) -> bool:
         """Let a contact follow on its strips; return whether it could."""
         remote, widest = self._remote_of(row, kept.grids)
-        given = Given(self._given, np.array([pose]))
+        given = BoundaryConditions(self._given, np.array([pose]))
         followed = follow(kept.grids, given, self._problem.kernel, remote, widest, kept.states, kept.answer)
         kept.asked = pose if followed else kept.asked
         return followed
 
     def _settles(self, kept: _Kept, pose: Pose) -> bool:
         """Solve a contact on its strips from the start; return whether it has a solution there."""
-        given = Given(self._given, np.array([pose]))
+        given = BoundaryConditions(self._given, np.array([pose]))
         states = States.unsolved(kept.grids.counts, kept.grids.edges, 1)
         settle_all(kept.grids, given, self._problem.kernel, kept.states, states, TOLERANCE, False)
         if states.status[0] != CONVERGED:
@@ -214,7 +216,7 @@ class StripLaw:
         if self._few is not None:
             for row, (pose, depth) in missing.items():
                 states = States.unsolved(self._few.counts, self._few.edges, 1)
-                given = Given(self._given, np.array([pose]))
+                given = BoundaryConditions(self._given, np.array([pose]))
                 settle_all(self._few, given, self._problem.kernel, States.none(), states, TOLERANCE, False)
                 self._kept[row] = _Kept(self._few, states, pose, depth, pose, _answer(states))
             missing = {row: each for row, each in missing.items() if self._kept[row].states.status[0] != CONVERGED}

@@ -221,7 +221,7 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     ``singular`` are their ends at which the pressure has no limit [mm], shape (cases, k).
     """
     finest = levels[0]
-    large = min(LARGE_ERROR, problem.accuracy) if problem.asked and problem.accuracy else LARGE_ERROR
+    large = min(LARGE_ERROR, problem.accuracy) if problem.accuracy_given and problem.accuracy else LARGE_ERROR
     wide = wider_than_long(problem, finest)
     share = np.where(wide, 2.0 * SAFETY, LEFT_OF_CHANGE) if problem.accuracy else 2.0 * SAFETY
     highest = partial(_pressures, problem.element.hertz_ratio, singular)
@@ -229,7 +229,7 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     width = finest.width
     last = np.stack([width[:, 0], np.take_along_axis(width, finest.counts[:, None] - 1, axis=1)[:, 0]])
     few = FEW_AT_END * last.max(axis=0) > problem.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
-    unsure |= (few | problem.asked) & np.any(np.isfinite(singular), axis=1)
+    unsure |= (few | problem.accuracy_given) & np.any(np.isfinite(singular), axis=1)
     loads = finest.r * finest.m * width
     mean, ripples = roughness(departures(within(problem, finest.edges)[1]), width, loads)
     y = finest.y

@@ -126,7 +126,7 @@ def _short_of_accuracy(solution: Solution, problem: Problem) -> Iterator[Finding
     name, error = max(("approach", estimate.approach), ("load", estimate.load), key=lambda each: each[1])
     # Strips have no part in what the modes of a whole roller leave.
     by_strips = error - LEFT_BY_MODES * has_whole_roller(problem)
-    if problem.asked and asked is not None and asked < by_strips <= LARGE_ERROR:
+    if problem.accuracy_given and asked is not None and asked < by_strips <= LARGE_ERROR:
         yield finding(
             "short-of-accuracy",
             "The accuracy of {asked:g} asked for is not met: the error of the {quantity} is estimated at {error:.2g}, "

@@ -65,7 +65,9 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
         "shape": np.array(shape),
         "element": np.asarray(problem.element.name),
         "prescribed": np.array(problem.prescribed),
-        "accuracy": np.array([math.nan if problem.accuracy is None else problem.accuracy, float(problem.asked)]),
+        "accuracy": np.array(
+            [math.nan if problem.accuracy is None else problem.accuracy, float(problem.accuracy_given)]
+        ),
         "blocks": np.array(
             [
                 (order[id(block.contact)], len(block.numbers), len(block.states), block.error is not None)
@@ -216,10 +218,10 @@ class _Problems:
         """Return the problem of a given contact that should be a stored one."""
         contact, fields = given[at], self._fields
         if (stored, id(contact)) not in self._known:
-            accuracy, asked = fields["accuracy"].tolist()
+            accuracy, accuracy_given = fields["accuracy"].tolist()
             problem = posed(
                 contact, _ELEMENTS[str(fields["element"])], fields["prescribed"], fields["problems"][stored].copy(),
-                None if math.isnan(accuracy) else accuracy, asked=bool(asked),
+                None if math.isnan(accuracy) else accuracy, accuracy_given=bool(accuracy_given),
             )  # fmt: skip
             part = slice(self._ends[stored] - fields["contact_sizes"][stored], self._ends[stored])
             places = fields["contact_places"][part]

@@ -133,17 +133,23 @@ def problem_of(
     given.refuse_outside(contact)
     prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
     aim = (accuracy or ACCURACY) if is_automatic(strips) else None
-    return posed(contact, element, prescribed, target, aim, asked=accuracy is not None)
+    return posed(contact, element, prescribed, target, aim, accuracy_given=accuracy is not None)
 
 
 def posed(
-    contact: Contact, element: Element, prescribed: Flags, target: Array, accuracy: float | None, *, asked: bool
+    contact: Contact,
+    element: Element,
+    prescribed: Flags,
+    target: Array,
+    accuracy: float | None,
+    *,
+    accuracy_given: bool,
 ) -> Problem:
     """Return the problem of a contact; arguments as in `Problem`."""
     influence = influence_of(contact, element)
     return Problem(
         contact.separation_at, contact.curvature_at, element, prescribed, target, influence, contact.compliance,
-        partial(getattr, contact, "crests"), accuracy, asked,
+        partial(getattr, contact, "crests"), accuracy, accuracy_given,
     )  # fmt: skip
 
 

@@ -20,7 +20,7 @@ from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
 from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
 from nonhertz.strip.problem import Problem, row_of
-from nonhertz.strip.records import Array, Flags, Given, Grids, Indices, Kernel, States, Strips
+from nonhertz.strip.records import Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States, Strips
 from nonhertz.strip.settle import strips_of
 
 MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT, HIDDEN = range(9)
@@ -52,9 +52,9 @@ def shortfall(
         Approach [mm] and tilt [rad].
     """
     y, compliance = 0.5 * (edges[1:] + edges[:-1]), problem.compliance
-    grids, given = problem.grids(*row_of(edges)), Given(problem.prescribed, problem.target)
+    grids, conditions = problem.grids(*row_of(edges)), BoundaryConditions(problem.prescribed, problem.target)
     answer = Answer(compliance * line_load, half_width, gap, motion)
-    condition, found, at = first_unmet(strips_of(grids, 0), given, problem.kernel, answer)
+    condition, found, at = first_unmet(strips_of(grids, 0), conditions, problem.kernel, answer)
     if condition == MET:
         return None
     if condition in {FIRST, SECOND}:
@@ -78,8 +78,11 @@ def shortfall(
 
 def met_by(problem: Problem, states: States, targets: Array) -> Flags:
     """Return which of many states meet everything; ``targets`` as `Problem.target`, shape (cases, 2)."""
-    grids, given = problem.grids(states.counts, states.edges), Given(problem.prescribed, plain_array(targets))
-    return _met_by(grids, given, problem.kernel, states)
+    grids, conditions = (
+        problem.grids(states.counts, states.edges),
+        BoundaryConditions(problem.prescribed, plain_array(targets)),
+    )
+    return _met_by(grids, conditions, problem.kernel, states)
 
 
 class Answer(NamedTuple):
@@ -92,7 +95,7 @@ class Answer(NamedTuple):
 
 
 @compiled
-def _met_by(grids: Grids, given: Given, kernel: Kernel, states: States) -> Flags:
+def _met_by(grids: Grids, conditions: BoundaryConditions, kernel: Kernel, states: States) -> Flags:
     met = np.empty(states.status.size, np.bool_)
     for case in range(met.size):
         strips = strips_of(grids, 0 if grids.counts.size == 1 else case)
@@ -101,19 +104,23 @@ def _met_by(grids: Grids, given: Given, kernel: Kernel, states: States) -> Flags
         for i in range(n):
             q[i], half_width[i] = states.r[case, i] * states.m[case, i], math.sqrt(states.m[case, i])
         answer = Answer(q, half_width, states.gap[case, :n], states.rigid[case])
-        condition, _, _ = first_unmet(strips, Given(given.by_force, given.target[case]), kernel, answer)
+        condition, _, _ = first_unmet(
+            strips, BoundaryConditions(conditions.by_force, conditions.target[case]), kernel, answer
+        )
         reach = max(abs(strips.low[0]), abs(strips.high[-1]))
         met[case] = condition == MET and steady(states.stiffness[case], reach)
     return met
 
 
 @compiled
-def first_unmet(strips: Strips, given: Given, kernel: Kernel, answer: Answer) -> tuple[int, float, int]:  # noqa: PLR0911  (one return per condition)
+def first_unmet(
+    strips: Strips, conditions: BoundaryConditions, kernel: Kernel, answer: Answer
+) -> tuple[int, float, int]:  # noqa: PLR0911  (one return per condition)
     """Return the first condition that is not met, the value found, and the strip where it was found."""
     condition, at = _unusable(strips, answer)
     if condition != MET:
         return condition, answer.q[at], at
-    condition, found = _unbalanced(strips, given, answer)
+    condition, found = _unbalanced(strips, conditions, answer)
     if condition != MET:
         return condition, found, 0
     deepest, longest = _lengths(strips, answer)
@@ -181,20 +188,20 @@ def _unusable(strips: Strips, answer: Answer) -> tuple[int, int]:
 
 
 @compiled
-def _unbalanced(strips: Strips, given: Given, answer: Answer) -> tuple[int, float]:
+def _unbalanced(strips: Strips, conditions: BoundaryConditions, answer: Answer) -> tuple[int, float]:
     """Return which of the two prescribed quantities is missed, and the value found instead."""
     load = moment = 0.0
     for i in range(answer.q.size):
         carried = answer.q[i] * (strips.high[i] - strips.low[i])
         load += carried
         moment += carried * strips.y[i]
-    target = given.target
-    first = load if given.by_force[0] else answer.motion[0]
+    target = conditions.target
+    first = load if conditions.by_force[0] else answer.motion[0]
     if not abs(first - target[0]) <= TOLERANCE * abs(target[0]):
         return FIRST, first
-    second = moment if given.by_force[1] else answer.motion[1]
+    second = moment if conditions.by_force[1] else answer.motion[1]
     # A moment is as accurate as the load at the longest lever arm.
-    scale = load * max(abs(strips.y[0]), abs(strips.y[-1])) if given.by_force[1] else abs(target[1])
+    scale = load * max(abs(strips.y[0]), abs(strips.y[-1])) if conditions.by_force[1] else abs(target[1])
     if not abs(second - target[1]) <= TOLERANCE * scale:
         return SECOND, second
     return MET, 0.0

@@ -34,12 +34,12 @@ from nonhertz.strip.records import (
     ITERATION_LIMIT,
     STAGNATED,
     Array,
-    NewtonOptions,
-    Given,
+    BoundaryConditions,
     Indices,
     Kernel,
-    Unknowns,
+    NewtonOptions,
     Strips,
+    Unknowns,
 )
 
 # For a solution, and for one that only serves as the start on the next grid.
@@ -91,7 +91,7 @@ class _Equations(NamedTuple):
 
 @inlined
 def newton(
-    strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, options: NewtonOptions
+    strips: Strips, conditions: BoundaryConditions, kernel: Kernel, unknowns: Unknowns, options: NewtonOptions
 ) -> tuple[int, int, float]:
     """Solve the contact of strips, starting from the r, m and rigid motion in ``unknowns`` and overwriting it.
 
@@ -99,7 +99,7 @@ def newton(
     ----------
     strips : Strips
         At least one.
-    given, kernel, unknowns, options
+    conditions, kernel, unknowns, options
         See `nonhertz.strip.records`.
 
     Returns
@@ -112,13 +112,13 @@ def newton(
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
     residual, remote = np.inf, remote_of(strips, kernel, ROOM * _widest(unknowns.m))
     for step in range(STEP_LIMIT):
-        pair_lone_strip(strips, given, unknowns)
+        pair_lone_strip(strips, conditions, unknowns)
         active = touching(unknowns.m)
         if active.size == 0:
             return STAGNATED, step, residual
         remote = _still_remote(strips, kernel, unknowns, remote)
         equations, scale, noise, unsettled = _weighed(
-            strips, given, kernel, remote, unknowns, active, half, options.eager
+            strips, conditions, kernel, remote, unknowns, active, half, options.eager
         )
         residual = worse(unsettled, -(_least(unknowns.gap) + noise) / scale)
         # A strip whose m is NaN is not active and appears in no residual.
@@ -133,7 +133,7 @@ def newton(
                 unknowns.gap[active[k]] = equations.unclosed[k]
             return CONVERGED, step, residual
 
-        first, second = _rigid_step(response, given, equations, d_q)
+        first, second = _rigid_step(response, conditions, equations, d_q)
         largest = _combine(d_r, d_q, first, second)
         if _widest(unknowns.m) > (WIDEST * half) ** 2 or not math.isfinite(largest):
             return STAGNATED, step, residual
@@ -143,7 +143,7 @@ def newton(
         entered = _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
         if residual < nearly and largest < small_step and not changed and not entered:
             remote = _still_remote(strips, kernel, unknowns, remote)
-            left = violation(strips, given, kernel, remote, unknowns)
+            left = violation(strips, conditions, kernel, remote, unknowns)
             if left < options.tolerance:
                 return CONVERGED, step + 1, left
     return ITERATION_LIMIT, STEP_LIMIT, residual
@@ -151,13 +151,13 @@ def newton(
 
 @compiled
 def followed(
-    strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns, remote: Remote
+    strips: Strips, conditions: BoundaryConditions, kernel: Kernel, unknowns: Unknowns, remote: Remote
 ) -> tuple[bool, float, float, Remote]:
     """Let a contact on the strips where it was solved follow a given approach and tilt, overwriting ``unknowns``.
 
     Parameters
     ----------
-    strips, given, kernel
+    strips, conditions, kernel
         See `nonhertz.strip.records`; approach and tilt are given.
     unknowns : Unknowns
         A solution at another approach and tilt.
@@ -175,13 +175,13 @@ def followed(
     """
     half = 0.5 * (strips.high[-1] - strips.low[0])
     for k in range(2):
-        unknowns.rigid[k] = given.target[k]
+        unknowns.rigid[k] = conditions.target[k]
     for _ in range(FOLLOWING):
         active = touching(unknowns.m)
         if active.size == 0 or _widest(unknowns.m) > (WIDEST * half) ** 2:
             break
         remote = _still_remote(strips, kernel, unknowns, remote)
-        equations, scale, noise, unsettled = _weighed(strips, given, kernel, remote, unknowns, active, half, True)
+        equations, scale, noise, unsettled = _weighed(strips, conditions, kernel, remote, unknowns, active, half, True)
         residual = worse(unsettled, -(_least(unknowns.gap) + noise) / scale)
         d_r, d_q = _directions(equations)
         response = _border(equations, d_q)
@@ -203,7 +203,7 @@ def followed(
 @inlined
 def _weighed(
     strips: Strips,
-    given: Given,
+    conditions: BoundaryConditions,
     kernel: Kernel,
     remote: Remote,
     unknowns: Unknowns,
@@ -215,11 +215,11 @@ def _weighed(
 
     The gap of idle strips is filled in, and not yet part of it.
     """
-    equations, unbent = _linearised(strips, given, kernel, remote, unknowns, active, half, eager)
+    equations, unbent = _linearised(strips, conditions, kernel, remote, unknowns, active, half, eager)
     scale, noise = _scales(strips, unknowns.rigid, active, half)
     _idle_gaps(strips, kernel, remote, unknowns)
     unsettled = worse((_largest(equations.unclosed) - noise) / scale, unbent)
-    return equations, scale, noise, worse(unsettled, _imbalance(given, equations.off, _sum(equations.weights)))
+    return equations, scale, noise, worse(unsettled, _imbalance(conditions, equations.off, _sum(equations.weights)))
 
 
 @compiled
@@ -301,9 +301,9 @@ def _scales(strips: Strips, rigid: Array, active: Indices, half: float) -> tuple
 
 
 @compiled
-def pair_lone_strip(strips: Strips, given: Given, unknowns: Unknowns) -> None:
+def pair_lone_strip(strips: Strips, conditions: BoundaryConditions, unknowns: Unknowns) -> None:
     """Put a neighbour in contact beside a lone strip that must carry load and moment: one strip cannot."""
-    if not (given.by_force[0] and given.by_force[1]):
+    if not (conditions.by_force[0] and conditions.by_force[1]):
         return
     r, m = unknowns.r, unknowns.m
     alone, count = 0, 0
@@ -312,7 +312,7 @@ def pair_lone_strip(strips: Strips, given: Given, unknowns: Unknowns) -> None:
             alone, count = i, count + 1
     if count != 1:
         return
-    arm = given.target[1] / given.target[0] - strips.y[alone]
+    arm = conditions.target[1] / conditions.target[0] - strips.y[alone]
     other = alone + (1 if arm > 0.0 else -1)
     if abs(arm) > 1e-12 * (strips.high[alone] - strips.low[alone]) and 0 <= other < m.size:
         m[other] = 1e-3 * m[alone]
@@ -322,7 +322,7 @@ def pair_lone_strip(strips: Strips, given: Given, unknowns: Unknowns) -> None:
 @inlined
 def _linearised(
     strips: Strips,
-    given: Given,
+    conditions: BoundaryConditions,
     kernel: Kernel,
     remote: Remote,
     unknowns: Unknowns,
@@ -360,26 +360,26 @@ def _linearised(
         unbent = worse(unbent, abs(bend / strips.curvature[active[i]] - 1.0))
         load += weights[i]
         moment += weights[i] * lever[i]
-    off = _balance(given, unknowns.rigid, load, moment, half)
+    off = _balance(conditions, unknowns.rigid, load, moment, half)
     return _Equations(active, blocks, follows, missing, r, m, weights, lever, unclosed, off), unbent
 
 
 @compiled
-def _balance(given: Given, rigid: Array, load: float, moment: float, half: float) -> Array:
+def _balance(conditions: BoundaryConditions, rigid: Array, load: float, moment: float, half: float) -> Array:
     """Return target minus current approach or load, and tilt or moment; a tilt as the approach it gives at the end."""
-    off, target = np.empty(2), given.target
-    off[0] = target[0] - load if given.by_force[0] else target[0] - rigid[0]
-    off[1] = target[1] / half - moment if given.by_force[1] else (target[1] - rigid[1]) * half
+    off, target = np.empty(2), conditions.target
+    off[0] = target[0] - load if conditions.by_force[0] else target[0] - rigid[0]
+    off[1] = target[1] / half - moment if conditions.by_force[1] else (target[1] - rigid[1]) * half
     return off
 
 
 @compiled
-def _imbalance(given: Given, off: Array, load: float) -> float:
+def _imbalance(conditions: BoundaryConditions, off: Array, load: float) -> float:
     """Return the largest relative imbalance; a prescribed motion is met exactly after one step."""
     largest = 0.0
-    reference = given.target[0] if given.by_force[0] else load
+    reference = conditions.target[0] if conditions.by_force[0] else load
     for k in range(2):
-        if given.by_force[k]:
+        if conditions.by_force[k]:
             largest = worse(largest, abs(off[k]) / reference)
     return largest
 
@@ -487,16 +487,16 @@ def _store_stiffness(response: Array, half: float, stiffness: Array) -> None:
 
 
 @compiled
-def _rigid_step(response: Array, given: Given, found: _Equations, d_q: Array) -> tuple[float, float]:
+def _rigid_step(response: Array, conditions: BoundaryConditions, found: _Equations, d_q: Array) -> tuple[float, float]:
     """Return the changes of approach and of tilt times half length that meet the prescribed pair."""
     a, b, c, d = 1.0, 0.0, 0.0, 1.0
     first, second = found.off[0], found.off[1]
     # A single strip has no stiffness against tilt, like a ball: a tiny addition to the diagonal leaves its tilt alone.
     ridge = 1e-14 * abs(response[0, 1])
-    if given.by_force[0]:
+    if conditions.by_force[0]:
         a, b = response[0, 1] + ridge, response[0, 2]
         first -= response[0, 0]
-    if given.by_force[1]:
+    if conditions.by_force[1]:
         c, d = response[1, 1], response[1, 2] + ridge
         second -= response[1, 0]
     determinant = a * d - b * c
@@ -570,7 +570,9 @@ def _own_width(required: float, width: float, table: Array) -> float:
 
 
 @inlined
-def violation(strips: Strips, given: Given, kernel: Kernel, remote: Remote, unknowns: Unknowns) -> float:
+def violation(
+    strips: Strips, conditions: BoundaryConditions, kernel: Kernel, remote: Remote, unknowns: Unknowns
+) -> float:
     """Fill the gap everywhere and return the largest relative violation of contact and balance."""
     half, n = 0.5 * (strips.high[-1] - strips.low[0]), unknowns.m.size
     q, raised = _loads(unknowns), np.empty(n)
@@ -587,6 +589,6 @@ def violation(strips: Strips, given: Given, kernel: Kernel, remote: Remote, unkn
             moment += carried * strips.y[i]
         else:
             worst = worse(worst, -unknowns.gap[i])
-    off = _balance(given, unknowns.rigid, load, moment / half, half)
+    off = _balance(conditions, unknowns.rigid, load, moment / half, half)
     _, noise = _scales(strips, unknowns.rigid, touching(unknowns.m), half)
-    return worse((worst - noise) / deepest, _imbalance(given, off, load))
+    return worse((worst - noise) / deepest, _imbalance(conditions, off, load))

@@ -13,8 +13,8 @@ from nonhertz.compiled import plain_array
 from nonhertz.strip.element import Element
 from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.newton import TOLERANCE
-from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Given, Grids, Indices, Kernel, States
-from nonhertz.strip.settle import settle_all, unknowns_of, strips_of
+from nonhertz.strip.records import ITERATION_LIMIT, Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States
+from nonhertz.strip.settle import settle_all, strips_of, unknowns_of
 from nonhertz.strip.start import springs
 
 KEPT_GRIDS = 2  # those of thousands of strips take megabytes
@@ -43,7 +43,7 @@ class Problem:
         many solves do not need them: hence a callable.
     accuracy : float or None
         Relative error of approach or load that the automatic grid aims for; None where strips are given.
-    asked : bool
+    accuracy_given : bool
         Whether the user gave that.
     """
 
@@ -56,7 +56,7 @@ class Problem:
     compliance: float
     crests: Callable[[], tuple[float, ...]] = tuple
     accuracy: float | None = None
-    asked: bool = False
+    accuracy_given: bool = False
     # Not given to `replace`, so that a problem of other bodies knows nothing of these.
     _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(init=False, default_factory=dict, repr=False)
     _laid: dict[bytes, Grids] = field(init=False, default_factory=dict, repr=False)
@@ -113,7 +113,7 @@ class Problem:
             y = 0.5 * (edges[:, 1:] + edges[:, :-1])
             flat = y.ravel()
             curvature, separation, shallowest = (
-                asked(flat).reshape(y.shape) for asked in (self.curvature, self.separation, self.influence.shallowest)
+                at(flat).reshape(y.shape) for at in (self.curvature, self.separation, self.influence.shallowest)
             )
             found = Grids(count, edges, y, curvature, separation, shallowest, np.zeros((len(y), 0, 0)))
         if not (at_rest or found.at_depth.size) and self.influence.references:
@@ -172,8 +172,8 @@ def settled(
     targets = problem.target[None] if targets is None else targets
     found = States.unsolved(count, edges, len(targets))
     grids = problem.grids(count, edges)
-    given = Given(problem.prescribed, plain_array(targets))
-    settle_all(grids, given, problem.kernel, near or States.none(), found, tolerance, patient)
+    conditions = BoundaryConditions(problem.prescribed, plain_array(targets))
+    settle_all(grids, conditions, problem.kernel, near or States.none(), found, tolerance, patient)
     return found
 
 
@@ -188,6 +188,6 @@ def sprung(problem: Problem, edges: Array) -> States:
     found = States.unsolved(count, rows, 1)
     # Springs do not move one another: thousands of them stand here without a matrix of all by all.
     strips, unknowns = strips_of(problem.grids(count, rows, at_rest=True), 0), unknowns_of(found, 0, edges.size - 1)
-    springs(strips, Given(problem.prescribed, problem.target), problem.kernel, unknowns)
+    springs(strips, BoundaryConditions(problem.prescribed, problem.target), problem.kernel, unknowns)
     found.status[0] = ITERATION_LIMIT
     return found.one(0)

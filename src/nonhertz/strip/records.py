@@ -37,7 +37,7 @@ class Strips(NamedTuple):
     at_depth: Array
 
 
-class Given(NamedTuple):
+class BoundaryConditions(NamedTuple):
     """What is prescribed.
 
     Attributes

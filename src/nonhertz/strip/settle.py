@@ -18,13 +18,13 @@ from nonhertz.strip.records import (
     CONVERGED,
     STAGNATED,
     Array,
-    NewtonOptions,
-    Given,
+    BoundaryConditions,
     Grids,
     Kernel,
-    Unknowns,
+    NewtonOptions,
     States,
     Strips,
+    Unknowns,
 )
 from nonhertz.strip.start import prolong, springs
 
@@ -41,7 +41,13 @@ BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS = range(7)
 
 @compiled
 def settle_all(
-    grids: Grids, given: Given, kernel: Kernel, near: States, found: States, tolerance: float, patient: bool
+    grids: Grids,
+    prescribed: BoundaryConditions,
+    kernel: Kernel,
+    near: States,
+    found: States,
+    tolerance: float,
+    patient: bool,
 ) -> None:
     """Solve every case on its strips, overwriting ``found``.
 
@@ -49,7 +55,7 @@ def settle_all(
     ----------
     grids : Grids
         The strips of every case, or one grid for all.
-    given : Given
+    prescribed : BoundaryConditions
         What is prescribed; ``target`` has a row per case.
     kernel : Kernel
         How strips act.
@@ -62,11 +68,11 @@ def settle_all(
     patient : bool
         Whether to try hard.
     """
-    for case in range(given.target.shape[0]):
+    for case in range(prescribed.target.shape[0]):
         row = 0 if grids.counts.size == 1 else case
         strips, shallowest = strips_of(grids, row), grids.shallowest[row]
-        asked, n = Given(given.by_force, given.target[case]), strips.y.size
-        if not within_reach(strips, asked):
+        conditions, n = BoundaryConditions(prescribed.by_force, prescribed.target[case]), strips.y.size
+        if not within_reach(strips, conditions):
             continue
         unknowns, trial = unknowns_of(found, case, n), blank_unknowns(n)
         status, steps, residual = STAGNATED, 0, np.inf
@@ -74,21 +80,21 @@ def settle_all(
             if start == BEFORE:
                 # On the way to a grid of its own a case depends on no other.
                 possible = grids.counts.size == 1 and tolerance == TOLERANCE and case > 0
-                possible = possible and _from_before(strips, given, found, case, trial)
+                possible = possible and _from_before(strips, prescribed, found, case, trial)
             elif start == NEAR:
                 possible = near.status.size > 0 and near.status[case] == CONVERGED
-                possible = possible and _from_near(strips, asked, near, case, trial)
+                possible = possible and _from_near(strips, conditions, near, case, trial)
             else:
-                springs(strips, asked, kernel, trial)
+                springs(strips, conditions, kernel, trial)
                 possible = start < SHORTENED or not too_thin(shallowest, kernel, trial.m, BEYOND_HELP)
-                possible = possible and (start < RAISED or asked.by_force[0])
+                possible = possible and (start < RAISED or conditions.by_force[0])
             if not possible:
                 continue
             options = NewtonOptions(
                 tolerance if start < RAISED else TOLERANCE, 0.5 if start == SHORTENED else 1.0, start != TOGETHER
             )
             # In this one place alone: wherever else the loop was called, it would be compiled again.
-            again, more, left = loop(strips, asked, kernel, trial, shallowest, options, start == RAISED)
+            again, more, left = loop(strips, conditions, kernel, trial, shallowest, options, start == RAISED)
             if start <= SPRINGS or again == CONVERGED or left < residual:
                 take(trial, unknowns)
                 status, steps, residual = again, more, left
@@ -98,9 +104,9 @@ def settle_all(
 
 
 @compiled
-def _from_before(strips: Strips, given: Given, found: States, case: int, unknowns: Unknowns) -> bool:
+def _from_before(strips: Strips, prescribed: BoundaryConditions, found: States, case: int, unknowns: Unknowns) -> bool:
     """Begin where the case before ended; return whether it is similar enough."""
-    target, before, by_force = given.target[case], given.target[case - 1], given.by_force
+    target, before, by_force = prescribed.target[case], prescribed.target[case - 1], prescribed.by_force
     previous = unknowns_of(found, case - 1, strips.y.size)
     half, scale = 0.5 * (strips.high[-1] - strips.low[0]), abs(target[1])
     if not by_force[1]:
@@ -118,20 +124,20 @@ def _from_before(strips: Strips, given: Given, found: States, case: int, unknown
 
 
 @inlined
-def _from_near(strips: Strips, asked: Given, near: States, case: int, unknowns: Unknowns) -> bool:
+def _from_near(strips: Strips, conditions: BoundaryConditions, near: States, case: int, unknowns: Unknowns) -> bool:
     """Begin with the solution on other strips; return whether any strip is in contact."""
     row = 0 if near.edges.shape[0] == 1 else case
     count = near.counts[row]
     y = np.empty(count)
     for i in range(count):
         y[i] = 0.5 * (near.edges[row, i + 1] + near.edges[row, i])
-    return prolong(y, unknowns_of(near, case, count), strips, asked, unknowns)
+    return prolong(y, unknowns_of(near, case, count), strips, conditions, unknowns)
 
 
 @inlined
 def loop(
     strips: Strips,
-    given: Given,
+    prescribed: BoundaryConditions,
     kernel: Kernel,
     unknowns: Unknowns,
     shallowest: Array,
@@ -144,21 +150,21 @@ def loop(
     state that converged only at a share of the load is not a solution and is not marked as one.
     """
     reached, share, steps = 0.0, 0.01 if raised else 1.0, 0
-    last, asked = blank_unknowns(unknowns.m.size), Given(given.by_force, np.empty(2))
+    last, conditions = blank_unknowns(unknowns.m.size), BoundaryConditions(prescribed.by_force, np.empty(2))
     for _ in range(RISES if raised else 1):
         for k in range(2):
-            asked.target[k] = share * given.target[k] if given.by_force[k] else given.target[k]
+            conditions.target[k] = share * prescribed.target[k] if prescribed.by_force[k] else prescribed.target[k]
         if reached > 0.0:
             take(last, unknowns)
         elif raised:
-            springs(strips, asked, kernel, unknowns)
+            springs(strips, conditions, kernel, unknowns)
         for i in range(unknowns.m.size):
             unknowns.gap[i] = 0.0
         for i in range(4):
             unknowns.stiffness[i // 2, i % 2] = 0.0
         status, steps, residual = STAGNATED, 0, np.inf
         if not too_thin(shallowest, kernel, unknowns.m, HOPELESS):
-            status, steps, residual = newton(strips, asked, kernel, unknowns, options)
+            status, steps, residual = newton(strips, conditions, kernel, unknowns, options)
         if not raised or (status == CONVERGED and share == 1.0):
             return status, steps, residual
         if share - reached < LEAST_RISE:
@@ -173,7 +179,13 @@ def loop(
 
 @compiled
 def follow(
-    grids: Grids, given: Given, kernel: Kernel, remote: Remote, widest: Array, found: States, answer: Array
+    grids: Grids,
+    prescribed: BoundaryConditions,
+    kernel: Kernel,
+    remote: Remote,
+    widest: Array,
+    found: States,
+    answer: Array,
 ) -> bool:
     """Let a solved case follow another approach and tilt on its strips; return whether it did, else it is unchanged.
 
@@ -181,7 +193,7 @@ def follow(
     ----------
     grids, kernel
         As for `settle_all`; one row.
-    given : Given
+    prescribed : BoundaryConditions
         An approach and a tilt, shape (1, 2).
     remote : Remote
         What these strips do far away, overwritten where it has to be worked out again.
@@ -192,11 +204,11 @@ def follow(
     answer : ndarray, shape (6,)
         Result: K Q, K T and their derivatives by approach and tilt.
     """
-    strips, asked = strips_of(grids, 0), Given(given.by_force, given.target[0])
+    strips, conditions = strips_of(grids, 0), BoundaryConditions(prescribed.by_force, prescribed.target[0])
     n = strips.y.size
     kept, unknowns = unknowns_of(found, 0, n), blank_unknowns(n)
     take(kept, unknowns)
-    _foresee(strips, asked, unknowns)
+    _foresee(strips, conditions, unknowns)
     if too_thin(grids.shallowest[0], kernel, unknowns.m, HOPELESS):
         return False
     largest = 0.0
@@ -205,7 +217,7 @@ def follow(
     known = Remote(remote.first, remote.beyond, remote.powers, widest[0])
     if not largest <= widest[0]:
         known = remote_of(strips, kernel, ROOM * largest)
-    done, load, moment, known = followed(strips, asked, kernel, unknowns, known)
+    done, load, moment, known = followed(strips, conditions, kernel, unknowns, known)
     if known.widest != widest[0]:
         widest[0] = known.widest
         remote.first[:], remote.beyond[:], remote.powers[:] = known.first, known.beyond, known.powers
@@ -218,19 +230,19 @@ def follow(
 
 
 @compiled
-def _foresee(strips: Strips, given: Given, unknowns: Unknowns) -> None:
+def _foresee(strips: Strips, prescribed: BoundaryConditions, unknowns: Unknowns) -> None:
     """Change m as springs would, so that strips leave at once where the bodies no longer overlap."""
     touches = False
     for i in range(strips.y.size):
         before = unknowns.rigid[0] + unknowns.rigid[1] * strips.y[i] - strips.separation[i]
-        now = given.target[0] + given.target[1] * strips.y[i] - strips.separation[i]
+        now = prescribed.target[0] + prescribed.target[1] * strips.y[i] - strips.separation[i]
         if unknowns.m[i] > 0.0 and before > 0.0:
             touches = touches or now > 0.0
     if not touches:
         return
     for i in range(strips.y.size):
         before = unknowns.rigid[0] + unknowns.rigid[1] * strips.y[i] - strips.separation[i]
-        now = given.target[0] + given.target[1] * strips.y[i] - strips.separation[i]
+        now = prescribed.target[0] + prescribed.target[1] * strips.y[i] - strips.separation[i]
         if unknowns.m[i] > 0.0 and before > 0.0:
             unknowns.m[i] *= min(max(now / before, 0.0), 4.0)
 
@@ -285,7 +297,7 @@ def unknowns_of(states: States, case: int, n: int) -> Unknowns:
 
 
 @compiled
-def within_reach(strips: Strips, given: Given) -> bool:
+def within_reach(strips: Strips, prescribed: BoundaryConditions) -> bool:
     """Return whether the resultant of load and moment lies between the centres of strips that can touch."""
     first, last = -1, -1
     for i in range(strips.y.size):
@@ -294,7 +306,7 @@ def within_reach(strips: Strips, given: Given) -> bool:
             first = i if first < 0 else first
     if first < 0:
         return False
-    if not (given.by_force[0] and given.by_force[1]):
+    if not (prescribed.by_force[0] and prescribed.by_force[1]):
         return True
-    arm = given.target[1] / given.target[0]
+    arm = prescribed.target[1] / prescribed.target[0]
     return bool(strips.y[first] <= arm <= strips.y[last])

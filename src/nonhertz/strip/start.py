@@ -15,7 +15,7 @@ import numpy as np
 
 from nonhertz.compiled import compiled, inlined
 from nonhertz.strip.newton import touching
-from nonhertz.strip.records import Array, Given, Kernel, Unknowns, Strips
+from nonhertz.strip.records import Array, BoundaryConditions, Kernel, Strips, Unknowns
 
 SECANTS = 30
 
@@ -29,11 +29,11 @@ class Bed(NamedTuple):
 
 
 @compiled
-def springs(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns) -> None:
+def springs(strips: Strips, conditions: BoundaryConditions, kernel: Kernel, unknowns: Unknowns) -> None:
     """Fill ``unknowns`` with r, m and the rigid motion of independent springs."""
     # Mirrored where the moment is negative, so that two cases that are mirror images of each other start identically
     # to the last bit.
-    side = -1.0 if given.by_force[1] and given.target[1] < 0.0 else 1.0
+    side = -1.0 if conditions.by_force[1] and conditions.target[1] < 0.0 else 1.0
     n = strips.y.size
     half, count = 0.0, 0
     for i in range(n):
@@ -54,8 +54,8 @@ def springs(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns) ->
             bed.height[count] = strips.separation[i]
             count += 1
     target = np.empty(2)
-    target[0], target[1] = given.target[0], side * given.target[1]
-    turned = Given(given.by_force, target)
+    target[0], target[1] = conditions.target[0], side * conditions.target[1]
+    turned = BoundaryConditions(conditions.by_force, target)
     largest = 0.05 * half
     for _ in range(3):
         stiffness = 1.0 / (2.0 * (math.log(max(2.0 * half / largest, 1.5)) + 1.2))
@@ -70,48 +70,48 @@ def springs(strips: Strips, given: Given, kernel: Kernel, unknowns: Unknowns) ->
 
 
 @compiled
-def _balance(bed: Bed, stiffness: float, given: Given) -> tuple[float, float]:
+def _balance(bed: Bed, stiffness: float, conditions: BoundaryConditions) -> tuple[float, float]:
     """Return approach and tilt of springs of this stiffness per unit length."""
-    tilt = other = float(given.target[1])
-    if given.by_force[1]:
-        tilt, other = _tilts(bed, stiffness, given)
-    approach = _approach(bed, stiffness, tilt, given)
+    tilt = other = float(conditions.target[1])
+    if conditions.by_force[1]:
+        tilt, other = _tilts(bed, stiffness, conditions)
+    approach = _approach(bed, stiffness, tilt, conditions)
     # With nothing in contact the moment is zero too. For a nonzero target take the end of the bracket in contact.
     deepest = -np.inf
     for i in range(bed.y.size):
         deepest = max(deepest, approach + tilt * bed.y[i] - bed.height[i])
-    if given.target[1] != 0.0 and not deepest > 0.0:
+    if conditions.target[1] != 0.0 and not deepest > 0.0:
         tilt = other
-        approach = _approach(bed, stiffness, tilt, given)
+        approach = _approach(bed, stiffness, tilt, conditions)
     return approach, tilt
 
 
 @compiled
-def _tilts(bed: Bed, stiffness: float, given: Given) -> tuple[float, float]:
+def _tilts(bed: Bed, stiffness: float, conditions: BoundaryConditions) -> tuple[float, float]:
     """Return the two ends of a short bracket around the tilt at which the moment is met."""
-    low, excess = 0.0, _excess_moment(bed, stiffness, 0.0, given)
+    low, excess = 0.0, _excess_moment(bed, stiffness, 0.0, conditions)
     if excess == 0.0:
         return 0.0, 0.0
     reach = length = 0.0
     for i in range(bed.y.size):
         reach = max(reach, abs(bed.y[i]))
         length += bed.width[i]
-    step = abs(given.target[0]) + abs(given.target[1]) / reach
-    if given.by_force[0]:
+    step = abs(conditions.target[0]) + abs(conditions.target[1]) / reach
+    if conditions.by_force[0]:
         step /= stiffness * length
     high = -math.copysign(step / reach, excess)
-    over = _excess_moment(bed, stiffness, high, given)
+    over = _excess_moment(bed, stiffness, high, conditions)
     for _ in range(200):
         if over * excess <= 0.0:
             break
         low, excess, high = high, over, 2.0 * high
-        over = _excess_moment(bed, stiffness, high, given)
+        over = _excess_moment(bed, stiffness, high, conditions)
     # False position (Illinois variant): halve the value at an end that stays put.
     for _ in range(SECANTS):
         if over == 0.0 or abs(high - low) <= 1e-10 * (abs(high) + abs(low)):
             break
         middle = high - over * (high - low) / (over - excess)
-        found = _excess_moment(bed, stiffness, middle, given)
+        found = _excess_moment(bed, stiffness, middle, conditions)
         if found * over < 0.0:
             low, excess = high, over
         else:
@@ -121,18 +121,18 @@ def _tilts(bed: Bed, stiffness: float, given: Given) -> tuple[float, float]:
 
 
 @compiled
-def _approach(bed: Bed, stiffness: float, tilt: float, given: Given) -> float:
+def _approach(bed: Bed, stiffness: float, tilt: float, conditions: BoundaryConditions) -> float:
     """Return the approach at this tilt: the prescribed one, or the one at which the springs carry the load.
 
     With all springs acting, in tension where they are too short, the approach is too large. Dropping those in tension
     lowers it, and so on: the load is a convex, piecewise linear function of the approach, on which Newton's method
     descends to the exact answer.
     """
-    if not given.by_force[0]:
-        return float(given.target[0])
+    if not conditions.by_force[0]:
+        return float(conditions.target[0])
     approach = np.inf
     for _ in range(bed.y.size + 1):
-        carried, bearing = given.target[0], 0.0
+        carried, bearing = conditions.target[0], 0.0
         for k in range(bed.y.size):
             height = bed.height[k] - tilt * bed.y[k]
             if height < approach:
@@ -146,15 +146,15 @@ def _approach(bed: Bed, stiffness: float, tilt: float, given: Given) -> float:
 
 
 @compiled
-def _excess_moment(bed: Bed, stiffness: float, tilt: float, given: Given) -> float:
-    approach, moment = _approach(bed, stiffness, tilt, given), 0.0
+def _excess_moment(bed: Bed, stiffness: float, tilt: float, conditions: BoundaryConditions) -> float:
+    approach, moment = _approach(bed, stiffness, tilt, conditions), 0.0
     for i in range(bed.y.size):
         moment += bed.width[i] * bed.y[i] * max(approach + tilt * bed.y[i] - bed.height[i], 0.0)
-    return float(stiffness * moment - given.target[1])
+    return float(stiffness * moment - conditions.target[1])
 
 
 @inlined
-def prolong(near_y: Array, near: Unknowns, strips: Strips, given: Given, unknowns: Unknowns) -> bool:
+def prolong(near_y: Array, near: Unknowns, strips: Strips, conditions: BoundaryConditions, unknowns: Unknowns) -> bool:
     """Fill ``unknowns`` from a solution on other strips, at ``near_y``; return whether any strip is in contact.
 
     m passes linearly through zero where the contact ends: the first idle strip is given the value that continues
@@ -180,7 +180,7 @@ def prolong(near_y: Array, near: Unknowns, strips: Strips, given: Given, unknown
         unknowns.m[i] = m
         any_touches = any_touches or m > 0.0
     for k in range(2):
-        unknowns.rigid[k] = near.rigid[k] if given.by_force[k] else given.target[k]
+        unknowns.rigid[k] = near.rigid[k] if conditions.by_force[k] else conditions.target[k]
     return any_touches
 
 
