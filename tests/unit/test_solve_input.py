@@ -347,7 +347,7 @@ def test_a_loop_that_failed_beyond_all_numbers_speaks_of_no_nan(monkeypatch):
     # Springs under a moment of 1e-243 N mm have half-widths beyond all numbers.
     contact = nh.Contact(nh.Roller(diameter=20, length=20, depth="plane-strain"), nh.Plate(depth="none"))
     beyond = SimpleNamespace(m=np.full(5, np.inf))
-    monkeypatch.setattr(validity, "sprung", lambda *_: beyond)
+    monkeypatch.setattr(validity, "winkler_state", lambda *_: beyond)
     monkeypatch.setattr("nonhertz.strip.problem.settle_all", lambda *_: None)  # comes nowhere
     with pytest.raises(nh.ConvergenceError) as error:
         nh.solve(contact, load=1e3, strips=5)

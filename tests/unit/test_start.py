@@ -6,23 +6,23 @@ from core_pieces import kernel_of, strips_between
 
 from nonhertz.strip.records import BoundaryConditions
 from nonhertz.strip.settle import blank_unknowns
-from nonhertz.strip.start import prolong, springs
+from nonhertz.strip.start import prolong, winkler_start
 
 EDGES = np.linspace(-10.0, 10.0, 42)
 Y, WIDTH = 0.5 * (EDGES[1:] + EDGES[:-1]), np.diff(EDGES)
 CROWN = Y**2 / 2000.0
 
 
-def sprung(prescribed, target, separation=CROWN):
+def winkler_state(prescribed, target, separation=CROWN):
     unknowns = blank_unknowns(Y.size)
     strips = strips_between(EDGES[:-1], EDGES[1:], separation=separation)
-    springs(strips, BoundaryConditions(np.array(prescribed), np.array(target)), kernel_of(), unknowns)
+    winkler_start(strips, BoundaryConditions(np.array(prescribed), np.array(target)), kernel_of(), unknowns)
     return unknowns.r * unknowns.m, unknowns.rigid
 
 
 @pytest.mark.parametrize("moment", [0.0, 1e-2, -3e-2])
 def test_springs_carry_load_and_moment(moment):
-    q, _ = sprung([True, True], [1e-2, moment])
+    q, _ = winkler_state([True, True], [1e-2, moment])
     np.testing.assert_allclose(np.sum(q * WIDTH), 1e-2, rtol=1e-9, atol=0.0)
     # A start: the bracket around the tilt is 1e-10 wide, of which the moment sees the tenfold at most.
     np.testing.assert_allclose(np.sum(q * Y * WIDTH), moment, rtol=1e-8, atol=1e-11)
@@ -30,25 +30,25 @@ def test_springs_carry_load_and_moment(moment):
 
 @pytest.mark.parametrize("tilt", [0.0, 1e-3])
 def test_springs_carry_the_load_at_a_tilt(tilt):
-    q, rigid = sprung([True, False], [1e-2, tilt])
+    q, rigid = winkler_state([True, False], [1e-2, tilt])
     np.testing.assert_allclose(np.sum(q * WIDTH), 1e-2, rtol=1e-12, atol=0.0)
     assert rigid[1] == tilt
     assert np.all((q > 0.0) == (rigid[0] + tilt * Y > CROWN))
 
 
 def test_springs_keep_a_prescribed_approach_and_tilt():
-    _, rigid = sprung([False, False], [0.01, 2e-4])
+    _, rigid = winkler_state([False, False], [0.01, 2e-4])
     assert rigid.tolist() == [0.01, 2e-4]
 
 
 def test_an_infinite_relief_bears_nothing():
-    q, _ = sprung([True, False], [1e-2, 0.0], np.where(np.abs(Y) > 5.0, np.inf, CROWN))
+    q, _ = winkler_state([True, False], [1e-2, 0.0], np.where(np.abs(Y) > 5.0, np.inf, CROWN))
     assert np.all(q[np.abs(Y) > 5.0] == 0.0)
 
 
 def test_no_contact_is_left_when_the_moment_vanishes_only_there():
     # A hump at y = 6 alone: without contact there is no moment, with contact there always is.
-    q, _ = sprung([False, True], [0.001, 0.0], np.where(np.abs(Y - 6.0) < 1.0, 0.0, 1.0))
+    q, _ = winkler_state([False, True], [0.001, 0.0], np.where(np.abs(Y - 6.0) < 1.0, 0.0, 1.0))
     assert np.all(q == 0.0)
 
 

@@ -38,7 +38,7 @@ from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.grid import reaching
 from nonhertz.strip.overlaps import overlapping, runs, suspects
-from nonhertz.strip.problem import Problem, sprung
+from nonhertz.strip.problem import Problem, winkler_state
 from nonhertz.strip.records import States
 from nonhertz.strip.settle import SCARCELY
 
@@ -252,7 +252,7 @@ def refuse_wide(solution: Solution, problem: Problem) -> None:
     # A loop that failed leaves meaningless half-widths; those of springs may be too small by half.
     half_width = solution.half_width
     if not converged:
-        half_width = solution.element.hertz_ratio * np.sqrt(sprung(problem, solution.edges).m)
+        half_width = solution.element.hertz_ratio * np.sqrt(winkler_state(problem, solution.edges).m)
     if not np.isfinite(np.max(half_width)):
         return
     name, per = ("load", problem.compliance) if problem.prescribed[0] else ("approach", 1.0)

@@ -113,9 +113,9 @@ def _met_by(grids: Grids, conditions: BoundaryConditions, kernel: Kernel, states
 
 
 @compiled
-def first_unmet(
+def first_unmet(  # noqa: PLR0911  (one return per condition)
     strips: Strips, conditions: BoundaryConditions, kernel: Kernel, answer: Answer
-) -> tuple[int, float, int]:  # noqa: PLR0911  (one return per condition)
+) -> tuple[int, float, int]:
     """Return the first condition that is not met, the value found, and the strip where it was found."""
     condition, at = _unusable(strips, answer)
     if condition != MET:

@@ -9,7 +9,7 @@ import numpy as np
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.strip.grid import uniform
-from nonhertz.strip.problem import Problem, row_of, sprung
+from nonhertz.strip.problem import Problem, row_of, winkler_state
 from nonhertz.strip.records import Array
 
 LOOKS, CLOSER_LOOKS = 20000, 4
@@ -41,7 +41,7 @@ def refuse_infeasible(problem: Problem, edges: Array, *, chosen: bool = True) ->
             condition = f"have centres on both sides of moment / load = {mm(arm):.9g}"
             raise InputError("strips", edges.size - 1, condition, "use more strips or reduce the moment")
     elif by_moment:
-        if not np.any(sprung(problem, edges).m > 0.0):
+        if not np.any(winkler_state(problem, edges).m > 0.0):
             condition = "bring the bodies into contact at the tilt that the moment causes"
             raise InputError("approach", float(first), condition, "raise it, or give a tilt")
     elif not by_load and not np.any(first + second * y - separation > 0.0):
@@ -71,7 +71,7 @@ def refuse_endless_relief(y: Array, separation: Array) -> None:
 
 def refuse_no_contact(problem: Problem, edges: Array, *, chosen: bool = True) -> None:
     """Say why no strip touches at the prescribed approach: too few strips, or bodies too far apart."""
-    fine = sprung(problem, uniform(float(edges[0]), float(edges[-1]), FINE_STRIPS))
+    fine = winkler_state(problem, uniform(float(edges[0]), float(edges[-1]), FINE_STRIPS))
     if chosen and np.any(fine.m > 0.0):
         remedy = "use more strips, or leave it out for an automatic grid"
         raise InputError("strips", edges.size - 1, "put the centre of a strip inside the contact", remedy)

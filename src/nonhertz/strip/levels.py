@@ -32,7 +32,7 @@ from nonhertz.strip.feasible import (
 from nonhertz.strip.grid import Fineness, Terrain, intervals, lay_all, reaching, turns_at, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
-from nonhertz.strip.problem import Problem, padded_rows, row_of, settled, sprung
+from nonhertz.strip.problem import Problem, padded_rows, row_of, settled, winkler_state
 from nonhertz.strip.records import Array, Flags, Indices, States
 
 Interval = tuple[float, float]
@@ -435,7 +435,7 @@ def _first_strips(problem: Problem, finite: Interval) -> Array:
 def _neighbourhood(problem: Problem, low: float, high: float) -> tuple[float, float]:
     """Return the interval in which springs find contact, with a margin."""
     for _ in range(3):
-        fine = sprung(problem, uniform(low, high, FINE_STRIPS))
+        fine = winkler_state(problem, uniform(low, high, FINE_STRIPS))
         touching = np.flatnonzero(fine.m > 0.0)
         margin = float(high - low) / FINE_STRIPS
         if touching.size:
@@ -459,7 +459,7 @@ def bounded(problem: Problem, interval: Interval) -> Interval:
         low, high = _finite_part(problem, edges)
         edges = np.unique(np.clip(edges, low, high))
         refuse_arm_outside(problem, (low, high))
-    touching = np.flatnonzero(sprung(problem, edges).m > 0.0)
+    touching = np.flatnonzero(winkler_state(problem, edges).m > 0.0)
     if touching.size == 0 and not problem.prescribed[0]:
         refuse_no_contact(problem, edges, chosen=False)
     if touching.size == 0:

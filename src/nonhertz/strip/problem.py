@@ -15,7 +15,7 @@ from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.records import ITERATION_LIMIT, Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States
 from nonhertz.strip.settle import settle_all, strips_of, unknowns_of
-from nonhertz.strip.start import springs
+from nonhertz.strip.start import winkler_start
 
 KEPT_GRIDS = 2  # those of thousands of strips take megabytes
 
@@ -182,12 +182,12 @@ def settle(problem: Problem, edges: Array, near: States | None = None, *, tolera
     return settled(problem, *row_of(edges), near=near, tolerance=tolerance).one(0)
 
 
-def sprung(problem: Problem, edges: Array) -> States:
+def winkler_state(problem: Problem, edges: Array) -> States:
     """Return the response of independent springs between ``edges``, not a solution."""
     count, rows = row_of(edges)
     found = States.unsolved(count, rows, 1)
     # Springs do not move one another: thousands of them stand here without a matrix of all by all.
     strips, unknowns = strips_of(problem.grids(count, rows, at_rest=True), 0), unknowns_of(found, 0, edges.size - 1)
-    springs(strips, BoundaryConditions(problem.prescribed, problem.target), problem.kernel, unknowns)
+    winkler_start(strips, BoundaryConditions(problem.prescribed, problem.target), problem.kernel, unknowns)
     found.status[0] = ITERATION_LIMIT
     return found.one(0)

@@ -26,7 +26,7 @@ from nonhertz.strip.records import (
     Strips,
     Unknowns,
 )
-from nonhertz.strip.start import prolong, springs
+from nonhertz.strip.start import prolong, winkler_start
 
 NEARBY = 0.1  # relative change up to which the previous case serves as the start
 LEAST_RISE = 1e-3  # of the load: a smaller increment is not attempted
@@ -85,7 +85,7 @@ def settle_all(
                 possible = near.status.size > 0 and near.status[case] == CONVERGED
                 possible = possible and _from_near(strips, conditions, near, case, trial)
             else:
-                springs(strips, conditions, kernel, trial)
+                winkler_start(strips, conditions, kernel, trial)
                 possible = start < SHORTENED or not too_thin(shallowest, kernel, trial.m, BEYOND_HELP)
                 possible = possible and (start < RAISED or conditions.by_force[0])
             if not possible:
@@ -157,7 +157,7 @@ def loop(
         if reached > 0.0:
             take(last, unknowns)
         elif raised:
-            springs(strips, conditions, kernel, unknowns)
+            winkler_start(strips, conditions, kernel, unknowns)
         for i in range(unknowns.m.size):
             unknowns.gap[i] = 0.0
         for i in range(4):

@@ -29,7 +29,7 @@ class Bed(NamedTuple):
 
 
 @compiled
-def springs(strips: Strips, conditions: BoundaryConditions, kernel: Kernel, unknowns: Unknowns) -> None:
+def winkler_start(strips: Strips, conditions: BoundaryConditions, kernel: Kernel, unknowns: Unknowns) -> None:
     """Fill ``unknowns`` with r, m and the rigid motion of independent springs."""
     # Mirrored where the moment is negative, so that two cases that are mirror images of each other start identically
     # to the last bit.
