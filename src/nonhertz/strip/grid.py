@@ -44,7 +44,7 @@ NEAREST = 3  # strips whose largest half-width is taken as the local one
 STEPS_PER_STRIP, MOST_STEPS = 3.0, 6000
 
 
-class Terrain(NamedTuple):
+class Surface(NamedTuple):
     """What is known of the bodies along y.
 
     Attributes
@@ -70,7 +70,7 @@ class Terrain(NamedTuple):
     row: Indices
     samples: Array
 
-    def only(self, cases: Indices) -> Terrain:
+    def only(self, cases: Indices) -> Surface:
         """Return what is known for some cases."""
         return self._replace(
             sampled_low=self.sampled_low[cases], sampled_high=self.sampled_high[cases], row=self.row[cases]
@@ -201,14 +201,14 @@ def _end(edges: Array, m: Array, at: int, other: int, side: int) -> float:
 
 
 @compiled
-def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness) -> tuple[Indices, Array]:
+def lay_all(states: States, surface: Surface, extras: Array, fineness: Fineness) -> tuple[Indices, Array]:
     """Return the strips that coarser solutions call for.
 
     Parameters
     ----------
     states : States
         A solution of every case, which may cover less than the bodies.
-    terrain : Terrain
+    surface : Surface
         The bodies.
     extras : ndarray, shape (cases, 2, k)
         Further places that need strips and the widths wanted there [mm], nan for none.
@@ -230,7 +230,7 @@ def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness)
         row = 0 if states.edges.shape[0] == 1 else case
         n = states.counts[row]
         found = _laid(
-            states.edges[row, : n + 1], states.m[case, :n], states.rigid[case], terrain, case, extras[case], fineness
+            states.edges[row, : n + 1], states.m[case, :n], states.rigid[case], surface, case, extras[case], fineness
         )
         used = min(found.size, room)
         count[case] = used - 1
@@ -241,11 +241,11 @@ def lay_all(states: States, terrain: Terrain, extras: Array, fineness: Fineness)
 
 @inlined
 def _laid(
-    edges: Array, m: Array, rigid: Array, terrain: Terrain, case: int, extras: Array, fineness: Fineness
+    edges: Array, m: Array, rigid: Array, surface: Surface, case: int, extras: Array, fineness: Fineness
 ) -> Array:
     """Return the edges of a grid; where the sizes call for too many strips, those away from features are widened."""
     contact = intervals(edges, m)
-    sizes = _sizes(edges, m, rigid, contact, terrain, case, extras, fineness.coarseness[case])
+    sizes = _sizes(edges, m, rigid, contact, surface, case, extras, fineness.coarseness[case])
     limit = fineness.limit / min(fineness.coarseness[case], 1.0) * min(contact.shape[0], 2)
     by = 1.0
     centre = _centre(sizes)
@@ -274,13 +274,13 @@ def _laid(
 
 @inlined
 def _sizes(
-    edges: Array, m: Array, rigid: Array, contact: Array, terrain: Terrain, case: int, extras: Array, coarseness: float
+    edges: Array, m: Array, rigid: Array, contact: Array, surface: Surface, case: int, extras: Array, coarseness: float
 ) -> _Sizes:
     """Return the size function that a coarse solution calls for."""
     n, touched = m.size, contact.shape[0]
     length = contact[touched - 1, 1] - contact[0, 0]
     low, high = edges[0], edges[n]
-    room = 2 * touched + terrain.kinks.size + extras.shape[1]
+    room = 2 * touched + surface.kinks.size + extras.shape[1]
     places, widths, slow, marks = np.empty(room), np.empty(room), np.zeros(room), np.empty(room)
     used = marked = 0
     for k in range(touched):
@@ -289,7 +289,7 @@ def _sizes(
             local = width_near(edges, m, place)
             floor = NARROWEST * local
             reached = place == (low if end == 0 else high) and reaches(edges, m, side)
-            cut = reached and (low > terrain.low if end == 0 else high < terrain.high)
+            cut = reached and (low > surface.low if end == 0 else high < surface.high)
             places[used], widths[used], slow[used] = place, floor, NEAR_SHARP_ENDS * local
             if not reached or cut:
                 slow[used] = 0.0
@@ -298,20 +298,20 @@ def _sizes(
                 marks[marked] = place
                 marked += 1
             if cut and end == 0:
-                low = max(low - EXTENSION * length, terrain.low)
+                low = max(low - EXTENSION * length, surface.low)
             elif cut:
-                high = min(high + EXTENSION * length, terrain.high)
+                high = min(high + EXTENSION * length, surface.high)
             used += 1
-    sample_low = terrain.sampled_low[case]
-    samples = terrain.samples[terrain.row[case]]
-    step = (terrain.sampled_high[case] - sample_low) / (samples.size - 1)
+    sample_low = surface.sampled_low[case]
+    samples = surface.samples[surface.row[case]]
+    step = (surface.sampled_high[case] - sample_low) / (samples.size - 1)
     deepest = _deepest(sample_low, step, samples, rigid)
-    used, marked = _at_kinks(edges, m, terrain, coarseness * deepest, places, widths, marks, used, marked)
+    used, marked = _at_kinks(edges, m, surface, coarseness * deepest, places, widths, marks, used, marked)
     for k in range(extras.shape[1]):
         if math.isfinite(extras[0, k]):
             places[used], widths[used] = extras[0, k], extras[1, k]
-            low = min(low, max(extras[0, k] - 5.0 * extras[1, k], terrain.low))
-            high = max(high, min(extras[0, k] + 5.0 * extras[1, k], terrain.high))
+            low = min(low, max(extras[0, k] - 5.0 * extras[1, k], surface.low))
+            high = max(high, min(extras[0, k] + 5.0 * extras[1, k], surface.high))
             used += 1
     finest = _resolved(low, high)
     for k in range(used):
@@ -341,20 +341,20 @@ def _ascending(values: Array) -> Array:
 
 @compiled
 def _at_kinks(
-    edges: Array, m: Array, terrain: Terrain, depth: float, places: Array, widths: Array, marks: Array, used: int,
+    edges: Array, m: Array, surface: Surface, depth: float, places: Array, widths: Array, marks: Array, used: int,
     marked: int,
 ) -> tuple[int, int]:  # fmt: skip
     """Add features and marks at kinks in or beside contact, unless they are too many for any to stand out."""
     beside = 0
-    for k in range(terrain.kinks.size):
-        beside += 1 if nearly_touching(edges, m, terrain.kinks[k]) else 0
+    for k in range(surface.kinks.size):
+        beside += 1 if nearly_touching(edges, m, surface.kinks[k]) else 0
     if beside > MOST_BENDS:
         return used, marked
-    for k in range(terrain.kinks.size):
-        place = terrain.kinks[k]
+    for k in range(surface.kinks.size):
+        place = surface.kinks[k]
         if edges[0] < place < edges[m.size] and nearly_touching(edges, m, place):
             places[used] = marks[marked] = place
-            widths[used] = max(KINK_SHARE * depth / terrain.turns[k], NARROWEST * width_near(edges, m, place))
+            widths[used] = max(KINK_SHARE * depth / surface.turns[k], NARROWEST * width_near(edges, m, place))
             used, marked = used + 1, marked + 1
     return used, marked
 

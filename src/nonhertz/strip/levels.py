@@ -29,7 +29,7 @@ from nonhertz.strip.feasible import (
     refuse_infeasible,
     refuse_no_contact,
 )
-from nonhertz.strip.grid import Fineness, Terrain, intervals, lay_all, reaching, turns_at, uniform
+from nonhertz.strip.grid import Fineness, Surface, intervals, lay_all, reaching, turns_at, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
 from nonhertz.strip.problem import Problem, padded_rows, row_of, settled, winkler_state
@@ -243,11 +243,11 @@ class Refinement:
         left = np.flatnonzero(states.converged)
         if not left.size:
             return states
-        terrain, extras, found = self._terrain(states), self._extras(states), near
+        surface, extras, found = self._surface(states), self._extras(states), near
         for fewer in FEWER_STRIPS:
             laid = states.only(left)
             fineness = Fineness(self.coarseness[left], fewer * share, STRIP_LIMIT)
-            count, edges = lay_all(laid, terrain.only(left), extras[left], fineness)
+            count, edges = lay_all(laid, surface.only(left), extras[left], fineness)
             tried = settled(
                 self.problem, count, plain_array(edges[:, : count.max() + 1]), self.targets[left],
                 near.only(left), tolerance=TOLERANCE if share == 1.0 else ROUGH_TOLERANCE,
@@ -283,7 +283,7 @@ class Refinement:
         pointed: Flags = np.any(peaks[:, 1] < TOO_WIDE * peaks[:, 2], axis=1)
         return pointed
 
-    def _terrain(self, states: States) -> Terrain:
+    def _surface(self, states: States) -> Surface:
         low, high = np.broadcast_to(states.edges[:, [0, -1]], (states.status.size, 2)).T
         if np.all(low == self.finite[0]) and np.all(high == self.finite[1]):
             row, samples = np.zeros(low.size, dtype=np.int64), self.problem.sampled(*self.finite, SAMPLES)[1][None]
@@ -291,7 +291,7 @@ class Refinement:
             regions, row = np.unique(np.stack([low, high]), axis=1, return_inverse=True)
             places = np.linspace(regions[0], regions[1], SAMPLES + 1, axis=1)
             samples = self.problem.separation(places.ravel()).reshape(places.shape)
-        return Terrain(*self.finite, *self.kinks, low.copy(), high.copy(), row.ravel(), samples)
+        return Surface(*self.finite, *self.kinks, low.copy(), high.copy(), row.ravel(), samples)
 
     def _extras(self, states: States) -> Array:
         suspected = suspects(self.problem, states, self.finite).tolist()
