@@ -29,7 +29,7 @@ def raised(problem):
     conditions = BoundaryConditions(problem.prescribed, problem.target)
     options = NewtonOptions(TOLERANCE, 1.0, True)
     status, *_ = settle.loop(
-        settle.strips_of(grids, 0), conditions, problem.kernel, unknowns, grids.shallowest[0], options, True
+        settle.strips_of(grids, 0), conditions, problem.kernel, unknowns, grids.min_depth[0], options, True
     )
     return status, found.one(0)
 

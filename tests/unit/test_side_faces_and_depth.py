@@ -309,7 +309,7 @@ def test_the_depth_of_plane_strain_is_one_whatever_shape_the_pressure_is_counted
 
 def test_the_shallower_body_counts():
     influence = influence_of(nh.Contact(roller(depth=5.0), plate(depth=2.0)), nh.SEMI_ELLIPTIC)
-    assert influence.shallowest(Y).tolist() == [2.0] * Y.size
+    assert influence.min_depth(Y).tolist() == [2.0] * Y.size
 
 
 def test_images_too_far_to_be_told_apart_are_those_of_an_endless_series():

@@ -100,12 +100,12 @@ class Influence:
         first, *others = (each.displacement(y, edges) for each in self.references)
         return sum(others, first)
 
-    def shallowest(self, y: Array) -> Array:
+    def min_depth(self, y: Array) -> Array:
         """Return the smaller of the two bodies' depths below the places ``y``, infinite if neither has one."""
-        shallowest = np.full(y.shape, np.inf)
+        min_depth = np.full(y.shape, np.inf)
         for reference in self.references:
-            shallowest = np.minimum(shallowest, reference.below(y))
-        return shallowest
+            min_depth = np.minimum(min_depth, reference.below(y))
+        return min_depth
 
 
 def influence_of(contact: DeepPair, shape: Shape) -> Influence:

@@ -82,7 +82,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
         contact, np.broadcast_to(y, half_width.shape), half_width, finest.r * finest.m * width, finest.rigid
     )
     uneven = departure > 0.9 * MOST_UNEVEN * pressed
-    thin = np.any(problem.influence.shallowest(y) < LEAST_DEPTH * half_width, axis=1)
+    thin = np.any(problem.influence.min_depth(y) < LEAST_DEPTH * half_width, axis=1)
     region = _searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
     coarse = may_be_uncertain(problem, levels, singular) | suspects(problem, finest, region)
     for side in (-1, 1):

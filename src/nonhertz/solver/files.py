@@ -173,7 +173,7 @@ class _Likeness:
             len(terms), *np.sum(np.abs(terms), axis=0).tolist(), len(problem.influence.references),
             len(problem.influence.ends), len(problem.influence.faces), len(bends), float(np.sum(np.abs(bends))),
         ]  # fmt: skip
-        surfaces = np.array([*of_bodies, problem.influence.shallowest(places)])
+        surfaces = np.array([*of_bodies, problem.influence.min_depth(places)])
         return cls(places, surfaces, np.array(numbers, dtype=float))
 
     def like(self, other: _Likeness) -> bool:

@@ -112,7 +112,7 @@ class Task:
         """Return which contacts are wider than their bodies are thick or round; solved alone, each is refused."""
         y = states.y
         half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
-        beyond = wider_than_round(self.contact, y, half_width) | (self.problem.influence.shallowest(y) < half_width)
+        beyond = wider_than_round(self.contact, y, half_width) | (self.problem.influence.min_depth(y) < half_width)
         wide: NDArray[np.bool_] = np.any(beyond, axis=1)
         return wide
 

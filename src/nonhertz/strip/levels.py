@@ -273,8 +273,8 @@ class Refinement:
         if not self.problem.influence.references:
             return np.zeros(states.status.size, dtype=bool)
         y = states.y
-        shallowest = self.problem.influence.shallowest(y.ravel()).reshape(y.shape)
-        thin: Flags = np.any(shallowest < self.problem.element.hertz_ratio * np.sqrt(states.m), axis=1)
+        min_depth = self.problem.influence.min_depth(y.ravel()).reshape(y.shape)
+        thin: Flags = np.any(min_depth < self.problem.element.hertz_ratio * np.sqrt(states.m), axis=1)
         return thin
 
     def pointed(self, states: States) -> Flags:

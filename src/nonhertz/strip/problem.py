@@ -112,10 +112,10 @@ class Problem:
         if found is None:
             y = 0.5 * (edges[:, 1:] + edges[:, :-1])
             flat = y.ravel()
-            curvature, separation, shallowest = (
-                at(flat).reshape(y.shape) for at in (self.curvature, self.separation, self.influence.shallowest)
+            curvature, separation, min_depth = (
+                at(flat).reshape(y.shape) for at in (self.curvature, self.separation, self.influence.min_depth)
             )
-            found = Grids(count, edges, y, curvature, separation, shallowest, np.zeros((len(y), 0, 0)))
+            found = Grids(count, edges, y, curvature, separation, min_depth, np.zeros((len(y), 0, 0)))
         if not (at_rest or found.at_depth.size) and self.influence.references:
             found = found._replace(at_depth=self.influence.at_depth(found.y, edges))
         if key:

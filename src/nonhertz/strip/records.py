@@ -112,7 +112,7 @@ class Grids(NamedTuple):
         Edges [mm]; padded with the last one, so that padding has no width.
     y, curvature, separation : ndarray, shape (grids, n)
         As in `Strips`.
-    shallowest : ndarray, shape (grids, n)
+    min_depth : ndarray, shape (grids, n)
         The smaller of both bodies' depths [mm].
     at_depth : ndarray, shape (grids, n, n)
         As in `Strips`.
@@ -123,7 +123,7 @@ class Grids(NamedTuple):
     y: Array
     curvature: Array
     separation: Array
-    shallowest: Array
+    min_depth: Array
     at_depth: Array
 
 

@@ -70,7 +70,7 @@ def settle_all(
     """
     for case in range(prescribed.target.shape[0]):
         row = 0 if grids.counts.size == 1 else case
-        strips, shallowest = strips_of(grids, row), grids.shallowest[row]
+        strips, min_depth = strips_of(grids, row), grids.min_depth[row]
         conditions, n = BoundaryConditions(prescribed.by_force, prescribed.target[case]), strips.y.size
         if not within_reach(strips, conditions):
             continue
@@ -86,7 +86,7 @@ def settle_all(
                 possible = possible and _from_near(strips, conditions, near, case, trial)
             else:
                 winkler_start(strips, conditions, kernel, trial)
-                possible = start < SHORTENED or not too_thin(shallowest, kernel, trial.m, BEYOND_HELP)
+                possible = start < SHORTENED or not too_thin(min_depth, kernel, trial.m, BEYOND_HELP)
                 possible = possible and (start < RAISED or conditions.by_force[0])
             if not possible:
                 continue
@@ -94,7 +94,7 @@ def settle_all(
                 tolerance if start < RAISED else TOLERANCE, 0.5 if start == SHORTENED else 1.0, start != TOGETHER
             )
             # In this one place alone: wherever else the loop was called, it would be compiled again.
-            again, more, left = loop(strips, conditions, kernel, trial, shallowest, options, start == RAISED)
+            again, more, left = loop(strips, conditions, kernel, trial, min_depth, options, start == RAISED)
             if start <= SPRINGS or again == CONVERGED or left < residual:
                 take(trial, unknowns)
                 status, steps, residual = again, more, left
@@ -140,7 +140,7 @@ def loop(
     prescribed: BoundaryConditions,
     kernel: Kernel,
     unknowns: Unknowns,
-    shallowest: Array,
+    min_depth: Array,
     options: NewtonOptions,
     raised: bool,
 ) -> tuple[int, int, float]:
@@ -163,7 +163,7 @@ def loop(
         for i in range(4):
             unknowns.stiffness[i // 2, i % 2] = 0.0
         status, steps, residual = STAGNATED, 0, np.inf
-        if not too_thin(shallowest, kernel, unknowns.m, HOPELESS):
+        if not too_thin(min_depth, kernel, unknowns.m, HOPELESS):
             status, steps, residual = newton(strips, conditions, kernel, unknowns, options)
         if not raised or (status == CONVERGED and share == 1.0):
             return status, steps, residual
@@ -209,7 +209,7 @@ def follow(
     kept, unknowns = unknowns_of(found, 0, n), blank_unknowns(n)
     take(kept, unknowns)
     _foresee(strips, conditions, unknowns)
-    if too_thin(grids.shallowest[0], kernel, unknowns.m, HOPELESS):
+    if too_thin(grids.min_depth[0], kernel, unknowns.m, HOPELESS):
         return False
     largest = 0.0
     for i in range(n):
@@ -248,7 +248,7 @@ def _foresee(strips: Strips, prescribed: BoundaryConditions, unknowns: Unknowns)
 
 
 @compiled
-def too_thin(shallowest: Array, kernel: Kernel, m: Array, least: float) -> bool:
+def too_thin(min_depth: Array, kernel: Kernel, m: Array, least: float) -> bool:
     """Return whether a body is less than ``least`` half-widths deep.
 
     Points at a depth comparable to the contact width move more than the surface, and the equations then have
@@ -256,7 +256,7 @@ def too_thin(shallowest: Array, kernel: Kernel, m: Array, least: float) -> bool:
     """
     thin = False
     for i in range(m.size):
-        thin = thin or shallowest[i] < least * kernel.hertz_ratio * math.sqrt(m[i])
+        thin = thin or min_depth[i] < least * kernel.hertz_ratio * math.sqrt(m[i])
     return thin
 
 
