@@ -37,10 +37,10 @@ TARGETS = {("cylindrical", "strips"): 50.0, ("cylindrical", "maps"): 2.0, ("pair
 STATES_TARGET = 20.0  # s on two threads
 Way = Callable[[], nh.bearing.BearingSolution]
 ENTRIES = (
-    (by_strips, "settle_all"),
+    (by_strips, "solve_on_strips"),
     (by_strips, "follow"),
     (by_strips, "on_automatic_strips"),
-    (problem, "settle_all"),
+    (problem, "solve_on_strips"),
 )
 
 

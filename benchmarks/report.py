@@ -98,7 +98,7 @@ def command_time(*words: str) -> float:
 def automatic(solve: cases.Solve) -> dict[str, float]:
     """Return time, strips and Newton steps of a solve on the automatic grid."""
     solution = solve()
-    with timed(levels, "settled") as levels_solved:
+    with timed(levels, "solved_on") as levels_solved:
         solve()
     return {
         "time": median_time(solve),
@@ -199,7 +199,7 @@ def timed(module: ModuleType, name: str) -> Iterator[Stopwatch]:
 def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
     """Return the share of each part in the time of a solve, from the fastest of many runs."""
     solve()
-    compiled = (problem, "settle_all"), (levels, "lay_all"), (depth, "_at_depth"), (acceptance, "first_unmet")
+    compiled = (problem, "solve_on_strips"), (levels, "lay_all"), (depth, "_at_depth"), (acceptance, "first_unmet")
     with ExitStack() as stack:
         watches = {name: stack.enter_context(timed(module, name)) for module, name in compiled}
         rows = []

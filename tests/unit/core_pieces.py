@@ -4,7 +4,7 @@ import numpy as np
 
 import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence
-from nonhertz.strip import influence, problem, settle
+from nonhertz.strip import influence, problem, solving
 from nonhertz.strip.records import Strips
 
 NO_DEPTH = np.zeros((0, 0))
@@ -21,13 +21,13 @@ def kernel_of(element=nh.SEMI_ELLIPTIC, terms=HALF_SPACE):
 
 
 def interpret(monkeypatch, **replaced):
-    """Settle cases in the interpreter, down to the Newton loop, with some functions of `settle` replaced.
+    """Settle cases in the interpreter, down to the Newton loop, with some functions of `solving` replaced.
 
     Machine code calls machine code: what is replaced is met only by those that the interpreter runs.
     """
-    for name in ("loop", "settle_all"):
-        function = getattr(settle, name)
-        monkeypatch.setattr(settle, name, getattr(function, "py_func", function))  # plain where nothing is compiled
-    monkeypatch.setattr(problem, "settle_all", settle.settle_all)
+    for name in ("loop", "solve_on_strips"):
+        function = getattr(solving, name)
+        monkeypatch.setattr(solving, name, getattr(function, "py_func", function))  # plain where nothing is compiled
+    monkeypatch.setattr(problem, "solve_on_strips", solving.solve_on_strips)
     for name, function in replaced.items():
-        monkeypatch.setattr(settle, name, function)
+        monkeypatch.setattr(solving, name, function)

@@ -65,7 +65,7 @@ def test_a_contact_that_followed_is_the_one_solved_there_on_the_same_strips(pose
     depth = float(law.penetration(np.array([pose[0]]), np.array([pose[1]]))[0])
     there = pose[0] + change[0] * depth, pose[1] + change[1] * depth / 5.0
     anew = asked(StripLaw(INNER, strips=41), *there)
-    monkeypatch.setattr(strips, "settle_all", None)  # it is not solved from the start
+    monkeypatch.setattr(strips, "solve_on_strips", None)  # it is not solved from the start
     followed = asked(law, *there)
     # The load is exact to the square of the last step, the stiffness to the step.
     assert np.all(np.abs(followed - anew) <= np.array([1e-9, 1e-9, 1e-5, 1e-5, 1e-5, 1e-5]) * size_of(anew))

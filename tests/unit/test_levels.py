@@ -74,7 +74,7 @@ def test_very_many_strips_are_not_tried_for_hours_where_fewer_have_no_solution(m
     def failing(grids, given, law, near, found, tolerance, patient):
         tried.append((found.m.shape[1], patient))
 
-    monkeypatch.setattr("nonhertz.strip.problem.settle_all", failing)
+    monkeypatch.setattr("nonhertz.strip.problem.solve_on_strips", failing)
     contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
     for strips, patient in ((400, False), (399, True)):
         with pytest.raises(nh.ConvergenceError):

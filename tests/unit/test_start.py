@@ -5,7 +5,7 @@ import pytest
 from core_pieces import kernel_of, strips_between
 
 from nonhertz.strip.records import BoundaryConditions
-from nonhertz.strip.settle import blank_unknowns
+from nonhertz.strip.solving import blank_unknowns
 from nonhertz.strip.start import prolong, winkler_start
 
 EDGES = np.linspace(-10.0, 10.0, 42)

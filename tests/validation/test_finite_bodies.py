@@ -13,7 +13,7 @@ from nonhertz.model.prescription import Prescription
 from nonhertz.solver.one import problem_of
 from nonhertz.strip.influence import coefficients, remote_of
 from nonhertz.strip.problem import row_of
-from nonhertz.strip.settle import strips_of
+from nonhertz.strip.solving import strips_of
 from nonhertz.verify import bodies, paper_rollers
 from nonhertz.verify.claim import pressures
 from nonhertz.verify.free_ends import DISTANCES, EXACT_ROLLER, FAR, with_weights

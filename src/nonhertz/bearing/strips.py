@@ -18,7 +18,7 @@ from nonhertz.strip.levels import ACCURACY, equal_grids, on_automatic_strips
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
 from nonhertz.strip.records import CONVERGED, BoundaryConditions, Grids, States
-from nonhertz.strip.settle import follow, settle_all
+from nonhertz.strip.solving import follow, solve_on_strips
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -195,7 +195,7 @@ class StripLaw:
         """Solve a contact on its strips from the start; return whether it has a solution there."""
         given = BoundaryConditions(self._given, np.array([pose]))
         states = States.unsolved(kept.grids.counts, kept.grids.edges, 1)
-        settle_all(kept.grids, given, self._problem.kernel, kept.states, states, TOLERANCE, False)
+        solve_on_strips(kept.grids, given, self._problem.kernel, kept.states, states, TOLERANCE, False)
         if states.status[0] != CONVERGED:
             return False
         kept.states, kept.asked, kept.answer = states, pose, _answer(states)
@@ -217,7 +217,7 @@ class StripLaw:
             for row, (pose, depth) in missing.items():
                 states = States.unsolved(self._few.counts, self._few.edges, 1)
                 given = BoundaryConditions(self._given, np.array([pose]))
-                settle_all(self._few, given, self._problem.kernel, States.none(), states, TOLERANCE, False)
+                solve_on_strips(self._few, given, self._problem.kernel, States.none(), states, TOLERANCE, False)
                 self._kept[row] = _Kept(self._few, states, pose, depth, pose, _answer(states))
             missing = {row: each for row, each in missing.items() if self._kept[row].states.status[0] != CONVERGED}
         else:

@@ -40,7 +40,7 @@ from nonhertz.strip.grid import reaching
 from nonhertz.strip.overlaps import overlapping, runs, suspects
 from nonhertz.strip.problem import Problem, winkler_state
 from nonhertz.strip.records import States
-from nonhertz.strip.settle import SCARCELY
+from nonhertz.strip.solving import SCARCELY
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

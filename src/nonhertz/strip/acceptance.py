@@ -21,7 +21,7 @@ from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
 from nonhertz.strip.problem import Problem, row_of
 from nonhertz.strip.records import Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States, Strips
-from nonhertz.strip.settle import strips_of
+from nonhertz.strip.solving import strips_of
 
 MET, NOT_FINITE, FIRST, SECOND, TENSION, UNCLOSED, OVERLAP, BENT, HIDDEN = range(9)
 

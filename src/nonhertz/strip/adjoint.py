@@ -21,7 +21,7 @@ from nonhertz.compiled import compiled
 from nonhertz.strip.influence import coefficients, remote_of
 from nonhertz.strip.newton import touching
 from nonhertz.strip.records import Array, Grids, Indices, Kernel
-from nonhertz.strip.settle import strips_of
+from nonhertz.strip.solving import strips_of
 
 
 class Linearised(NamedTuple):

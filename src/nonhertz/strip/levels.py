@@ -32,7 +32,7 @@ from nonhertz.strip.feasible import (
 from nonhertz.strip.grid import Fineness, Surface, intervals, lay_all, reaching, turns_at, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
-from nonhertz.strip.problem import Problem, padded_rows, row_of, settled, winkler_state
+from nonhertz.strip.problem import Problem, padded_rows, row_of, solved_on, winkler_state
 from nonhertz.strip.records import Array, Flags, Indices, States
 
 Interval = tuple[float, float]
@@ -146,7 +146,7 @@ def on_given_strips(problem: Problem, grids: Sequence[Array], targets: Array) ->
         patient = last and (edges.size <= PATIENT_STRIPS or any(bool(np.any(level.converged)) for level in found))
         tolerance = TOLERANCE if last else ROUGH_TOLERANCE
         near = found[0] if found else None
-        found.insert(0, settled(problem, *row_of(edges), targets, near, tolerance=tolerance, patient=patient))
+        found.insert(0, solved_on(problem, *row_of(edges), targets, near, tolerance=tolerance, patient=patient))
     return found
 
 
@@ -248,7 +248,7 @@ class Refinement:
             laid = states.only(left)
             fineness = Fineness(self.coarseness[left], fewer * share, STRIP_LIMIT)
             count, edges = lay_all(laid, surface.only(left), extras[left], fineness)
-            tried = settled(
+            tried = solved_on(
                 self.problem, count, plain_array(edges[:, : count.max() + 1]), self.targets[left],
                 near.only(left), tolerance=TOLERANCE if share == 1.0 else ROUGH_TOLERANCE,
                 patient=fewer == FEWER_STRIPS[-1],
@@ -380,7 +380,7 @@ def _located(problem: Problem, interval: Interval, finite: Interval, targets: Ar
     count, edges = padded_rows([_first_strips(problem.of(target), finite) for target in targets])
     if np.all(edges == edges[0]):
         count, edges = count[:1], edges[:1]
-    states = settled(problem, count, edges, targets, tolerance=ROUGH_TOLERANCE)
+    states = solved_on(problem, count, edges, targets, tolerance=ROUGH_TOLERANCE)
     rows = np.flatnonzero(states.converged)
     for _ in range(40):
         narrower = {row: _narrower(states.one(row), interval) for row in rows.tolist()}
@@ -388,7 +388,7 @@ def _located(problem: Problem, interval: Interval, finite: Interval, targets: Ar
         if not grids:
             break
         rows = np.array(list(grids))
-        found = settled(
+        found = solved_on(
             problem, *padded_rows([uniform(*region, COARSE_STRIPS) for region in grids.values()]), targets[rows],
             tolerance=ROUGH_TOLERANCE,
         )  # fmt: skip

@@ -167,7 +167,7 @@ def followed(
     Returns
     -------
     done : bool
-        Whether it could, without the help that `nonhertz.strip.settle` knows.
+        Whether it could, without the help that `nonhertz.strip.solving` knows.
     load, moment : float
         Times K. What the last step would still add is in them: their error is the square of that step.
     remote : Remote

@@ -14,7 +14,7 @@ from nonhertz.strip.element import Element
 from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.records import ITERATION_LIMIT, Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States
-from nonhertz.strip.settle import settle_all, strips_of, unknowns_of
+from nonhertz.strip.solving import solve_on_strips, strips_of, unknowns_of
 from nonhertz.strip.start import winkler_start
 
 KEPT_GRIDS = 2  # those of thousands of strips take megabytes
@@ -140,7 +140,7 @@ def padded_rows(grids: Sequence[Array]) -> tuple[Indices, Array]:
     return count, rows
 
 
-def settled(
+def solved_on(
     problem: Problem,
     count: Indices,
     edges: Array,
@@ -167,19 +167,14 @@ def settled(
     tolerance : float
         Largest relative residual of a solution.
     patient : bool
-        Whether to try hard where the loop fails; see `nonhertz.strip.settle`.
+        Whether to try hard where the loop fails; see `nonhertz.strip.solving`.
     """
     targets = problem.target[None] if targets is None else targets
     found = States.unsolved(count, edges, len(targets))
     grids = problem.grids(count, edges)
     conditions = BoundaryConditions(problem.prescribed, plain_array(targets))
-    settle_all(grids, conditions, problem.kernel, near or States.none(), found, tolerance, patient)
+    solve_on_strips(grids, conditions, problem.kernel, near or States.none(), found, tolerance, patient)
     return found
-
-
-def settle(problem: Problem, edges: Array, near: States | None = None, *, tolerance: float = TOLERANCE) -> States:
-    """Return the state of one case on the strips between ``edges``; ``near`` is one row."""
-    return settled(problem, *row_of(edges), near=near, tolerance=tolerance).one(0)
 
 
 def winkler_state(problem: Problem, edges: Array) -> States:

@@ -40,7 +40,7 @@ BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS = range(7)
 
 
 @compiled
-def settle_all(
+def solve_on_strips(
     grids: Grids,
     prescribed: BoundaryConditions,
     kernel: Kernel,
@@ -192,7 +192,7 @@ def follow(
     Parameters
     ----------
     grids, kernel
-        As for `settle_all`; one row.
+        As for `solve_on_strips`; one row.
     prescribed : BoundaryConditions
         An approach and a tilt, shape (1, 2).
     remote : Remote

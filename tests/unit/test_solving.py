@@ -7,7 +7,7 @@ from core_pieces import interpret
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
 from nonhertz.solver.one import problem_of
-from nonhertz.strip import settle
+from nonhertz.strip import solving
 from nonhertz.strip.influence import blank_remote
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
@@ -25,17 +25,17 @@ def problem():
 def raised(problem):
     """Return how raising the load of the problem ends, and the state that it leaves."""
     grids, found = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1)
-    unknowns = settle.unknowns_of(found, 0, found.m.shape[1])
+    unknowns = solving.unknowns_of(found, 0, found.m.shape[1])
     conditions = BoundaryConditions(problem.prescribed, problem.target)
     options = NewtonOptions(TOLERANCE, 1.0, True)
-    status, *_ = settle.loop(
-        settle.strips_of(grids, 0), conditions, problem.kernel, unknowns, grids.min_depth[0], options, True
+    status, *_ = solving.loop(
+        solving.strips_of(grids, 0), conditions, problem.kernel, unknowns, grids.min_depth[0], options, True
     )
     return status, found.one(0)
 
 
 def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monkeypatch):
-    begun, ended, newton = [], [], settle.newton
+    begun, ended, newton = [], [], solving.newton
 
     def noting(strips, conditions, kernel, unknowns, options):
         begun.append(unknowns.m.copy())
@@ -54,7 +54,7 @@ def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monke
 
 def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(problem, monkeypatch):
     """Beyond three tenths of the load nothing converges."""
-    tried, newton = [], settle.newton
+    tried, newton = [], solving.newton
 
     def failing(strips, conditions, *others):
         share = float(conditions.target[0] / problem.target[0])
@@ -74,13 +74,13 @@ def test_a_case_that_cannot_follow_is_left_as_it_was():
     problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription(approach=0.01, tilt=0.0), nh.SEMI_ELLIPTIC)
     grids, found, answer = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1), np.zeros(6)
     target = problem.target[None]
-    settle.settle_all(
+    solving.solve_on_strips(
         grids, BoundaryConditions(problem.prescribed, target), problem.kernel, States.none(), found, TOLERANCE, False
     )
     assert found.status[0] == CONVERGED
     before = [each.copy() for each in found]
     remote, apart = blank_remote(21, problem.kernel), BoundaryConditions(problem.prescribed, np.array([[-1.0, 0.0]]))
-    assert not settle.follow(grids, apart, problem.kernel, remote, np.zeros(1), found, answer)
+    assert not solving.follow(grids, apart, problem.kernel, remote, np.zeros(1), found, answer)
     for was, each in zip(before, found, strict=True):
         np.testing.assert_array_equal(each, was)
     assert not answer.any()
