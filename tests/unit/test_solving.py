@@ -47,7 +47,7 @@ def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monke
     status, state = raised(problem)
     assert status == CONVERGED
     # The loop's tolerance.
-    np.testing.assert_allclose(state.load, problem.target[0], rtol=1e-11)
+    np.testing.assert_allclose(state.scaled_load, problem.target[0], rtol=1e-11)
     assert len(begun) > 5
     np.testing.assert_array_equal(begun[1:], ended[:-1])
 

@@ -283,4 +283,4 @@ class StripLaw:
 
 def _answer(states: States) -> Array:
     """Return what a solved contact answers, times K."""
-    return np.concatenate([states.load, states.moment, states.stiffness.ravel()])
+    return np.concatenate([states.scaled_load, states.scaled_moment, states.stiffness.ravel()])

@@ -51,7 +51,7 @@ def corners(contact: Contact, problem: Problem, state: States) -> tuple[float, .
 
 def centre_pressure(contact: Contact, problem: Problem, state: States) -> Array:
     """Return the pressure on the centre line of every strip [MPa]."""
-    pressure: Array = 2.0 * state.pressure / (np.pi * problem.element.hertz_ratio * contact.compliance)
+    pressure: Array = 2.0 * state.scaled_pressure / (np.pi * problem.element.hertz_ratio * contact.compliance)
     return pressure
 
 
@@ -132,7 +132,7 @@ def left_at_sharp_ends(problem: Problem, state: States, edges: tuple[EdgePressur
             at = int(np.argmin(np.abs(distance - beside)))
             borne = float(state.r[at] * state.m[at] * half_width[at])
             left += borne * _sharpness(edge)
-    return LEFT_AT_END * left / float(state.load)
+    return LEFT_AT_END * left / float(state.scaled_load)
 
 
 def _sharpness(edge: EdgePressure) -> float:

@@ -60,7 +60,7 @@ def error_estimate(
     singular : ndarray, shape (k,)
         The ends at which the pressure has no limit [mm].
     highest : float
-        The largest pressure of the finest level more than a half-width from these, as `States.pressure`.
+        The largest pressure of the finest level more than a half-width from these, as `States.scaled_pressure`.
     at_corner : bool
         Whether that is at a corner of the profile within the contact.
     """
@@ -85,7 +85,7 @@ def error_estimate(
     wide = bool(wider_than_long(problem, state.row())[0])
     error = levels.difference if corners or wide else levels.remaining
     aimed = levels.accuracy or 0.0
-    unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.load))
+    unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.scaled_load))
     reach = 0.5 * float(np.ptp(state.edges))
 
     def largest(of: States) -> float:
@@ -103,7 +103,7 @@ def error_estimate(
         )
         + _beside_strips(problem, levels, singular, ripples, highest)
         + PRESSURE_LEFT_BY_MODES * whole,
-        moment=0.0 if by_moment else max(floor, error(_moment, float(state.load) * reach) + unseen[1]) + left,
+        moment=0.0 if by_moment else max(floor, error(_moment, float(state.scaled_load) * reach) + unseen[1]) + left,
         tilt=max(floor, error(_tilt, penetration / reach) + unseen[0]) + left if by_moment else 0.0,
     )
 
@@ -119,7 +119,7 @@ def _raised_at_ends(problem: Problem, state: States, edges: tuple[EdgePressure, 
     for edge in edges:
         distance = np.where(state.m > 0.0, np.abs(state.y - edge.y) - half_width, np.inf)
         if np.count_nonzero(distance <= 0.0) < FEW_AT_END and np.isfinite(distance).any():
-            beyond = float(state.pressure[np.argmin(np.where(distance > 0.0, distance, np.inf))])
+            beyond = float(state.scaled_pressure[np.argmin(np.where(distance > 0.0, distance, np.inf))])
             raised = max(raised, (1.0 + RAISED * edge.exponent) * beyond / highest - 1.0)
     return raised
 
@@ -139,7 +139,7 @@ def _beside_strips(problem: Problem, levels: Levels, singular: Array, ripples: A
     for end in singular:
         near = bearing & (np.abs(state.y - end) <= half_width)
         if 0 < np.count_nonzero(near) < FEW_AT_END and _falls_away(problem, state, end, float(half_width[near].max())):
-            hidden = max(hidden, HIDDEN * (float(np.max(state.pressure[near])) / highest - 1.0))
+            hidden = max(hidden, HIDDEN * (float(np.max(state.scaled_pressure[near])) / highest - 1.0))
         else:
             sure.append(end)
     counted = bearing & (distance_beyond(state.y, half_width, np.array(sure)) > 0.0)
@@ -153,13 +153,13 @@ def _reach(levels: Levels) -> Array:
     A summit stands out no further than by twice what halving the strips has just raised it by.
     """
     state = levels.finest
-    reach: Array = cusps(state.pressure[None])[0]
+    reach: Array = cusps(state.scaled_pressure[None])[0]
     if len(levels.states) > 1:
         coarse = levels.states[1]
-        at = np.clip(np.searchsorted(coarse.edges, state.y) - 1, 0, coarse.pressure.size - 1)
-        beside = np.pad(coarse.pressure, 1)
+        at = np.clip(np.searchsorted(coarse.edges, state.y) - 1, 0, coarse.scaled_pressure.size - 1)
+        beside = np.pad(coarse.scaled_pressure, 1)
         before = np.max([beside[at + k] for k in range(3)], axis=0)
-        reach = np.minimum(reach, state.pressure + SAFETY * np.abs(state.pressure - before))
+        reach = np.minimum(reach, state.scaled_pressure + SAFETY * np.abs(state.scaled_pressure - before))
     return reach
 
 
@@ -180,11 +180,11 @@ def _beyond(before_touch: float, state: States) -> float:
 
 
 def _load(state: States) -> float:
-    return float(state.load)
+    return float(state.scaled_load)
 
 
 def _moment(state: States) -> float:
-    return float(state.moment)
+    return float(state.scaled_moment)
 
 
 def _tilt(state: States) -> float:
@@ -192,7 +192,7 @@ def _tilt(state: States) -> float:
 
 
 def _largest(hertz_ratio: float, singular: Array, state: States) -> float:
-    return float(largest_pressure(state.y, state.pressure, hertz_ratio * np.sqrt(state.m), singular)[0])
+    return float(largest_pressure(state.y, state.scaled_pressure, hertz_ratio * np.sqrt(state.m), singular)[0])
 
 
 def wider_than_long(problem: Problem, states: States) -> Flags:
@@ -239,7 +239,7 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     for known, left in ((penetration, mean), (total, finest.stiffness[:, 0, 0] * mean)):
         unsure |= left > 0.5 * large * np.abs(known)
     half_width = problem.element.hertz_ratio * np.sqrt(finest.m)
-    summits = np.where(distance_beyond(y, half_width, singular) > 0.0, cusps(finest.pressure), 0.0)
+    summits = np.where(distance_beyond(y, half_width, singular) > 0.0, cusps(finest.scaled_pressure), 0.0)
     for beside in (np.max(np.where(loads > 0.0, ripples, 0.0), axis=1), np.max(summits, axis=1) - highest(finest)):
         unsure |= beside > 0.5 * LARGE_PRESSURE_ERROR * highest(finest)
     ends = SHARP_END_ERROR * sum(each * reaching(finest, side) for each, side in zip(last, (-1, 1), strict=True))
@@ -261,7 +261,7 @@ def _approaches(states: States) -> Array:
 
 
 def _loads(states: States) -> Array:
-    return states.load
+    return states.scaled_load
 
 
 def _pressures(hertz_ratio: float, singular: Array, states: States) -> Array:

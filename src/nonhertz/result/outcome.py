@@ -77,7 +77,7 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     singular = singular_ends(sharp, at_corners, float(np.ptp(state.edges)))
     places = np.array([end.y for end in singular])
     half_width = problem.element.hertz_ratio * np.sqrt(state.m)
-    highest, at = map(float, largest_pressure(state.y, state.pressure, half_width, places))
+    highest, at = map(float, largest_pressure(state.y, state.scaled_pressure, half_width, places))
     within = bool(state.converged) and _is_at_kink(contact, state, at, places)
     return Solution(
         contact=contact,
@@ -85,8 +85,8 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
         status=_STATUS[int(state.status)],
         approach=float(state.rigid[0]),
         tilt=float(state.rigid[1]),
-        load=float(state.load) / compliance,
-        moment=float(state.moment) / compliance,
+        load=float(state.scaled_load) / compliance,
+        moment=float(state.scaled_moment) / compliance,
         stiffness=stiffness,
         edges=state.edges.copy(),
         line_load=line_load,

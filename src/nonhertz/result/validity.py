@@ -74,7 +74,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
     flat = np.any(half_width * sharper > MOST_OF_RADIUS, axis=1)
     areas = np.sum(2.0 * half_width * width, axis=1)
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
-    hard = finest.load / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
+    hard = finest.scaled_load / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
     pressed = np.max(
         finest.rigid[:, :1] + finest.rigid[:, 1:] * y - contact.separation_at(y.ravel()).reshape(y.shape), axis=1
     )

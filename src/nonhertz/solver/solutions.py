@@ -329,7 +329,7 @@ class Block:
         """The results named in `_COLUMNS`, computed by the formulas of `Solution`."""
         states, compliance = self.finest, self.contact.compliance
         return (
-            states.rigid[:, 0], states.rigid[:, 1], states.load / compliance, states.moment / compliance,
+            states.rigid[:, 0], states.rigid[:, 1], states.scaled_load / compliance, states.scaled_moment / compliance,
             *self.largest, self._half_widths(), self._contact_lengths(),
             penetrations(self.contact, self._surveyed(), states.rigid),
         )  # fmt: skip

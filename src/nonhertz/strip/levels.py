@@ -220,7 +220,7 @@ class Refinement:
         finest, half = levels[:2]
         samples, h = self.problem.sampled(*self.finite, SAMPLES)
         by_load = self.problem.prescribed[0]
-        fine, coarse = (finest.rigid[:, 0], half.rigid[:, 0]) if by_load else (finest.load, half.load)
+        fine, coarse = (finest.rigid[:, 0], half.rigid[:, 0]) if by_load else (finest.scaled_load, half.scaled_load)
         with np.errstate(divide="ignore", invalid="ignore"):  # a case that has not converged may be infinite
             pressed = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * samples - h, axis=1)
             error = LEFT_OF_CHANGE * np.abs(fine - coarse) / (np.abs(pressed) if by_load else fine)

@@ -173,19 +173,19 @@ class States(NamedTuple):
         return converged
 
     @property
-    def load(self) -> Array:
+    def scaled_load(self) -> Array:
         """K Q [mm^2]."""
         load: Array = (self.r * self.m * self.width).sum(axis=-1)
         return load
 
     @property
-    def moment(self) -> Array:
+    def scaled_moment(self) -> Array:
         """K T [mm^3]."""
         moment: Array = (self.r * self.m * self.width * self.y).sum(axis=-1)
         return moment
 
     @property
-    def pressure(self) -> Array:
+    def scaled_pressure(self) -> Array:
         """The ratio q / a on each strip, in units of 1 / K; proportional to the pressure."""
         return self.r * np.sqrt(self.m)
 
