@@ -15,8 +15,8 @@ from few_rollers import PAIR, SIX, changed
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonhertz as nh
-import nonhertz.cli.bearing
 import nonhertz.files.bearing_results
+import nonhertz.plot
 from nonhertz.bearing import BearingSolution
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.cli import main
@@ -296,7 +296,7 @@ def test_figures_come_out_with_the_tables(folder, capsys, monkeypatch):
     """Whatever `nonhertz.plot.bearing_figures` draws is saved."""
     from matplotlib.figure import Figure
 
-    monkeypatch.setattr(nonhertz.cli.bearing, "bearing_figures", lambda solution, title: {"loads": Figure()})
+    monkeypatch.setattr(nonhertz.plot, "figures", lambda solution, title: {"loads": Figure()})
     assert main(["bearing", "sliced.toml", "--out", "results"]) == 0
     capsys.readouterr()
     assert {"loads.svg", "loads.png"} <= {path.name for path in Path("results").iterdir()}
@@ -305,7 +305,7 @@ def test_figures_come_out_with_the_tables(folder, capsys, monkeypatch):
 def test_nothing_is_left_behind_when_writing_fails(
     folder: Path, leaves_nothing_behind: Callable[[object, str, list[str]], None]
 ) -> None:
-    leaves_nothing_behind(nonhertz.cli.bearing, "bearing_figures", ["bearing", "sliced.toml"])
+    leaves_nothing_behind(nonhertz.plot, "figures", ["bearing", "sliced.toml"])
     leaves_nothing_behind(nonhertz.files.bearing_results, "rollers_table", ["bearing", "sliced.toml"])
 
 

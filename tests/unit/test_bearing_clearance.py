@@ -346,7 +346,7 @@ def test_warm_inner_rings_move_the_rows_of_a_pair_apart(arrangement, given):
         for inner in (60.0, 45.0)
     )
     assert 1e3 * (apart.mounted.clearance - even.mounted.clearance) == pytest.approx(given)
-    assert 1e3 * as_object(apart.solve("slices"), apart, None, "", ())["operating_clearance"]["expansion"] == (
+    assert 1e3 * as_object(apart.solve("slices"), apart, None, "")["operating_clearance"]["expansion"] == (
         pytest.approx(given)
     )
     said = {remark: value for _, value, remark in summary_rows(apart, apart.solve("slices"))}

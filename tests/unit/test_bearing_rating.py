@@ -93,7 +93,7 @@ def test_towards_a_sharp_end_there_is_no_reference_life():
         assert np.isnan([each.reference, each.modified, each.life_factor]).all()
         assert each.no_reference.startswith(why)
         assert f"no L10r: {why}" in repr(each)
-    written = as_object(found, BearingCase(found.bearing, under), life, "", ())["life"]
+    written = as_object(found, BearingCase(found.bearing, under), life, "")["life"]
     assert written["reference"] is None
     assert written["no_reference"] == life.no_reference
     assert ("L10r", "none", life.no_reference) in life_rows(life, "")

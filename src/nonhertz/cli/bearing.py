@@ -7,14 +7,14 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out, written
+from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out, saved, written
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import InputError, without_accuracy_warnings
-from nonhertz.files.bearing_results import as_object, comparison_files, comparison_object, files
+from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
 from nonhertz.files.changes import changes_in
+from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
-from nonhertz.plot import bearing_figures
 from nonhertz.show.bearing import compared_sections, sections
 from nonhertz.verdict import of_bearing
 
@@ -63,12 +63,12 @@ def bearing(
         return
     try:
         life, reason = case.rated(solution)
-        found = life, reason, solution.findings
     except InputError as error:  # of a contact, when its pressure is solved
         raise placed(error) from None
-    made = written(out, lambda: files(solution, case, *found), lambda: bearing_figures(solution, case.title))
+    found = Result(case, solution, (life, reason))
+    made = saved(found, out)
     if as_json:
-        print(key_by_key(as_object(solution, case, *found)))
+        print(found.to_json())
         return
     print_result(
         case.title,

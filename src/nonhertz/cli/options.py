@@ -14,6 +14,8 @@ from nonhertz.errors import InputError
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from nonhertz.files.resultfile import Result
+
 Changes = Annotated[
     tuple[str, ...],
     Parameter(
@@ -72,6 +74,12 @@ def written(out: Path | None, texts: Callable[[], Mapping[str, str]], figures: F
     from nonhertz.files.folder import write_files
 
     return () if out is None else write_files(out, texts(), drawing(figures))
+
+
+def saved(found: Result, out: Path | None) -> tuple[Path, ...]:
+    """Write a result into a directory, if one is named; return the files."""
+    with named_as(folder="--out"):
+        return () if out is None else found.save(out)
 
 
 def drawing(figures: Figures) -> Callable[[Path], None]:

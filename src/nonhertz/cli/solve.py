@@ -9,16 +9,15 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out
+from nonhertz.cli.options import AsJson, Changes, UnitsRead, refuse_unwritable_out, saved
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import CaseError
-from nonhertz.files.casefile import Case, read_case
+from nonhertz.files.casefile import read_case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import write_files
 from nonhertz.files.resultfile import Result
 from nonhertz.files.several import HEAD, Attempt, folders, objects, rows
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer, write_workbook
-from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
 from nonhertz.show.analysis import attempted
 from nonhertz.show.sections import Section
@@ -55,9 +54,10 @@ def solve(
         return _solve_several((case, *more), changes_in(changes), out, as_json)
     read = read_case(case, changes_in(changes))
     solution, complaint = attempted(read)
-    made = () if out is None else _written(out, solution, read)
+    found = Result(read, solution)
+    made = saved(found, out)
     if as_json:
-        print(Result(read, solution).to_json())
+        print(found.to_json())
     else:
         warnings = solution.warnings
         verdict = of_contact(solution)
@@ -106,11 +106,6 @@ def _attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
     return Attempt(path, case, solution, (complaint,) if complaint else ())
 
 
-def _written(out: Path, solution: Solution, case: Case) -> tuple[Path, ...]:
-    with named_as(folder="--out"):
-        return Result(case, solution).save(out)
-
-
 def _several_written(out: Path, found: Sequence[Attempt], workbook: bool) -> tuple[Path, ...]:
     """Write each result into a folder of its own, and the table of all, or the table alone; return the files."""
     if workbook:
@@ -123,5 +118,5 @@ def _several_written(out: Path, found: Sequence[Attempt], workbook: bool) -> tup
     made: list[Path] = []
     for each, name in zip(found, folders(found), strict=True):
         if each.solution is not None and each.case is not None:
-            made += _written(out / name, each.solution, each.case)
+            made += saved(Result(each.case, each.solution), out / name)
     return (*made, *write_files(out, {TABLE: table}))

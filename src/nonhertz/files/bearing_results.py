@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.amounts import read_in
@@ -15,7 +15,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.results import key_by_key, plain
-from nonhertz.findings import Finding, as_warnings
+from nonhertz.findings import as_warnings
 from nonhertz.result.tables import csv_text
 from nonhertz.verdict import given_verdict, of_bearing
 
@@ -59,9 +59,7 @@ _OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
 
 
 @read_in("si")
-def as_object(
-    solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, found: Sequence[Finding]
-) -> dict[str, Any]:
+def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str) -> dict[str, Any]:
     """Return a loaded bearing as plain numbers, text, lists and dictionaries, with the case it belongs to.
 
     `nonhertz.files.resultfile.read_result` reads it back.
@@ -87,7 +85,7 @@ def as_object(
         "life": None if life is None else _life(life),
         "life_reason": reason,
         "verdict": given_verdict(of_bearing(solution, life)),
-        **as_warnings(found),
+        **as_warnings(solution.findings),
         "units": UNITS,
         "case": case.own_document,
     }
@@ -167,12 +165,10 @@ def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
 
 
 @read_in("si")
-def files(
-    solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str, found: Sequence[Finding]
-) -> dict[str, str]:
+def files(solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str) -> dict[str, str]:
     """Return the texts of result.json, rollers.csv and lines.csv, by file name."""
     return {
-        "result.json": key_by_key(as_object(solution, case, life, reason, found)) + "\n",
+        "result.json": key_by_key(as_object(solution, case, life, reason)) + "\n",
         "rollers.csv": rollers_table(solution),
         "lines.csv": lines_table(solution, int(case.solver.get("laminae", LAMINAE))),
     }

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
 from nonhertz.files import bearing_results, results
@@ -39,6 +40,8 @@ class Result:
         What was solved; ``case.solve()`` solves it again.
     solution : Solution or BearingSolution
         The solution, to the digits it was written with.
+    rated : tuple or None
+        The life of a bearing, or None and why it has none, if that is known; else it is rated when it is written.
 
     Examples
     --------
@@ -56,6 +59,7 @@ class Result:
 
     case: Case | BearingCase
     solution: Solution | BearingSolution
+    rated: tuple[BearingLife | None, str] | None = None
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.case.title!r}, {self.solution!r})"
@@ -70,7 +74,7 @@ class Result:
         InputError
             If the case has something that no file can hold; see `Held.write`.
         """
-        return self._files()["result.json"].rstrip("\n")
+        return self.texts()["result.json"].rstrip("\n")
 
     def save(self, folder: str | Path) -> tuple[Path, ...]:
         """Write what ``nonhertz solve`` and ``nonhertz bearing`` write into ``--out``: result, tables and figures.
@@ -95,18 +99,19 @@ class Result:
         def draw(drafts: Path) -> None:
             nonhertz.plot.save_all(nonhertz.plot.figures(self.solution, self.case.title), drafts)
 
-        texts = self._files()
+        texts = self.texts()
         try:
             return write_files(folder, texts, draw)
         except InputError as error:
             raise InputError("folder", str(folder), error.condition, error.remedy) from None
 
-    def _files(self) -> dict[str, str]:
+    def texts(self) -> dict[str, str]:
+        """Return what `save` writes but figures, by file name: result.json and tables; raise what `to_json` does."""
         match self.case, self.solution:
             case Case() as case, Solution() as solution:
                 return results.files(solution, case)
             case BearingCase() as bearing, BearingSolution() as loaded:
-                return bearing_results.files(loaded, bearing, *bearing.rated(loaded), loaded.findings)
+                return bearing_results.files(loaded, bearing, *(self.rated or bearing.rated(loaded)))
         remedy = "give what the solve method of the case returned"
         raise InputError("solution", type(self.solution).__name__, "be that of the case", remedy)
 

@@ -7,14 +7,24 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from nonhertz.files.bearing_results import as_object as bearing_as_object
-from nonhertz.files.bearing_results import comparison_files, rollers_table
+from nonhertz.files.bearing_results import comparison_files
 from nonhertz.files.lives import as_object as lives_as_object
-from nonhertz.files.results import as_object, as_table, key_by_key
+from nonhertz.files.resultfile import Result
+from nonhertz.files.results import key_by_key
 from nonhertz.files.stresses import as_object as stresses_as_object
-from nonhertz.report.results import BearingResults, CaseResults, Results
+from nonhertz.report.results import BearingResults, Results
 
 _KINDS = {".toml": "application/toml", ".json": "application/json", ".csv": "text/csv"}
+
+#: What files hold, by their names; others are left out.
+_WORDS = {
+    "result.json": "all numbers of the result",
+    "table.csv": "the strips",
+    "rollers.csv": "all rollers",
+    "stress.json": "the largest stresses",
+    "life.json": "the lives",
+    **dict.fromkeys(("comparison.json", "comparison.csv"), "strips beside slices"),
+}
 
 
 @dataclass(frozen=True)
@@ -52,29 +62,21 @@ def downloads(found: Results) -> list[Download]:
     )
     files = [(case.file_name, f"the {what}, as it was solved", case.text.encode()), *named]
     stem = PurePosixPath(case.file_name).stem
-    texts = _of_bearing(found) if isinstance(found, BearingResults) else _of_contact(found)
-    files += [(f"{stem}-{name}", words, text.encode()) for name, words, text in texts]
+    files += [(f"{stem}-{name}", _WORDS[name], text.encode()) for name, text in _texts(found) if name in _WORDS]
     return [Download(PurePosixPath(name.replace("\\", "/")).name, words, content) for name, words, content in files]
 
 
-def _of_contact(found: CaseResults) -> Iterator[tuple[str, str, str]]:
-    solution, case = found.solution, found.case
-    yield "table.csv", "the strips", as_table(solution)
-    yield "result.json", "all numbers of the solution", key_by_key(as_object(solution, case)) + "\n"
-    if found.stress:
-        text = key_by_key(stresses_as_object(solution, *found.stress, found.strengths[0], case.title))
-        yield "stress.json", "the largest stresses", text + "\n"
-    if found.lives:
-        yield "life.json", "the lives", key_by_key(lives_as_object(found.lives)) + "\n"
-
-
-def _of_bearing(found: BearingResults) -> Iterator[tuple[str, str, str]]:
-    solution, case = found.solution, found.case
-    if solution is None:
+def _texts(found: Results) -> Iterator[tuple[str, str]]:
+    """Yield names and texts of the files that commands write."""
+    if isinstance(found, BearingResults):
+        if found.solution is not None:
+            yield from Result(found.case, found.solution, (found.life, found.reason)).texts().items()
+        if found.solution is not None and found.slices is not None:
+            yield from comparison_files(found.solution, found.slices, found.case.title).items()
         return
-    text = key_by_key(bearing_as_object(solution, case, found.life, found.reason, found.strained)) + "\n"
-    yield "rollers.csv", "all rollers", rollers_table(solution)
-    yield "result.json", "all numbers of the bearing", text
-    if found.slices is not None:
-        for name, text in comparison_files(solution, found.slices, case.title).items():
-            yield name, "strips beside slices", text
+    yield from Result(found.case, found.solution).texts().items()
+    if found.stress:
+        written = stresses_as_object(found.solution, *found.stress, found.strengths[0], found.case.title)
+        yield "stress.json", key_by_key(written) + "\n"
+    if found.lives:
+        yield "life.json", key_by_key(lives_as_object(found.lives)) + "\n"

@@ -17,7 +17,7 @@ from nonhertz.files.held import named
 from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import Life
 from nonhertz.files.stresses import all_findings
-from nonhertz.findings import Finding, sentences
+from nonhertz.findings import sentences
 from nonhertz.inputs.files import legible
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
@@ -101,8 +101,6 @@ class BearingResults:
         How long it lasts; None if it is not rated, or if nobody asked.
     reason : str
         Why it is not rated.
-    strained : tuple of Finding
-        What strains the model.
     slices : BearingSolution or None
         The same by slices, if a comparison was asked for.
     """
@@ -113,7 +111,6 @@ class BearingResults:
     complaint: str = ""
     life: BearingLife | None = None
     reason: str = ""
-    strained: tuple[Finding, ...] = ()
     slices: BearingSolution | None = None
 
     @property
@@ -124,7 +121,8 @@ class BearingResults:
     @property
     def warnings(self) -> tuple[str, ...]:
         """All warnings, without repeats."""
-        return tuple(dict.fromkeys((*self.case.notes, *sentences(self.strained))))
+        found = () if self.solution is None else self.solution.warnings
+        return tuple(dict.fromkeys((*self.case.notes, *found)))
 
 
 Results = CaseResults | BearingResults
@@ -193,8 +191,7 @@ def _solved(case: Case | BearingCase, label: str, announce: Announce) -> Results
         return CaseResults(case, label, *attempted(case))
     with without_accuracy_warnings():
         try:
-            solution = case.solve()
-            return BearingResults(case, label, solution, strained=solution.findings)
+            return BearingResults(case, label, case.solve())
         except ConvergenceError as error:
             return BearingResults(case, label, None, str(error))
         except InputError as error:  # of a contact, when its pressure is solved

@@ -143,8 +143,8 @@ def _text(asked: Asked) -> tuple[str]:
     return (text,)
 
 
-def _apart(job: Job, *wishes: str, command: str = "report") -> Question:
-    return Question(job, lambda asked: wishes, "apart", command)
+def _made(job: Job, *wishes: str, whom: Whom = "apart", command: str = "report") -> Question:
+    return Question(job, lambda asked: wishes, whom, command)
 
 
 CONTACT: Final = Kind(
@@ -159,9 +159,11 @@ CONTACT: Final = Kind(
     },
     {
         "case.toml": File(Question(jobs.file, _text), "application/toml"),
-        "table.csv": File(Question(jobs.table), "text/csv"),
-        "result.json": File(Question(jobs.result), "application/json"),
-        "report.html": File(_apart(jobs.report, "case"), "text/html"),
+        "table.csv": File(_made(jobs.written, "case", "table.csv", whom="quick", command="solve"), "text/csv"),
+        "result.json": File(
+            _made(jobs.written, "case", "result.json", whom="quick", command="solve"), "application/json"
+        ),
+        "report.html": File(_made(jobs.report, "case"), "text/html"),
     },
     jobs.warm_up,
     jobs.step_back,
@@ -178,16 +180,16 @@ BEARING: Final = Kind(
     },
     {
         "bearing.toml": File(Question(jobs.file, _text), "application/toml"),
-        "report.html": File(_apart(jobs.report, "bearing"), "text/html"),
+        "report.html": File(_made(jobs.report, "bearing"), "text/html"),
         **{
-            name: File(_apart(jobs.bearing_table, name, command="bearing"), kind, f"-{name.partition('.')[0]}")
+            name: File(_made(jobs.written, "bearing", name, command="bearing"), kind, f"-{name.partition('.')[0]}")
             for name, kind in (
                 ("result.json", "application/json"),
                 *((name, "text/csv") for name in ("rollers.csv", "lines.csv")),
             )
         },
         **{
-            f"{name}.{ending}": File(_apart(jobs.drawn, name, ending, command="bearing"), kind, f"-{name}")
+            f"{name}.{ending}": File(_made(jobs.drawn, name, ending, command="bearing"), kind, f"-{name}")
             for name in ("loads", "pressure", "roller", "displacement")
             for ending, kind in (("svg", "image/svg+xml"), ("png", "image/png"))
         },

@@ -11,14 +11,12 @@ from typing import Any, Final, Literal, TypeVar
 from nonhertz.amounts import chosen
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files.bearing_results import files
 from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.commented import as_toml_like
 from nonhertz.files.held import parsed
-from nonhertz.files.results import as_object, as_table, key_by_key
+from nonhertz.files.resultfile import Result
 from nonhertz.model.body import BodyName
-from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import attempted
 from nonhertz.web.form.fields import is_number
 from nonhertz.web.limits import refuse, too_long, too_slow, unfit
@@ -142,28 +140,12 @@ def file(document: dict[str, Any], text: str) -> bytes:
 
 
 @job
-def table(document: dict[str, Any]) -> bytes:
-    """Return the numbers along a contact as CSV."""
-    return as_table(_solved(document)[1]).encode()
-
-
-@job
-def result(document: dict[str, Any]) -> bytes:
-    """Return all numbers of a solution as JSON."""
-    case, solution = _solved(document)
-    return f"{key_by_key(as_object(solution, case))}\n".encode()
-
-
-def _solved(document: dict[str, Any]) -> tuple[Case, Solution]:
-    case = sound(document, Case)
-    return case, attempted(case)[0]
-
-
-@job
-def bearing_table(document: dict[str, Any], name: str) -> bytes:
-    """Return one of the files that `nonhertz bearing` writes."""
-    case, solution = _loaded(sound(document, BearingCase))
-    return files(solution, case, *case.rated(solution), solution.findings)[name].encode()
+def written(document: dict[str, Any], kind: Literal["case", "bearing"], name: str) -> bytes:
+    """Return one of the files that commands write."""
+    if kind == "case":
+        case = sound(document, Case)
+        return Result(case, attempted(case)[0]).texts()[name].encode()
+    return Result(*_loaded(sound(document, BearingCase))).texts()[name].encode()
 
 
 @job
