@@ -21,7 +21,7 @@ from machine import machine
 from matplotlib.figure import Figure
 
 import nonhertz as nh
-from nonhertz.bodies.depths import depth
+from nonhertz.bodies import depths
 from nonhertz.plot import save
 from nonhertz.plot.style import FAINT_INK, FIRST, LINE, SECOND, THIN, sheet_style
 from nonhertz.strip import acceptance, levels, problem
@@ -199,7 +199,7 @@ def timed(module: ModuleType, name: str) -> Iterator[Stopwatch]:
 def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
     """Return the share of each part in the time of a solve, from the fastest of many runs."""
     solve()
-    compiled = (problem, "solve_on_strips"), (levels, "lay_all"), (depth, "_at_depth"), (acceptance, "first_unmet")
+    compiled = (problem, "solve_on_strips"), (levels, "lay_all"), (depths, "_at_depth"), (acceptance, "first_unmet")
     with ExitStack() as stack:
         watches = {name: stack.enter_context(timed(module, name)) for module, name in compiled}
         rows = []

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths.plane_strain import plane_strain_depth
+from nonhertz.bodies.depths import plane_strain_depth
 from nonhertz.life import assess, ioannides_harris, lundberg_palmgren, weibull, zaretsky
 from nonhertz.plot.contact_area import footprint
 from nonhertz.plot.side_by_side import draw_differences

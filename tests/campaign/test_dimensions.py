@@ -10,8 +10,8 @@ from extent import extent
 
 import nonhertz as nh
 from nonhertz.bodies import whole_roller
-from nonhertz.bodies.depths.finite import outline_of
 from nonhertz.bodies.harmonic_elements import HarmonicElements
+from nonhertz.model.outline import outline_of
 from nonhertz.result.gradient import family_of, landmarks
 from nonhertz.result.measures import measure_of
 

@@ -14,7 +14,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import nonhertz as nh
-from nonhertz.bodies.depths.plane_strain import plane_strain_depth
+from nonhertz.bodies.depths import plane_strain_depth
 from nonhertz.model.profile import Profile
 
 # Faces that come to lie together may ask for more weight than has a solution; the laws hold with what is used.

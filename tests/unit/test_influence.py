@@ -6,7 +6,7 @@ from core_pieces import NO_DEPTH, kernel_of, strips_between
 from scipy.integrate import quad
 
 import nonhertz as nh
-from nonhertz.bodies.depths.depth import PointsAtDepth
+from nonhertz.bodies.depths import PointsAtDepth
 from nonhertz.bodies.influence import HALF_SPACE, FreeSide, Influence
 from nonhertz.strip import influence
 from nonhertz.strip.influence import coefficients, displacements, lift, remote_of, self_displacement

@@ -7,7 +7,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
-from nonhertz.bodies.solid import HERTZ
+from nonhertz.bodies.shape import HERTZ
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.inverse import Inverse

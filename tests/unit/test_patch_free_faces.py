@@ -9,7 +9,7 @@ from scipy import integrate, special
 import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, FreeSide, Influence, influence_of
 from nonhertz.bodies.quarter_space import free_face
-from nonhertz.bodies.solid import HERTZ
+from nonhertz.bodies.shape import HERTZ
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.free_faces import at_points, free_ends, merged
 from nonhertz.patch.grid import Grid

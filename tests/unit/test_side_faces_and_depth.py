@@ -7,15 +7,13 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.bodies.depths import DEPTHS
-from nonhertz.bodies.depths.depth import Depth
-from nonhertz.bodies.depths.plane_strain import plane_strain_depth
+from nonhertz.bodies.depths import REFERENCES, plane_strain_depth
 from nonhertz.bodies.ends import End, ends
 from nonhertz.bodies.images import ALL_LINKS, SEPARATE_LINKS
 from nonhertz.bodies.influence import Influence, influence_of
-from nonhertz.bodies.sides import SIDE_FACES
-from nonhertz.bodies.sides.side_face import SideFace
-from nonhertz.bodies.solid import HERTZ
+from nonhertz.bodies.shape import HERTZ
+from nonhertz.model.depths import DEPTHS, Depth
+from nonhertz.model.side_faces import SIDE_FACES, SideFace
 from nonhertz.strip.influence import displacements
 
 EDGES = np.linspace(-8.0, 8.0, 25)
@@ -327,29 +325,9 @@ def test_images_too_far_to_be_told_apart_are_those_of_an_endless_series():
 # Treatments of one's own: a side face and a reference are in solver, stress, case files and messages at once
 
 
-class Halved(SideFace):
-    word = "halved"
-    meaning = "by images of half the pressure"
-
-    def image_weight(self, poisson):
-        return 0.5
-
-
-class Springs(Depth):
+class OnSprings:
     """A bed of springs in place of half-spaces' depth: a matrix that knows nothing of points below the surface."""
 
-    word = "springs"
-    meaning = "on springs"
-    place = "a bed of springs"
-
-    def below(self, body, shape):
-        return None
-
-    def reference(self, body, shape, images):
-        return OnSprings()
-
-
-class OnSprings:
     def below(self, y):
         return np.full(y.shape, np.inf)
 
@@ -362,7 +340,7 @@ SINKS = 3.0  # each spring, under K q
 
 
 def test_a_side_face_of_ones_own_is_a_word_everywhere(monkeypatch, tmp_path):
-    monkeypatch.setitem(SIDE_FACES, "halved", Halved())
+    monkeypatch.setitem(SIDE_FACES, "halved", SideFace("halved", "by images of half the pressure", 0.5))
     halved, weighted = (nh.solve(on_plate(side_faces=rule), load=5e3, strips=21) for rule in ("halved", 0.5))
     np.testing.assert_array_equal(halved.line_load, weighted.line_load)
     assert halved.edge_pressure[0].image_weight == 0.25
@@ -374,7 +352,8 @@ def test_a_side_face_of_ones_own_is_a_word_everywhere(monkeypatch, tmp_path):
 
 
 def test_a_reference_of_ones_own_moves_the_surface_by_its_matrix(monkeypatch):
-    monkeypatch.setitem(DEPTHS, "springs", Springs())
+    monkeypatch.setitem(DEPTHS, "springs", Depth("springs", "on springs", "a bed of springs"))
+    monkeypatch.setitem(REFERENCES, "springs", lambda *_: OnSprings())
     solution = nh.solve(on_plate(depth="springs"), load=5e3, strips=21)
     influence = influence_of(on_plate(depth="none"), nh.SEMI_ELLIPTIC)
     K, element = solution.contact.compliance, nh.SEMI_ELLIPTIC

@@ -9,10 +9,10 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bodies import whole_roller as module
-from nonhertz.bodies.harmonic_elements import DEGREE, HarmonicElements, nodal_polynomials
-from nonhertz.bodies.outline import Outline, with_kinks
+from nonhertz.bodies.harmonic_elements import DEGREE, HarmonicElements, nodal_polynomials, with_kinks
 from nonhertz.bodies.stored import stored
 from nonhertz.bodies.whole_roller import whole_roller
+from nonhertz.model.outline import Outline
 
 
 def elements(half_length=1.0, poisson=0.3, bore=0.0, most=24):

@@ -13,8 +13,7 @@ from nonhertz import verify
 from nonhertz.bearing import bearings as rows
 from nonhertz.bearing import standard, verb
 from nonhertz.bearing.strips import StripLaw
-from nonhertz.bodies import images, whole_roller
-from nonhertz.bodies.depths import plane_strain
+from nonhertz.bodies import depths, images, whole_roller
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.life import capacity
 from nonhertz.patch import convolution, free_faces, inverse
@@ -89,7 +88,7 @@ IMAGES = (
     "images that weigh a tenth too little", [(images, "chains")],
     changed(lambda found: {place: 0.9 * weight for place, weight in found.items()}),
 )  # fmt: skip
-DEPTH = ("a depth a tenth too small", [(plane_strain, "plane_strain_depth")], times(0.9))
+DEPTH = ("a depth a tenth too small", [(depths, "plane_strain_depth")], times(0.9))
 FIELD = ("a field five per cent off", [(Inside, "stress")], times(1.05))
 BOTH_ELEMENTS = ["*/semi-elliptic*", "*/parabolic*"]
 FAST = [

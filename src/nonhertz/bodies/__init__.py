@@ -1,6 +1,5 @@
 """What lies behind the surface of a body: its side faces and its depth, and their effect on how loads act.
 
-`sides` and `depths` hold one file for each way to treat a side face and to choose a depth: its keyword, its meaning,
-what it adds. `images` makes chains of mirror images, `ends` finds what governs a sharp end, `influence` sums up both
-bodies.
+What a body may say of either is in `nonhertz.model`. `images` makes chains of mirror images, `ends` finds what governs
+a sharp end, `depths` what displacement is measured against, `influence` sums up both bodies.
 """

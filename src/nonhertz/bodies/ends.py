@@ -13,7 +13,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from nonhertz.bodies.solid import Pair
+from nonhertz.model.contact import Contact
 
 APART = 0.02  # of the combined radius: about the half-width of a heavily loaded contact of metals
 TOGETHER = 1.0 - 1e-4
@@ -154,12 +154,12 @@ def slope_of_wedge(alpha: float, angle: float) -> float:
     return float((1.0 - alpha) * across * math.pi / (2.0 * (1.0 - _ANY_POISSON)))
 
 
-def shares(contact: Pair) -> tuple[float, float]:
+def shares(contact: Contact) -> tuple[float, float]:
     """Return the shares of both bodies in the compliance of the contact."""
     return (contact.a.material.compliance / contact.compliance, contact.b.material.compliance / contact.compliance)
 
 
-def ends(contact: Pair) -> tuple[End, ...]:
+def ends(contact: Contact) -> tuple[End, ...]:
     """Return the free side faces of both bodies, coincident ones combined."""
     found: list[End] = []
     share = shares(contact)
@@ -185,7 +185,7 @@ def ends(contact: Pair) -> tuple[End, ...]:
     return tuple(end for end in found if end.image_weight > 0.0)
 
 
-def _nearness(contact: Pair, faces: tuple[float, float]) -> float:
+def _nearness(contact: Contact, faces: tuple[float, float]) -> float:
     """Return 1 for coincident faces, falling to 0 at a distance of APART combined radii.
 
     Faces much closer to each other than the half-width act as one on all but the last bit of the contact. The

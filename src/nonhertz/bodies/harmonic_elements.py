@@ -8,6 +8,8 @@ Lengths are in a radius of the surface. Where the outline is symmetric, only hal
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -17,7 +19,7 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.outline import Outline, borders_towards_end, with_kinks
+from nonhertz.model.outline import Outline
 
 Array = NDArray[np.float64]
 
@@ -26,6 +28,9 @@ DEGREE = 6
 _FINEST, _GROWTH, _LARGEST_ALONG, _LARGEST_ACROSS = 0.036, 0.96, 0.4, 0.35
 _BY_WAVE = 0.86  # size of the smallest times the most waves around
 _NODES = DEGREE + 1
+_GROWN = 2.6  # size of an element that begins at a corner over that of the one on the other side
+_FINE_BORDERS = 801  # of places between which borders of elements are interpolated
+_FINE = 65  # places from a corner to half-way to the next at which sizes of elements are looked at
 _LOAD_NODES = 16  # of an element's surface, on which loads are polynomials of a high degree
 U, V, W = range(3)
 
@@ -296,3 +301,44 @@ def _interpolating(borders: Array, places: Array) -> tuple[Array, Array]:
     rows, columns = np.arange(places.size)[:, None], e[:, None] * DEGREE + np.arange(_NODES)
     found[0, rows, columns], found[1, rows, columns] = values, slopes / half[:, None]
     return found[0], found[1]
+
+
+def borders_towards_end(length: float, finest: float, growth: float, largest: float) -> Array:
+    """Return borders of elements from 0 to a length, which shrink towards its end.
+
+    An element at a distance d from the end is ``finest + growth * d`` long, ``largest`` at most. The borders divide the
+    integral of the density of elements evenly, so that a small change of the length moves all of them a little.
+    """
+    distance = length * np.linspace(0.0, 1.0, _FINE_BORDERS) ** 2
+    density = 1.0 / np.minimum(finest + growth * distance, largest)
+    elements = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(distance) * (density[1:] + density[:-1]))])
+    count = max(2, math.ceil(elements[-1]))
+    found: Array = length - np.interp(elements[-1] * np.linspace(1.0, 0.0, count + 1), elements, distance)
+    found[0], found[-1] = 0.0, length
+    return found
+
+
+def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Array:
+    """Return borders of elements with some places among them, next to which elements are no larger than between them.
+
+    Elements grow away from a place in proportion to their distance: beside the short wall of a step they are as short
+    as this wall.
+    """
+    if not kinks:
+        return borders
+    places = np.array([borders[0], *kinks, borders[-1]])
+    gaps = np.diff(places)
+    finest = np.minimum(np.minimum(gaps[:-1], gaps[1:]), smallest)
+    found = [places[:1]]
+    for low, high in itertools.pairwise(places.tolist()):
+        # Distances down to where elements no longer shrink.
+        near = np.geomspace(min(0.1 * np.min(finest) / (high - low), 0.1), 0.5, _FINE)
+        fine = low + (high - low) * np.concatenate([[0.0], near, 1.0 - near[-2::-1], [1.0]])
+        fine[-1] = high
+        middle = 0.5 * (fine[1:] + fine[:-1])
+        at = np.clip(np.searchsorted(borders, middle) - 1, 0, borders.size - 2)
+        allowed = np.min(finest + (_GROWN - 1.0) * np.abs(middle[:, None] - places[1:-1]), axis=1)
+        elements = np.concatenate([[0.0], np.cumsum(np.diff(fine) / np.minimum(np.diff(borders)[at], allowed))])
+        count = max(1, round(elements[-1]))
+        found.append(np.interp(np.arange(1, count + 1) * elements[-1] / count, elements, fine))
+    return np.concatenate(found)

@@ -11,23 +11,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from nonhertz.bodies.solid import Solid
+from nonhertz.model.body import Body
+from nonhertz.model.side_faces import SERIES
 
 Array = NDArray[np.float64]
 
-FEWEST_IMAGES, MOST_IMAGES = 1, 100
-SERIES = "series"
 SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: those with their own place, and those summed one by one
 NO_WEIGHT = 1e-12
 DIRECT = (1.0, 0.0)
-
-REMEDY = f"give {FEWEST_IMAGES} to {MOST_IMAGES}, or {SERIES!r} for all of them"
 
 
 @dataclass(frozen=True)
@@ -53,7 +48,7 @@ class Images:
     free: Array
 
     @classmethod
-    def of(cls, body: Solid, weights: tuple[float, float], share: float) -> Images:
+    def of(cls, body: Body, weights: tuple[float, float], share: float) -> Images:
         """Return the images about the faces at low and high y of a body, given the weight of the first about each."""
         both = min(weights) > 0.0  # a single mirror makes a single image
         far = FarImages.of(body.length, weights, share) if body.images == SERIES and both and body.length else None
@@ -71,7 +66,7 @@ def rows(terms: dict[tuple[float, float], float]) -> Array:
     return np.array([(*place, weight) for place, weight in terms.items()])
 
 
-def chains(body: Solid, weights: tuple[float, float], share: float) -> dict[tuple[float, float], float]:
+def chains(body: Body, weights: tuple[float, float], share: float) -> dict[tuple[float, float], float]:
     """Return the weights of all images, by the sign and the offset [mm] of their place: sign * y + offset."""
     count = SEPARATE_LINKS if body.images == SERIES else 2 * int(body.images) - 1
     found: dict[tuple[float, float], float] = {}

@@ -10,40 +10,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths.depth import Depth, Reference
+from nonhertz.bodies.depths import Reference, reference_of
 from nonhertz.bodies.ends import IN_SPACE, End, corner_weights, ends, shares
 from nonhertz.bodies.images import DIRECT, Images, rows
-from nonhertz.bodies.solid import Pair, Shape, Solid
+from nonhertz.bodies.shape import Shape
+from nonhertz.model.contact import Contact
 
 Array = NDArray[np.float64]
 
 #: The direct effect alone, as `Influence.terms`: two half-spaces.
 HALF_SPACE = np.array([[*DIRECT, 1.0]])
-
-
-class Deep(Solid, Protocol):
-    """A body with a choice of what its displacement is measured against."""
-
-    @property
-    def behind(self) -> Depth:
-        """That choice."""
-
-
-class DeepPair(Pair, Protocol):
-    """Two such bodies in contact."""
-
-    @property
-    def a(self) -> Deep:
-        """One body."""
-
-    @property
-    def b(self) -> Deep:
-        """The other."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +88,7 @@ class Influence:
         return min_depth
 
 
-def influence_of(contact: DeepPair, shape: Shape) -> Influence:
+def influence_of(contact: Contact, shape: Shape) -> Influence:
     """Return how strips between two bodies act, with their side faces and depths."""
     found = ends(contact)
     terms, references = {DIRECT: 1.0}, []
@@ -122,7 +102,7 @@ def influence_of(contact: DeepPair, shape: Shape) -> Influence:
     return Influence(rows(terms), tuple(references), found, tuple(_free_sides(contact)))
 
 
-def _free_sides(contact: DeepPair) -> Iterator[FreeSide]:
+def _free_sides(contact: Contact) -> Iterator[FreeSide]:
     for body, share in zip((contact.a, contact.b), shares(contact), strict=True):
         sides = zip(body.faces, (-1, 1), body.free_faces, body.corner_angles, strict=True)
         for y, side, free, angle in sides:
@@ -130,7 +110,7 @@ def _free_sides(contact: DeepPair) -> Iterator[FreeSide]:
                 yield FreeSide(y, side, share * (1.0 + IN_SPACE * corner_weights(angle)[1]), body.material.poisson)
 
 
-def influence_within(contact: DeepPair, shape: Shape, which: int) -> tuple[Array, Reference | None]:
+def influence_within(contact: Contact, shape: Shape, which: int) -> tuple[Array, Reference | None]:
     """Return how loads act on one body alone: the terms, and what its displacement is measured against.
 
     Parameters
@@ -156,8 +136,8 @@ def influence_within(contact: DeepPair, shape: Shape, which: int) -> tuple[Array
 
 
 def _of_body(
-    contact: DeepPair, shape: Shape, weights: tuple[float, float], which: int
+    contact: Contact, shape: Shape, weights: tuple[float, float], which: int
 ) -> tuple[Images, Reference | None]:
-    body: Deep = (contact.a, contact.b)[which]
+    body = (contact.a, contact.b)[which]
     images = Images.of(body, weights, shares(contact)[which])
-    return images, body.behind.reference(body, shape, images)
+    return images, reference_of(body, shape, images)

@@ -26,8 +26,9 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.harmonic_elements import HarmonicElements
-from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.stored import stored
+from nonhertz.model.body import Body
+from nonhertz.model.outline import Outline, outline_of
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
@@ -109,9 +110,17 @@ class WallModes:
         return _polynomials(self.outline.half_length, self.factors.shape[-1], z)
 
 
-def wall_modes(outline: Outline, poisson: float) -> WallModes:
-    """Return the modes of a bored outline without steps."""
-    return WallModes(outline, _factors(outline, poisson))
+def bending_of(body: Body) -> tuple[WallModes, float] | None:
+    """Return the modes of the stress in a hollow roller, and the radius that is their unit [mm].
+
+    None if it is not hollow, or if its bore has steps, for which modes are not known.
+    """
+    if body.bore is None:
+        return None
+    outline, radius = outline_of(body)
+    if outline.kinks or min(outline.inner) <= 0.0:
+        return None
+    return WallModes(outline, _factors(outline, body.material.poisson)), radius
 
 
 def _polynomials(half_length: float, count: int, z: Array) -> Array:
@@ -138,7 +147,7 @@ def _circles(through: int, along: int, half_length: float) -> tuple[Array, Array
     return 0.5 * TOP * (1.0 + _chebyshev_points(through)), places
 
 
-@stored(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.bodies.outline")
+@stored(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.model.outline")
 def _factors(outline: Outline, poisson: float) -> Array:
     """Return the factors of `WallModes`."""
     half_length = outline.half_length

@@ -41,14 +41,13 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.ends import IN_SPACE, corner_weights
 from nonhertz.bodies.harmonic_elements import HarmonicElements, radial
-from nonhertz.bodies.outline import Outline
 from nonhertz.bodies.quarter_space import FreeFace, free_face
 from nonhertz.bodies.stored import stored
 from nonhertz.compiled import compiled, plain_array
+from nonhertz.model.outline import Outline
 
 Array = NDArray[np.float64]
 
-SHORTEST, LONGEST = 0.1, 10.0  # length over diameter
 # Modes that need finite elements fade out around the first, or around the second over the wall, whichever is more.
 MODES, WALLS = 20.0, 6.0
 _AT_ONCE = 0.1  # of a power of e: the width of the change from one to the other
@@ -332,7 +331,7 @@ def _curved_table(poisson: float) -> Array:
     __name__,
     "nonhertz.bodies.ends",
     "nonhertz.bodies.harmonic_elements",
-    "nonhertz.bodies.outline",
+    "nonhertz.model.outline",
     "nonhertz.bodies.quarter_space",
 )
 def response_matrix(outline: Outline, poisson: float) -> Array:

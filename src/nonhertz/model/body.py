@@ -13,26 +13,28 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.bodies.depths import DEPTHS, DepthRule, depth_of
-from nonhertz.bodies.depths import REMEDY as DEPTH_REMEDY
-from nonhertz.bodies.depths.depth import Depth
-from nonhertz.bodies.depths.endless import Endless
-from nonhertz.bodies.depths.finite import whole
-from nonhertz.bodies.depths.thickness import Thickness
-from nonhertz.bodies.images import FEWEST_IMAGES, MOST_IMAGES, SERIES
-from nonhertz.bodies.images import REMEDY as IMAGES_REMEDY
-from nonhertz.bodies.sides import REMEDY as FACE_REMEDY
-from nonhertz.bodies.sides import SIDE_FACES, FaceRule, side_faces
-from nonhertz.bodies.sides.side_face import SideFace
-from nonhertz.bodies.sides.weighted import Weighted
 from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import LEAST, finite, not_negative, numbers, positive
 from nonhertz.inputs.fields import Count, Input, OneOrTwo, Part, Quantities, Quantity, described, together
 from nonhertz.model.corner import Chamfer, Cornered, Rounded
+from nonhertz.model.depths import DEPTH_REMEDY, DEPTHS, THICKNESS, Depth, DepthRule, depth_of
 from nonhertz.model.material import STEEL
 from nonhertz.model.materials import NamedMaterial
+from nonhertz.model.outline import can_be_whole, outline_of
 from nonhertz.model.profile import Profile, Straight
 from nonhertz.model.profile.base import moved_back, places
+from nonhertz.model.side_faces import (
+    FACE_REMEDY,
+    FEWEST_IMAGES,
+    IMAGES_REMEDY,
+    MOST_IMAGES,
+    SERIES,
+    SIDE_FACES,
+    WEIGHT,
+    FaceRule,
+    SideFace,
+    side_faces,
+)
 
 Array = NDArray[np.float64]
 #: Which of the two bodies of a contact.
@@ -42,7 +44,7 @@ BODIES: Final[tuple[BodyName, BodyName]] = ("a", "b")
 _TOUCHING_REMEDY = "give the length that can touch in mm, or leave it out for all of the body"
 _DEPTH_MEANING = (
     "the point that the displacement is measured against; left out, a roller with free side faces is 'finite', any "
-    f"other 'plane-strain', and the rest is 'none'; as a number {Thickness.meaning}"
+    f"other 'plane-strain', and the rest is 'none'; as a number {THICKNESS}"
 )
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 _FACELESS_REMEDY = "give the distance between the side faces in mm, or leave out side_faces"
@@ -201,7 +203,7 @@ class Body(Input):
     side_faces: Annotated[
         FaceRule | tuple[FaceRule, FaceRule],
         OneOrTwo(
-            Quantity("", Weighted.meaning, not_negative, FACE_REMEDY, SIDE_FACES),
+            Quantity("", WEIGHT, not_negative, FACE_REMEDY, SIDE_FACES),
             "how the side faces are made free, or two of these, for low and high y",
             ("at low y", "at high y"),
         ),
@@ -268,11 +270,11 @@ class Body(Input):
 
     @together("diameter", "length", "side_faces", "images", "material", "depth", "bore")
     def _check_depth(self) -> None:
-        if self.bore is not None and not self.behind.bored:
-            words = " or ".join(repr(depth.word) for depth in DEPTHS.values() if depth.bored)
+        if self.bore is not None and not self.behind.whole:
+            words = " or ".join(repr(depth.word) for depth in DEPTHS.values() if depth.whole)
             condition = f"only be given where depth = {words}"
             raise InputError("bore", self.bore, condition, f"write depth = {words}, or leave out the bore")
-        if self.images == SERIES and isinstance(self.behind, Endless) and math.prod(self.face_weights) > 0.0:
+        if self.images == SERIES and self.behind.word == "none" and math.prod(self.face_weights) > 0.0:
             condition = "only be used for a body with a depth, without which it has no sum"
             raise InputError("images", self.images, condition, "give the body a depth, or a number of images")
         self.behind.refuse(self)
@@ -361,8 +363,13 @@ class Body(Input):
 
     @property
     def corner_angles(self) -> tuple[float, float]:
-        """Angles between surface and side faces at low and high y, within the body [rad]."""
-        return self.behind.corner_angles(self)
+        """Angles between surface and side faces at low and high y, within the body [rad].
+
+        They are right but for a whole roller whose surface is not along its axis, to which side faces are square.
+        """
+        if self.behind.whole and callable(self.diameter):
+            return outline_of(self)[0].corner_angles
+        return 0.5 * math.pi, 0.5 * math.pi
 
     @property
     def bends(self) -> tuple[float, ...]:
@@ -432,7 +439,7 @@ class Roller(Body):
     @cached_property
     def _usual_depth(self) -> DepthRule:
         """The roller itself; in plane strain where it cannot be whole."""
-        return "finite" if whole(self) else "plane-strain"
+        return "finite" if can_be_whole(self) else "plane-strain"
 
 
 @described(kw_only=True)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.bodies.influence import Influence
-from nonhertz.bodies.solid import HERTZ
+from nonhertz.bodies.shape import HERTZ
 from nonhertz.findings import Finding, finding
 from nonhertz.patch import region as regions
 from nonhertz.patch.between import Unseen

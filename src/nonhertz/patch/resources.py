@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from nonhertz.bodies.influence import influence_of
-from nonhertz.bodies.solid import HERTZ
+from nonhertz.bodies.shape import HERTZ
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.patch.cascade import FEWEST

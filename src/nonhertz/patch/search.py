@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.bodies.solid import HERTZ
+from nonhertz.bodies.shape import HERTZ
 from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription

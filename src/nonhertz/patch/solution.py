@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.bodies.ends import FINITE_FROM, ends
-from nonhertz.bodies.solid import HERTZ, Shape
+from nonhertz.bodies.shape import HERTZ, Shape
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding
 from nonhertz.inputs.checks import finite

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import influence_of
-from nonhertz.bodies.solid import HERTZ
+from nonhertz.bodies.shape import HERTZ
 from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.findings import warn
 from nonhertz.inputs.checks import finite

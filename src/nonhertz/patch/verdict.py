@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa, newton
 from nonhertz.bodies.influence import Influence, influence_of
-from nonhertz.bodies.solid import HERTZ
+from nonhertz.bodies.shape import HERTZ
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch.cascade import Gap
 from nonhertz.patch.free_faces import FreeEnd, free_ends

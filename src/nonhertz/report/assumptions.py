@@ -20,6 +20,7 @@ from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, T
 from nonhertz.bearing.equilibrium import TOLERANCE
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bodies.depths import depth_below
 from nonhertz.bodies.ends import ends
 from nonhertz.comparison.value import NOTABLE
 from nonhertz.report.results import BearingResults, CaseResults, Results
@@ -126,7 +127,7 @@ def _of_contact(found: CaseResults) -> Iterator[Assumption]:
         return
     yield from _of_contacts({"": [solution]})
     for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        if body.behind.below(body, solution.element) is None:
+        if depth_below(body, solution.element) is None:
             remark = "A half-space of infinite depth: the approach is measured against a distant point."
             criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
             yield Assumption(f"Body {name} is thick", criterion, "no depth given", remark=remark)

@@ -93,7 +93,7 @@ def _of_contact(found: CaseResults) -> Iterator[tuple[str, list[str]]]:
     sources = [source(Element), _BOUSSINESQ, *_profile_sources(found.case.document)]
     yield _IN_CONTACT.format(strips=solution.strips, each=each), sources
     for name, body in (("body a", contact.a), ("body b", contact.b)):
-        yield _body_words(name, body), [source(type(body.behind))]
+        yield _body_words(name, body), [body.behind.source]
     yield _BEYOND, [_SHARP_ENDS] if solution.singular_ends else []
     if found.stress:
         words = (
@@ -122,7 +122,7 @@ def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
         )
         yield words, [source(Element), _BOUSSINESQ, *profiles]
         for name, body in (("a roller", row.roller), ("the inner ring", row.inner), ("the outer ring", row.outer)):
-            yield _body_words(name, body), [source(type(body.behind))]
+            yield _body_words(name, body), [body.behind.source]
     else:
         words = (
             "Contacts are the slices of ISO/TS 16281: independent of each other, of equal stiffness at both rings, "

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa, um
+from nonhertz.bodies.depths import depth_below
 from nonhertz.bodies.ends import End
-from nonhertz.bodies.solid import Shape
+from nonhertz.bodies.shape import Shape
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import BODIES, Body, BodyName
@@ -200,7 +201,7 @@ def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[
     touching = half_width > 0.0
     found = []
     for name, body in zip(BODIES, (contact.a, contact.b), strict=True):
-        below = body.behind.below(body, shape)
+        below = depth_below(body, shape)
         if below is not None and np.any(touching):
             found.append((name, body, float(np.min(below(y[touching]) / half_width[touching]))))
     return found

@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths.finite import AxisOfRoller
+from nonhertz.bodies.depths import AxisOfRoller
 from nonhertz.compiled import compiled
 from nonhertz.result.checks import WIDER_THAN_LONG
 from nonhertz.result.end_pressure import SHARP_END_ERROR, left_at_sharp_ends, sharp_end_error

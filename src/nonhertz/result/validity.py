@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, um
-from nonhertz.bodies.images import SERIES
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
+from nonhertz.model.side_faces import SERIES
 from nonhertz.result.checks import (
     HEAVIEST,
     LEAST_DEPTH,

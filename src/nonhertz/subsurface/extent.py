@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.bodies.depths.thickness import Thickness
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import Body, BodyName
@@ -49,8 +48,7 @@ class Extent:
         if self.round:
             outer, inner = self.radii(y)
             return np.where(inner > 0.0, outer - inner, 2.0 * outer)
-        behind = self.body.behind
-        return np.full(y.shape, behind.depth if isinstance(behind, Thickness) else np.inf)
+        return np.full(y.shape, self.body.behind.thickness)
 
     def holds(self, x: Array, y: Array, z: Array) -> NDArray[np.bool_]:
         """Return at which points there is material.

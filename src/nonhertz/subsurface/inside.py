@@ -16,13 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.bodies.depths.depth import Reference
-from nonhertz.bodies.images import SEPARATE_LINKS, SERIES
+from nonhertz.bodies.depths import Reference
+from nonhertz.bodies.images import SEPARATE_LINKS
 from nonhertz.bodies.influence import influence_within
 from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import Body, BodyName
+from nonhertz.model.side_faces import SERIES
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution, Solved
 from nonhertz.subsurface.extent import Extent

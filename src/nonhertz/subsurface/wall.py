@@ -14,8 +14,7 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths.finite import bending_of
-from nonhertz.bodies.wall_stress import OPPOSITE, TOP
+from nonhertz.bodies.wall_stress import OPPOSITE, TOP, bending_of
 from nonhertz.compiled import compiled, plain_array
 from nonhertz.model.body import Body
 from nonhertz.result.solution import Solved
@@ -61,7 +60,7 @@ class Wall:
         found = bending_of(body)
         if found is None:
             return None
-        bending, radius, middle = found
+        (bending, radius), middle = found, body.position
         pressed = solution.line_load > 0.0
         low, high, line_load = solution.edges[:-1][pressed], solution.edges[1:][pressed], solution.line_load[pressed]
         y, width = _on_strips(low, high, _NODES_OF_MODES)

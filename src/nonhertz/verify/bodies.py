@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from nonhertz.bodies.depths.plane_strain import plane_strain_depth
+from nonhertz.bodies.depths import plane_strain_depth
 from nonhertz.hertz import LineContact, line_contact, plane_strain_cylinder_compression
 from nonhertz.model.body import Body, Plate, Roller
 from nonhertz.model.contact import Contact

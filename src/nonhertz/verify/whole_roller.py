@@ -15,12 +15,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths import DepthRule
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
-from nonhertz.bodies.sides import FaceRule
 from nonhertz.model.body import Plate, Roller
 from nonhertz.model.contact import Contact
+from nonhertz.model.depths import DepthRule
 from nonhertz.model.material import Material
+from nonhertz.model.side_faces import FaceRule
 from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.strip.influence import displacements
 from nonhertz.verify.claim import Claim, Evidence, series, solved

@@ -1,21 +1,29 @@
-"""The outline of a roller: a section through its axis."""
+"""The outline of a roller: a section through its axis, and which bodies can deform as a whole."""
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
+from nonhertz.errors import InputError
+
+if TYPE_CHECKING:
+    from nonhertz.model.body import Body
+
 Array = NDArray[np.float64]
 
 _KINK = 0.03  # change of slope at which an outline has a corner
-_GROWN = 2.6  # size of an element that begins at a corner over that of the one on the other side
-_FINE_BORDERS = 801  # of places between which borders of elements are interpolated
-_FINE = 65  # places from a corner to half-way to the next at which sizes of elements are looked at
+_SHORTEST, _LONGEST = 0.1, 10.0  # length over diameter
+_THINNEST, _STEEPEST = 0.08, 0.28  # wall over radius, and slope of the surface
+_SAMPLES = 33  # of a diameter that is a function
+_DIGITS = 12
+_REMEDY = "write 'plane-strain'"
 
 
 @dataclass(frozen=True)
@@ -101,42 +109,53 @@ class Outline:
         return 0.5 * math.pi + math.atan(low), 0.5 * math.pi - math.atan(high)
 
 
-def borders_towards_end(length: float, finest: float, growth: float, largest: float) -> Array:
-    """Return borders of elements from 0 to a length, which shrink towards its end.
+def outline_of(body: Body) -> tuple[Outline, float]:
+    """Return the outline of a roller, and the radius of its surface in the middle [mm], which is its unit."""
+    assert body.length is not None
+    half, middle = 0.5 * body.length, body.position
+    diameters = (body.diameter, body.bore)
+    points = {-half, half}
+    for each in diameters:
+        inner = getattr(each, "y", np.linspace(-half, half, _SAMPLES) if callable(each) else ())
+        points |= {float(place) for place in inner if abs(place) < half}
+    z = np.array(sorted(points))
+    curvature = body.curvature(z + middle)
+    if not np.all(curvature > 0.0):
+        raise InputError("depth", "finite", "only be used for a body that is convex everywhere", _REMEDY)
+    given = body.bore if body.bore is not None else 0.0
+    bore: Array = np.asarray(given(z) if callable(given) else np.full(z.shape, given), dtype=float)
+    radius = 1.0 / float(body.curvature(np.array([middle]))[0])
+    rows: tuple[Array, ...] = (z, 1.0 / curvature, 0.5 * bore)
+    # Rounded, so that the same shape in another unit of length is known again. Sizes beyond all numbers are refused.
+    with np.errstate(all="ignore"):
+        places, outer, inner = (tuple(np.round(row / radius, _DIGITS).tolist()) for row in rows)
+    return Outline(places, outer, inner), radius
 
-    An element at a distance d from the end is ``finest + growth * d`` long, ``largest`` at most. The borders divide the
-    integral of the density of elements evenly, so that a small change of the length moves all of them a little.
-    """
-    distance = length * np.linspace(0.0, 1.0, _FINE_BORDERS) ** 2
-    density = 1.0 / np.minimum(finest + growth * distance, largest)
-    elements = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(distance) * (density[1:] + density[:-1]))])
-    count = max(2, math.ceil(elements[-1]))
-    found: Array = length - np.interp(elements[-1] * np.linspace(1.0, 0.0, count + 1), elements, distance)
-    found[0], found[-1] = 0.0, length
-    return found
+
+def refuse_unless_whole(body: Body) -> None:
+    """Refuse a body that is no roller with free ends."""
+    if body.length is None or not all(body.free_faces):
+        remedy = "write side_faces = 'free', or depth = 'plane-strain'"
+        raise InputError("depth", "finite", "only be used for a body with two free side faces", remedy)
+    if body.images != 1:
+        raise InputError("images", body.images, "be 1 where depth = 'finite', which has them all", "leave it out")
+    outline, radius = outline_of(body)
+    slenderness = outline.half_length
+    if not _SHORTEST <= slenderness <= _LONGEST:
+        condition = f"only be used for a length of {_SHORTEST:g} to {_LONGEST:g} diameters, not {slenderness:.3g}"
+        raise InputError("depth", "finite", condition, _REMEDY)
+    if outline.steepest > _STEEPEST:
+        condition = f"only be used where the radius changes by less than {_STEEPEST:g} of the way along the axis"
+        raise InputError("depth", "finite", condition, _REMEDY)
+    if outline.wall < _THINNEST:
+        condition = f"leave a wall of {_THINNEST:g} times the radius at least, not {mm(outline.wall * radius):.3g}"
+        raise InputError("bore", body.bore, condition, "reduce the bore")
 
 
-def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Array:
-    """Return borders of elements with some places among them, next to which elements are no larger than between them.
-
-    Elements grow away from a place in proportion to their distance: beside the short wall of a step they are as short
-    as this wall.
-    """
-    if not kinks:
-        return borders
-    places = np.array([borders[0], *kinks, borders[-1]])
-    gaps = np.diff(places)
-    finest = np.minimum(np.minimum(gaps[:-1], gaps[1:]), smallest)
-    found = [places[:1]]
-    for low, high in itertools.pairwise(places.tolist()):
-        # Distances down to where elements no longer shrink.
-        near = np.geomspace(min(0.1 * np.min(finest) / (high - low), 0.1), 0.5, _FINE)
-        fine = low + (high - low) * np.concatenate([[0.0], near, 1.0 - near[-2::-1], [1.0]])
-        fine[-1] = high
-        middle = 0.5 * (fine[1:] + fine[:-1])
-        at = np.clip(np.searchsorted(borders, middle) - 1, 0, borders.size - 2)
-        allowed = np.min(finest + (_GROWN - 1.0) * np.abs(middle[:, None] - places[1:-1]), axis=1)
-        elements = np.concatenate([[0.0], np.cumsum(np.diff(fine) / np.minimum(np.diff(borders)[at], allowed))])
-        count = max(1, round(elements[-1]))
-        found.append(np.interp(np.arange(1, count + 1) * elements[-1] / count, elements, fine))
-    return np.concatenate(found)
+def can_be_whole(body: Body) -> bool:
+    """Return whether a body can deform as a whole."""
+    try:
+        refuse_unless_whole(body)
+    except InputError as error:
+        return error.field == "bore"  # whose own sentence says what is wrong
+    return True
