@@ -36,7 +36,7 @@ QUICK = ["--no-stress"]
 def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     monkeypatch.chdir(tmp_path)
     # Figures take the time, and tests/unit/test_report.py looks at them.
-    monkeypatch.setattr(nonhertz.report.layout, "inline_svg", lambda *_: "<svg></svg>")
+    monkeypatch.setattr(nonhertz.report.layout, "image", lambda *_: b"<svg></svg>")
     Path("case.toml").write_text(CASE, encoding="utf-8")
     return "case.toml"
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import textwrap
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -86,7 +87,9 @@ def save_all(figures: Mapping[str, Figure], folder: Path) -> None:
 def image(figure: Figure, kind: Literal["svg", "png"]) -> bytes:
     """Return what `save` writes as one of its two files."""
     written = io.BytesIO()
-    with sheet_style():
+    with sheet_style(), warnings.catch_warnings():
+        # A file's name may have letters that the font lacks; the number beside it identifies it anyway.
+        warnings.filterwarnings("ignore", "Glyph .* missing")
         figure.savefig(written, format=kind, dpi=PNG_DPI, metadata={"Date": None} if kind == "svg" else None)
     return written.getvalue()
 

@@ -7,7 +7,7 @@ and no date: the same cases on the same machine give the same bytes.
 How it is made: a page is a list of sections (`page`). Those of results are what a terminal shows, too
 (`nonhertz.show`), with figures between them; the others are what the results rest on (`inputs`, `assumptions`,
 `method`), or several results side by side (`differences`). The templates and their style sheet only lay out tables,
-sentences, figures as inline SVG (`drawing`), and files as links that contain them (`downloads`).
+sentences, figures as images that contain their SVG, and files as links that contain them (`downloads`).
 """
 
 from nonhertz.files.title_block import TitleBlock as TitleBlock

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import functools
 import platform
 import re
@@ -16,8 +17,8 @@ from nonhertz.amounts import chosen
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.title_block import TitleBlock
+from nonhertz.plot.sheets import image
 from nonhertz.report.downloads import Download
-from nonhertz.report.drawing import inline_svg
 from nonhertz.report.results import Results
 from nonhertz.show.sections import Block, Picture, Row, Section, shown_columns
 
@@ -110,7 +111,6 @@ class Words:
 
 def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: Sequence[Part]) -> str:
     """Return the text of a page, which begins with a sentence on what was solved."""
-    numbers = count(1)  # of figures, in the order of the page
     page = (
         _environment()
         .get_template("report.html")
@@ -124,7 +124,8 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
             opening=opening,
             parts=parts,
             kind_of=lambda block: type(block).__name__,
-            drawn=lambda picture: _drawn(picture, next(numbers)),
+            numbers=count(1),  # of figures, in the order of the page
+            drawn=_drawn,
             columns=shown_columns,
             versions={"nonhertz": __version__, "Python": platform.python_version()}
             | {name: metadata.version(name) for name in _PACKAGES},
@@ -133,9 +134,9 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
     return page.strip() + "\n"
 
 
-def _drawn(picture: Picture, number: int) -> tuple[int, Markup]:
-    """Return the number of a figure, and the figure."""
-    return number, _safe(inline_svg(picture.figure, f"figure-{number}", picture.caption, picture.description))
+def _drawn(picture: Picture) -> str:
+    """Return a figure as an address that holds it: a document of its own, whose identifiers meet no others."""
+    return f"data:image/svg+xml;base64,{base64.b64encode(image(picture.figure, 'svg')).decode()}"
 
 
 def linked(text: str) -> Markup:
