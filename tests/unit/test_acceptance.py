@@ -1,7 +1,6 @@
 """The last check: no solution leaves the package that does not meet what was prescribed."""
 
 import warnings
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +9,7 @@ from core_pieces import interpret
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.outcome import outcome
-from nonhertz.solver.one import levels_of, problem_of
+from nonhertz.solver.one import problem_of, states_of
 from nonhertz.strip.records import CONVERGED
 
 FINITE = nh.Contact(
@@ -23,15 +22,17 @@ PARTLY = {"load": 2e3, "tilt": 5e-4}  # lifts off on one side
 def solved(given):
     prescription = Prescription(**given)
     problem = problem_of(FINITE, prescription, nh.SEMI_ELLIPTIC)
-    return problem, levels_of(FINITE, problem, 31)
+    (found,) = states_of(problem, 31, problem.target[None])
+    return problem, found
 
 
-def verdict(problem, levels, **changed):
+def verdict(problem, found, **changed):
     """What is said of the solution with some arrays of its state changed."""
-    finest, *coarser = levels.states
-    wrong = replace(levels, states=(finest._replace(**{k: v(finest) for k, v in changed.items()}), *coarser))
+    finest, *coarser = found.states
+    changes = {k: v(finest.one(0))[None] for k, v in changed.items()}
+    wrong = found._replace(states=(finest._replace(**changes), *coarser))
     with pytest.raises(nh.ConvergenceError) as caught:
-        outcome(FINITE, problem, wrong)
+        outcome(problem, wrong)
     assert caught.value.solution.status is nh.Status.REFUTED
     return str(caught.value)
 
@@ -57,7 +58,7 @@ def at(name, place, value):
 
 @pytest.mark.parametrize("given", [BY_FORCE, BY_MOTION, PARTLY], ids=["forces", "motions", "partly"])
 def test_a_solution_passes(given):
-    assert outcome(FINITE, *solved(given)).status is nh.Status.CONVERGED
+    assert outcome(*solved(given)).status is nh.Status.CONVERGED
 
 
 @pytest.mark.parametrize(
@@ -88,8 +89,7 @@ def test_a_solution_passes(given):
     ],
 )
 def test_what_is_not_one_is_refuted_in_words(given, changed, words):
-    problem, levels = solved(given)
-    told = verdict(problem, levels, **changed)
+    told = verdict(*solved(given), **changed)
     assert words in told
     assert told.endswith("Try another number of strips, or a smaller load first.")
 
@@ -116,16 +116,16 @@ def test_an_interference_that_rounding_hides_is_no_solution_alone_or_among_many(
 
 
 def test_bodies_that_overlap_out_of_contact_are_refuted():
-    problem, levels = solved(PARTLY)
-    sharp = replace(problem, separation=lambda y: problem.separation(y) - 0.1 * (y < -8.0))
-    gap = levels.finest.gap - 0.1 * (levels.finest.y < -8.0)
-    assert "overlap by" in verdict(sharp, levels, gap=lambda state: gap)
+    problem, found = solved(PARTLY)
+    nearer = 0.1 * (found.grids.y < -8.0)
+    sharp = found._replace(grids=found.grids._replace(separation=found.grids.separation - nearer))
+    assert "overlap by" in verdict(problem, sharp, gap=lambda state: state.gap - nearer[0])
 
 
 def test_surfaces_of_another_curvature_are_refuted():
-    problem, levels = solved(BY_MOTION)
-    rounder = replace(problem, curvature=lambda y: 1.0001 * problem.curvature(y))
-    assert "the curvatures across the contact do not match" in verdict(rounder, levels)
+    problem, found = solved(BY_MOTION)
+    rounder = found._replace(grids=found.grids._replace(curvature=1.0001 * found.grids.curvature))
+    assert "the curvatures across the contact do not match" in verdict(problem, rounder)
 
 
 def test_a_loop_that_is_mistaken_of_itself_is_not_believed(monkeypatch):

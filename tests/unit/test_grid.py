@@ -2,6 +2,7 @@
 
 import warnings
 from dataclasses import dataclass, replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from nonhertz.solver.one import problem_of
 from nonhertz.strip import grid, overlaps
 from nonhertz.strip.influence import displacements
 from nonhertz.strip.levels import Refinement
-from nonhertz.strip.problem import row_of, solved_on
+from nonhertz.strip.problem import solved_on
 
 HALF = 10.0
 profile = nh.profile
@@ -322,8 +323,10 @@ def test_strips_that_end_within_the_contact_are_cut_off_there_and_not_at_the_bod
     problem, state = crowned_on_part(low, high, 30)
     # Overlaps are looked for within the strips only, or one beyond them would count as well.
     on_bodies, on_strips = (
-        Refinement(problem, interval, (low, high), (np.zeros(0), np.zeros(0)), problem.target[None], np.ones(1))
-        for interval in ((-10.0, 10.0), (low, high))
+        Refinement(
+            replace(problem, contact=contact), (low, high), (np.zeros(0), np.zeros(0)), problem.target[None], np.ones(1)
+        )
+        for contact in (problem.contact, SimpleNamespace(interval=(low, high)))
     )
     assert tuple(grid.reaching(state.row(), side).item() for side in (-1, 1)) == cut
     assert on_bodies.incomplete(state.row()).tolist() == [True]
@@ -355,7 +358,7 @@ def test_near_a_place_counts_the_widest_of_three_strips_in_contact():
 def crowned_on_part(low, high, strips):
     contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate())
     problem = problem_of(contact, Prescription(approach=0.01), nh.SEMI_ELLIPTIC)
-    return problem, solved_on(problem, *row_of(np.linspace(low, high, strips + 1))).one(0)
+    return problem, solved_on(problem, problem.model.kept_grid(np.linspace(low, high, strips + 1))).one(0)
 
 
 def test_a_kink_counts_in_contact_and_in_the_strips_beside_it():
@@ -372,7 +375,7 @@ def test_an_overlap_is_found_where_it_is_and_as_wide_as_it_is():
     relief[[41, 46]] = [-1.40e-4, -1.67e-4]
     contact = nh.Contact(nh.Roller(diameter=5, length=30, profile=profile.tabulated(y, relief, "linear")), nh.Plate())
     problem = problem_of(contact, Prescription(approach=-1.39e-4), nh.SEMI_ELLIPTIC)
-    state = solved_on(problem, *row_of(np.linspace(4.3, 4.6, 31))).one(0)
+    state = solved_on(problem, problem.model.kept_grid(np.linspace(4.3, 4.6, 31))).one(0)
     ((place, width),) = overlaps.overlaps(problem, state, (-15.0, 15.0))
     np.testing.assert_allclose(place, y[41], rtol=0.0, atol=1e-3)
     # One micrometre over a fall of 0.34 um (0.44 um) in 0.42 mm either way, seen twice as wide, in five strips.

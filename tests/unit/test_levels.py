@@ -44,12 +44,12 @@ def test_a_case_that_diverged_wants_no_finer_grid():
     contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
     problem = problem_of(contact, Prescription(load=1e3, tilt=0.0), nh.SEMI_ELLIPTIC)
     diverged = SimpleNamespace(
-        rigid=np.full((1, 2), np.inf), load=np.array([1e3]), converged=np.array([False]), counts=np.array([24])
+        rigid=np.full((1, 2), np.inf), scaled_load=np.array([1e3]), converged=np.array([False]), counts=np.array([24])
     )
     learning = strip_levels.Refinement(
-        problem, (-10.0, 10.0), (-10.0, 10.0), (np.zeros(0), np.zeros(0)), np.array([[1e3, 0.0]]), np.ones(1)
+        problem, (-10.0, 10.0), (np.zeros(0), np.zeros(0)), np.array([[1e3, 0.0]]), np.ones(1)
     )
-    assert learning.finer_wanted([diverged, diverged], 1e-4) == 1.0
+    assert learning.finer_wanted([diverged, diverged]) == 1.0
 
 
 @pytest.mark.filterwarnings("ignore:.*maximum pressure is not known")
@@ -71,7 +71,7 @@ def test_a_grid_can_be_given_to_another_solve():
 def test_very_many_strips_are_not_tried_for_hours_where_fewer_have_no_solution(monkeypatch):
     tried = []
 
-    def failing(grids, given, law, near, found, tolerance, patient):
+    def failing(grids, conditions, kernel, near, found, tolerance, patient):
         tried.append((found.m.shape[1], patient))
 
     monkeypatch.setattr("nonhertz.strip.problem.solve_on_strips", failing)
@@ -100,7 +100,7 @@ def test_bodies_without_ends_are_looked_at_as_far_as_the_contact_calls_for(times
             load=load * times**2, radius_x=50 * times, radius_y=50 * times, compliance=contact.compliance
         )
         given = Prescription(approach=exact.approach)
-    low, high = strip_levels.bounded(problem_of(contact, given, nh.SEMI_ELLIPTIC), contact.interval)
+    low, high = strip_levels.bounded(problem_of(contact, given, nh.SEMI_ELLIPTIC))
     assert low < -exact.half_length
     assert high > exact.half_length
     assert high - low < 20.0 * exact.half_length

@@ -130,8 +130,8 @@ def test_the_state_that_an_unconverged_case_reached_comes_back(tmp_path, monkeyp
 
     def unsettled(*arguments):
         groups = settled(*arguments)
-        for _, levels in groups:
-            levels[0].status[:] = 1
+        for each in groups:
+            each.states[0].status[:] = 1
         return groups
 
     monkeypatch.setattr(portions, "states_of", unsettled)

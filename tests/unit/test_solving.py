@@ -24,12 +24,12 @@ def problem():
 
 def raised(problem):
     """Return how raising the load of the problem ends, and the state that it leaves."""
-    grids, found = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1)
+    grids, found = problem.model.deep(problem.model.grids(*STRIPS)), States.unsolved(*STRIPS, 1)
     unknowns = solving.unknowns_of(found, 0, found.m.shape[1])
     conditions = BoundaryConditions(problem.prescribed, problem.target)
     options = NewtonOptions(TOLERANCE, 1.0, True)
     status, *_ = solving.loop(
-        solving.strips_of(grids, 0), conditions, problem.kernel, unknowns, grids.min_depth[0], options, True
+        solving.strips_of(grids, 0), conditions, problem.model.kernel, unknowns, grids.min_depth[0], options, True
     )
     return status, found.one(0)
 
@@ -72,15 +72,24 @@ def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(p
 def test_a_case_that_cannot_follow_is_left_as_it_was():
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000))
     problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription(approach=0.01, tilt=0.0), nh.SEMI_ELLIPTIC)
-    grids, found, answer = problem.grids(*STRIPS), States.unsolved(*STRIPS, 1), np.zeros(6)
+    grids, found, answer = problem.model.deep(problem.model.grids(*STRIPS)), States.unsolved(*STRIPS, 1), np.zeros(6)
     target = problem.target[None]
     solving.solve_on_strips(
-        grids, BoundaryConditions(problem.prescribed, target), problem.kernel, States.none(), found, TOLERANCE, False
+        grids,
+        BoundaryConditions(problem.prescribed, target),
+        problem.model.kernel,
+        States.none(),
+        found,
+        TOLERANCE,
+        False,
     )
     assert found.status[0] == CONVERGED
     before = [each.copy() for each in found]
-    remote, apart = blank_remote(21, problem.kernel), BoundaryConditions(problem.prescribed, np.array([[-1.0, 0.0]]))
-    assert not solving.follow(grids, apart, problem.kernel, remote, np.zeros(1), found, answer)
+    remote, apart = (
+        blank_remote(21, problem.model.kernel),
+        BoundaryConditions(problem.prescribed, np.array([[-1.0, 0.0]])),
+    )
+    assert not solving.follow(grids, apart, problem.model.kernel, remote, np.zeros(1), found, answer)
     for was, each in zip(before, found, strict=True):
         np.testing.assert_array_equal(each, was)
     assert not answer.any()

@@ -71,9 +71,9 @@ class StripLaw:
             contact, element, np.zeros(2, dtype=np.bool_), np.zeros(2), ACCURACY, accuracy_given=False
         )
         self._given = self._problem.prescribed
-        few = equal_grids(self._problem, contact.interval, SAMPLES)[0]
+        few = equal_grids(self._problem, SAMPLES)[0]
         self._low, self._high = float(few[0]), float(few[-1])
-        self._y, self._h = self._problem.surveyed(self._low, self._high, SAMPLES)
+        self._y, self._h = self._problem.model.surveyed(self._low, self._high, SAMPLES)
         self._half = 0.5 * (self._high - self._low)
         self._other: StripLaw | None = None
         self._few: Grids | None = None
@@ -109,7 +109,7 @@ class StripLaw:
             most = np.maximum(most, overlap[rows, k])
             y = np.broadcast_to(y, overlap.shape)
             y = np.linspace(y[rows, np.maximum(k - 1, 0)], y[rows, np.minimum(k + 1, y.shape[1] - 1)], LOOKS, axis=1)
-            h = self._problem.separation(y.ravel()).reshape(y.shape)
+            h = self._problem.model.separation(y.ravel()).reshape(y.shape)
         return most
 
     def lay_anew(self) -> None:
@@ -146,7 +146,7 @@ class StripLaw:
             self._find(missing)
         for at, row in twins:
             kept = self._kept[int(rows[at])] = self._kept[row]
-            answers[at, :OVERLAP] = kept.answer / self._problem.compliance
+            answers[at, :OVERLAP] = kept.answer / self.contact.compliance
         answers[:, OVERLAP] = depth
         return answers
 
@@ -164,7 +164,10 @@ class StripLaw:
         high = min((bend for bend in bends if bend > even[-2]), default=self._high)
         parts = width * np.array([0.0, 1 / 16, 1 / 4])
         edges = np.unique(np.concatenate([even, low + parts, high - parts]))
-        self._few = self._problem.grids(*row_of(edges))
+        self._few = self._laid(*row_of(edges))
+
+    def _laid(self, count: Indices, edges: Array) -> Grids:
+        return self._problem.model.deep(self._problem.model.grids(count, edges))
 
     def _known(self, row: int, pose: Pose, depth: float) -> bool:
         """Bring a contact to where it is asked, on the strips that it has; return whether that can be done."""
@@ -187,7 +190,7 @@ class StripLaw:
         """Let a contact follow on its strips; return whether it could."""
         remote, widest = self._remote_of(row, kept.grids)
         given = BoundaryConditions(self._given, np.array([pose]))
-        followed = follow(kept.grids, given, self._problem.kernel, remote, widest, kept.states, kept.answer)
+        followed = follow(kept.grids, given, self._problem.model.kernel, remote, widest, kept.states, kept.answer)
         kept.asked = pose if followed else kept.asked
         return followed
 
@@ -195,7 +198,7 @@ class StripLaw:
         """Solve a contact on its strips from the start; return whether it has a solution there."""
         given = BoundaryConditions(self._given, np.array([pose]))
         states = States.unsolved(kept.grids.counts, kept.grids.edges, 1)
-        solve_on_strips(kept.grids, given, self._problem.kernel, kept.states, states, TOLERANCE, False)
+        solve_on_strips(kept.grids, given, self._problem.model.kernel, kept.states, states, TOLERANCE, False)
         if states.status[0] != CONVERGED:
             return False
         kept.states, kept.asked, kept.answer = states, pose, _answer(states)
@@ -208,7 +211,7 @@ class StripLaw:
         if found is None or found[0].powers.shape[0] != grids.counts[0]:
             if len(self._remote) >= KEPT_REMOTE:
                 self._remote.clear()
-            found = self._remote[row] = blank_remote(int(grids.counts[0]), self._problem.kernel), np.zeros(1)
+            found = self._remote[row] = blank_remote(int(grids.counts[0]), self._problem.model.kernel), np.zeros(1)
         return found
 
     def _find(self, missing: dict[int, tuple[Pose, float]]) -> None:
@@ -217,7 +220,7 @@ class StripLaw:
             for row, (pose, depth) in missing.items():
                 states = States.unsolved(self._few.counts, self._few.edges, 1)
                 given = BoundaryConditions(self._given, np.array([pose]))
-                solve_on_strips(self._few, given, self._problem.kernel, States.none(), states, TOLERANCE, False)
+                solve_on_strips(self._few, given, self._problem.model.kernel, States.none(), states, TOLERANCE, False)
                 self._kept[row] = _Kept(self._few, states, pose, depth, pose, _answer(states))
             missing = {row: each for row, each in missing.items() if self._kept[row].states.status[0] != CONVERGED}
         else:
@@ -249,7 +252,7 @@ class StripLaw:
         self._near = near
         if not fits:
             return False
-        grids = self._problem.grids(kept.grids.counts, kept.grids.edges)
+        grids = self._laid(kept.grids.counts, kept.grids.edges)
         # Under the same load half-widths are as the roots of the radii, and r as the curvature.
         sharper = grids.curvature / kept.grids.curvature
         states = kept.states._replace(
@@ -268,15 +271,14 @@ class StripLaw:
         if not missing:
             return
         rows, poses = list(missing), np.array([pose for pose, _ in missing.values()])
-        groups = on_automatic_strips(self._problem, self.contact.interval, self.contact.bends, poses)
-        for cases, levels in groups:
-            for k, case in enumerate(cases.tolist()):
-                row, states = rows[case], levels[0].one(k).row()
+        for solved in on_automatic_strips(self._problem, poses):
+            for k, case in enumerate(solved.cases.tolist()):
+                row, states = rows[case], solved.states[0].one(k).row()
                 pose, depth = missing[row]
                 if states.status[0] != CONVERGED:
                     at = f"an approach of {um(pose[0]):.6g} and a tilt of {mrad(pose[1]):.6g}"
                     raise ConvergenceError(f"The contact of a roller at {at} has no solution.", None)
-                grids = self._problem.grids(states.counts, states.edges)
+                grids = self._laid(states.counts, states.edges)
                 self._remote.pop(row, None)
                 self._kept[row] = _Kept(grids, states, pose, depth, pose, _answer(states))
 

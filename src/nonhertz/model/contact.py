@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +15,7 @@ from nonhertz.model.body import Body
 from nonhertz.model.profile.base import places
 
 Array = NDArray[np.float64]
+Derived = TypeVar("Derived")
 
 # Fraction of the distance from y = 0 by which two bodies must overlap, so that positions within can be distinguished.
 RESOLVED = 1e-8
@@ -57,7 +61,7 @@ class Contact:
             condition = f"let the bodies overlap by more than {RESOLVED:g} of their distance from y = 0"
             raise InputError("position", self.b.position, condition, "move both bodies towards y = 0")
 
-    @property
+    @cached_property
     def interval(self) -> tuple[float, float]:
         """The axial interval [mm] on which both bodies can touch; infinite on a side where neither ends."""
         (low_a, high_a), (low_b, high_b) = self.a.interval, self.b.interval
@@ -71,20 +75,27 @@ class Contact:
         # Chamfers may leave nothing between them, and the lands of both bodies may miss each other.
         return (low, high) if low < high else self.interval
 
-    @property
+    @cached_property
     def bends(self) -> tuple[float, ...]:
         """Axial positions [mm] where either relief bends, ascending."""
         return tuple(sorted({*self.a.bends, *self.b.bends}))
 
-    @property
+    @cached_property
     def crests(self) -> tuple[float, ...]:
         """Axial positions [mm] at which either relief may stand out, ascending; bends are among them."""
         return tuple(sorted({*self.a.crests, *self.b.crests, *self.bends}))
 
-    @property
+    @cached_property
     def compliance(self) -> float:
         """Sum of both half-space compliances K = (1 - nu^2) / (pi E) [1/MPa]."""
         return self.a.material.compliance + self.b.material.compliance
+
+    @cached_property
+    def _derived(self) -> dict[Hashable, Any]:
+        return {}
+
+    def __getstate__(self) -> dict[str, Body]:
+        return {"a": self.a, "b": self.b}
 
     def separation(self, y: ArrayLike) -> Array:
         """Return the undeformed separation h [mm] on the centre line: the sum of both reliefs."""
@@ -115,3 +126,12 @@ class Contact:
                 "make the concave body's diameter larger than the convex one's",
             )
         return combined
+
+
+def derived(contact: Contact, what: Hashable, make: Callable[[], Derived]) -> Derived:
+    """Return what follows from a contact alone, worked out by ``make`` once and kept with it."""
+    known = contact._derived
+    if what not in known:
+        known[what] = make()
+    found: Derived = known[what]
+    return found

@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.bodies.ends import FINITE_FROM, edge_powers
 from nonhertz.findings import Finding, finding, said
-from nonhertz.model.contact import Contact
 from nonhertz.result.end_fit import FIT_REACH, fitted_strength
 from nonhertz.result.ends import corner_ends
 from nonhertz.result.solution import EdgeKind, EdgePressure
@@ -36,26 +35,28 @@ LEAST_EXPONENT = 0.1
 AT_ONE_PLACE = 0.01  # of the last strip
 
 
-def edge_pressures(contact: Contact, problem: Problem, state: States) -> tuple[EdgePressure, EdgePressure]:
+def edge_pressures(problem: Problem, state: States) -> tuple[EdgePressure, EdgePressure]:
     """Return the pressures at the low and the high end of a solved contact."""
-    return _edge_pressure(contact, problem, state, -1), _edge_pressure(contact, problem, state, 1)
+    return _edge_pressure(problem, state, -1), _edge_pressure(problem, state, 1)
 
 
-def corners(contact: Contact, problem: Problem, state: States) -> tuple[float, ...]:
+def corners(problem: Problem, state: States) -> tuple[float, ...]:
     """Return the corners of the profile at which a contact ends under pressure [mm], ascending."""
-    if not contact.bends:
+    if not problem.contact.bends:
         return ()
-    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
-    return corner_ends(contact, state.edges, centre_pressure(contact, problem, state), half_width)
+    half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
+    return corner_ends(problem.contact, state.edges, centre_pressure(problem, state), half_width)
 
 
-def centre_pressure(contact: Contact, problem: Problem, state: States) -> Array:
+def centre_pressure(problem: Problem, state: States) -> Array:
     """Return the pressure on the centre line of every strip [MPa]."""
-    pressure: Array = 2.0 * state.scaled_pressure / (np.pi * problem.element.hertz_ratio * contact.compliance)
+    pressure: Array = (
+        2.0 * state.scaled_pressure / (np.pi * problem.model.element.hertz_ratio * problem.contact.compliance)
+    )
     return pressure
 
 
-def singular_places(contact: Contact, problem: Problem, states: States) -> Array:
+def singular_places(problem: Problem, states: States) -> Array:
     """Return the ends of contacts on the same strips at which the pressure has no limit [mm].
 
     Returns
@@ -67,11 +68,11 @@ def singular_places(contact: Contact, problem: Problem, states: States) -> Array
     for side in (-1, 1):
         place = states.edges[:, -1 if side > 0 else 0]
         ends_there = reaching(states, side) & pressed(problem, states.edges, states.rigid, side)
-        sharp = {row: _is_sharp(contact, problem, states.strips(row), side) for row in states.rows(ends_there)}
+        sharp = {row: _is_sharp(problem, states.strips(row), side) for row in states.rows(ends_there)}
         here = np.broadcast_to([sharp.get(row, False) for row in range(place.size)], ends_there.shape)
         columns.append(np.where(here & ends_there, place, np.nan))
-    if contact.bends:
-        of_cases = [corners(contact, problem, states.one(case)) for case in range(states.status.size)]
+    if problem.contact.bends:
+        of_cases = [corners(problem, states.one(case)) for case in range(states.status.size)]
         most = max(map(len, of_cases))
         columns += np.array([(*each, *[np.nan] * (most - len(each))) for each in of_cases]).T.tolist()
     return np.array(columns).T
@@ -94,15 +95,15 @@ def pressed(problem: Problem, edges: Array, rigid: Array, side: int) -> Flags:
         -1 at the low, 1 at the high end.
     """
     place = np.atleast_1d(edges[..., -1 if side > 0 else 0])
-    overlap: Flags = rigid[..., 0] + rigid[..., 1] * place > problem.separation(place)
+    overlap: Flags = rigid[..., 0] + rigid[..., 1] * place > problem.model.separation(place)
     return overlap if rigid.ndim > 1 else overlap[0]
 
 
-def _is_sharp(contact: Contact, problem: Problem, edges: Array, side: int) -> bool:
+def _is_sharp(problem: Problem, edges: Array, side: int) -> bool:
     """Return whether a contact that extends to the end of the strips ends at a sharp end of a body."""
     at, next_in = (-1, -2) if side > 0 else (0, 1)
     place, width = float(edges[at]), abs(float(edges[at] - edges[next_in]))
-    return place in contact.interval and _freed(problem, place, side, AT_ONE_PLACE * width)[0] < FINITE_FROM
+    return place in problem.contact.interval and _freed(problem, place, side, AT_ONE_PLACE * width)[0] < FINITE_FROM
 
 
 def sharp_end_error(edges: tuple[EdgePressure, ...], length: float) -> float:
@@ -123,7 +124,7 @@ def left_at_sharp_ends(problem: Problem, state: States, edges: tuple[EdgePressur
     load that a length of one half-width bears there: for kappa = 0, 0.0150 of its share of the load on a straight
     roller and 0.0103 on a crowned one, against three-dimensional solutions; `LEFT_AT_END` is above both.
     """
-    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
+    half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
     left = 0.0
     for edge in edges:
         if edge.kind is EdgeKind.SINGULAR:
@@ -145,11 +146,11 @@ def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[flo
 
     The second is what `nonhertz.bodies.ends.End` calls free.
     """
-    found = [end for end in problem.influence.ends if end.side == side and abs(end.y - place) <= reach]
+    found = [end for end in problem.model.influence.ends if end.side == side and abs(end.y - place) <= reach]
     return min(sum(end.image_weight for end in found), 1.0), min(sum(end.free for end in found), 1.0)
 
 
-def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int) -> EdgePressure:
+def _edge_pressure(problem: Problem, state: States, side: int) -> EdgePressure:
     at = -1 if side > 0 else 0
     place, width = float(state.edges[at]), float(state.width[at])
     if not reaches(state.edges, state.m, side) or not pressed(problem, state.edges, state.rigid, side):
@@ -157,23 +158,23 @@ def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int)
         y = touched[at][(side + 1) // 2] if touched else place
         words = said("the contact ends before both bodies do")
         return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, 0.0, words)
-    pressure = centre_pressure(contact, problem, state)[::-side]
-    if place not in contact.interval:
+    pressure = centre_pressure(problem, state)[::-side]
+    if place not in problem.contact.interval:
         words = said("the strips end before the contact does")
         return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, 0.0, words)
-    convention = _convention(contact, problem, place, side, AT_ONE_PLACE * width)
+    convention = _convention(problem, place, side, AT_ONE_PLACE * width)
     kappa, free = _freed(problem, place, side, AT_ONE_PLACE * width)
-    if not _is_sharp(contact, problem, state.edges, side):
+    if not _is_sharp(problem, state.edges, side):
         return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, None, 0.0, convention)
     first, second, _ = edge_powers(kappa, free)
     exponent = -first
-    half_width = problem.element.hertz_ratio * math.sqrt(float(state.m[at]))
+    half_width = problem.model.element.hertz_ratio * math.sqrt(float(state.m[at]))
     strength = correction = None
     # The face of the other body a little further out distorts the pressure where K would be fitted.
     alone = (kappa, free) == _freed(problem, place, side, FIT_REACH * half_width)
     if alone and exponent >= LEAST_EXPONENT:
         distance = np.abs(state.edges - place)[::-side]
-        strength, correction = fitted_strength(distance, pressure, (kappa, free), half_width, problem.element)
+        strength, correction = fitted_strength(distance, pressure, (kappa, free), half_width, problem.model.element)
     return EdgePressure(
         place,
         EdgeKind.SINGULAR,
@@ -188,12 +189,12 @@ def _edge_pressure(contact: Contact, problem: Problem, state: States, side: int)
     )
 
 
-def _convention(contact: Contact, problem: Problem, place: float, side: int, reach: float) -> Finding:
+def _convention(problem: Problem, place: float, side: int, reach: float) -> Finding:
     """Describe for each body whether it ends at ``place``, and how its side face is treated there."""
     index, words, short = (side + 1) // 2, [], {}
-    for which, (name, body) in enumerate((("a", contact.a), ("b", contact.b))):
+    for which, (name, body) in enumerate((("a", problem.contact.a), ("b", problem.contact.b))):
         face = body.faces[index]
-        weight = max((end.weights[which] for end in problem.influence.ends if end.side == side), default=0.0)
+        weight = max((end.weights[which] for end in problem.model.influence.ends if end.side == side), default=0.0)
         if abs(body.interval[index] - place) > reach:
             words.append(f"{name} goes on")
         elif math.isfinite(face) and abs(face - place) > reach:

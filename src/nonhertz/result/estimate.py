@@ -89,7 +89,7 @@ def error_estimate(
     reach = 0.5 * float(np.ptp(state.edges))
 
     def largest(of: States) -> float:
-        return highest if of is state else _largest(problem.element.hertz_ratio, singular, of)
+        return highest if of is state else _largest(problem.model.element.hertz_ratio, singular, of)
 
     return ErrorEstimate(
         approach=max(floor, error(partial(_beyond, before_touch)) + unseen[0]) + left if by_load else 0.0,
@@ -110,12 +110,12 @@ def error_estimate(
 
 def has_whole_roller(problem: Problem) -> bool:
     """Return whether a body is a whole roller, of which modes and polynomials leave `LEFT_BY_MODES`."""
-    return any(isinstance(each, AxisOfRoller) for each in problem.influence.references)
+    return any(isinstance(each, AxisOfRoller) for each in problem.model.influence.references)
 
 
 def _raised_at_ends(problem: Problem, state: States, edges: tuple[EdgePressure, ...], highest: float) -> float:
     """Return the relative error of the largest pressure if it is that a half-width from a sharp end, in wide strips."""
-    half_width, raised = problem.element.hertz_ratio * np.sqrt(state.m), 0.0
+    half_width, raised = problem.model.element.hertz_ratio * np.sqrt(state.m), 0.0
     for edge in edges:
         distance = np.where(state.m > 0.0, np.abs(state.y - edge.y) - half_width, np.inf)
         if np.count_nonzero(distance <= 0.0) < FEW_AT_END and np.isfinite(distance).any():
@@ -133,7 +133,7 @@ def _beside_strips(problem: Problem, levels: Levels, singular: Array, ripples: A
     strip may well have the largest pressure.
     """
     state = levels.finest
-    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
+    half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
     bearing = state.m > 0.0
     hidden, sure = 0.0, []
     for end in singular:
@@ -167,7 +167,7 @@ def _falls_away(problem: Problem, state: States, end: float, half_width: float) 
     """Return whether the bodies overlap less at an end than a half-width inside."""
     inside = end + math.copysign(half_width, float(np.mean(state.edges)) - end)
     places = np.array([end, inside])
-    at_end, before = state.rigid[0] + state.rigid[1] * places - problem.separation(places)
+    at_end, before = state.rigid[0] + state.rigid[1] * places - problem.model.separation(places)
     return bool(at_end < (1.0 - FALLS_AWAY) * before)
 
 
@@ -197,7 +197,7 @@ def _largest(hertz_ratio: float, singular: Array, state: States) -> float:
 
 def wider_than_long(problem: Problem, states: States) -> Flags:
     """Return which contacts are wider than their longest piece is long."""
-    return _wide(states, problem.element.hertz_ratio)
+    return _wide(states, problem.model.element.hertz_ratio)
 
 
 @compiled
@@ -224,21 +224,21 @@ def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array
     large = min(LARGE_ERROR, problem.accuracy) if problem.accuracy_given and problem.accuracy else LARGE_ERROR
     wide = wider_than_long(problem, finest)
     share = np.where(wide, 2.0 * SAFETY, LEFT_OF_CHANGE) if problem.accuracy else 2.0 * SAFETY
-    highest = partial(_pressures, problem.element.hertz_ratio, singular)
+    highest = partial(_pressures, problem.model.element.hertz_ratio, singular)
     unsure: Flags = np.full(finest.status.shape, len(levels) == 1)
     width = finest.width
     last = np.stack([width[:, 0], np.take_along_axis(width, finest.counts[:, None] - 1, axis=1)[:, 0]])
-    few = FEW_AT_END * last.max(axis=0) > problem.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
+    few = FEW_AT_END * last.max(axis=0) > problem.model.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
     unsure |= (few | problem.accuracy_given) & np.any(np.isfinite(singular), axis=1)
     loads = finest.r * finest.m * width
     mean, ripples = roughness(departures(within(problem, finest.edges)[1]), width, loads)
     y = finest.y
-    separation = problem.separation(y.ravel()).reshape(y.shape)
+    separation = problem.model.separation(y.ravel()).reshape(y.shape)
     penetration = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * y - separation, axis=1)
     total = np.sum(loads, axis=1)
     for known, left in ((penetration, mean), (total, finest.stiffness[:, 0, 0] * mean)):
         unsure |= left > 0.5 * large * np.abs(known)
-    half_width = problem.element.hertz_ratio * np.sqrt(finest.m)
+    half_width = problem.model.element.hertz_ratio * np.sqrt(finest.m)
     summits = np.where(distance_beyond(y, half_width, singular) > 0.0, cusps(finest.scaled_pressure), 0.0)
     for beside in (np.max(np.where(loads > 0.0, ripples, 0.0), axis=1), np.max(summits, axis=1) - highest(finest)):
         unsure |= beside > 0.5 * LARGE_PRESSURE_ERROR * highest(finest)

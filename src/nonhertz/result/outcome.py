@@ -25,9 +25,9 @@ from nonhertz.result.validity import (
 )
 from nonhertz.strip.acceptance import shortfall, steady
 from nonhertz.strip.grid import contact_of, kinks_of
-from nonhertz.strip.levels import Levels
+from nonhertz.strip.levels import Levels, Solved, levels_from
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, States
+from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, Grids, States
 
 Array = NDArray[np.float64]
 
@@ -35,8 +35,8 @@ _WAY_OUT = "Try another number of strips, or a smaller load first."
 _STATUS = {CONVERGED: Status.CONVERGED, ITERATION_LIMIT: Status.ITERATION_LIMIT, STAGNATED: Status.STAGNATED}
 
 
-def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
-    """Return the solution with its warnings.
+def outcome(problem: Problem, solved: Solved) -> Solution:
+    """Return the solution of the only case in ``solved``, or refuse it.
 
     Raises
     ------
@@ -45,43 +45,53 @@ def outcome(contact: Contact, problem: Problem, levels: Levels) -> Solution:
     ConvergenceError
         If the Newton loop failed, or if its solution does not meet what was prescribed.
     """
-    solution = _solution(contact, problem, levels)
+    levels = levels_from(problem, [level.one(0) for level in solved.states])
+    solution = _solution(problem, levels)
     refuse_wide(solution, problem)
     refuse_wide_series(solution)
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(f"{solution.status.value} {_WAY_OUT}", solution)
-    unmet = _shortfall(solution, problem)
+    unmet = _shortfall(solution, problem, solved.grids)
     if unmet is not None:
         raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))
-    found = *strains(solution, problem, levels.finest), *singularities(solution)
-    return replace(solution, findings=found)
+    return _with_findings(solution, problem, levels)
 
 
-def _shortfall(solution: Solution, problem: Problem) -> str | None:
+def _shortfall(solution: Solution, problem: Problem, grids: Grids) -> str | None:
     """Return what a converged solution fails to meet, from its arrays alone."""
     if not getattr(steady, "py_func", steady)(solution.stiffness, float(np.max(np.abs(solution.edges)))):
         return "The stiffness of the state reached is negative or not finite: the equilibrium is unstable."
     motion = np.array([solution.approach, solution.tilt])
-    return shortfall(problem, solution.edges, solution.line_load, solution.element_half_width, solution.gap, motion)
+    return shortfall(problem, grids, solution.line_load, solution.element_half_width, solution.gap, motion)
 
 
-def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
-    state, compliance = levels.finest, contact.compliance
+def solution_of(problem: Problem, levels: Levels) -> Solution:
+    """Return a solution that is known to meet what was prescribed."""
+    return _with_findings(_solution(problem, levels), problem, levels)
+
+
+def _with_findings(solution: Solution, problem: Problem, levels: Levels) -> Solution:
+    return replace(solution, findings=(*strains(solution, problem, levels.finest), *singularities(solution)))
+
+
+def _solution(problem: Problem, levels: Levels) -> Solution:
+    state, contact = levels.finest, problem.contact
+    compliance = contact.compliance
     # A loop that failed may leave any values.
     with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
-        edges = edge_pressures(contact, problem, state)
+        edges = edge_pressures(problem, state)
         line_load, stiffness = state.r * state.m / compliance, state.stiffness / compliance
-    at_corners = corners(contact, problem, state) if state.converged else ()
-    edges = _with_corners(contact, problem, state, edges, at_corners)
+    at_corners = corners(problem, state) if state.converged else ()
+    edges = _with_corners(problem, state, edges, at_corners)
     sharp = (edge.y for edge in edges if edge.kind is EdgeKind.SINGULAR)
     singular = singular_ends(sharp, at_corners, float(np.ptp(state.edges)))
     places = np.array([end.y for end in singular])
-    half_width = problem.element.hertz_ratio * np.sqrt(state.m)
+    half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
     highest, at = map(float, largest_pressure(state.y, state.scaled_pressure, half_width, places))
     within = bool(state.converged) and _is_at_kink(contact, state, at, places)
     return Solution(
         contact=contact,
-        element=problem.element,
+        element=problem.model.element,
         status=_STATUS[int(state.status)],
         approach=float(state.rigid[0]),
         tilt=float(state.rigid[1]),
@@ -103,14 +113,13 @@ def _solution(contact: Contact, problem: Problem, levels: Levels) -> Solution:
 
 
 def _with_corners(
-    contact: Contact,
     problem: Problem,
     state: States,
     ends: tuple[EdgePressure, EdgePressure],
     at_corners: tuple[float, ...],
 ) -> tuple[EdgePressure, EdgePressure]:
     """Return the pressures at both ends, with run-outs that in fact press against a corner marked as corners."""
-    pressure = centre_pressure(contact, problem, state)
+    pressure = centre_pressure(problem, state)
     low, high = ends
     bearing = np.flatnonzero(state.m > 0.0)
     for corner in at_corners:

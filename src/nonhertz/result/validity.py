@@ -39,7 +39,7 @@ from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.grid import reaching
 from nonhertz.strip.overlaps import overlapping, runs, suspects
 from nonhertz.strip.problem import Problem, winkler_state
-from nonhertz.strip.records import States
+from nonhertz.strip.records import Grids, States
 from nonhertz.strip.solving import SCARCELY
 
 Array = NDArray[np.float64]
@@ -49,14 +49,14 @@ AT_CORNER = 1.5  # strips: a maximum this close to a corner of the profile is at
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then accurate to 0.2 %
 
 
-def suspected(contact: Contact, problem: Problem, levels: Sequence[States], singular: Array, peak: Array) -> Flags:
+def suspected(problem: Problem, levels: Sequence[States], singular: Array, peak: Array) -> Flags:
     """Return which of many cases may have warnings, at little cost; `outcome` decides whether they do.
 
     The warning about singular ends is left to the caller.
 
     Parameters
     ----------
-    contact, problem
+    problem : Problem
         What the cases share.
     levels : sequence of States
         The states of all cases on every grid, finest first.
@@ -65,16 +65,16 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
     peak : ndarray, shape (cases,)
         Where their largest pressures are [mm].
     """
-    finest = levels[0]
+    finest, contact = levels[0], problem.contact
     y, width = finest.y, finest.width
-    half_width = problem.element.hertz_ratio * np.sqrt(finest.m)
+    half_width = problem.model.element.hertz_ratio * np.sqrt(finest.m)
     # The summed strip width overestimates the length of a split contact, but split contacts are rarely wide.
     wide = 2.0 * half_width.max(axis=1) > 0.25 * np.sum((finest.m > 0.0) * width, axis=1)
     sharper = sharper_curvature(contact, y.ravel()).reshape(y.shape)
     flat = np.any(half_width * sharper > MOST_OF_RADIUS, axis=1)
     areas = np.sum(2.0 * half_width * width, axis=1)
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
-    hard = finest.scaled_load / problem.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
+    hard = finest.scaled_load / problem.contact.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
     pressed = np.max(
         finest.rigid[:, :1] + finest.rigid[:, 1:] * y - contact.separation_at(y.ravel()).reshape(y.shape), axis=1
     )
@@ -82,7 +82,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
         contact, np.broadcast_to(y, half_width.shape), half_width, finest.r * finest.m * width, finest.rigid
     )
     uneven = departure > 0.9 * MOST_UNEVEN * pressed
-    thin = np.any(problem.influence.min_depth(y) < LEAST_DEPTH * half_width, axis=1)
+    thin = np.any(problem.model.influence.min_depth(y) < LEAST_DEPTH * half_width, axis=1)
     region = _searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
     coarse = may_be_uncertain(problem, levels, singular) | suspects(problem, finest, region)
     for side in (-1, 1):
@@ -92,7 +92,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
         nearest = np.abs(peak[:, None] - np.array(contact.bends)).min(axis=1)
         beside = np.abs(y - peak[:, None]).argmin(axis=1)
         coarse |= nearest <= AT_CORNER * np.broadcast_to(width, finest.m.shape)[np.arange(peak.size), beside]
-    heavy = any(end.requested > HEAVIEST for end in problem.influence.ends)
+    heavy = any(end.requested > HEAVIEST for end in problem.model.influence.ends)
     found: Flags = wide | flat | hard | uneven | thin | coarse | heavy
     return found
 
@@ -100,7 +100,7 @@ def suspected(contact: Contact, problem: Problem, levels: Sequence[States], sing
 def strains(solution: Solution, problem: Problem, state: States) -> tuple[Finding, ...]:
     """Return every way in which the result leaves the model's validity."""
     return (
-        *(found for check in checks(solution, problem.influence.ends) for found in check.findings),
+        *(found for check in checks(solution, problem.model.influence.ends) for found in check.findings),
         *_large_errors(solution),
         *_short_of_accuracy(solution, problem),
         *_missed_contact(solution, problem, state),
@@ -255,7 +255,7 @@ def refuse_wide(solution: Solution, problem: Problem) -> None:
         half_width = solution.element.hertz_ratio * np.sqrt(winkler_state(problem, solution.edges).m)
     if not np.isfinite(np.max(half_width)):
         return
-    name, per = ("load", problem.compliance) if problem.prescribed[0] else ("approach", 1.0)
+    name, per = ("load", problem.contact.compliance) if problem.prescribed[0] else ("approach", 1.0)
     pressed = name, float(problem.target[0]) / per
     wide = np.flatnonzero(wider_than_round(solution.contact, solution.y, half_width))
     # Springs under a moment near the ends are wide whatever the load is.
@@ -275,6 +275,13 @@ def wider_than_round(contact: Contact, y: Array, half_width: Array) -> Flags:
     """Return where the half-width exceeds the radius of the more sharply curved body: its surface ends before."""
     beyond: Flags = half_width * sharper_curvature(contact, y.ravel()).reshape(y.shape) > 1.0
     return beyond
+
+
+def too_wide(problem: Problem, grids: Grids, states: States) -> Flags:
+    """Return where contacts are wider than their bodies are thick or round, for which each is refused."""
+    half_width = problem.model.element.hertz_ratio * np.sqrt(states.m)
+    thick: Flags = half_width <= grids.min_depth
+    return ~thick | wider_than_round(problem.contact, grids.y, half_width)
 
 
 def refuse_wide_series(solution: Solution) -> None:

@@ -22,9 +22,11 @@ from nonhertz.errors import ConvergenceError, InputError, NonhertzError, shown
 from nonhertz.inputs.archives import Archive, Entries, digest, text
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
+from nonhertz.result.outcome import outcome
 from nonhertz.solver.one import posed
 from nonhertz.solver.solutions import Block, several
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
+from nonhertz.strip.levels import Solved
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import States
 
@@ -50,27 +52,27 @@ _AS_GIVEN = "give them as they were given to solve_many"
 def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Block, ...]) -> None:
     """Write blocks of cases."""
     problem = blocks[0].problem
-    if _ELEMENTS.get(problem.element.name) != problem.element:
+    if _ELEMENTS.get(problem.model.element.name) != problem.model.element:
         remedy = "pickle them, or solve with nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
-        raise InputError("element", problem.element.name, "be one of nonhertz for solutions to be saved", remedy)
+        raise InputError("element", problem.model.element.name, "be one of nonhertz for solutions to be saved", remedy)
     sources: dict[int, Block] = {}  # the first block of each contact, one with strips if there is any
     for block in blocks:
-        if id(block.contact) not in sources or (block.states and not sources[id(block.contact)].states):
-            sources[id(block.contact)] = block
+        if id(block.problem.contact) not in sources or (block.states and not sources[id(block.problem.contact)].states):
+            sources[id(block.problem.contact)] = block
     order = {contact: number for number, contact in enumerate(sources)}
     errors = [block.error for block in blocks if block.error is not None]
     levels = [level for block in blocks for level in block.states]
-    likenesses = [_Likeness.of(source.contact, source.problem, _places(source)) for source in sources.values()]
+    likenesses = [_Likeness.of(source.problem, _places(source)) for source in sources.values()]
     fields = {
         "shape": np.array(shape),
-        "element": np.asarray(problem.element.name),
+        "element": np.asarray(problem.model.element.name),
         "prescribed": np.array(problem.prescribed),
         "accuracy": np.array(
             [math.nan if problem.accuracy is None else problem.accuracy, float(problem.accuracy_given)]
         ),
         "blocks": np.array(
             [
-                (order[id(block.contact)], len(block.numbers), len(block.states), block.error is not None)
+                (order[id(block.problem.contact)], len(block.numbers), len(block.states), block.error is not None)
                 for block in blocks
             ]
         ),
@@ -119,7 +121,7 @@ def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> I
         numbers, targets = fields["numbers"][part].tolist(), fields["targets"][part]
         # All are compared; the same contact may have been given several times as equal ones.
         problem, *_ = (problems.of(contact, given, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
-        block = Block(given[which[numbers[0]]], problem, numbers, targets, tuple(next(states) for _ in range(levels)))
+        block = Block(problem, numbers, targets, tuple(next(states) for _ in range(levels)))
         yield _failed(block, next(errors), known) if failed else block
 
 
@@ -162,18 +164,19 @@ class _Likeness:
     numbers: Array
 
     @classmethod
-    def of(cls, contact: Contact, problem: Problem, places: Array) -> _Likeness:
+    def of(cls, problem: Problem, places: Array) -> _Likeness:
         """Return that of a contact."""
+        contact = problem.contact
         of_bodies = [values for body in (contact.a, contact.b) for values in _surface(body, places)]
-        terms, bends = problem.influence.terms, contact.bends
+        influence, bends = problem.model.influence, contact.bends
         numbers = [
             *(number for body in (contact.a, contact.b) for number in (
                 body.material.modulus, body.material.poisson, *body.interval,
             )),
-            len(terms), *np.sum(np.abs(terms), axis=0).tolist(), len(problem.influence.references),
-            len(problem.influence.ends), len(problem.influence.faces), len(bends), float(np.sum(np.abs(bends))),
+            len(influence.terms), *np.sum(np.abs(influence.terms), axis=0).tolist(), len(influence.references),
+            len(influence.ends), len(influence.faces), len(bends), float(np.sum(np.abs(bends))),
         ]  # fmt: skip
-        surfaces = np.array([*of_bodies, problem.influence.min_depth(places)])
+        surfaces = np.array([*of_bodies, influence.min_depth(places)])
         return cls(places, surfaces, np.array(numbers, dtype=float))
 
     def like(self, other: _Likeness) -> bool:
@@ -201,7 +204,7 @@ def _places(block: Block) -> Array:
     if block.states:
         edges = block.finest.strips(0)
         return 0.5 * (edges[1:] + edges[:-1])
-    low, high = block.contact.interval
+    low, high = block.problem.contact.interval
     low = low if math.isfinite(low) else min(high - 2.0, -1.0)
     return np.linspace(low, high if math.isfinite(high) else max(low + 2.0, 1.0), 42)
 
@@ -226,7 +229,7 @@ class _Problems:
             part = slice(self._ends[stored] - fields["contact_sizes"][stored], self._ends[stored])
             places = fields["contact_places"][part]
             expected = _Likeness(places, fields["contact_surfaces"][:, part], fields["contact_numbers"][stored])
-            if not _Likeness.of(contact, problem, places).like(expected):
+            if not _Likeness.of(problem, places).like(expected):
                 condition = "be the contact that the cases were solved with"
                 raise InputError(
                     f"contacts[{at}]" if len(set(map(id, given))) > 1 else "contacts", contact, condition, _AS_GIVEN
@@ -273,14 +276,16 @@ def _failed(block: Block, described: dict[str, Any], known: dict[str, type[Excep
     error: Exception | None = None
     if block.states:  # not converged: the error holds the state that was reached
         try:
-            block.solution(0)
+            model, finest = block.problem.model, block.finest
+            grids = model.deep(model.grids(finest.counts, finest.edges))
+            outcome(block.problem.of(block.targets[0]), Solved(np.arange(1), block.states, grids))
         except ConvergenceError as again:
             error = again.with_traceback(None)
     elif described["type"] in known:
         error = _restored(known[described["type"]], described["arguments"])
     if error is None or str(error) != described["message"]:
         error = NonhertzError(f"{described['type'].rpartition('.')[2]}: {described['message']}")
-    return Block(block.contact, block.problem, block.numbers, block.targets, block.states, error)
+    return Block(block.problem, block.numbers, block.targets, block.states, error)
 
 
 def _restored(kind: type[Exception], arguments: list[str]) -> Exception | None:

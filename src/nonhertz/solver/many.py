@@ -242,7 +242,7 @@ def _tasks(
         at_once = CASES_APART if is_automatic(options.strips) else CASES_AT_ONCE
         for first in range(0, len(numbers), at_once):
             portion = slice(first, first + at_once)
-            tasks.append(Task(contact, problem, numbers[portion], targets[portion], options.strips))
+            tasks.append(Task(problem, numbers[portion], targets[portion], options.strips))
     return tasks
 
 

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.bodies.influence import influence_of
 from nonhertz.errors import InputError, shown
 from nonhertz.findings import warn
 from nonhertz.inputs.checks import finite, numbers
@@ -21,15 +19,14 @@ from nonhertz.strip.element import ELEMENTS, SEMI_ELLIPTIC, Element
 from nonhertz.strip.feasible import refuse_infeasible
 from nonhertz.strip.levels import (
     ACCURACY,
-    Levels,
+    Solved,
     equal_grids,
     given_grids,
-    levels_from,
     on_automatic_strips,
     on_given_strips,
 )
-from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import Flags, Indices, States
+from nonhertz.strip.problem import Problem, StripModel
+from nonhertz.strip.records import Flags
 
 Array = NDArray[np.float64]
 #: A number of equal strips, the edges of strips, or an automatic grid.
@@ -106,7 +103,8 @@ def solve(
     """
     given = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
     problem = problem_of(contact, given, element, strips, accuracy)
-    solution = outcome(contact, problem, levels_of(contact, problem, strips))
+    (solved,) = states_of(problem, strips, problem.target[None])
+    solution = outcome(problem, solved)
     warn(solution.findings)
     return solution
 
@@ -146,11 +144,7 @@ def posed(
     accuracy_given: bool,
 ) -> Problem:
     """Return the problem of a contact; arguments as in `Problem`."""
-    influence = influence_of(contact, element)
-    return Problem(
-        contact.separation_at, contact.curvature_at, element, prescribed, target, influence, contact.compliance,
-        partial(getattr, contact, "crests"), accuracy, accuracy_given,
-    )  # fmt: skip
+    return Problem(contact, StripModel.of(contact, element), prescribed, target, accuracy, accuracy_given)
 
 
 def element_of(given: Element | str) -> Element:
@@ -180,44 +174,33 @@ def is_automatic(strips: Strips) -> bool:
     return strips is None or (isinstance(strips, str) and strips == "auto")
 
 
-def levels_of(contact: Contact, problem: Problem, strips: Strips) -> Levels:
-    """Return the states of one case on the requested strips and on coarser ones."""
-    ((_, levels),) = states_of(contact, problem, strips, problem.target[None])
-    return levels_from(problem, [level.one(0) for level in levels])
-
-
-def states_of(contact: Contact, problem: Problem, strips: Strips, targets: Array) -> list[tuple[Indices, list[States]]]:
-    """Return the states of cases on the requested strips and on coarser ones, finest first.
+def states_of(problem: Problem, strips: Strips, targets: Array) -> list[Solved]:
+    """Return the states of cases on the requested strips and on coarser ones.
 
     Parameters
     ----------
-    contact, problem
+    problem : Problem
         What the cases share.
     strips : int or array_like or "auto"
         As in `solve`.
     targets : ndarray, shape (cases, 2)
         As `Problem.target`.
 
-    Returns
-    -------
-    list of tuple
-        Groups of cases that took the same number of levels: their numbers and their states.
-
     Raises
     ------
     InputError
         If no strips can meet what is prescribed in some case.
     """
-    count, edges = requested_strips(contact, strips)
+    count, edges = requested_strips(problem.contact, strips)
     if edges is not None:
         grids = given_grids(edges)
     elif count is not None:
-        grids = equal_grids(problem, contact.interval, count)
+        grids = equal_grids(problem, count)
     else:
-        return on_automatic_strips(problem, contact.interval, contact.bends, targets)
+        return on_automatic_strips(problem, targets)
     if len(targets) == 1:
         refuse_infeasible(problem.of(targets[0]), grids[0])
-    return [(np.arange(len(targets)), on_given_strips(problem, grids, targets))]
+    return [on_given_strips(problem, grids, targets)]
 
 
 def requested_strips(contact: Contact, strips: Strips) -> tuple[int | None, Array | None]:

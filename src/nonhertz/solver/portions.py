@@ -18,16 +18,15 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError, Interrupted, NonhertzError
 from nonhertz.findings import Finding
-from nonhertz.model.contact import Contact
 from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import read_only
-from nonhertz.result.validity import wider_than_round
+from nonhertz.result.validity import too_wide
 from nonhertz.solver.one import Strips, states_of
 from nonhertz.solver.solutions import Block, Solutions
 from nonhertz.strip.acceptance import met_by
-from nonhertz.strip.levels import levels_from
+from nonhertz.strip.levels import Solved
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import Indices, States
+from nonhertz.strip.records import States
 
 Array = NDArray[np.float64]
 
@@ -77,7 +76,6 @@ class Portion:
 class Task:
     """Cases of one contact for one thread."""
 
-    contact: Contact
     problem: Problem
     numbers: list[int]
     targets: Array
@@ -90,31 +88,22 @@ class Task:
         """
         together: list[Block] = []
         # The length on which unbounded bodies touch depends on the case.
-        if np.all(np.isfinite(self.contact.interval)) or not isinstance(self.strips, int | str | None):
+        if np.all(np.isfinite(self.problem.contact.interval)) or not isinstance(self.strips, int | str | None):
             # Whatever the bodies refuse or raise is attributed to each case by solving it alone.
             with contextlib.suppress(Exception):
-                groups = states_of(self.contact, self.problem, self.strips, self.targets)
-                together = [self._block(rows, levels) for rows, levels in groups]
+                together = [self._block(each) for each in states_of(self.problem, self.strips, self.targets)]
         done = {number for block in together for number in block.numbers}
         left = (row for row, number in enumerate(self.numbers) if number not in done)
         alone = [self._alone(row) for row in left if not stopped.is_set()]
         return [*alone, *(block for block in together if block.numbers)]
 
-    def _block(self, rows: Indices, levels: list[States]) -> Block:
+    def _block(self, solved: Solved) -> Block:
         """Return those of some cases that have a solution."""
-        finest = levels[0]
-        sound = finest.converged & ~self._too_wide(finest) & met_by(self.problem, finest, self.targets[rows])
-        done = np.flatnonzero(sound)
-        numbers, kept = [self.numbers[row] for row in rows[done]], tuple(level.only(done) for level in levels)
-        return Block(self.contact, self.problem, numbers, self.targets[rows[done]], kept)
-
-    def _too_wide(self, states: States) -> NDArray[np.bool_]:
-        """Return which contacts are wider than their bodies are thick or round; solved alone, each is refused."""
-        y = states.y
-        half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
-        beyond = wider_than_round(self.contact, y, half_width) | (self.problem.influence.min_depth(y) < half_width)
-        wide: NDArray[np.bool_] = np.any(beyond, axis=1)
-        return wide
+        targets, finest = self.targets[solved.cases], solved.states[0]
+        wide = np.any(too_wide(self.problem, solved.grids, finest), axis=1)
+        done = solved.only(finest.converged & ~wide & met_by(self.problem, solved.grids, finest, targets))
+        numbers = [self.numbers[row] for row in done.cases]
+        return Block(self.problem, numbers, self.targets[done.cases], tuple(done.states))
 
     def _alone(self, row: int) -> Block:
         """Return one case, solved as `nonhertz.solve` does."""
@@ -122,20 +111,20 @@ class Task:
         at = [self.numbers[row]], self.targets[row : row + 1]
         states: tuple[States, ...] = ()
         try:
-            ((_, found),) = states_of(self.contact, problem, self.strips, self.targets[row : row + 1])
-            states = tuple(found)
-            outcome(self.contact, problem, levels_from(problem, [level.one(0) for level in states]))
+            (solved,) = states_of(problem, self.strips, self.targets[row : row + 1])
+            states = tuple(solved.states)
+            outcome(problem, solved)
         # Whatever a case raises, even from a user-written profile, must not stop the others.
         except Exception as error:  # noqa: BLE001
             reached = states if isinstance(error, ConvergenceError) else ()
-            return Block(self.contact, self.problem, *at, reached, error.with_traceback(None))
-        return Block(self.contact, self.problem, *at, states)
+            return Block(self.problem, *at, reached, error.with_traceback(None))
+        return Block(self.problem, *at, states)
 
     def without(self, numbers: Collection[int], error: Exception) -> list[Block]:
         """Return the cases that are not among ``numbers`` in a block with an error, or no block if there are none."""
         rows = [row for row, number in enumerate(self.numbers) if number not in numbers]
         left = [self.numbers[row] for row in rows]
-        return [Block(self.contact, self.problem, left, self.targets[rows], (), error)] if rows else []
+        return [Block(self.problem, left, self.targets[rows], (), error)] if rows else []
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import dataframe, dataset
 from nonhertz.result.end_pressure import singular_places
 from nonhertz.result.maximum import largest_half_width, largest_pressure
-from nonhertz.result.outcome import outcome
+from nonhertz.result.outcome import solution_of
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
@@ -89,7 +89,7 @@ class Solutions:
             if block.error is None:
                 for name, column in zip(_COLUMNS, block.columns, strict=True):
                     columns[name][block.numbers] = column
-                stiffness[block.numbers] = block.finest.stiffness / block.contact.compliance
+                stiffness[block.numbers] = block.finest.stiffness / block.problem.contact.compliance
                 singular[block.numbers] = block.has_singular_ends
         for name, column in columns.items():
             setattr(self, name, read_only(column).reshape(shape))
@@ -250,7 +250,7 @@ class Solutions:
         if block.error is not None:
             raise copy.copy(block.error)
         state = block.finest.one(row)
-        return state.edges, state.r * state.m / block.contact.compliance
+        return state.edges, state.r * state.m / block.problem.contact.compliance
 
     @cached_property
     def failures(self) -> dict[Number, Exception]:
@@ -312,7 +312,6 @@ class Block:
     Of a case that has none, the states are those that the solver reached, if any.
     """
 
-    contact: Contact
     problem: Problem
     numbers: list[int]
     targets: Array
@@ -327,11 +326,11 @@ class Block:
     @cached_property
     def columns(self) -> tuple[Array, ...]:
         """The results named in `_COLUMNS`, computed by the formulas of `Solution`."""
-        states, compliance = self.finest, self.contact.compliance
+        states, compliance = self.finest, self.problem.contact.compliance
         return (
             states.rigid[:, 0], states.rigid[:, 1], states.scaled_load / compliance, states.scaled_moment / compliance,
             *self.largest, self._half_widths(), self._contact_lengths(),
-            penetrations(self.contact, self._surveyed(), states.rigid),
+            penetrations(self.problem.contact, self._surveyed(), states.rigid),
         )  # fmt: skip
 
     def prepare(self) -> None:
@@ -351,7 +350,7 @@ class Block:
         return edges[0] if self.finest.shared else np.linspace(edges.min(), edges.max(), SAMPLES + 1)
 
     def _half_widths(self) -> Array:
-        half_width = self.problem.element.hertz_ratio * np.sqrt(self.finest.m)
+        half_width = self.problem.model.element.hertz_ratio * np.sqrt(self.finest.m)
         return largest_half_width(self.finest.y, half_width, self.singular)[0]
 
     def _contact_lengths(self) -> Array:
@@ -362,8 +361,8 @@ class Block:
     def largest(self) -> tuple[Array, Array]:
         """Largest pressures [MPa] and where they are [mm], shape (cases,)."""
         states = self.finest
-        half_width = self.problem.element.hertz_ratio * np.sqrt(states.m)
-        line_load, pressure = states.r * states.m / self.contact.compliance, np.zeros_like(states.m)
+        half_width = self.problem.model.element.hertz_ratio * np.sqrt(states.m)
+        line_load, pressure = states.r * states.m / self.problem.contact.compliance, np.zeros_like(states.m)
         touching = half_width > 0.0
         pressure[touching] = 2.0 * line_load[touching] / (np.pi * half_width[touching])
         return largest_pressure(states.y, pressure, half_width, self.singular)
@@ -371,7 +370,7 @@ class Block:
     @cached_property
     def singular(self) -> Array:
         """The ends at which the pressure has no limit [mm], shape (cases, k), nan for no such end."""
-        return singular_places(self.contact, self.problem, self.finest)
+        return singular_places(self.problem, self.finest)
 
     @property
     def has_singular_ends(self) -> NDArray[np.bool_]:
@@ -386,13 +385,13 @@ class Block:
             raise copy.copy(self.error)
         problem = self.problem.of(self.targets[row])
         states = [states.one(row) for states in self.states]
-        return outcome(self.contact, problem, levels_from(problem, states))
+        return solution_of(problem, levels_from(problem, states))
 
     def strained(self) -> Iterator[tuple[int, Finding]]:
         """Yield the numbers of cases that strain the model, each with its first finding."""
         if self.error is not None:
             return
-        asked = self.contact, self.problem, self.states, self.singular, self.largest[1]
+        asked = self.problem, self.states, self.singular, self.largest[1]
         for row in np.flatnonzero(suspected(*asked)):
             solution = self.solution(int(row))
             of_ends = singularities(solution)

@@ -19,7 +19,7 @@ from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
 from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
-from nonhertz.strip.problem import Problem, row_of
+from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States, Strips
 from nonhertz.strip.solving import strips_of
 
@@ -36,7 +36,7 @@ UNSTEADY = -1e-6  # of stiffness against approach times reach^2: a tilt stiffnes
 
 
 def shortfall(
-    problem: Problem, edges: Array, line_load: Array, half_width: Array, gap: Array, motion: Array
+    problem: Problem, grids: Grids, line_load: Array, half_width: Array, gap: Array, motion: Array
 ) -> str | None:
     """Return one sentence on what a solution fails to meet, or None if it meets everything.
 
@@ -44,17 +44,17 @@ def shortfall(
     ----------
     problem : Problem
         What was prescribed.
-    edges : ndarray, shape (n + 1,)
-        Edges of the strips [mm].
+    grids : Grids
+        One grid: the strips.
     line_load, half_width, gap : ndarray, shape (n,)
         Load per length q [N/mm], half-width a of the element [mm] and gap [mm] of each strip.
     motion : ndarray, shape (2,)
         Approach [mm] and tilt [rad].
     """
-    y, compliance = 0.5 * (edges[1:] + edges[:-1]), problem.compliance
-    grids, conditions = problem.grids(*row_of(edges)), BoundaryConditions(problem.prescribed, problem.target)
+    y, compliance = grids.y[0], problem.contact.compliance
+    conditions = BoundaryConditions(problem.prescribed, problem.target)
     answer = Answer(compliance * line_load, half_width, gap, motion)
-    condition, found, at = first_unmet(strips_of(grids, 0), conditions, problem.kernel, answer)
+    condition, found, at = first_unmet(strips_of(grids, 0), conditions, problem.model.kernel, answer)
     if condition == MET:
         return None
     if condition in {FIRST, SECOND}:
@@ -76,13 +76,10 @@ def shortfall(
     }[condition]
 
 
-def met_by(problem: Problem, states: States, targets: Array) -> Flags:
+def met_by(problem: Problem, grids: Grids, states: States, targets: Array) -> Flags:
     """Return which of many states meet everything; ``targets`` as `Problem.target`, shape (cases, 2)."""
-    grids, conditions = (
-        problem.grids(states.counts, states.edges),
-        BoundaryConditions(problem.prescribed, plain_array(targets)),
-    )
-    return _met_by(grids, conditions, problem.kernel, states)
+    conditions = BoundaryConditions(problem.prescribed, plain_array(targets))
+    return _met_by(grids, conditions, problem.model.kernel, states)
 
 
 class Answer(NamedTuple):

@@ -27,7 +27,7 @@ def feasible(problem: Problem, edges: Array) -> bool:
 
 def refuse_infeasible(problem: Problem, edges: Array, *, chosen: bool = True) -> None:
     """Refuse a prescription that no loads on these strips can meet; ``chosen`` if the user gave the strips."""
-    strips = problem.grids(*row_of(edges), at_rest=True)
+    strips = problem.model.grids(*row_of(edges))
     y, separation = strips.y[0], strips.separation[0]
     usable = y[np.isfinite(separation)]
     refuse_endless_relief(y, separation)
@@ -55,7 +55,7 @@ def refuse_arm_outside(problem: Problem, within: tuple[float, float]) -> None:
     arm = float(problem.target[1] / problem.target[0])
     if not within[0] <= arm <= within[1]:
         condition = f"keep moment / load = {mm(arm):.9g} between {mm(within[0], within[1], between=' and '):.9g}"
-        moment = float(problem.target[1]) / problem.compliance
+        moment = float(problem.target[1]) / problem.contact.compliance
         raise InputError("moment", moment, condition, "reduce it or raise the load")
 
 
@@ -92,7 +92,7 @@ def _first_touch(problem: Problem, tilt: float, y: Array) -> float:
     """Return the smallest approach [mm] at which the bodies touch, by repeated refinement around the best place."""
     least = math.inf
     for _ in range(CLOSER_LOOKS):
-        separation = problem.separation(y)
+        separation = problem.model.separation(y)
         refuse_endless_relief(y, separation)
         needed = separation - tilt * y
         best = int(np.argmin(needed))

@@ -15,6 +15,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 
@@ -32,8 +33,8 @@ from nonhertz.strip.feasible import (
 from nonhertz.strip.grid import Fineness, Surface, intervals, lay_all, reaching, turns_at, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
-from nonhertz.strip.problem import Problem, padded_rows, row_of, solved_on, winkler_state
-from nonhertz.strip.records import Array, Flags, Indices, States
+from nonhertz.strip.problem import Problem, padded_rows, solved_on, winkler_state
+from nonhertz.strip.records import Array, Flags, Grids, Indices, States
 
 Interval = tuple[float, float]
 
@@ -43,10 +44,9 @@ COARSEST_LEVEL = 5
 PATIENT_STRIPS = 400
 MORE_STRIPS = (1, 5, 25)  # times as many to begin with, in case fewer miss the contact
 FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
-# Fractions of the strips: a rough grid that grades the final one, then half of the final one and all of it; and these
-# again, if the solution shows that another contact was missed.
-LESSONS = ((0.4,), (0.5, 1.0))
-REPEATS = (LESSONS[-1], LESSONS[-1])
+# Fractions of the strips: a rough grid that grades the final one, then half of the final one before all of it; and so
+# often again, if the solution shows that another contact was missed or strips are too wide.
+ROUGH, HALF, REPEATS = 0.4, 0.5, 2
 WELL_FILLED = 0.4  # fraction of the region that the contact must fill before a grid is graded from it
 SAFETY = 2.0
 # Measured on 300 random contacts of the usual profiles: at a coarseness of COARSENESS the error of the approach is
@@ -63,6 +63,29 @@ POINTED, LEAST_AT_PEAK, TOO_WIDE, ALIKE, SAME, AT_KINK = 5.0, 0.2, 0.7, 0.01, 1e
 # A summit towards which the pressure rises ever faster is narrower than its strips, as on a rounded corner. It may
 # stand out by this many of the sagittas that they show, if these are large at all.
 CUSP, LEAST_SAGITTA = 8.0, 0.01
+
+
+class Solved(NamedTuple):
+    """Cases that took the same number of levels.
+
+    Attributes
+    ----------
+    cases : ndarray of int, shape (cases,)
+        Their numbers.
+    states : sequence of States
+        Their states on every level, finest first. Those of a case that has not converged on some grid are left so.
+    grids : Grids
+        The finest strips.
+    """
+
+    cases: Indices
+    states: Sequence[States]
+    grids: Grids
+
+    def only(self, cases: Flags) -> Solved:
+        """Return some of the cases."""
+        rows = np.flatnonzero(cases)
+        return Solved(self.cases[rows], [level.only(rows) for level in self.states], self.grids.only(rows))
 
 
 @dataclass(frozen=True)
@@ -120,9 +143,9 @@ def levels_from(problem: Problem, states: list[States]) -> Levels:
     return Levels((finest, *solved), problem.accuracy if regular else None)
 
 
-def equal_grids(problem: Problem, interval: Interval, count: int) -> list[Array]:
+def equal_grids(problem: Problem, count: int) -> list[Array]:
     """Return the edges of ``count`` equal strips where the bodies can touch, and of half as many down to a few."""
-    low, high = bounded(problem, interval)
+    low, high = bounded(problem)
     counts = [count]
     while counts[-1] // 2 >= COARSEST_LEVEL or (len(counts) == 1 and count > 1):
         counts.append(counts[-1] // 2)
@@ -137,71 +160,46 @@ def given_grids(edges: Array) -> list[Array]:
     return grids
 
 
-def on_given_strips(problem: Problem, grids: Sequence[Array], targets: Array) -> list[States]:
-    """Return the states of all cases on several grids, finest first."""
+def on_given_strips(problem: Problem, levels: Sequence[Array], targets: Array) -> Solved:
+    """Return the states of all cases on strips between several rows of edges, finest first."""
     found: list[States] = []
-    for edges in reversed(grids):
-        last = edges is grids[0]
+    for edges in reversed(levels):
+        grids, last = problem.model.kept_grid(edges), edges is levels[0]
         # Where no coarser grid has a solution, hours of retries on very many strips would not find one either.
         patient = last and (edges.size <= PATIENT_STRIPS or any(bool(np.any(level.converged)) for level in found))
         tolerance = TOLERANCE if last else ROUGH_TOLERANCE
         near = found[0] if found else None
-        found.insert(0, solved_on(problem, *row_of(edges), targets, near, tolerance=tolerance, patient=patient))
-    return found
+        found.insert(0, solved_on(problem, grids, targets, near, tolerance=tolerance, patient=patient))
+    return Solved(np.arange(len(targets)), found, grids)
 
 
-def on_automatic_strips(
-    problem: Problem,
-    interval: Interval,
-    bends: tuple[float, ...],
-    targets: Array,
-) -> list[tuple[Indices, list[States]]]:
-    """Return the states of cases on graded grids, in groups that took the same number of levels.
-
-    Parameters
-    ----------
-    problem : Problem
-        What the cases share.
-    interval : tuple of float
-        Where the bodies may touch [mm].
-    bends : tuple of float
-        Where the profiles bend [mm].
-    targets : ndarray, shape (cases, 2)
-        As `Problem.target`.
-
-    Returns
-    -------
-    list of tuple
-        The numbers of the cases, and their states, finest first. A case that has not converged on some grid is left
-        in that state.
-    """
-    accuracy = problem.accuracy or ACCURACY
-    finite = bounded(problem, interval)
+def on_automatic_strips(problem: Problem, targets: Array) -> list[Solved]:
+    """Return the states of cases on graded grids; ``targets`` as `Problem.target`, shape (cases, 2)."""
+    accuracy, bends = problem.accuracy or ACCURACY, problem.contact.bends
+    finite = bounded(problem)
     edges = uniform(*finite, COARSE_STRIPS)
     y = 0.5 * (edges[1:] + edges[:-1])
-    refuse_endless_relief(y, problem.separation(y))
-    kinks = turns_at(problem.separation, tuple(bend for bend in bends if finite[0] < bend < finite[1]), np.ptp(finite))
-    rows, states = np.arange(len(targets)), [_located(problem, interval, finite, targets)]
+    refuse_endless_relief(y, problem.model.separation(y))
+    kinks = turns_at(
+        problem.model.separation, tuple(bend for bend in bends if finite[0] < bend < finite[1]), np.ptp(finite)
+    )
     order = ORDER_COARSER if accuracy > ACCURACY else ORDER
-    coarseness = np.full(rows.size, COARSENESS * (accuracy / ACCURACY) ** (1.0 / order))
-    learning, groups = Refinement(problem, interval, finite, kinks, targets, coarseness), []
-    for lesson, shares in enumerate(LESSONS + REPEATS):
-        if lesson >= len(LESSONS):
-            finer = learning.finer_wanted(states, accuracy)
-            wanting = learning.incomplete(states[0]) | learning.pointed(states[0])
-            worth = ~learning.too_thin(states[0])
-            again = np.flatnonzero(worth & ((finer < 1.0) | (states[0].converged & wanting)))
-            done = np.setdiff1d(np.arange(rows.size), again)
-            groups.append((rows[done], [level.only(done) for level in states]))
-            rows, states, coarseness = rows[again], [level.only(again) for level in states], (coarseness * finer)[again]
-            if not rows.size:
-                break
-            learning = replace(learning, targets=targets[rows], coarseness=coarseness)
-        learnt_from = states[0]
-        for share in shares:
-            states.insert(0, learning.finer(learnt_from, states[0], share))
-    # The equal strips that found the contact are too few to say anything about the error.
-    return [(cases, levels[:-1]) for cases, levels in (*groups, (rows, states)) if cases.size]
+    coarseness = np.full(len(targets), COARSENESS * (accuracy / ACCURACY) ** (1.0 / order))
+    learning = Refinement(problem, finite, kinks, targets, coarseness)
+    # The equal strips that find the contact are too few to say anything about the error.
+    located = _located(problem, finite, targets)
+    rough, _ = learning.finer(located, located, ROUGH)
+    half, full, grids = learning.halves(rough)
+    solved, groups = Solved(np.arange(len(targets)), (full, half, rough), grids), []
+    for _ in range(REPEATS):
+        finer, again = learning.wanting(solved.states)
+        groups.append(solved.only(~again))
+        solved, learning = solved.only(again), learning.only(again, finer)
+        if not solved.cases.size:
+            break
+        half, full, grids = learning.halves(solved.states[0])
+        solved = Solved(solved.cases, (full, half, *solved.states), grids)
+    return [each for each in (*groups, solved) if each.cases.size]
 
 
 @dataclass(frozen=True)
@@ -209,16 +207,30 @@ class Refinement:
     """Cases whose grids are learnt from coarser solutions."""
 
     problem: Problem
-    interval: Interval
     finite: Interval
     kinks: tuple[Array, Array]
     targets: Array
     coarseness: Array
 
-    def finer_wanted(self, levels: Sequence[States], accuracy: float) -> Array:
+    def only(self, cases: Flags, finer: Array) -> Refinement:
+        """Return what is known of some cases, whose strips are to be narrower by these shares."""
+        return replace(self, targets=self.targets[cases], coarseness=(self.coarseness * finer)[cases])
+
+    def halves(self, learnt_from: States) -> tuple[States, States, Grids]:
+        """Return solutions on half of the strips of a graded grid and on all, and the grids with all."""
+        half, _ = self.finer(learnt_from, learnt_from, HALF)
+        return half, *self.finer(learnt_from, half, 1.0)
+
+    def wanting(self, levels: Sequence[States]) -> tuple[Array, Flags]:
+        """Return by what share strips have to be narrower, and which cases are worth another grid."""
+        finest, finer = levels[0], self.finer_wanted(levels)
+        missing = finest.converged & (self.incomplete(finest) | self.pointed(finest))
+        return finer, ~self.too_thin(finest) & ((finer < 1.0) | missing)
+
+    def finer_wanted(self, levels: Sequence[States]) -> Array:
         """Return by what share strips have to be narrower for the accuracy to be met; 1 where it is or cannot be."""
-        finest, half = levels[:2]
-        samples, h = self.problem.sampled(*self.finite, SAMPLES)
+        (finest, half), accuracy = levels[:2], self.problem.accuracy or ACCURACY
+        samples, h = self.problem.model.sampled(*self.finite, SAMPLES)
         by_load = self.problem.prescribed[0]
         fine, coarse = (finest.rigid[:, 0], half.rigid[:, 0]) if by_load else (finest.scaled_load, half.scaled_load)
         with np.errstate(divide="ignore", invalid="ignore"):  # a case that has not converged may be infinite
@@ -230,8 +242,8 @@ class Refinement:
         spent = finest.counts >= FULL * STRIP_LIMIT / np.minimum(self.coarseness, 1.0)
         return np.where(met | spent, 1.0, finer)
 
-    def finer(self, states: States, near: States, share: float) -> States:
-        """Return solutions on graded grids, or on slightly coarser ones where these have none.
+    def finer(self, states: States, near: States, share: float) -> tuple[States, Grids]:
+        """Return solutions on graded grids, or on slightly coarser ones where these have none, and the grids.
 
         Cases that had not converged before are left as they were.
 
@@ -240,29 +252,33 @@ class Refinement:
         elsewhere. It is also tried when the solution found is unstable, as spurious ones are in contacts several times
         as wide as long.
         """
-        left = np.flatnonzero(states.converged)
-        if not left.size:
-            return states
-        surface, extras, found = self._surface(states), self._extras(states), near
-        for fewer in FEWER_STRIPS:
+        left, found, model = (
+            np.flatnonzero(states.converged),
+            near if np.any(states.converged) else states,
+            self.problem.model,
+        )
+        surface, extras, grids = self._surface(states), self._extras(states), None
+        for fewer in FEWER_STRIPS if left.size else ():
             laid = states.only(left)
             fineness = Fineness(self.coarseness[left], fewer * share, STRIP_LIMIT)
             count, edges = lay_all(laid, surface.only(left), extras[left], fineness)
+            grids = model.deep(model.grids(count, plain_array(edges[:, : count.max() + 1])))
             tried = solved_on(
-                self.problem, count, plain_array(edges[:, : count.max() + 1]), self.targets[left],
-                near.only(left), tolerance=TOLERANCE if share == 1.0 else ROUGH_TOLERANCE,
-                patient=fewer == FEWER_STRIPS[-1],
+                self.problem, grids, self.targets[left], near.only(left),
+                tolerance=TOLERANCE if share == 1.0 else ROUGH_TOLERANCE, patient=fewer == FEWER_STRIPS[-1],
             )  # fmt: skip
             found = found.replaced(left, tried)
             left = left[~(tried.converged & steadily(tried))]
             if not left.size:
                 break
-        return found
+        if grids is None or found.edges is not grids.edges:  # of several tries
+            grids = model.deep(model.grids(found.counts, found.edges))
+        return found, grids
 
     def incomplete(self, states: States) -> Flags:
         """Return which cases end where the bodies do not, or overlap where no strip is in contact."""
         ends = np.broadcast_to(states.edges[:, [0, -1]], (states.status.size, 2))
-        low, high = self.interval
+        low, high = self.problem.contact.interval
         missing: Flags = (reaching(states, -1) & (ends[:, 0] > low)) | (reaching(states, 1) & (ends[:, 1] < high))
         for row in np.flatnonzero(suspects(self.problem, states, self.finite) & ~missing):
             missing[row] = bool(overlaps(self.problem, states.one(int(row)), self.finite))
@@ -270,11 +286,11 @@ class Refinement:
 
     def too_thin(self, states: States) -> Flags:
         """Return in which cases a body is thinner than its contact is wide; no number of strips saves them."""
-        if not self.problem.influence.references:
+        if not self.problem.model.influence.references:
             return np.zeros(states.status.size, dtype=bool)
         y = states.y
-        min_depth = self.problem.influence.min_depth(y.ravel()).reshape(y.shape)
-        thin: Flags = np.any(min_depth < self.problem.element.hertz_ratio * np.sqrt(states.m), axis=1)
+        min_depth = self.problem.model.influence.min_depth(y.ravel()).reshape(y.shape)
+        thin: Flags = np.any(min_depth < self.problem.model.element.hertz_ratio * np.sqrt(states.m), axis=1)
         return thin
 
     def pointed(self, states: States) -> Flags:
@@ -286,11 +302,14 @@ class Refinement:
     def _surface(self, states: States) -> Surface:
         low, high = np.broadcast_to(states.edges[:, [0, -1]], (states.status.size, 2)).T
         if np.all(low == self.finite[0]) and np.all(high == self.finite[1]):
-            row, samples = np.zeros(low.size, dtype=np.int64), self.problem.sampled(*self.finite, SAMPLES)[1][None]
+            row, samples = (
+                np.zeros(low.size, dtype=np.int64),
+                self.problem.model.sampled(*self.finite, SAMPLES)[1][None],
+            )
         else:
             regions, row = np.unique(np.stack([low, high]), axis=1, return_inverse=True)
             places = np.linspace(regions[0], regions[1], SAMPLES + 1, axis=1)
-            samples = self.problem.separation(places.ravel()).reshape(places.shape)
+            samples = self.problem.model.separation(places.ravel()).reshape(places.shape)
         return Surface(*self.finite, *self.kinks, low.copy(), high.copy(), row.ravel(), samples)
 
     def _extras(self, states: States) -> Array:
@@ -375,23 +394,22 @@ def _sagitta(pressure: Array, at: int) -> float:
     return (2.0 * peak - pressure[at - 1] - pressure[at + 1]) / (8.0 * peak) if peak > 0.0 else 0.0
 
 
-def _located(problem: Problem, interval: Interval, finite: Interval, targets: Array) -> States:
+def _located(problem: Problem, finite: Interval, targets: Array) -> States:
     """Return solutions on equal strips of regions that the contacts fill well, searching from ``finite`` inwards."""
     count, edges = padded_rows([_first_strips(problem.of(target), finite) for target in targets])
     if np.all(edges == edges[0]):
         count, edges = count[:1], edges[:1]
-    states = solved_on(problem, count, edges, targets, tolerance=ROUGH_TOLERANCE)
+    model = problem.model
+    states = solved_on(problem, model.deep(model.grids(count, edges)), targets, tolerance=ROUGH_TOLERANCE)
     rows = np.flatnonzero(states.converged)
     for _ in range(40):
-        narrower = {row: _narrower(states.one(row), interval) for row in rows.tolist()}
+        narrower = {row: _narrower(states.one(row), problem.contact.interval) for row in rows.tolist()}
         grids = {row: region for row, region in narrower.items() if region is not None}
         if not grids:
             break
         rows = np.array(list(grids))
-        found = solved_on(
-            problem, *padded_rows([uniform(*region, COARSE_STRIPS) for region in grids.values()]), targets[rows],
-            tolerance=ROUGH_TOLERANCE,
-        )  # fmt: skip
+        narrow = model.grids(*padded_rows([uniform(*region, COARSE_STRIPS) for region in grids.values()]))
+        found = solved_on(problem, model.deep(narrow), targets[rows], tolerance=ROUGH_TOLERANCE)
         states = states.replaced(rows, found)
         rows = rows[found.converged]
     return states
@@ -442,20 +460,20 @@ def _neighbourhood(problem: Problem, low: float, high: float) -> tuple[float, fl
             first, last = float(fine.edges[touching[0]]), float(fine.edges[touching[-1] + 1])
             margin += 0.3 * (last - first)
             return max(low, first - margin), min(high, last + margin)
-        nearest = float(fine.y[np.argmax(fine.rigid[0] + fine.rigid[1] * fine.y - problem.separation(fine.y))])
+        nearest = float(fine.y[np.argmax(fine.rigid[0] + fine.rigid[1] * fine.y - problem.model.separation(fine.y))])
         low, high = max(low, nearest - 2.0 * margin), min(high, nearest + 2.0 * margin)
     return low, high
 
 
-def bounded(problem: Problem, interval: Interval) -> Interval:
+def bounded(problem: Problem) -> Interval:
     """Return the interval in which to look for the contact; finite even where the bodies are unbounded."""
-    low, high = interval
+    low, high = problem.contact.interval
     if math.isfinite(low) and math.isfinite(high):
         return low, high
-    scale = 1.0 / float(np.max(problem.curvature(np.zeros(1))))
+    scale = 1.0 / float(np.max(problem.contact.curvature_at(np.zeros(1))))
     edge = np.concatenate([[0.0], scale * np.geomspace(1e-9, 1e4, 130)])
     edges = np.unique(np.clip(np.concatenate([-edge[::-1], edge]), low, high))
-    if np.all(problem.prescribed) and not np.all(np.isfinite(problem.separation(edges))):
+    if np.all(problem.prescribed) and not np.all(np.isfinite(problem.model.separation(edges))):
         low, high = _finite_part(problem, edges)
         edges = np.unique(np.clip(edges, low, high))
         refuse_arm_outside(problem, (low, high))
@@ -476,12 +494,12 @@ def _finite_part(problem: Problem, edges: Array) -> Interval:
     """Return the interval around y = 0 on which the separation is finite, as if the bodies ended there."""
     ends = []
     for beyond in (edges[edges <= 0.0][::-1], edges[edges >= 0.0]):
-        finite = np.isfinite(problem.separation(beyond))
+        finite = np.isfinite(problem.model.separation(beyond))
         first = int(np.argmin(finite)) if not np.all(finite) else 0
         inside, outside = (float(beyond[max(first - 1, 0)]), float(beyond[first]))
         for _ in range(100):
             middle = 0.5 * (inside + outside)
-            if np.isfinite(problem.separation(np.array([middle]))[0]):
+            if np.isfinite(problem.model.separation(np.array([middle]))[0]):
                 inside = middle
             else:
                 outside = middle

@@ -38,7 +38,7 @@ def suspects(problem: Problem, states: States, interval: tuple[float, float]) ->
     Away from a contact the displacement falls, so that another one needs a summit of the undeformed overlap, or the
     end of the bodies.
     """
-    return _suspected(states, *problem.surveyed(*interval, SAMPLES))
+    return _suspected(states, *problem.model.surveyed(*interval, SAMPLES))
 
 
 @compiled
@@ -138,19 +138,19 @@ def overlapping(problem: Problem, state: States, interval: tuple[float, float]) 
     margin = BESIDE * (contact[:, 1:] - contact[:, :1])
     if len(contact) == 1 and contact[0, 0] - margin[0] <= interval[0] and contact[0, 1] + margin[0] >= interval[1]:
         return np.zeros(0), np.zeros(0)
-    y, h = problem.surveyed(*interval, SAMPLES)
+    y, h = problem.model.surveyed(*interval, SAMPLES)
     depth = state.rigid[0] + state.rigid[1] * y - h
     summits = summits_of(y, depth)
     if summits.size:
         # A bump may touch between two places where the surfaces are apart.
-        h = np.concatenate([h, problem.separation(summits)])
+        h = np.concatenate([h, problem.model.separation(summits)])
         y, first = np.unique(np.concatenate([y, summits]), return_index=True)
         depth = state.rigid[0] + state.rigid[1] * y - h[first]
     apart = np.all((y < contact[:, :1] - margin) | (y > contact[:, 1:] + margin), axis=0)
     overlap = np.where(apart & (depth <= 0.0), depth, 0.0)
     suspect = np.flatnonzero(apart & (depth > 0.0))
     if suspect.size:
-        lift = displacements(problem.influence, y[suspect], state.edges, state.r, state.m, problem.element)
+        lift = displacements(problem.model.influence, y[suspect], state.edges, state.r, state.m, problem.model.element)
         overlap[suspect] = depth[suspect] - lift
     overlap[(overlap > 0.0) & (overlap < NOTICED * np.max(depth))] = 0.0
     return y, overlap

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from nonhertz.bodies.influence import Influence
+from nonhertz.bodies.influence import Influence, influence_of
 from nonhertz.compiled import plain_array
+from nonhertz.model.contact import Contact, derived
 from nonhertz.strip.element import Element
 from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.newton import TOLERANCE
@@ -17,52 +18,55 @@ from nonhertz.strip.records import ITERATION_LIMIT, Array, BoundaryConditions, F
 from nonhertz.strip.solving import solve_on_strips, strips_of, unknowns_of
 from nonhertz.strip.start import winkler_start
 
-KEPT_GRIDS = 2  # those of thousands of strips take megabytes
+KEPT_GRIDS = 8  # of up to KEPT_STRIPS each: some levels of the strips that a contact is solved on again and again
+KEPT_STRIPS = 160  # those of thousands of strips take megabytes
 
 
-@dataclass(frozen=True)
-class Problem:
-    """What the strips have to satisfy, on any grid.
+@dataclass(frozen=True, eq=False)
+class StripModel:
+    """A contact as strips of one element see it, whatever is prescribed and wherever they lie.
 
     Attributes
     ----------
-    separation, curvature : callable
-        y [mm] -> h [mm] and 1/rho [1/mm].
+    contact : Contact
+        The bodies.
     element : Element
         The strip element.
-    prescribed : ndarray of bool, shape (2,)
-        Whether the load (else the approach) and the moment (else the tilt) are given.
-    target : ndarray, shape (2,)
-        K Q [mm^2] or delta [mm]; K T [mm^3] or gamma [rad].
-    influence : Influence
-        How strips act.
-    compliance : float
-        K [1/MPa], by which loads are multiplied.
-    crests : callable
-        () -> where profiles may stand out between sampled places [mm]. A measured line has thousands of them, and
-        many solves do not need them: hence a callable.
-    accuracy : float or None
-        Relative error of approach or load that the automatic grid aims for; None where strips are given.
-    accuracy_given : bool
-        Whether the user gave that.
     """
 
-    separation: Callable[[Array], Array]
-    curvature: Callable[[Array], Array]
+    contact: Contact
     element: Element
-    prescribed: Flags
-    target: Array
-    influence: Influence
-    compliance: float
-    crests: Callable[[], tuple[float, ...]] = tuple
-    accuracy: float | None = None
-    accuracy_given: bool = False
-    # Not given to `replace`, so that a problem of other bodies knows nothing of these.
-    _sampled: dict[tuple[float, float, int], tuple[Array, Array]] = field(init=False, default_factory=dict, repr=False)
-    _laid: dict[bytes, Grids] = field(init=False, default_factory=dict, repr=False)
+
+    @classmethod
+    def of(cls, contact: Contact, element: Element) -> StripModel:
+        """Return the model of a contact, which is kept with it."""
+        # Of a twin: a contact that is kept by what it keeps would stay until Python looks for cycles.
+        return derived(contact, (cls, id(element)), lambda: cls(Contact(contact.a, contact.b), element))
+
+    @cached_property
+    def influence(self) -> Influence:
+        """How strips act."""
+        return influence_of(self.contact, self.element)
+
+    @cached_property
+    def kernel(self) -> Kernel:
+        """How strips act, for the compiled core."""
+        return kernel_of(self.influence, self.element)
+
+    @cached_property
+    def _sampled(self) -> dict[tuple[float, float, int], tuple[Array, Array]]:
+        return {}
+
+    @cached_property
+    def _grids(self) -> dict[bytes, Grids]:
+        return {}
+
+    def separation(self, y: Array) -> Array:
+        """Return h [mm] at places [mm]."""
+        return self.contact.separation_at(y)
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
-        """Return evenly spaced places and the separation there, cached."""
+        """Return evenly spaced places and the separation there, kept."""
         key = (low, high, intervals)
         if key not in self._sampled:
             y = np.linspace(low, high, intervals + 1)
@@ -74,7 +78,7 @@ class Problem:
         key = (low, high, -intervals)  # distinct from the key of the samples alone
         if key not in self._sampled:
             y, h = self.sampled(low, high, intervals)
-            crests = np.array(self.crests())
+            crests = np.array(self.contact.crests)
             crests = crests[(crests > low) & (crests < high)]
             if crests.size:
                 y = np.unique(np.concatenate([y, crests]))
@@ -82,20 +86,8 @@ class Problem:
             self._sampled[key] = y, h
         return self._sampled[key]
 
-    def of(self, target: Array) -> Problem:
-        """Return the problem with another target, and all that is known of the bodies."""
-        other = replace(self, target=target)
-        for known in ("_sampled", "_laid"):
-            object.__setattr__(other, known, getattr(self, known))
-        return other
-
-    @cached_property
-    def kernel(self) -> Kernel:
-        """How strips act, for the compiled core."""
-        return kernel_of(self.influence, self.element)
-
-    def grids(self, count: Indices, edges: Array, *, at_rest: bool = False) -> Grids:
-        """Return grids with everything that is known about them before their loads are.
+    def grids(self, count: Indices, edges: Array) -> Grids:
+        """Return grids with everything that is known about them before their loads are, depth excepted.
 
         Parameters
         ----------
@@ -103,26 +95,64 @@ class Problem:
             Numbers of strips.
         edges : ndarray, shape (grids, n + 1)
             Their edges [mm], padded with the last one.
-        at_rest : bool
-            Whether to take what displacement is measured against as at rest: a matrix less to fill.
         """
-        # The strips of one case are asked for when they are checked, solved and judged.
-        key = edges.tobytes() if len(edges) == 1 else b""
-        found = self._laid.get(key)
+        y = 0.5 * (edges[:, 1:] + edges[:, :-1])
+        flat = y.ravel()
+        curvature, separation, min_depth = (
+            at(flat).reshape(y.shape) for at in (self.contact.curvature_at, self.separation, self.influence.min_depth)
+        )
+        return Grids(count, edges, y, curvature, separation, min_depth, np.zeros((len(y), 0, 0)))
+
+    def deep(self, grids: Grids) -> Grids:
+        """Return grids with what displacement is measured against, a matrix of all by all strips for each."""
+        if grids.at_depth.size or not self.influence.references:
+            return grids
+        return grids._replace(at_depth=self.influence.at_depth(grids.y, grids.edges))
+
+    def kept_grid(self, edges: Array) -> Grids:
+        """Return one grid, which is kept unless it is large."""
+        key, found = edges.tobytes(), None
+        if edges.size <= KEPT_STRIPS:
+            found = self._grids.get(key)
         if found is None:
-            y = 0.5 * (edges[:, 1:] + edges[:, :-1])
-            flat = y.ravel()
-            curvature, separation, min_depth = (
-                at(flat).reshape(y.shape) for at in (self.curvature, self.separation, self.influence.min_depth)
-            )
-            found = Grids(count, edges, y, curvature, separation, min_depth, np.zeros((len(y), 0, 0)))
-        if not (at_rest or found.at_depth.size) and self.influence.references:
-            found = found._replace(at_depth=self.influence.at_depth(found.y, edges))
-        if key:
-            if len(self._laid) >= KEPT_GRIDS:
-                self._laid.clear()
-            self._laid[key] = found
+            found = self.deep(self.grids(*row_of(edges)))
+            if edges.size <= KEPT_STRIPS:
+                if len(self._grids) >= KEPT_GRIDS:
+                    self._grids.clear()
+                self._grids[key] = found
         return found
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What the strips have to satisfy, on any grid.
+
+    Attributes
+    ----------
+    contact : Contact
+        The bodies, as the user gave them.
+    model : StripModel
+        The same as strips see them.
+    prescribed : ndarray of bool, shape (2,)
+        Whether the load (else the approach) and the moment (else the tilt) are given.
+    target : ndarray, shape (2,)
+        K Q [mm^2] or delta [mm]; K T [mm^3] or gamma [rad], where K is the compliance of the contact.
+    accuracy : float or None
+        Relative error of approach or load that the automatic grid aims for; None where strips are given.
+    accuracy_given : bool
+        Whether the user gave that.
+    """
+
+    contact: Contact
+    model: StripModel
+    prescribed: Flags
+    target: Array
+    accuracy: float | None = None
+    accuracy_given: bool = False
+
+    def of(self, target: Array) -> Problem:
+        """Return the problem with another target."""
+        return replace(self, target=target)
 
 
 def row_of(edges: Array) -> tuple[Indices, Array]:
@@ -142,8 +172,7 @@ def padded_rows(grids: Sequence[Array]) -> tuple[Indices, Array]:
 
 def solved_on(
     problem: Problem,
-    count: Indices,
-    edges: Array,
+    grids: Grids,
     targets: Array | None = None,
     near: States | None = None,
     *,
@@ -156,10 +185,8 @@ def solved_on(
     ----------
     problem : Problem
         What the cases share.
-    count : ndarray of int, shape (grids,)
-        Numbers of strips, of every case or of one grid for all.
-    edges : ndarray, shape (grids, n + 1)
-        Their edges [mm], padded with the last one.
+    grids : Grids
+        The strips of every case, or one grid for all, with depth.
     targets : ndarray, shape (cases, 2), optional
         As `Problem.target`; that of the problem if left out.
     near : States, optional
@@ -170,19 +197,18 @@ def solved_on(
         Whether to try hard where the loop fails; see `nonhertz.strip.solving`.
     """
     targets = problem.target[None] if targets is None else targets
-    found = States.unsolved(count, edges, len(targets))
-    grids = problem.grids(count, edges)
+    found = States.unsolved(grids.counts, grids.edges, len(targets))
     conditions = BoundaryConditions(problem.prescribed, plain_array(targets))
-    solve_on_strips(grids, conditions, problem.kernel, near or States.none(), found, tolerance, patient)
+    solve_on_strips(grids, conditions, problem.model.kernel, near or States.none(), found, tolerance, patient)
     return found
 
 
 def winkler_state(problem: Problem, edges: Array) -> States:
     """Return the response of independent springs between ``edges``, not a solution."""
-    count, rows = row_of(edges)
-    found = States.unsolved(count, rows, 1)
     # Springs do not move one another: thousands of them stand here without a matrix of all by all.
-    strips, unknowns = strips_of(problem.grids(count, rows, at_rest=True), 0), unknowns_of(found, 0, edges.size - 1)
-    winkler_start(strips, BoundaryConditions(problem.prescribed, problem.target), problem.kernel, unknowns)
+    grids = problem.model.grids(*row_of(edges))
+    found = States.unsolved(grids.counts, grids.edges, 1)
+    strips, unknowns = strips_of(grids, 0), unknowns_of(found, 0, edges.size - 1)
+    winkler_start(strips, BoundaryConditions(problem.prescribed, problem.target), problem.model.kernel, unknowns)
     found.status[0] = ITERATION_LIMIT
     return found.one(0)

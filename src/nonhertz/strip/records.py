@@ -126,6 +126,13 @@ class Grids(NamedTuple):
     min_depth: Array
     at_depth: Array
 
+    def only(self, cases: Indices) -> Grids:
+        """Return the grids of some cases, whose numbers ascend."""
+        if self.counts.size in {cases.size, 1}:
+            return self
+        rows: Any = (values[cases] for values in self)
+        return Grids(*rows)
+
 
 class States(NamedTuple):
     """The states that the loop left many cases in, a case in each row; or one case, without the first axis.

@@ -22,7 +22,7 @@ _PARABOLA = np.linalg.qr(np.vander(PLACES, 3))[0]
 def within(problem: Problem, edges: Array) -> tuple[Array, Array]:
     """Return places within each strip and the separation there, shape (..., strips, places) each."""
     y = 0.5 * (edges[..., 1:] + edges[..., :-1])[..., None] + np.diff(edges)[..., None] * PLACES
-    return y, problem.separation(y.ravel()).reshape(y.shape)
+    return y, problem.model.separation(y.ravel()).reshape(y.shape)
 
 
 def departures(separation: Array) -> Array:

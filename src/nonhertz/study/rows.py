@@ -169,7 +169,7 @@ class Work:
                 raise InputError("moment", case.prescribed["moment"], condition, "leave it out, or give a load")
             tilt = case.prescribed.get("tilt", 0.0)
             problem = problem_of(case.contact, Prescription(load=1.0, tilt=tilt), case.solver["element"])
-            edges = np.linspace(*bounded(problem, case.contact.interval), TOUCHING + 1)
+            edges = np.linspace(*bounded(problem), TOUCHING + 1)
             touched = -float(penetrations(case.contact, edges, np.array([0.0, tilt])))
         except NonhertzError as error:
             return self._failed(error)
