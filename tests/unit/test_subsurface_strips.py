@@ -11,7 +11,7 @@ from scipy.integrate import quad
 from nonhertz.hertz import line_contact
 from nonhertz.subsurface.lamination import Lamination
 from nonhertz.subsurface.strips import LADDER, StripLoad, rules
-from nonhertz.subsurface.tails import displacement_tail, stress_tail
+from nonhertz.subsurface.tails import DISPLACEMENT, displacement_tail, stress_tail
 
 POISSON = 0.28
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(160)
@@ -87,7 +87,7 @@ def test_a_tail_is_the_integral_of_point_loads(component):
 @pytest.mark.parametrize("component", range(3))
 def test_two_tails_differ_by_the_displacement_of_the_segment_between_them(component):
     X, z = 0.4, 0.25
-    near, far = (displacement_tail(X, Y, z, POISSON)[component] for Y in (0.3, 1.7))
+    near, far = (displacement_tail(X, Y, z, POISSON)[DISPLACEMENT[component]] for Y in (0.3, 1.7))
     expected, _ = quad(lambda s: point_load(X, -s, z)[1][component], 0.3, 1.7, epsabs=1e-12)
     assert near - far == pytest.approx(expected, abs=1e-10)
 

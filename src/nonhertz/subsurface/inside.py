@@ -8,6 +8,7 @@ individually are lumped into line loads that begin beyond the last separate imag
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 from weakref import WeakKeyDictionary
@@ -22,16 +23,15 @@ from nonhertz.bodies.influence import influence_within
 from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
-from nonhertz.model.body import Body, BodyName
+from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.model.side_faces import SERIES
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution, Solved
 from nonhertz.subsurface.extent import Extent
-from nonhertz.subsurface.field import TAU_XY, TAU_YZ
 from nonhertz.subsurface.free_faces import FreeFaceField, Spectrum
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
-from nonhertz.subsurface.tails import TWO_PI, stress_tail
+from nonhertz.subsurface.tails import ODD, TWO_PI, stress_tail
 from nonhertz.subsurface.wall import Wall
 
 Array = NDArray[np.float64]
@@ -102,19 +102,24 @@ class Inside:
         InputError
             If ``name`` is neither body, or ``solution`` is not a solution.
         """
-        checked_body(name)
-        checked_solution(solution)
-        edges = solution.edges
-        which = "ab".index(name)
-        terms, reference = influence_within(solution.contact, solution.shape, which)
+        kept = _KEPT.setdefault(checked_solution(solution), {})
+        if checked_body(name) not in kept:
+            load = next((each.load for each in kept.values()), None) or _load(solution)
+            kept[name] = cls._made(solution, name, load)
+        return kept[name]
+
+    @classmethod
+    def _made(cls, solution: Solved, name: BodyName, load: Load) -> Inside:
+        which = BODIES.index(name)
         body = (solution.contact.a, solution.contact.b)[which]
+        terms, reference = influence_within(solution.contact, solution.shape, which)
         afar = 0.0
         if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
             afar = solution.load / body.length * float(terms[-1, 2])
         pressed = solution.contact.compliance * solution.line_load
-        faces = _faces(solution, name, body)
-        wall = _wall(solution, name, body, terms, faces)
-        return cls(name, body, _load(solution), terms, faces, wall, reference, edges, pressed, afar)
+        faces = tuple(_faces(solution, body, load))
+        wall = Wall.of(solution, body, Extent(name, body), terms, faces)
+        return cls(name, body, load, terms, faces, wall, reference, solution.edges, pressed, afar)
 
     def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
         return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
@@ -160,7 +165,7 @@ class Inside:
         total = np.zeros((points.shape[0], 6))
         for sign, offset, weight in self.terms:
             part = self.load.stress(_seen(points, sign, offset), self.body.material.poisson)
-            part[:, [TAU_YZ, TAU_XY]] *= sign
+            part[:, ODD] *= sign
             total += weight * part
         for face in self.faces:
             total += face.stress(points)
@@ -209,55 +214,28 @@ def checked_body(name: object) -> BodyName:
     raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
 
 
-# Cached: solutions are immutable, and a search evaluates the field below one a hundred times.
-_LOADS: WeakKeyDictionary[Solved, Load] = WeakKeyDictionary()
+# Solutions are immutable, and a search evaluates the field below one a hundred times.
+_KEPT: WeakKeyDictionary[Solved, dict[BodyName, Inside]] = WeakKeyDictionary()
 
 
 def _load(solution: Solved) -> Load:
-    """Return the pressure of a solution, built on first use."""
-    load = _LOADS.get(solution)
-    if load is None:
-        if isinstance(solution, Solution):
-            load = StripLoad.of(solution)
-        elif isinstance(solution, PatchSolution):
-            load = Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
-        else:
-            raise TypeError(f"no field below a {type(solution).__name__}")
-        _LOADS[solution] = load
-    return load
+    if isinstance(solution, Solution):
+        return StripLoad.of(solution)
+    assert isinstance(solution, PatchSolution)
+    return Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
 
 
-_FACES: WeakKeyDictionary[Solved, dict[BodyName, tuple[FreeFaceField, ...]]] = WeakKeyDictionary()
-
-
-def _faces(solution: Solved, name: BodyName, body: Body) -> tuple[FreeFaceField, ...]:
-    """Return what the free side faces of a body add, built on first use."""
-    found = _FACES.setdefault(solution, {})
-    if name not in found:
-        loaded = solution.line_load > 0.0
-        y, half_width = solution.y[loaded], solution.extent_across[1][loaded]
-        low, high = solution.edges[:-1][loaded][0], solution.edges[1:][loaded][-1]
-        freed = [w > 0.0 and side.of_body for side, w in zip(body.sides, body.face_weights, strict=True)]
-        faces = []
-        for place, opposite, side in ((*body.faces, -1.0), (*body.faces[::-1], 1.0)):
-            if freed[side > 0.0]:
-                near = float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max()))
-                reach, other = max(high - place, place - low), opposite if all(freed) else None
-                load, poisson = _load(solution), body.material.poisson
-                faces.append(FreeFaceField.of(load.spectrum, place, side, near, reach, poisson, other))
-        found[name] = tuple(faces)
-    return found[name]
-
-
-_WALLS: WeakKeyDictionary[Solved, dict[BodyName, Wall | None]] = WeakKeyDictionary()
-
-
-def _wall(solution: Solved, name: BodyName, body: Body, terms: Array, faces: tuple[FreeFaceField, ...]) -> Wall | None:
-    """Return the wall of a hollow roller, built on first use."""
-    found = _WALLS.setdefault(solution, {})
-    if name not in found:
-        found[name] = Wall.of(solution, body, Extent(name, body), terms, faces)
-    return found[name]
+def _faces(solution: Solved, body: Body, load: Load) -> Iterator[FreeFaceField]:
+    """Yield what the free side faces of a body add."""
+    loaded = solution.line_load > 0.0
+    y, half_width = solution.y[loaded], solution.extent_across[1][loaded]
+    low, high = solution.edges[:-1][loaded][0], solution.edges[1:][loaded][-1]
+    freed = [w > 0.0 and side.of_body for side, w in zip(body.sides, body.face_weights, strict=True)]
+    for place, opposite, side in ((*body.faces, -1.0), (*body.faces[::-1], 1.0)):
+        if freed[side > 0.0]:
+            near = float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max()))
+            reach, other = max(high - place, place - low), opposite if all(freed) else None
+            yield FreeFaceField.of(load.spectrum, place, side, near, reach, body.material.poisson, other)
 
 
 def _seen(points: Array, sign: float, offset: float) -> Array:

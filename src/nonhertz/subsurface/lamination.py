@@ -27,6 +27,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,8 +52,7 @@ MOMENT_SHARE, MOMENT_TOLERANCE = 2.5e-4, 1e-3
 ROUNDING = 1e-9
 
 
-@dataclass(frozen=True, eq=False)
-class Lamination:
+class Lamination(NamedTuple):
     """The strips in contact, and after them all their pieces.
 
     Attributes

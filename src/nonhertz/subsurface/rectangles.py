@@ -22,7 +22,7 @@ here so that they hold on the surface too; they and the rest are derived here an
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
@@ -34,7 +34,7 @@ from numpy.typing import NDArray
 from nonhertz.compiled import compiled, plain_array
 from nonhertz.patch.kernel import edges_from
 from nonhertz.subsurface.free_faces import Spectrum
-from nonhertz.subsurface.tails import TWO_PI, Six, Three, displacement_tail, stress_tail
+from nonhertz.subsurface.tails import DISPLACEMENT, TWO_PI, Six, displacement_tail, stress_tail
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -141,10 +141,10 @@ class Rectangles:
 
     def displacement(self, points: Array, poisson: float) -> Array:
         """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
-        out = np.zeros((points.shape[0], 3))
+        out = np.zeros((points.shape[0], 6))
         if self.panels is not None:
             _displacement(plain_array(points), poisson, self.panels, out)
-        return out
+        return out[:, DISPLACEMENT]
 
     def spectrum(self, k: Array, y: float) -> Spectrum:
         """Return the transforms of all rows at wave numbers ``k`` [1/mm], wherever ``y`` is."""
@@ -217,37 +217,6 @@ def rule_ellipses() -> Array:
 
 
 @compiled
-def _stress(points: Array, poisson: float, panels: Panels, out: Array) -> None:
-    pieces = _room(panels)
-    for n in range(points.shape[0]):
-        # A negative zero would put the arctangents on the other branch.
-        x, y, z = points[n, 0], points[n, 1], points[n, 2] + 0.0
-        for k in range(_divide(x, y, z, panels, pieces)):
-            if pieces[k, 1] == EXACT:
-                _add_stress_of_cells(x, y, z, poisson, panels, pieces[k], out[n])
-            else:
-                _add_stress_of_lines(x, y, z, poisson, panels, pieces[k], out[n])
-
-
-@compiled
-def _displacement(points: Array, poisson: float, panels: Panels, out: Array) -> None:
-    pieces = _room(panels)
-    for n in range(points.shape[0]):
-        x, y, z = points[n, 0], points[n, 1], points[n, 2] + 0.0
-        for k in range(_divide(x, y, z, panels, pieces)):
-            if pieces[k, 1] == EXACT:
-                _add_displacement_of_cells(x, y, z, poisson, panels, pieces[k], out[n])
-            else:
-                _add_displacement_of_lines(x, y, z, poisson, panels, pieces[k], out[n])
-
-
-@compiled
-def _room(panels: Panels) -> Integers:
-    """Return a buffer for the pieces of one point: two for each rule of a panel, and one for Love's form."""
-    return np.empty((panels.half.size * (2 * panels.ellipses.shape[0] + 1), 4), dtype=np.int64)
-
-
-@compiled
 def _divide(x: float, y: float, z: float, panels: Panels, pieces: Integers) -> int:
     """Divide the load for one point; pieces are (panel, rule or EXACT, first row, row after the last)."""
     count, total = 0, panels.half.size
@@ -293,87 +262,6 @@ def _rows_within(x: float, y: float, z: float, panels: Panels, panel: int, rule:
 
 
 @compiled
-def _add_stress_of_lines(
-    x: float, y: float, z: float, poisson: float, panels: Panels, piece: Integers, out: Array
-) -> None:
-    panel, rule, first, end = piece
-    weights = panels.weights[panel]
-    begin, stop = panels.first_node[rule], panels.first_node[rule + 1]
-    xx = yy = zz = yz = xz = xy = 0.0
-    for k in range(begin, stop):
-        X = x - panels.nodes[panel, k]
-        before = 0.0
-        for edge in range(first, end + 1):
-            after = weights[edge, k] if edge < end else 0.0
-            Y = panels.y_edges[edge] - y
-            step = after - before
-            if step == 0.0:
-                continue
-            before = after
-            mirrored = step if Y >= 0.0 else -step
-            t_xx, t_yy, t_zz, t_yz, t_xz, t_xy = stress_tail(X, abs(Y), z, poisson)
-            xx += mirrored * t_xx
-            yy += mirrored * t_yy
-            zz += mirrored * t_zz
-            yz += step * t_yz
-            xz += mirrored * t_xz
-            xy += step * t_xy
-    own = _row_over(y, panels.y_edges, first, end)
-    if own >= 0:
-        for k in range(begin, stop):
-            # The infinite line, in plane strain.
-            X = x - panels.nodes[panel, k]
-            squared = X * X + z * z
-            radial = -4.0 * weights[own, k] * z / squared
-            xx += radial * X * X / squared
-            yy += radial * poisson
-            zz += radial * z * z / squared
-            xz += radial * X * z / squared
-    out[0] += xx / TWO_PI
-    out[1] += yy / TWO_PI
-    out[2] += zz / TWO_PI
-    out[3] += yz / TWO_PI
-    out[4] += xz / TWO_PI
-    out[5] += xy / TWO_PI
-
-
-@compiled
-def _add_displacement_of_lines(
-    x: float, y: float, z: float, poisson: float, panels: Panels, piece: Integers, out: Array
-) -> None:
-    panel, rule, first, end = piece
-    weights = panels.weights[panel]
-    begin, stop = panels.first_node[rule], panels.first_node[rule + 1]
-    u_x = u_y = u_z = 0.0
-    for k in range(begin, stop):
-        X = x - panels.nodes[panel, k]
-        before = 0.0
-        for edge in range(first, end + 1):
-            after = weights[edge, k] if edge < end else 0.0
-            Y = panels.y_edges[edge] - y
-            step = after - before
-            if step == 0.0:
-                continue
-            before = after
-            mirrored = step if Y >= 0.0 else -step
-            t_x, t_y, t_z = displacement_tail(X, abs(Y), z, poisson)
-            u_x += mirrored * t_x
-            u_y += step * t_y
-            u_z += mirrored * t_z
-    own = _row_over(y, panels.y_edges, first, end)
-    if own >= 0:
-        for k in range(begin, stop):
-            # The infinite line, up to the constant of two tails.
-            X = x - panels.nodes[panel, k]
-            weight, squared = 2.0 * weights[own, k], X * X + z * z
-            u_x += weight * (z * X / squared - (1.0 - 2.0 * poisson) * math.atan2(X, z))
-            u_z += weight * (z * z / squared - (1.0 - poisson) * math.log(squared))
-    out[0] += u_x / (2.0 * TWO_PI)
-    out[1] += u_y / (2.0 * TWO_PI)
-    out[2] += u_z / (2.0 * TWO_PI)
-
-
-@compiled
 def _row_over(y: float, y_edges: Array, first: int, end: int) -> int:
     """Return the row from ``first`` up to but excluding ``end`` that the point lies under, -1 for none."""
     if not y_edges[first] < y <= y_edges[end]:
@@ -382,38 +270,6 @@ def _row_over(y: float, y_edges: Array, first: int, end: int) -> int:
     while y_edges[row + 1] < y:
         row += 1
     return row
-
-
-@compiled
-def _add_stress_of_cells(
-    x: float, y: float, z: float, poisson: float, panels: Panels, piece: Integers, out: Array
-) -> None:
-    panel, _, first, end = piece
-    left, right = panels.columns[panel]
-    least = AT_A_CORNER * (panels.x_edges[1] - panels.x_edges[0])
-    for i in range(left, right + 1):
-        for j in range(first, end + 1):
-            step = _step_at_corner(panels.pressure, i, j, left, right, first, end) / TWO_PI
-            if step != 0.0:
-                corner = _stress_corner(panels.x_edges[i] - x, panels.y_edges[j] - y, z, poisson, least)
-                for component in range(6):
-                    out[component] += step * corner[component]
-
-
-@compiled
-def _add_displacement_of_cells(
-    x: float, y: float, z: float, poisson: float, panels: Panels, piece: Integers, out: Array
-) -> None:
-    panel, _, first, end = piece
-    left, right = panels.columns[panel]
-    least = AT_A_CORNER * (panels.x_edges[1] - panels.x_edges[0])
-    for i in range(left, right + 1):
-        for j in range(first, end + 1):
-            step = _step_at_corner(panels.pressure, i, j, left, right, first, end) / (2.0 * TWO_PI)
-            if step != 0.0:
-                corner = _displacement_corner(panels.x_edges[i] - x, panels.y_edges[j] - y, z, poisson, least)
-                for component in range(3):
-                    out[component] += step * corner[component]
 
 
 @compiled
@@ -451,8 +307,8 @@ def _stress_corner(X: float, Y: float, z: float, poisson: float, least: float) -
 
 
 @compiled
-def _displacement_corner(X: float, Y: float, z: float, poisson: float, least: float) -> Three:
-    """Return 4 pi G times the displacements of Love's corner (X, Y) ahead of the point."""
+def _displacement_corner(X: float, Y: float, z: float, poisson: float, least: float) -> Six:
+    """Return 4 pi G times u_x, 0, u_z, u_y, 0, 0 of Love's corner (X, Y) ahead of the point."""
     R = max(math.sqrt(X * X + Y * Y + z * z), least)
     across, along = max(X * X + z * z, least * least), max(Y * Y + z * z, least * least)
     lateral = 1.0 - 2.0 * poisson
@@ -463,6 +319,122 @@ def _displacement_corner(X: float, Y: float, z: float, poisson: float, least: fl
     depth = math.log(R + z)
     return (
         z * of_y + lateral * (Y * depth + z * of_y + X * angle_x),
-        z * of_x + lateral * (X * depth + z * of_x + Y * (angle - angle_x)),
+        0.0,
         2.0 * (1.0 - poisson) * (X * of_y + Y * of_x) - lateral * z * angle,
+        z * of_x + lateral * (X * depth + z * of_x + Y * (angle - angle_x)),
+        0.0,
+        0.0,
     )
+
+
+@compiled
+def _stress_of_line(X: float, z: float, poisson: float) -> Six:
+    """Return 2 pi times the stress of an infinite line, in plane strain."""
+    squared = X * X + z * z
+    radial = -4.0 * z / squared
+    return radial * X * X / squared, radial * poisson, radial * z * z / squared, 0.0, radial * X * z / squared, 0.0
+
+
+@compiled
+def _displacement_of_line(X: float, z: float, poisson: float) -> Six:
+    """Return 4 pi G times its displacement, up to the constant of two tails."""
+    squared = X * X + z * z
+    u_x = 2.0 * (z * X / squared - (1.0 - 2.0 * poisson) * math.atan2(X, z))
+    return u_x, 0.0, 2.0 * (z * z / squared - (1.0 - poisson) * math.log(squared)), 0.0, 0.0, 0.0
+
+
+Sum = Callable[[Array, float, Panels, Array], None]
+
+
+Part = Callable[[float, float, float, float, Panels, Integers, Array], None]
+
+
+def _lines(scale: float, tail: Callable[..., Six], infinite: Callable[..., Six]) -> Part:
+    """Return what adds up the lines of a piece, by what a tail and an infinite line do."""
+
+    @compiled
+    def add_lines(x: float, y: float, z: float, poisson: float, panels: Panels, piece: Integers, out: Array) -> None:
+        panel, rule, first, end = piece
+        weights = panels.weights[panel]
+        begin, stop = panels.first_node[rule], panels.first_node[rule + 1]
+        xx = yy = zz = yz = xz = xy = 0.0
+        for k in range(begin, stop):
+            X = x - panels.nodes[panel, k]
+            before = 0.0
+            for edge in range(first, end + 1):
+                after = weights[edge, k] if edge < end else 0.0
+                Y = panels.y_edges[edge] - y
+                step = after - before
+                if step == 0.0:
+                    continue
+                before = after
+                mirrored = step if Y >= 0.0 else -step
+                t_xx, t_yy, t_zz, t_yz, t_xz, t_xy = tail(X, abs(Y), z, poisson)
+                xx += mirrored * t_xx
+                yy += mirrored * t_yy
+                zz += mirrored * t_zz
+                yz += step * t_yz
+                xz += mirrored * t_xz
+                xy += step * t_xy
+        own = _row_over(y, panels.y_edges, first, end)
+        if own >= 0:
+            for k in range(begin, stop):
+                t_xx, t_yy, t_zz, _, t_xz, _ = infinite(x - panels.nodes[panel, k], z, poisson)
+                xx += weights[own, k] * t_xx
+                yy += weights[own, k] * t_yy
+                zz += weights[own, k] * t_zz
+                xz += weights[own, k] * t_xz
+        out[0] += scale * xx
+        out[1] += scale * yy
+        out[2] += scale * zz
+        out[3] += scale * yz
+        out[4] += scale * xz
+        out[5] += scale * xy
+
+    return add_lines
+
+
+def _cells(scale: float, corner: Callable[..., Six]) -> Part:
+    """Return what adds up the cells of a piece, by what Love's corners do."""
+
+    @compiled
+    def add_cells(x: float, y: float, z: float, poisson: float, panels: Panels, piece: Integers, out: Array) -> None:
+        panel, _, first, end = piece
+        left, right = panels.columns[panel]
+        least = AT_A_CORNER * (panels.x_edges[1] - panels.x_edges[0])
+        for i in range(left, right + 1):
+            for j in range(first, end + 1):
+                step = scale * _step_at_corner(panels.pressure, i, j, left, right, first, end)
+                if step != 0.0:
+                    of_corner = corner(panels.x_edges[i] - x, panels.y_edges[j] - y, z, poisson, least)
+                    for component in range(6):
+                        out[component] += step * of_corner[component]
+
+    return add_cells
+
+
+def _sum_of(name: str, add_lines: Part, add_cells: Part) -> Sum:
+    """Return a compiled loop, kept by its name, that adds up all pieces at points."""
+
+    def add_up(points: Array, poisson: float, panels: Panels, out: Array) -> None:
+        # Room for the pieces of one point: two for each rule of a panel, and one for Love's form.
+        pieces = np.empty((panels.half.size * (2 * panels.ellipses.shape[0] + 1), 4), dtype=np.int64)
+        for n in range(points.shape[0]):
+            # A negative zero would put the arctangents on the other branch.
+            x, y, z = points[n, 0], points[n, 1], points[n, 2] + 0.0
+            for k in range(_divide(x, y, z, panels, pieces)):
+                if pieces[k, 1] == EXACT:
+                    add_cells(x, y, z, poisson, panels, pieces[k], out[n])
+                else:
+                    add_lines(x, y, z, poisson, panels, pieces[k], out[n])
+
+    add_up.__name__ = name
+    return compiled(add_up)
+
+
+_stress = _sum_of("_stress", _lines(1.0 / TWO_PI, stress_tail, _stress_of_line), _cells(1.0 / TWO_PI, _stress_corner))
+_displacement = _sum_of(
+    "_displacement",
+    _lines(0.5 / TWO_PI, displacement_tail, _displacement_of_line),
+    _cells(0.5 / TWO_PI, _displacement_corner),
+)

@@ -20,8 +20,10 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +32,7 @@ from nonhertz.compiled import compiled
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface.free_faces import Spectrum
 from nonhertz.subsurface.lamination import Lamination, laminated
-from nonhertz.subsurface.tails import TWO_PI, displacement_tail, stress_tail
+from nonhertz.subsurface.tails import DISPLACEMENT, TWO_PI, Six, displacement_tail, stress_tail
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -66,24 +68,22 @@ class StripLoad:
 
     def stress(self, points: Array, poisson: float) -> Array:
         """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
-        out = np.zeros((points.shape[0], 6))
-        _stress(points, *self._given(poisson), out)
+        out = np.empty((points.shape[0], 6))
+        _stress(points, self.strips, rules(), poisson, out)
         return out
 
     def displacement(self, points: Array, poisson: float) -> Array:
         """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
-        out = np.zeros((points.shape[0], 3))
-        _displacement(points, *self._given(poisson), out)
-        return out
+        out = np.empty((points.shape[0], 6))
+        _displacement(points, self.strips, rules(), poisson, out)
+        return out[:, DISPLACEMENT]
 
     def spectrum(self, k: Array, y: float) -> Spectrum:
         """Return the transforms of the strips at wave numbers ``k`` [1/mm], and of their pieces near ``y``."""
         from scipy.special import j1
 
         of = self.strips
-        counted = np.concatenate(
-            [np.arange(*_counted(j, y, of.low, of.high, of.half_width, of.first)) for j in range(of.first.size - 1)]
-        )
+        counted = np.concatenate([np.arange(*_counted(j, y, of)) for j in range(of.first.size - 1)])
         low, high, load, half_width = (each[counted] for each in (of.low, of.high, of.line_load, of.half_width))
         s = k[:, None] * half_width
         transform = load * 2.0 * j1(s) / s
@@ -93,28 +93,34 @@ class StripLoad:
         edges, first = np.unique(edges[order], return_index=True)
         return Spectrum(edges, np.add.reduceat(steps, first, axis=1), None)
 
-    def _given(
-        self, poisson: float
-    ) -> tuple[Array, Array, Array, Array, Integers, Array, Array, Integers, Array, float]:
-        of = self.strips
-        return of.low, of.high, of.line_load, of.half_width, of.first, *rules(), poisson
+
+class Rules(NamedTuple):
+    """Gaussian rules for a semi-ellipse whose integral is 1 (Chebyshev, second kind).
+
+    Attributes
+    ----------
+    nodes, weights : ndarray
+        Of all rules, one after the other.
+    starts : ndarray of int, shape (rules + 1,)
+        Where each rule begins.
+    enough : ndarray, shape (rules,)
+        The smallest sum of distances from both edges over the half-width at which each suffices, descending.
+    """
+
+    nodes: Array
+    weights: Array
+    starts: Integers
+    enough: Array
 
 
 @cache
-def rules() -> tuple[Array, Array, Integers, Array]:
-    """Return the Gaussian rules for a semi-ellipse whose integral is 1 (Chebyshev, second kind).
-
-    Returns
-    -------
-    tuple
-        Nodes and weights of all rules, concatenated; the start index of each rule; and the smallest sum of distances
-        from both edges over the half-width at which each rule suffices, descending.
-    """
+def rules() -> Rules:
+    """Return the rules of `LADDER`."""
     angles = [np.pi * np.arange(1, count + 1) / (count + 1) for count in LADDER]
     nodes = np.concatenate([np.cos(angle) for angle in angles])
     weights = np.concatenate([2.0 / (angle.size + 1) * np.sin(angle) ** 2 for angle in angles])
     starts = np.concatenate([[0], np.cumsum(LADDER)])
-    return nodes, weights, starts, 2.0 * np.cosh(-math.log(ERROR) / (2.0 * np.array(LADDER)))
+    return Rules(nodes, weights, starts, 2.0 * np.cosh(-math.log(ERROR) / (2.0 * np.array(LADDER))))
 
 
 @compiled
@@ -162,104 +168,81 @@ def _tails(low: float, high: float, z: float, a: float) -> tuple[float, float, f
 
 
 @compiled
-def _counted(j: int, y: float, low: Array, high: Array, half_width: Array, first: Integers) -> tuple[int, int]:
+def _counted(j: int, y: float, strips: Lamination) -> tuple[int, int]:
     """Return the index range that represents strip ``j``: the strip itself from afar, else its pieces."""
-    apart = max(low[j] - y, y - high[j])
-    if apart > FAR * half_width[j] and apart > FAR_IN_LENGTHS * (high[j] - low[j]):
+    low, high = strips.low[j], strips.high[j]
+    apart = max(low - y, y - high)
+    if apart > FAR * strips.half_width[j] and apart > FAR_IN_LENGTHS * (high - low):
         return j, j + 1
-    return first[j], first[j + 1]
+    return strips.first[j], strips.first[j + 1]
 
 
 @compiled
-def _stress(
-    points: Array,
-    low: Array,
-    high: Array,
-    line_load: Array,
-    half_width: Array,
-    first: Integers,
-    nodes: Array,
-    weights: Array,
-    starts: Integers,
-    enough: Array,
-    poisson: float,
-    out: Array,
-) -> None:
-    for i in range(points.shape[0]):
-        x, y, z = points[i, 0], points[i, 1], points[i, 2]
-        t_x, t_y, t_z, t_yz, t_xz, t_xy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-        for j in range(first.size - 1):
-            begin, end = _counted(j, y, low, high, half_width, first)
-            for p in range(begin, end):
-                a, q = half_width[p], line_load[p] / TWO_PI
-                Y1, even1, odd1, Y2, even2, odd2, whole = _tails(low[p] - y, high[p] - y, z, a)
-                if whole > 0.0:
-                    if abs(x) + z < CLOSED_FORM * a:
-                        H, slope, _ = _infinite(x, z, a)
-                        s_x, s_z = 2.0 * (H.imag + z * slope.real), 2.0 * (H.imag - z * slope.real)
-                        s_xz = -2.0 * z * slope.imag
-                    else:
-                        s_x, s_z, s_xz = 0.0, 0.0, 0.0
-                        rule = _sufficient(x, z, a, enough)
-                        for k in range(starts[rule], starts[rule + 1]):
-                            X = x - a * nodes[k]
-                            square = X * X + z * z
-                            common = -4.0 * weights[k] * z / (square * square)
-                            s_x += common * X * X
-                            s_z += common * z * z
-                            s_xz += common * X * z
-                    t_x += whole * q * s_x
-                    t_y += whole * q * poisson * (s_x + s_z)
-                    t_z += whole * q * s_z
-                    t_xz += whole * q * s_xz
-                rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
-                for k in range(starts[rule], starts[rule + 1]):
-                    X, w = x - a * nodes[k], q * weights[k]
-                    f_x, f_y, f_z, f_yz, f_xz, f_xy = stress_tail(X, Y1, z, poisson)
-                    g_x, g_y, g_z, g_yz, g_xz, g_xy = stress_tail(X, Y2, z, poisson)
-                    t_x += w * (even1 * f_x + even2 * g_x)
-                    t_y += w * (even1 * f_y + even2 * g_y)
-                    t_z += w * (even1 * f_z + even2 * g_z)
-                    t_yz += w * (odd1 * f_yz + odd2 * g_yz)
-                    t_xz += w * (even1 * f_xz + even2 * g_xz)
-                    t_xy += w * (odd1 * f_xy + odd2 * g_xy)
-        out[i, 0], out[i, 1], out[i, 2], out[i, 3], out[i, 4], out[i, 5] = t_x, t_y, t_z, t_yz, t_xz, t_xy
+def _stress_of_infinite(x: float, z: float, a: float, poisson: float, rules: Rules) -> Six:
+    """Return 2 pi times the stress of an infinite strip under unit line load."""
+    if abs(x) + z < CLOSED_FORM * a:
+        H, slope, _ = _infinite(x, z, a)
+        s_x, s_z = 2.0 * (H.imag + z * slope.real), 2.0 * (H.imag - z * slope.real)
+        s_xz = -2.0 * z * slope.imag
+    else:
+        s_x, s_z, s_xz = 0.0, 0.0, 0.0
+        rule = _sufficient(x, z, a, rules.enough)
+        for k in range(rules.starts[rule], rules.starts[rule + 1]):
+            X = x - a * rules.nodes[k]
+            square = X * X + z * z
+            common = -4.0 * rules.weights[k] * z / (square * square)
+            s_x += common * X * X
+            s_z += common * z * z
+            s_xz += common * X * z
+    return s_x, poisson * (s_x + s_z), s_z, 0.0, s_xz, 0.0
 
 
 @compiled
-def _displacement(
-    points: Array,
-    low: Array,
-    high: Array,
-    line_load: Array,
-    half_width: Array,
-    first: Integers,
-    nodes: Array,
-    weights: Array,
-    starts: Integers,
-    enough: Array,
-    poisson: float,
-    out: Array,
-) -> None:
-    for i in range(points.shape[0]):
-        x, y, z = points[i, 0], points[i, 1], points[i, 2]
-        u_x, u_y, u_z = 0.0, 0.0, 0.0
-        for j in range(first.size - 1):
-            begin, end = _counted(j, y, low, high, half_width, first)
-            for p in range(begin, end):
-                a, q = half_width[p], 0.5 * line_load[p] / TWO_PI
-                Y1, even1, odd1, Y2, even2, odd2, whole = _tails(low[p] - y, high[p] - y, z, a)
-                if whole > 0.0:
-                    H, _, potential = _infinite(x, z, a)
-                    turned = math.pi - 2.0 * potential.imag
-                    u_x += whole * q * (2.0 * z * H.real - (1.0 - 2.0 * poisson) * turned)
-                    u_z += whole * q * (-4.0 * (1.0 - poisson) * potential.real - 2.0 * z * H.imag)
-                rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, enough)
-                for k in range(starts[rule], starts[rule + 1]):
-                    X, w = x - a * nodes[k], q * weights[k]
-                    f_x, f_y, f_z = displacement_tail(X, Y1, z, poisson)
-                    g_x, g_y, g_z = displacement_tail(X, Y2, z, poisson)
-                    u_x += w * (even1 * f_x + even2 * g_x)
-                    u_y += w * (odd1 * f_y + odd2 * g_y)
-                    u_z += w * (even1 * f_z + even2 * g_z)
-        out[i, 0], out[i, 1], out[i, 2] = u_x, u_y, u_z
+def _displacement_of_infinite(x: float, z: float, a: float, poisson: float, rules: Rules) -> Six:
+    """Return 4 pi G times its displacement, as `displacement_tail` does and up to the same constants."""
+    H, _, potential = _infinite(x, z, a)
+    turned = math.pi - 2.0 * potential.imag
+    u_x = 2.0 * z * H.real - (1.0 - 2.0 * poisson) * turned
+    return u_x, 0.0, -4.0 * (1.0 - poisson) * potential.real - 2.0 * z * H.imag, 0.0, 0.0, 0.0
+
+
+Sum = Callable[[Array, Lamination, Rules, float, Array], None]
+
+
+def _sum_of(name: str, scale: float, tail: Callable[..., Six], infinite: Callable[..., Six]) -> Sum:
+    """Return a compiled loop, kept by its name, that adds up at points what all tails and infinite strips do there."""
+
+    def add_up(points: Array, strips: Lamination, rules: Rules, poisson: float, out: Array) -> None:
+        for i in range(points.shape[0]):
+            x, y, z = points[i, 0], points[i, 1], points[i, 2]
+            t_x, t_y, t_z, t_yz, t_xz, t_xy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+            for j in range(strips.first.size - 1):
+                begin, end = _counted(j, y, strips)
+                for p in range(begin, end):
+                    a, q = strips.half_width[p], scale * strips.line_load[p]
+                    Y1, even1, odd1, Y2, even2, odd2, whole = _tails(strips.low[p] - y, strips.high[p] - y, z, a)
+                    if whole > 0.0:
+                        s_x, s_y, s_z, _, s_xz, _ = infinite(x, z, a, poisson, rules)
+                        t_x += whole * q * s_x
+                        t_y += whole * q * s_y
+                        t_z += whole * q * s_z
+                        t_xz += whole * q * s_xz
+                    rule = _sufficient(x, math.sqrt(z * z + min(Y1, Y2) ** 2), a, rules.enough)
+                    for k in range(rules.starts[rule], rules.starts[rule + 1]):
+                        X, w = x - a * rules.nodes[k], q * rules.weights[k]
+                        f_x, f_y, f_z, f_yz, f_xz, f_xy = tail(X, Y1, z, poisson)
+                        g_x, g_y, g_z, g_yz, g_xz, g_xy = tail(X, Y2, z, poisson)
+                        t_x += w * (even1 * f_x + even2 * g_x)
+                        t_y += w * (even1 * f_y + even2 * g_y)
+                        t_z += w * (even1 * f_z + even2 * g_z)
+                        t_yz += w * (odd1 * f_yz + odd2 * g_yz)
+                        t_xz += w * (even1 * f_xz + even2 * g_xz)
+                        t_xy += w * (odd1 * f_xy + odd2 * g_xy)
+            out[i, 0], out[i, 1], out[i, 2], out[i, 3], out[i, 4], out[i, 5] = t_x, t_y, t_z, t_yz, t_xz, t_xy
+
+    add_up.__name__ = name
+    return compiled(add_up)
+
+
+_stress = _sum_of("_stress", 1.0 / TWO_PI, stress_tail, _stress_of_infinite)
+_displacement = _sum_of("_displacement", 0.5 / TWO_PI, displacement_tail, _displacement_of_infinite)

@@ -13,7 +13,8 @@ and there is no cancellation for Y >= 0, however near the line the point is, unl
 two ends in powers of X^2 + z^2. A strip beside the point is the difference between two tails. A strip over the point is
 the infinite line less a tail on either side; and the infinite line has a closed form in plane strain for the whole
 width of the strip, so that what is left to quadrature is no nearer to the point than the strip's ends. Tails behind the
-point are mirrored: tau_yz, tau_xy and u_y change sign.
+point are mirrored: tau_yz, tau_xy and u_y change sign. Displacement is kept in the places of the stresses that have its
+symmetry, u_x, 0, u_z, u_y, 0, 0, so that one loop adds up either.
 
 References
 ----------
@@ -31,7 +32,8 @@ from nonhertz.compiled import compiled
 TWO_PI = 2.0 * math.pi
 
 Six = tuple[float, float, float, float, float, float]
-Three = tuple[float, float, float]
+#: Which of six components change their sign with y, and which are a displacement's.
+ODD, DISPLACEMENT = [3, 5], [0, 3, 2]
 
 
 @compiled
@@ -55,13 +57,16 @@ def stress_tail(X: float, Y: float, z: float, poisson: float) -> Six:
 
 
 @compiled
-def displacement_tail(X: float, Y: float, z: float, poisson: float) -> Three:
-    """Return 4 pi G times u_x, u_y, u_z of the tail, Y > 0, u_y and u_z up to constants that two tails share."""
+def displacement_tail(X: float, Y: float, z: float, poisson: float) -> Six:
+    """Return 4 pi G times u_x, 0, u_z, u_y, 0, 0 of the tail, Y > 0, u_y and u_z up to constants two tails share."""
     R = math.sqrt(X * X + Y * Y + z * z)
     lateral = 1.0 - 2.0 * poisson
     c = 1.0 / (R * (R + Y))
     return (
         z * X * c - 2.0 * lateral * math.atan2(X, Y + R + z),
-        -z / R - lateral * math.log(R + z),
+        0.0,
         -2.0 * (1.0 - poisson) * math.log(R + Y) + z * z * c,
+        -z / R - lateral * math.log(R + z),
+        0.0,
+        0.0,
     )
