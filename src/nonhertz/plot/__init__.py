@@ -1,11 +1,12 @@
 """Drawings of a solution or a whole bearing, for papers and reports.
 
-Functions that draw take a result, and matplotlib axes or none for a figure of their own, and return the axes. Of a
-solution they are `pressure` (pressure and half-width along the contact), `footprint` (the contact area) and `profile`
-(the surfaces before and after loading); with what `nonhertz.subsurface` found below the surface, `axial_stress` (a
-plane along the contact) and `section_stress` (a plane across it); of lives, `life_density`; of a
-`nonhertz.bearing.BearingSolution`, `bearing_loads`, `bearing_pressure`, `most_loaded_roller`, `roller_relief` and
-`displacement_against_load`. `draw` chooses by name, as the method ``plot`` of both does.
+Functions that draw take a result and axes of matplotlib, ``ax``, on which they draw and which they return. Without axes
+each makes a figure of its own, ``ax.figure``. Of a solution they are `pressure` (pressure and half-width along the
+contact), `footprint` (the contact area) and `profile` (the surfaces before and after loading); with what
+`nonhertz.subsurface` found below the surface, `axial_stress` (a plane along the contact) and `section_stress` (a plane
+across it); of lives, `life_density`; of a `nonhertz.bearing.BearingSolution`, `bearing_loads`, `bearing_pressure`,
+`most_loaded_roller`, `roller_relief` and `displacement_against_load`. `draw` chooses by name, as the method ``plot`` of
+both does.
 
 Finished figures are made by `figures` of a solution or a bearing, `bearing_figures` of a bearing with maps,
 `stress_figures`, `comparison` (strips beside a plane grid), `life_figure` (where the bodies fatigue), `dent_figure` (a

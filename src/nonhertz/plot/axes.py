@@ -1,22 +1,54 @@
-"""What all axes share: the unit in which their numbers are drawn, their frame, and the key above them."""
+"""What all axes share: a figure of their own, the unit of their numbers, frame, words and key."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+import functools
+import inspect
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import amount
-from nonhertz.plot.style import SMALL_SIZE
+from nonhertz.plot.style import SMALL_SIZE, sheet_style
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
+P = ParamSpec("P")
+T = TypeVar("T")
+Alignment = Literal["left", "center", "right"]
+
+#: Axes that a drawing is not given, so that it makes a figure of its own.
+OWN: Any = None
+OWN_SIZE = 6.7, 3.7  # inch
+
 ROUND = (1, 2, 5, 10)
 """What the steps between ticks are, times a power of ten."""
+
+
+def drawing(draw: Callable[P, T], projection: str | None = None) -> Callable[P, T]:
+    """Let a function that draws on ``ax`` do so in a figure of its own, in the style of the sheets, if it has none.
+
+    That ``ax`` is optional, and returned, is the same for all, and said by `nonhertz.plot`; docstrings say what is
+    particular.
+    """
+    signature = inspect.signature(draw)
+
+    @functools.wraps(draw)
+    def drawn(*args: P.args, **kwargs: P.kwargs) -> T:
+        given = signature.bind(*args, **kwargs)
+        if given.arguments.get("ax") is not None:
+            return draw(*args, **kwargs)
+        from matplotlib.figure import Figure
+
+        with sheet_style():
+            given.arguments["ax"] = Figure(figsize=OWN_SIZE, layout="constrained").add_subplot(projection=projection)
+            return draw(*given.args, **given.kwargs)
+
+    return drawn
 
 
 class Measure(NamedTuple):
@@ -77,3 +109,25 @@ def key_above(
     usual: dict[str, Any] = {"borderaxespad": 0.2, "borderpad": 0.2, "handlelength": 2.4, "columnspacing": 1.6}
     place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": columns}
     ax.legend(**given, **place, frameon=False, fontsize=SMALL_SIZE, **usual | options)
+
+
+def note(
+    ax: Axes,
+    words: str,
+    at: tuple[float, float],
+    side: Alignment,
+    aside: float = 0.0,
+    above: float = 0.0,
+    *,
+    across: bool = False,
+    **style: Any,
+) -> None:
+    """Write small words at a point, or away from it to the side on which they stand and above it [points].
+
+    Words with a ``side`` "left" begin there. The second number of a point is a share of the axes if it is ``across``.
+    """
+    offset = {"left": aside, "center": 0.0, "right": -aside}[side], above
+    ax.annotate(
+        words, at, xycoords=ax.get_xaxis_transform() if across else ax.transData, xytext=offset,
+        textcoords="offset points", ha=side, fontsize=SMALL_SIZE, **style,
+    )  # fmt: skip

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from nonhertz.amounts import Amount, given, mm, mrad, newton
-from nonhertz.plot.axes import key_above, measure
+from nonhertz.plot.axes import Alignment, key_above, measure, note
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
 
@@ -16,8 +16,6 @@ if TYPE_CHECKING:
 
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-
-Alignment = Literal["left", "center", "right"]
 
 LETTER = 0.55 * SMALL_SIZE / 72.0
 """Mean width of a small letter [inch]."""
@@ -77,18 +75,8 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
     for side in (-1.0, 1.0):
         here = [(end, name) for end, name in drawn if side * (end - middle) > 0.0]
         for where, name in _merged(here, side, 0.03 * (high - low)):
-            ax.annotate(
-                name,
-                (float(length(where)), 0.5),
-                xycoords=ax.get_xaxis_transform(),
-                xytext=(side * 3.0, 0.0),
-                textcoords="offset points",
-                rotation=90.0,
-                ha="right" if side < 0.0 else "left",
-                va="center",
-                fontsize=SMALL_SIZE,
-                color=FAINT_INK,
-            )
+            at, aligned = (float(length(where)), 0.5), _side(side > 0.0)
+            note(ax, name, at, aligned, 3.0, across=True, rotation=90.0, va="center", color=FAINT_INK)
 
 
 def corner_peaks(solution: Solution) -> list[tuple[float, float]]:
@@ -131,18 +119,12 @@ def mark_unlimited(solutions: Sequence[Solution], ax: Axes, colours: Sequence[st
         for edge in unlimited_ends(solution):
             ends.setdefault((round(edge.y, 6), edge is solution.edge_pressure[0]), []).append(colour)
     for (y, low), found in ends.items():
-        ax.annotate(
-            "no limit",
-            (float(measure("mm")(y)), 0.98),
-            xycoords=ax.get_xaxis_transform(),
-            xytext=(6.0 if low else -6.0, 0.0),
-            textcoords="offset points",
-            ha="left" if low else "right",
-            va="top",
-            fontsize=SMALL_SIZE,
-            color=found[0] if len(found) == 1 else INK,
-            bbox=BACKING,
-        )
+        at, colour = (float(measure("mm")(y)), 0.98), found[0] if len(found) == 1 else INK
+        note(ax, "no limit", at, _side(low), 6.0, across=True, va="top", color=colour, bbox=BACKING)
+
+
+def _side(to_the_right: bool) -> Alignment:
+    return "left" if to_the_right else "right"
 
 
 def _merged(ends: list[tuple[float, str]], side: float, near: float) -> list[tuple[float, str]]:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonhertz.amounts import EndStrength, mpa
-from nonhertz.plot.axes import along, measure
+from nonhertz.plot.axes import OWN, Alignment, along, drawing, measure, note
 from nonhertz.plot.axial import (
-    Alignment,
     alignment,
     axial_range,
     body_ends,
@@ -21,14 +20,12 @@ from nonhertz.plot.axial import (
     unlimited_ends,
     written,
 )
-from nonhertz.plot.own import OWN, drawing
-from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, HINT_DASHES, INK, LINE, SECOND, SMALL_SIZE, THIN
+from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, HINT_DASHES, INK, LINE, SECOND, THIN
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgePressure, Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.transforms import Transform
 
 # The largest pressure and half-width are drawn at these fractions of the axes' height: far enough apart to be
 # distinguished (in a line contact both curves have the same shape), with room above for the text.
@@ -41,6 +38,9 @@ BEYOND, CUT_HALF_WIDTH_SHARE, SINGULAR_SHARE = 1.6, 0.44, 0.77
 
 # Further than this fraction of the range from its middle, the text at a largest pressure is on the side of the middle.
 SIDE = 0.2
+
+# Of words above a point, on a background that hides thin lines.
+OVER_LINES: dict[str, Any] = {"va": "bottom", "color": INK, "bbox": BACKING}
 
 
 @drawing
@@ -116,11 +116,11 @@ def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     if solution.singular_ends and abs(y - 0.5 * sum(span)) > SIDE * (span[1] - span[0]):
         # Further out the climbing curve would run through the text.
         side = "left" if y < 0.5 * sum(span) else "right"
-    _write(ax, words, (float(length(y)), top), side, 3.0, 6.0, ax.transData)
+    note(ax, words, (float(length(y)), top), side, 3.0, 6.0, **OVER_LINES)
     for y, pressure in corners if not at_corner else ():
         words = f"corner, {written(mpa(pressure))}"
         drawn = float(length(y)), float(measure("MPa")(pressure))
-        _write(ax, words, drawn, "left" if y < 0.5 * sum(span) else "right", 3.0, 4.0, ax.transData)
+        note(ax, words, drawn, "left" if y < 0.5 * sum(span) else "right", 3.0, 4.0, **OVER_LINES)
 
 
 def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
@@ -138,31 +138,7 @@ def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:
     below = solution.y[measure("MPa")(solution.centre_pressure) < SINGULAR_SHARE * ax.get_ylim()[1]]
     foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y
     side: Alignment = "left" if edge is solution.edge_pressure[0] else "right"
-    _write(ax, words, (float(length(foot)), SINGULAR_SHARE), side, 4.0, 0.0, across)
-
-
-def _write(
-    ax: Axes,
-    words: str,
-    at: tuple[float, float],
-    side: Alignment,
-    aside: float,
-    above: float,
-    coordinates: Transform,
-) -> None:
-    """Write small text ``aside`` and ``above`` [points] of a point, on a background that hides thin lines."""
-    ax.annotate(
-        words,
-        at,
-        xycoords=coordinates,
-        xytext=({"left": aside, "center": 0.0, "right": -aside}[side], above),
-        textcoords="offset points",
-        ha=side,
-        va="bottom",
-        fontsize=SMALL_SIZE,
-        color=INK,
-        bbox=BACKING,
-    )
+    note(ax, words, (float(length(foot)), SINGULAR_SHARE), side, 4.0, across=True, **OVER_LINES)
 
 
 def _mark_contact(solution: Solution, ax: Axes, span: tuple[float, float]) -> None:
@@ -170,38 +146,20 @@ def _mark_contact(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     if not solution.contact_y:
         return
     across, length = ax.get_xaxis_transform(), measure("mm")
+    arrow: dict[str, Any] = {"arrowstyle": "<->,head_length=0.25,head_width=0.12", "shrinkA": 0.0, "shrinkB": 0.0}
+    arrow |= {"color": FAINT_INK, "linewidth": THIN}
     for interval in solution.contact_y:
-        drawn = length(interval)
-        ax.annotate(
-            "",
-            (drawn[0], CONTACT_SHARE),
-            xytext=(drawn[1], CONTACT_SHARE),
-            xycoords=across,
-            textcoords=across,
-            arrowprops={
-                "arrowstyle": "<->,head_length=0.25,head_width=0.12",
-                "color": FAINT_INK,
-                "linewidth": THIN,
-                "shrinkA": 0.0,
-                "shrinkB": 0.0,
-            },
-        )
+        low, high = ((float(each), CONTACT_SHARE) for each in length(interval))
+        ax.annotate("", low, xytext=high, xycoords=across, textcoords=across, arrowprops=arrow)
         for end in interval:
-            if any(np.isclose(end, body_end) for body_end, _ in body_ends(solution)):
-                continue
-            ax.plot(
-                length([end, end]),
-                [0.0, CONTACT_SHARE],
-                transform=across,
-                color=FAINT_INK,
-                linewidth=THIN,
-                linestyle=HINT_DASHES,
-            )
+            if not any(np.isclose(end, body_end) for body_end, _ in body_ends(solution)):
+                style: dict[str, Any] = {"color": FAINT_INK, "linewidth": THIN, "linestyle": HINT_DASHES}
+                ax.plot(length([end, end]), [0.0, CONTACT_SHARE], transform=across, **style)
     first, last = solution.contact_y[0][0], solution.contact_y[-1][1]
     words = _contact_words(solution, span)
     side = alignment(ax, 0.5 * (first + last), span, words)
     at = {"left": first, "center": 0.5 * (first + last), "right": last}[side]
-    _write(ax, words, (float(length(at)), CONTACT_SHARE), side, 0.0, 3.0, across)
+    note(ax, words, (float(length(at)), CONTACT_SHARE), side, 0.0, 3.0, across=True, **OVER_LINES)
 
 
 def _contact_words(solution: Solution, span: tuple[float, float]) -> str:

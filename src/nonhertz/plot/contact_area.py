@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.plot.axes import ROUND, measure
+from nonhertz.plot.axes import OWN, ROUND, drawing, measure
 from nonhertz.plot.axial import axial_range, draw_body_ends, number
-from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC

@@ -12,11 +12,10 @@ from nonhertz.amounts import Amount, mrad, newton
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.plot.axes import along, key_above, measure, open_frame
+from nonhertz.plot.axes import OWN, along, drawing, key_above, measure, open_frame
 from nonhertz.plot.axial import axial_range, conditions, draw_body_ends, mark_unlimited, number, written
-from nonhertz.plot.own import OWN, drawing
-from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, panel, sheet
-from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, THIN, sheet_style
+from nonhertz.plot.sheets import sheet, stacked
+from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALETTE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -28,16 +27,11 @@ Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[Solution, float]]
 
 # Inches: above each panel its name and rows of the legend.
-HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN, MARGIN = 0.06, 0.22, 0.17, 2.6, 2.0, 0.35, 0.15
+HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN = 0.06, 0.22, 0.17, 2.6, 2.0, 0.35
 COLUMNS, COLUMNS_COMPARED = 3, 2  # of the legend
 DENT_HIGH = 2.7
-LINES: dict[str, tuple[str, Any]] = {
-    "lundberg-palmgren": (FIRST, "-"),
-    "ioannides-harris": (SECOND, (0, (5, 1.5))),
-    "zaretsky": ("#009E73", (0, (6, 1.5, 1.2, 1.5))),
-    "weibull": ("#CC79A7", (0, (1.2, 1.2))),
-    "iso-16281": (INK, "-"),
-}
+MODELS = ("lundberg-palmgren", "ioannides-harris", "zaretsky", "weibull")
+LINES: dict[str, tuple[str, Any]] = {**dict(zip(MODELS, PALETTE, strict=False)), "iso-16281": (INK, "-")}
 OTHER_COLOUR, OTHER_WIDTH = "#9A9A9A", 1.8
 PEAKED = 6.0  # times the ideal: above this the axis is logarithmic
 FAINTEST = 1e-2  # of the ideal: lower end of a logarithmic axis
@@ -111,22 +105,18 @@ def life_figure(
     other = compared or {}
     bodies = BODIES[1:] if _alike(lives) and _alike(other) else BODIES
     rows = _rows(lives["b"], bool(other))
-    height = HIGH if len(bodies) == 1 else HIGH_OF_TWO
-    above = NAME + ROW * rows
+    heads = [room + NAME + ROW * rows for room in (HEAD, BETWEEN)[: len(bodies)]]
+    heights = [HIGH] if len(bodies) == 1 else [HIGH_OF_TWO] * 2
     with sheet_style():
-        bottom = len(bodies) * (above + height) + (len(bodies) - 1) * BETWEEN + BOTTOM
-        figure = sheet(HEAD + bottom, title, [_conditions(spectrum)])
+        figure, panels = stacked(heads, heights, title, [_conditions(spectrum)])
         shown = [life for body in bodies for life in (*lives[body], *other.get(body, ())[:1])]
-        for body in bodies:
-            bottom -= above + height
-            axes = panel(figure, LEFT, bottom, WIDTH - LEFT - MARGIN, height)
+        for body, axes in zip(bodies, panels, strict=True):
             life_density(spectrum, lives[body], axes, compared=other.get(body, ()))
             _scale(shown, axes)
             if len(bodies) == 1:
                 axes.set_title(_name_of_one(lives["b"]), loc="left", pad=_key_points(rows))
             elif body == "a":
                 axes.set_xlabel("")
-            bottom -= BOTTOM if body == "b" else BETWEEN
     return figure
 
 

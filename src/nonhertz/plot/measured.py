@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from nonhertz.amounts import amount, mm, um
 from nonhertz.measured import Fit, Measured, Points, StepResult
 from nonhertz.plot.axes import Measure, measure, open_frame
 from nonhertz.plot.axial import written
-from nonhertz.plot.sheets import LEFT, WIDTH, panel, sheet
+from nonhertz.plot.sheets import LEFT, MARGIN, WIDTH, panel, stacked
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ Array = NDArray[np.float64]
 
 MILLIMETRES_FROM = 0.5  # mm: a greater range of heights is drawn in mm
 # Inches.
-TALL, SLIM, HEAD, LAST_HEAD, GAP, FOOT, MARGIN = 1.05, 0.5, 0.3, 0.45, 0.1, 0.27, 0.15
+TALL, SLIM, HEAD, LAST_HEAD, GAP, FOOT = 1.05, 0.5, 0.3, 0.45, 0.1, 0.27
 LABEL = -0.62  # inches from the axes to the middle of the vertical axis labels
 GREY = "#BBBBBB"
 LETTERS = 104  # in a line of a heading
@@ -57,15 +58,22 @@ def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None)
         ``nonhertz.plot.save`` writes it.
     """
     shown = [pair for pair in zip(measured.states, measured.states[1:], strict=False) if pair[1].name != "thin"]
+    corners = [corner for corner in measured.points.beyond_land if np.any(corner)]
+    heads: list[float] = []
+    heights: list[float] = []
+    for _, after in shown:
+        heads += [HEAD + (FOOT if heads else 0.0), *([GAP] if after.name == "smooth" else [])]
+        heights += [TALL, *([SLIM] if after.name == "smooth" else [])]
+    heads += [LAST_HEAD + FOOT, *([] if fit is None else [GAP])]
+    heights += [1.5 * TALL, *([] if fit is None else [SLIM])]
+    room = FOOT + 0.2 + (HEAD + 1.5 * TALL + FOOT + 0.2 if measured.points.land is not None else 0.0)
     with sheet_style():
-        corners = HEAD + 1.5 * TALL + FOOT + 0.2 if measured.points.land is not None else 0.0
-        top = sum(_height(after) for _, after in shown) + _relief_height(fit) + corners
-        figure = sheet(top, title)
+        figure, panels = stacked(heads, heights, title, bottom=room)
+        every = iter(panels)
         for count, (before, after) in enumerate(shown, start=1):
-            _draw_step(figure, top, count, before, after)
-            top -= _height(after)
-        _draw_relief(figure, top, measured, fit)
-        _draw_corners(figure, top - _relief_height(fit), measured)
+            _draw_step(every, count, before, after)
+        _draw_relief(every, measured, fit)
+        _draw_corners(figure, corners, measured)
         return figure
 
 
@@ -92,17 +100,9 @@ def _micrometres() -> Measure:
     return measure("mm", "um")
 
 
-def _height(after: StepResult) -> float:
-    return HEAD + TALL + FOOT + (SLIM + GAP if after.name == "smooth" else 0.0)
-
-
-def _relief_height(fit: Fit | None) -> float:
-    return LAST_HEAD + 1.5 * TALL + FOOT + 0.2 + (SLIM + GAP if fit is not None else 0.0)
-
-
-def _draw_step(figure: Figure, top: float, count: int, before: StepResult, after: StepResult) -> None:
-    width = WIDTH - LEFT - MARGIN
-    axes = panel(figure, LEFT, top - HEAD - TALL, width, TALL)
+def _draw_step(every: Iterator[Axes], count: int, before: StepResult, after: StepResult) -> None:
+    """Draw a step on the next of the panels, and what smoothing took off on the one below."""
+    axes = next(every)
     _head(axes, f"{count}. {after.words}")
     ruler = _ruler(after.points.on_land.height)
     broad = LINE if after.name in {"align", "smooth"} else THIN
@@ -112,7 +112,7 @@ def _draw_step(figure: Figure, top: float, count: int, before: StepResult, after
     _frame(axes, before, after, ruler)
     if after.name == "smooth" and after.removed_height is not None:
         axes.tick_params(labelbottom=False)
-        slim = panel(figure, LEFT, top - HEAD - TALL - GAP - SLIM, width, SLIM)
+        slim = next(every)
         slim.plot(*_line(after.y, after.removed_height, _micrometres()), color=SECOND, linewidth=HAIR)
         _tidy(slim, _micrometres().label("off"))
         slim.set_xlim(axes.get_xlim())
@@ -142,16 +142,15 @@ def _mark_land(axes: Axes, points: Points) -> None:
             axes.axvline(measure("mm").factor * end, color=FAINT_INK, linewidth=THIN, linestyle="--")
 
 
-def _draw_corners(figure: Figure, top: float, measured: Measured) -> None:
-    """Draw the corners side by side, with their points before smoothing."""
-    corners = [corner for corner in measured.points.beyond_land if np.any(corner)]
+def _draw_corners(figure: Figure, corners: Sequence[NDArray[np.bool_]], measured: Measured) -> None:
+    """Draw the corners side by side at the bottom, with their points before smoothing."""
     before = next((b for b, a in pairwise(measured.states) if a.name in {"smooth", "thin"}), measured.states[-1])
     highest = float(measured.points.height.max())
     room = 0.5 if len(corners) > 1 else 0.0
     width = (WIDTH - LEFT - MARGIN - room) / max(len(corners), 1)
     length, depth = measure("mm"), _micrometres()
     for k, corner in enumerate(corners):
-        axes = panel(figure, LEFT + k * (width + room), top - HEAD - 1.5 * TALL, width, 1.5 * TALL)
+        axes = panel(figure, LEFT + k * (width + room), FOOT + 0.2, width, 1.5 * TALL)
         ends = np.sort(measured.points.y[corner])[[0, -1]]
         ends += 0.2 * np.ptp(ends) * np.array([-1.0, 1.0]) * (np.abs(ends) < np.max(np.abs(ends)))
         shown = (before.y >= ends[0]) & (before.y <= ends[1])
@@ -169,9 +168,8 @@ def _draw_corners(figure: Figure, top: float, measured: Measured) -> None:
         axes.set_xlabel(length.label("Axial position $y$"))
 
 
-def _draw_relief(figure: Figure, top: float, measured: Measured, fit: Fit | None) -> None:
-    width, tall = WIDTH - LEFT - MARGIN, 1.5 * TALL
-    axes = panel(figure, LEFT, top - LAST_HEAD - tall, width, tall)
+def _draw_relief(every: Iterator[Axes], measured: Measured, fit: Fit | None) -> None:
+    axes = next(every)
     y, relief = measured.points.y, measured.relief
     land = measured.points.on_land
     ruler = _ruler(land.height)
@@ -190,7 +188,7 @@ def _draw_relief(figure: Figure, top: float, measured: Measured, fit: Fit | None
     lowest = axes
     if fit is not None:
         axes.tick_params(labelbottom=False)
-        lowest = panel(figure, LEFT, top - LAST_HEAD - tall - GAP - SLIM, width, SLIM)
+        lowest = next(every)
         lowest.axhline(0.0, color=FAINT_INK, linewidth=HAIR)
         left = measured.points.height.max() - land.height - fit.relief(land.y)
         lowest.plot(*_line(land.y, left, _micrometres()), color=FIRST, linewidth=THIN)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 import textwrap
 import warnings
 from collections.abc import Callable, Mapping, Sequence
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 # All lengths in inches; the width is that of a journal page, 170 mm.
 WIDTH, HEIGHT = 6.7, 3.7
-LEFT, RIGHT, BOTTOM = 0.75, 0.75, 0.55
+LEFT, RIGHT, BOTTOM, MARGIN = 0.75, 0.75, 0.55, 0.15
 HEAD, FOOTPRINT_HEAD = 0.43, 0.24
 # Above: a line of the title, the first line of conditions and each further one, and the letters that fit in a line.
 TITLE, CONDITIONS, LINE, TITLE_LETTERS = 0.22, 0.24, 0.14, 78
@@ -36,20 +37,7 @@ PNG_DPI = 220
 
 
 def contact_figures(solution: Solution, title: str = "") -> dict[str, Figure]:
-    """Return one finished figure each of pressure, footprint and profile.
-
-    Parameters
-    ----------
-    solution : Solution
-        A solved contact.
-    title : str
-        Heading of every figure; none if empty.
-
-    Returns
-    -------
-    dict of str to matplotlib.figure.Figure
-        Keys ``"pressure"``, ``"footprint"`` and ``"profile"``; `save` writes them.
-    """
+    """Return one finished figure each of pressure, footprint and profile; see `nonhertz.plot.figures`."""
     with sheet_style():
         return {
             "pressure": _sheet(solution, title, pressure),
@@ -95,8 +83,8 @@ def image(figure: Figure, kind: Literal["svg", "png"]) -> bytes:
 
 
 def _sheet(solution: Solution, title: str, draw: Callable[[Solution, Axes], Axes]) -> Figure:
-    figure = sheet(HEIGHT, title)
-    draw(solution, panel(figure, LEFT, BOTTOM, WIDTH - LEFT - RIGHT, HEIGHT - BOTTOM - HEAD))
+    figure, (axes,) = stacked([HEAD], [HEIGHT - BOTTOM - HEAD], title, right=RIGHT)
+    draw(solution, axes)
     return figure
 
 
@@ -114,17 +102,14 @@ def _footprint_sheet(solution: Solution, title: str) -> Figure:
     heights = [min(max(natural, LOWEST_PANEL), HIGHEST_PANEL)]
     if stretch >= 2.0 and solution.contact_y:
         heights.append(stretch * natural)
-    bottom = sum(heights) + BETWEEN * (len(heights) - 1) + BOTTOM
-    figure = sheet(bottom + FOOTPRINT_HEAD, title, [conditions(solution)])
-    for count, height in enumerate(heights):
-        bottom -= height + (BETWEEN if count else 0.0)
-        axes = panel(figure, LEFT, bottom, width, height)
+    heads, conditioned = [FOOTPRINT_HEAD, BETWEEN][: len(heights)], [conditions(solution)]
+    figure, panels = stacked(heads, heights, title, conditioned, right=BAR_ROOM)
+    for count, axes in enumerate(panels):
         footprint(solution, axes, stretch=stretch if count else 1.0, colour_bar=False)
-        if count < len(heights) - 1:
+        if axes is not panels[-1]:
             axes.set_xlabel("")
     if solution.contact_y:
-        bar = panel(figure, LEFT + width + BAR_GAP, bottom, BAR, heights[-1])
-        draw_colour_bar(solution, axes, cax=bar)
+        draw_colour_bar(solution, panels[-1], cax=bar_beside(panels[-1]))
     return figure
 
 
@@ -145,6 +130,38 @@ def sheet(height: float, title: str = "", conditions: Sequence[str] = (), left: 
         below = whole - 0.08 - TITLE * len(titles)
         figure.text(left / WIDTH, below / whole, "\n".join(conditions), va="top")
     return figure
+
+
+def stacked(
+    heads: Sequence[float],
+    heights: Sequence[float],
+    title: str = "",
+    conditions: Sequence[str] = (),
+    *,
+    left: float = LEFT,
+    right: float = MARGIN,
+    bottom: float = BOTTOM,
+    words: float = LEFT,
+) -> tuple[Figure, list[Axes]]:
+    """Return a sheet of panels one below the other, all lengths in inches, and the panels.
+
+    Above each is the room of its head, below all of them the bottom; title and conditions begin at ``words``.
+    """
+    at = sum(heads) + sum(heights) + bottom
+    figure, panels = sheet(at, title, conditions, words), []
+    for head, height in zip(heads, heights, strict=True):
+        at -= head + height
+        panels.append(panel(figure, left, at, WIDTH - left - right, height))
+    return figure, panels
+
+
+def bar_beside(*panels: Axes, most: float = math.inf) -> Axes:
+    """Return axes for a colour bar beside panels, of their height, up to the most [inch]."""
+    figure, boxes = panels[0].get_figure(root=True), [each.get_position() for each in panels]
+    assert figure is not None
+    low, high = min(box.y0 for box in boxes), max(box.y1 for box in boxes)
+    height = min(high - low, most / figure.get_figheight())
+    return figure.add_axes((boxes[0].x1 + BAR_GAP / WIDTH, 0.5 * (low + high - height), BAR / WIDTH, height))
 
 
 def panel(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:

@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 
 from nonhertz.comparison import Comparison, Station
 from nonhertz.comparison.value import NOTABLE
-from nonhertz.plot.axes import along, key_above, measure, open_frame
+from nonhertz.plot.axes import Alignment, along, key_above, measure, note, open_frame
 from nonhertz.plot.axial import (
-    Alignment,
     axial_range,
     conditions,
     draw_body_ends,
@@ -19,7 +18,7 @@ from nonhertz.plot.axial import (
     number,
     place,
 )
-from nonhertz.plot.sheets import LEFT, WIDTH, panel, sheet
+from nonhertz.plot.sheets import LEFT, MARGIN, WIDTH, panel, stacked
 from nonhertz.plot.style import (
     FAINT_INK,
     FIRST,
@@ -43,7 +42,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 # Inches, from the top.
-HEAD, TALL, GAP, SLIM, BETWEEN, LOW, BOTTOM, MARGIN, APART = 0.28, 2.0, 0.22, 0.95, 0.92, 1.55, 0.5, 0.15, 0.42
+HEAD, TALL, GAP, SLIM, BETWEEN, LOW, BOTTOM, APART = 0.28, 2.0, 0.22, 0.95, 0.92, 1.55, 0.5, 0.42
 BEYOND = 1.6  # upper end of the axis over the largest pressure away from singular ends
 ROOM = 1.12
 FAINTEST, LARGEST = 0.1, 100.0  # per cent, between which the axis of differences is logarithmic
@@ -75,14 +74,12 @@ def comparison(found: Comparison, title: str = "") -> Figure:
         `save` writes it.
     """
     with sheet_style():
-        height = HEAD + TALL + GAP + SLIM + BETWEEN + LOW + BOTTOM
-        figure, width = sheet(height, title, [_conditions(found)]), WIDTH - LEFT - MARGIN
-        upper = panel(figure, LEFT, height - HEAD - TALL, width, TALL)
+        room = BOTTOM + LOW + BETWEEN
+        figure, (upper, slim) = stacked([HEAD, GAP], [TALL, SLIM], title, [_conditions(found)], bottom=room)
         _draw_along(found, upper)
-        slim = panel(figure, LEFT, BOTTOM + LOW + BETWEEN, width, SLIM)
         draw_differences(found, slim)
         _mark_stations(found, slim, named=False)
-        each = (width - 2.0 * APART) / 3.0
+        each = (WIDTH - LEFT - MARGIN - 2.0 * APART) / 3.0
         lows = [panel(figure, LEFT + k * (each + APART), BOTTOM, each, LOW) for k in range(3)]
         for axes, station in zip(lows, found.stations, strict=True):
             draw_across(found, axes, station)
@@ -171,10 +168,8 @@ def _mark_stations(found: Comparison, axes: Axes, *, named: bool) -> None:
             continue
         near = [other.y for other in found.stations if 0.0 < abs(other.y - station.y) < CROWDED * (high - low)]
         side: Alignment = "center" if not near else "left" if station.y > near[0] else "right"
-        axes.annotate(
-            letter, (length.factor * station.y, 0.0), xycoords=axes.get_xaxis_transform(), xytext=(0.0, -4.0),
-            textcoords="offset points", ha=side, va="top", fontsize=SMALL_SIZE, color=FAINT_INK, weight="bold",
-        )  # fmt: skip
+        at = length.factor * station.y, 0.0
+        note(axes, letter, at, side, 0.0, -4.0, across=True, va="top", color=FAINT_INK, weight="bold")
 
 
 def _tidy(axes: Axes, semi: Solution, *, labelled: bool) -> None:

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.plot.axes import measure, open_frame
-from nonhertz.plot.own import OWN, drawing
+from nonhertz.plot.axes import OWN, drawing, measure, open_frame
 from nonhertz.plot.style import BACKING, COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:

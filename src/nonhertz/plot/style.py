@@ -15,6 +15,12 @@ FIRST, SECOND = "#0072B2", "#D55E00"
 INK, FAINT_INK, PALE = "#222222", "#777777", "#E9EEF2"
 COLOUR_MAP = "cividis"
 
+# Of several lines beside each other, each with dashes of its own.
+PALETTE: tuple[tuple[str, Any], ...] = (
+    (FIRST, "-"), (SECOND, (0, (5, 1.5))), ("#009E73", (0, (6, 1.5, 1.2, 1.5))), ("#CC79A7", (0, (1.2, 1.2))),
+    (INK, (0, (8, 2))), ("#B08A00", (0, (3, 1, 1, 1, 1, 1))),
+)  # fmt: skip
+
 LINE, THIN, HAIR = 1.3, 0.7, 0.4
 END_DASHES = (0, (7, 2, 1.5, 2))  # the dash-dot line of engineering drawings
 HINT_DASHES = (0, (1, 2))

@@ -9,23 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa
-from nonhertz.plot.axes import ROUND, key_above, measure
+from nonhertz.plot.axes import OWN, ROUND, drawing, key_above, measure
 from nonhertz.plot.axial import body_ends, conditions, number, place, written
 from nonhertz.plot.contact_area import colour_limit
-from nonhertz.plot.own import OWN, drawing
-from nonhertz.plot.sheets import (
-    BAR,
-    BAR_GAP,
-    BAR_ROOM,
-    BOTTOM,
-    HIGHEST_PANEL,
-    HIGHEST_STRETCHED,
-    LEFT,
-    STRETCHES,
-    WIDTH,
-    panel,
-    sheet,
-)
+from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, HIGHEST_STRETCHED, LEFT, STRETCHES, WIDTH, bar_beside, stacked
 from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section
@@ -205,11 +192,12 @@ def stress_figures(
         width = WIDTH - LEFT - BAR_ROOM
         natural = width * float(along.z.max()) / (high - low)
         stretch = _stretch(natural)
-        axial, axes, bar = _sheet(title, width, stretch * natural)
-        axial_stress(solution, along, overall, axes, station=section.von_mises.y, stretch=stretch, bar=bar)
+        axial, (axes,) = stacked([HEAD], [stretch * natural], title, right=BAR_ROOM)
+        station, bar = section.von_mises.y, bar_beside(axes)
+        axial_stress(solution, along, overall, axes, station=station, stretch=stretch, bar=bar)
         height = ACROSS_WIDTH * float(across.z.max()) / float(np.ptp(across.x))
-        cross, axes, bar = _sheet(title, ACROSS_WIDTH, height)
-        section_stress(solution, across, section, axes, bar=bar)
+        cross, (axes,) = stacked([HEAD], [height], title, right=WIDTH - LEFT - ACROSS_WIDTH)
+        section_stress(solution, across, section, axes, bar=bar_beside(axes))
         return {"axial-plane": axial, "cross-section": cross}
 
 
@@ -226,14 +214,6 @@ def _scale(stretch: float) -> str:
     return (
         f", $z$ stretched {number(stretch)} times" if stretch > 1.0 else f", $y$ stretched {number(1 / stretch)} times"
     )
-
-
-def _sheet(title: str, width: float, height: float) -> tuple[Figure, Axes, Axes]:
-    """Return a sheet with its title, axes of that size [inch] and, beside them, axes for a colour bar."""
-    figure = sheet(HEAD + height + BOTTOM, title)
-    axes = panel(figure, LEFT, BOTTOM, width, height)
-    bar = panel(figure, LEFT + width + BAR_GAP, BOTTOM, BAR, height)
-    return figure, axes, bar
 
 
 def _framed(solution: Solution, field: Field) -> tuple[float, float]:

@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import um
-from nonhertz.plot.axes import along, measure, open_frame
+from nonhertz.plot.axes import OWN, along, drawing, measure, open_frame
 from nonhertz.plot.axial import axial_range, draw_body_ends, head, written
-from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, PALE, SECOND
 from nonhertz.result.solution import Solution
 

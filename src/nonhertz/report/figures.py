@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from nonhertz.amounts import mm, mpa
 from nonhertz.plot import bearing_figures, dent_figure, figures, life_figure, stress_figures
-from nonhertz.report.overlay import all_pressed, compared_bearings, compared_contacts
+from nonhertz.plot.overlay import all_pressed, compared_bearings, compared_contacts
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.show.sections import Picture, Row
 
@@ -76,7 +76,7 @@ def of_bearing(found: BearingResults, numbers: Iterable[Row]) -> list[Picture]:
 def of_all(found: Sequence[Results]) -> list[Picture]:
     """Return what is along all contacts, or around the axes of all bearings that have a solution, in one figure."""
     words = ", ".join(each.label for each in found)
-    bearings = [each for each in found if isinstance(each, BearingResults) and each.solution is not None]
+    bearings = {each.label: each.solution for each in found if isinstance(each, BearingResults) and each.solution}
     if bearings:
         what = "Load and maximum pressure" if all_pressed(bearings) else "Load"
         caption = f"{what} of all rollers at the inner ring, over the angle from the first one; each row has a line."
@@ -85,7 +85,7 @@ def of_all(found: Sequence[Results]) -> list[Picture]:
         "Pressure on the centre line, half-width, and separation of the bodies before loading (the reliefs of both), "
         "as far as they touch."
     )
-    contacts = [each for each in found if isinstance(each, CaseResults)]
+    contacts = {each.label: each.solution for each in found if isinstance(each, CaseResults)}
     return [Picture(compared_contacts(contacts), caption, words)] if contacts else []
 
 

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import um
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.plot.axes import key_above, measure, open_frame
+from nonhertz.plot.axes import OWN, drawing, key_above, measure, open_frame
 from nonhertz.plot.axial import written
-from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import FIRST, LINE, SECOND, THIN
 
 if TYPE_CHECKING:

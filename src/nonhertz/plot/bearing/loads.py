@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import newton
 from nonhertz.errors import InputError
-from nonhertz.plot.axes import Measure, measure
+from nonhertz.plot.axes import OWN, Measure, drawing, measure
 from nonhertz.plot.axial import number, written
-from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:

@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mpa
-from nonhertz.plot.axes import measure
+from nonhertz.plot.axes import OWN, drawing, measure
 from nonhertz.plot.axial import number, place, written
 from nonhertz.plot.contact_area import colour_bar_to
-from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, SMALL_SIZE
 
 if TYPE_CHECKING:

@@ -9,10 +9,9 @@ import numpy as np
 
 from nonhertz.amounts import mpa, mrad, newton
 from nonhertz.errors import InputError
-from nonhertz.plot.axes import along, key_above, measure, open_frame
+from nonhertz.plot.axes import OWN, along, drawing, key_above, measure, open_frame
 from nonhertz.plot.axial import number, written
 from nonhertz.plot.bearing.pressure import RINGS
-from nonhertz.plot.own import OWN, drawing
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, SECOND, SMALL_SIZE, THIN
 from nonhertz.result.maximum import places_of_largest
 

@@ -11,19 +11,20 @@ from nonhertz.plot.bearing.displacement import directions, displacement_against_
 from nonhertz.plot.bearing.loads import bearing_loads
 from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure, draw_colour_bar
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
-from nonhertz.plot.sheets import BAR, BAR_GAP, BAR_ROOM, BOTTOM, LEFT, WIDTH, panel, sheet
+from nonhertz.plot.sheets import BAR_ROOM, LEFT, MARGIN, WIDTH, bar_beside, sheet, stacked
 from nonhertz.plot.style import SMALL_SIZE, sheet_style
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.projections.polar import PolarAxes
 
     from nonhertz.bearing import BearingMaps, BearingSolution
 
-MARGIN, CONDITION_LETTERS = 0.15, 104  # inches, and letters that fit in a line
+CONDITION_LETTERS = 104  # that fit in a line
 # The polar picture of one row and of several side by side, what is written around it, the key below.
 ALONE, BESIDE, AROUND, HEAD_OF_POLAR, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
 PER_LINE = 2
@@ -70,7 +71,7 @@ def _loads(solution: BearingSolution, title: str) -> Figure:
     lines = math.ceil(rows / across)
     block = HEAD_OF_POLAR + size + 2.0 * AROUND
     bottom = lines * block + KEY
-    figure = _sheet(solution, title, bottom)
+    figure = sheet(bottom, title, _lines(conditions(solution)), MARGIN)
     entries: dict[str, Artist] = {}
     for row in range(rows):
         line, column = divmod(row, across)
@@ -88,42 +89,40 @@ def _loads(solution: BearingSolution, title: str) -> Figure:
 
 def _pressure(solution: BearingSolution, title: str) -> Figure:
     panels = [(row, ring) for row in range(len(solution.bearing.rows)) for ring in RINGS]
-    height = len(panels) * (PANEL_HEAD + PANEL)
-    bottom = height + BOTTOM
-    figure = _sheet(solution, title, bottom)
-    width = WIDTH - LEFT - BAR_ROOM
-    for count, (row, ring) in enumerate(panels):
-        bottom -= PANEL_HEAD + PANEL
-        axes = panel(figure, LEFT, bottom, width, PANEL)
+    figure, every = _stacked(solution, title, [PANEL_HEAD] * len(panels), [PANEL] * len(panels), LEFT, BAR_ROOM)
+    for (row, ring), axes in zip(panels, every, strict=True):
         bearing_pressure(solution, axes, ring=ring, row=row, colour_bar=False)
-        if count < len(panels) - 1:
+        if axes is not every[-1]:
             axes.set_xlabel("")
             axes.tick_params(axis="x", labelbottom=False)
     # Of the height of two panels, however many there are.
-    high = min(height - PANEL_HEAD, 2.0 * PANEL + PANEL_HEAD)
-    bar = panel(figure, LEFT + width + BAR_GAP, bottom + 0.5 * (height - PANEL_HEAD - high), BAR, high)
-    draw_colour_bar(solution, axes, cax=bar)
+    draw_colour_bar(solution, every[-1], cax=bar_beside(*every, most=2.0 * PANEL + PANEL_HEAD))
     return figure
 
 
 def _roller(solution: BearingSolution, title: str) -> Figure:
-    width, bottom = WIDTH - LEFT_OF_TWO - MARGIN, BETWEEN + RELIEF_PANEL + BOTTOM
-    figure = _sheet(solution, title, ROLLER_HEAD + ROLLER_PANEL + bottom)
-    most_loaded_roller(solution, panel(figure, LEFT_OF_TWO, bottom, width, ROLLER_PANEL)).tick_params(labelbottom=False)
-    roller_relief(solution, panel(figure, LEFT_OF_TWO, bottom - BETWEEN - RELIEF_PANEL, width, RELIEF_PANEL))
+    figure, (upper, lower) = _stacked(solution, title, [ROLLER_HEAD, BETWEEN], [ROLLER_PANEL, RELIEF_PANEL])
+    most_loaded_roller(solution, upper).tick_params(labelbottom=False)
+    roller_relief(solution, lower)
     return figure
 
 
 def _displacement(solution: BearingSolution, title: str, maps: BearingMaps | None) -> Figure:
-    figure = _sheet(solution, title, CURVE_HEAD + CURVE + BOTTOM)
-    axes = panel(figure, LEFT_OF_TWO, BOTTOM, WIDTH - LEFT_OF_TWO - MARGIN, CURVE)
+    figure, (axes,) = _stacked(solution, title, [CURVE_HEAD], [CURVE])
     displacement_against_load(solution, axes, maps=maps)
     return figure
 
 
-def _sheet(solution: BearingSolution, title: str, height: float) -> Figure:
-    """Return a sheet of a bearing with its conditions, below which there is room of a height [inch]."""
-    return sheet(height, title, _lines(conditions(solution)), MARGIN)
+def _stacked(
+    solution: BearingSolution,
+    title: str,
+    heads: list[float],
+    heights: list[float],
+    left: float = LEFT_OF_TWO,
+    right: float = MARGIN,
+) -> tuple[Figure, list[Axes]]:
+    """Return a sheet of a bearing with its conditions, and panels below them."""
+    return stacked(heads, heights, title, _lines(conditions(solution)), left=left, right=right, words=MARGIN)
 
 
 def _lines(parts: Sequence[str]) -> list[str]:

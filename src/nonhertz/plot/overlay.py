@@ -2,38 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from nonhertz.plot.axes import Measure, along, measure, open_frame
 from nonhertz.plot.axial import axial_range, mark_unlimited
-from nonhertz.plot.sheets import BOTTOM, LEFT, WIDTH, panel, sheet
-from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, sheet_style
-from nonhertz.report.results import BearingResults, CaseResults
+from nonhertz.plot.sheets import stacked
+from nonhertz.plot.style import FAINT_INK, HAIR, LINE, PALETTE, SMALL_SIZE, sheet_style
+from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-# Colours distinguishable with any colour vision (Okabe and Ito), each with its own dashes for printing in grey.
-LINES = (
-    (FIRST, "-"), (SECOND, (0, (5, 1.5))), ("#009E73", (0, (6, 1.5, 1.2, 1.5))), ("#CC79A7", (0, (1.2, 1.2))),
-    (INK, (0, (8, 2))), ("#B08A00", (0, (3, 1, 1, 1, 1, 1))),
-)  # fmt: skip
-HIGH, LOW, BETWEEN, MARGIN, ROW = 2.3, 1.5, 0.25, 0.15, 0.17  # inches; the last is a line of the legend
+    from nonhertz.bearing import BearingSolution
+
+HIGH, LOW, BETWEEN, ROW = 2.3, 1.5, 0.25, 0.17  # inches; the last is a line of the legend
 ROOM, BEYOND = 1.08, 1.6  # axis limit over the largest value: usually, and where a pressure has no limit
 
 
-def compared_contacts(found: Sequence[CaseResults]) -> Figure:
-    """Return a sheet with the pressure of all cases and, below, their half-widths and separations before loading."""
+def compared_contacts(found: Mapping[str, Solution]) -> Figure:
+    """Return a sheet with the pressure of solutions by name and, below, half-widths and separations before loading."""
     with sheet_style():
         figure, (upper, middle, lower) = _sheet([HIGH, LOW, LOW], len(found))
         tops = []
         length, stress, distance = measure("mm"), measure("MPa"), measure("mm", "um")
-        for each, (colour, dashes) in zip(found, lines_of(len(found)), strict=True):
-            solution = each.solution
+        for solution, (colour, dashes) in zip(found.values(), lines_of(len(found)), strict=True):
             drawn: dict[str, Any] = {"color": colour, "linestyle": dashes, "linewidth": LINE}
             separation = distance(solution.contact.separation(solution.y))
             separation = np.where(np.isfinite(separation), separation, np.nan)
@@ -42,32 +38,32 @@ def compared_contacts(found: Sequence[CaseResults]) -> Figure:
             pressure, half_width = stress(solution.centre_pressure), length(solution.half_width)
             for axes, values in ((upper, pressure), (middle, half_width), (lower, separation)):
                 axes.plot(length(solution.y), values, **drawn)
-        sharp = any(each.solution.singular_ends for each in found)
-        highest = stress.factor * max(each.solution.max_pressure for each in found)
-        widest = length.factor * max(float(each.solution.half_width.max()) for each in found)
+        sharp = any(each.singular_ends for each in found.values())
+        highest = stress.factor * max(each.max_pressure for each in found.values())
+        widest = length.factor * max(float(each.half_width.max()) for each in found.values())
         upper.set_ylim(0.0, highest * (BEYOND if sharp else ROOM) or 1.0)
         middle.set_ylim(0.0, widest * ROOM or 1.0)
         # Beyond the contact a relief may rise to tenths of a millimetre.
         lower.set_ylim(min(0.0, *lower.get_ylim()), BEYOND * max(tops) or 1.0)
         lower.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
-        mark_unlimited([each.solution for each in found], upper, [colour for colour, _ in lines_of(len(found))])
+        mark_unlimited([*found.values()], upper, [colour for colour, _ in lines_of(len(found))])
         upper.set_ylabel(stress.label("Centre-line pressure $p_0$"))
         middle.set_ylabel(length.label("Half-width $b$"))
         lower.set_ylabel(distance.label("Separation"))
-        spans = [axial_range(each.solution) for each in found]
+        spans = [*map(axial_range, found.values())]
         for axes in (upper, middle, lower):
             span = min(low for low, _ in spans), max(high for _, high in spans)
             along(axes, span, labelled=axes is lower)
-        _legend(upper, upper.lines[: len(found)], [each.label for each in found])
+        _legend(upper, upper.lines[: len(found)], [*found])
         return figure
 
 
-def all_pressed(found: Sequence[BearingResults]) -> bool:
+def all_pressed(found: Mapping[str, BearingSolution]) -> bool:
     """Return whether all bearings have pressures, which slices have not."""
-    return all(each.solution is not None and each.solution.method == "strips" for each in found)
+    return all(each.method == "strips" for each in found.values())
 
 
-def compared_bearings(found: Sequence[BearingResults]) -> Figure:
+def compared_bearings(found: Mapping[str, BearingSolution]) -> Figure:
     """Return a sheet with the loads of all rollers of solved bearings and, below, their pressures if all have any."""
     curves = {"load": ("Load at the inner ring", "N")}
     if all_pressed(found):
@@ -75,23 +71,21 @@ def compared_bearings(found: Sequence[BearingResults]) -> Figure:
     with sheet_style():
         figure, every = _sheet([HIGH] * len(curves), len(found))
         for axes, (name, (label, unit)) in zip(every, curves.items(), strict=True):
-            largest = [float(getattr(each.solution, name)[:, 0].max()) for each in found]
+            largest = [float(getattr(each, name)[:, 0].max()) for each in found.values()]
             drawn = measure(unit, values=largest)
             handles = _around(axes, found, name, drawn)
             axes.set_ylabel(drawn.label(label))
             if axes is every[0]:
-                _legend(axes, handles, [each.label for each in found])
+                _legend(axes, handles, [*found])
         every[-1].set_xlabel("Angle of the roller [degrees]")
         return figure
 
 
-def _around(axes: Axes, found: Sequence[BearingResults], name: str, drawn: Measure) -> list[object]:
+def _around(axes: Axes, found: Mapping[str, BearingSolution], name: str, drawn: Measure) -> list[object]:
     """Draw a line for each row of each bearing, and return one of each bearing for the key."""
     handles: list[object] = []
     top = 0.0
-    for each, (colour, dashes) in zip(found, lines_of(len(found)), strict=True):
-        solution = each.solution
-        assert solution is not None
+    for solution, (colour, dashes) in zip(found.values(), lines_of(len(found)), strict=True):
         for row in range(len(solution.bearing.rows)):
             these = solution.rollers_of(row)
             angle = (np.degrees(solution.angle[these]) + 180.0) % 360.0 - 180.0
@@ -111,11 +105,7 @@ def _around(axes: Axes, found: Sequence[BearingResults], name: str, drawn: Measu
 
 def _sheet(heights: Sequence[float], count: int) -> tuple[Figure, list[Axes]]:
     """Return a sheet of panels one below the other, with room above for a legend of so many lines."""
-    height = BOTTOM + sum(heights) + BETWEEN * (len(heights) - 1)
-    figure, panels = sheet(height + 0.12 + ROW * count), []
-    for each in heights:
-        panels.append(panel(figure, LEFT, height - each, WIDTH - LEFT - MARGIN, each))
-        height -= each + BETWEEN
+    figure, panels = stacked([0.12 + ROW * count, *[BETWEEN] * (len(heights) - 1)], heights)
     open_frame(*panels)
     for axes in panels:
         axes.tick_params(labelbottom=axes is panels[-1])
@@ -124,7 +114,7 @@ def _sheet(heights: Sequence[float], count: int) -> tuple[Figure, list[Axes]]:
 
 def lines_of(count: int) -> list[tuple[str, Any]]:
     """Return the colour and the dashes of each of so many cases."""
-    return [LINES[number % len(LINES)] for number in range(count)]
+    return [PALETTE[number % len(PALETTE)] for number in range(count)]
 
 
 def _legend(axes: Axes, handles: Sequence[Any], labels: Sequence[str]) -> None:
