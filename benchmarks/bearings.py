@@ -117,7 +117,7 @@ def counted(run: Way) -> dict[str, int]:
 def counting(counts: Counter[str]) -> Iterator[None]:
     """Count questions, and calls into machine code."""
     kept = [(module, name, getattr(module, name)) for module, name in ENTRIES]
-    kept.append((StripLaw, "pressed", StripLaw.pressed))
+    kept.append((StripLaw, "answer", StripLaw.answer))
     try:
         for holder, name, function in kept:
 

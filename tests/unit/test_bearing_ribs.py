@@ -62,7 +62,7 @@ def test_curvatures_are_those_of_a_sphere_on_a_cone(kind, crown):
 def test_a_sphere_on_a_flat_flank_is_that_of_hertz():
     contact = row("NJ", rib=B.Rib(100.0, 0.0)).rib_contacts[0]
     modulus = 1.0 / (np.pi * contact.compliance)
-    assert contact.law.factor == pytest.approx(4.0 / 3.0 * modulus * 10.0, rel=1e-9)
+    assert contact.law.stiffness == pytest.approx(4.0 / 3.0 * modulus * 10.0, rel=1e-9)
 
 
 def test_the_axial_load_goes_through_every_roller():
@@ -104,7 +104,7 @@ def test_the_ellipse_on_a_rib_is_that_of_hertz():
     assert ellipse.load == found.rib_load[most, 0]
     area = np.pi * ellipse.half_width * ellipse.half_length
     assert ellipse.max_pressure == pytest.approx(1.5 * ellipse.load / area, rel=1e-9)
-    assert ellipse.approach == pytest.approx((ellipse.load / contact.law.factor) ** (2.0 / 3.0), rel=1e-9)
+    assert ellipse.approach == pytest.approx((ellipse.load / contact.law.stiffness) ** (2.0 / 3.0), rel=1e-9)
     assert B.solve(row(axial_clearance=0.05), radial=4e3, axial=0.0, method="slices").rib_contact(0, "outer") is None
 
 

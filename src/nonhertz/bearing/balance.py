@@ -1,10 +1,10 @@
 """The search for the balance of rollers and rings, in machine code, one step at a time.
 
 `go_on` takes what the contacts of rollers answered where they were asked, and moves rollers and ring to where they are
-to be asked next. Laws that are tables answer in machine code too, and whole states are found without leaving it
-(`balance_all`); strips answer from outside. The method is that of `nonhertz.bearing.equilibrium`: near the balance,
-ring and rollers step together; where such steps do not lead on, there is a search of the ring, each step of which waits
-until every roller has ended its own.
+to be asked next. Laws in a book answer in machine code too, and whole states are found without leaving it
+(`balance_all`); strips answer from outside. In the first phase, near the balance, ring and rollers step together; where
+such steps do not lead on, they step in turn, and the ring waits until every roller has ended its steps. The method is
+that of `nonhertz.bearing.equilibrium`, and docs/explain/theory.md tells it.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.laws import ANSWER, OVERLAP, answered
+from nonhertz.bearing.laws import ANSWER, OVERLAP, Book, answered
 from nonhertz.compiled import compiled
 from nonhertz.life.lamina import STIFFENING
 
@@ -37,10 +37,12 @@ CAUTION = 8.0  # penetrations that a step may add
 # Ring and rollers step together while what is left of the balance, over the loads, is below the first, and every step
 # leaves no more than this share of it.
 CLOSE, LEADS_ON = 0.5, 0.3
-MOST_ROUNDS = 10_000  # of questions to tables: of 5,000 random bearings none took 2,000
+MOST_ROUNDS = 10_000  # of questions to books: of 5,000 random bearings none took 2,000
 MOST_STRAY = 0.4  # of the rollers, that may first have to come near to it by themselves
-#: What stands in place of a table: nothing, where a roller has no such contact, or a law that is asked from outside.
-ABSENT, OUTSIDE = -2, -1
+#: In place of a law's number, where a roller has no such contact, or its law answers outside.
+NOT_IN_BOOK = -1
+#: How ring and rollers step.
+TOGETHER, IN_TURN = 0, 1
 
 
 class Parts(NamedTuple):
@@ -57,9 +59,9 @@ class Parts(NamedTuple):
     inner : ndarray of bool, shape (rollers, columns)
         Whether the other body is the inner ring.
     law : ndarray of int, shape (rollers, columns)
-        Where in the book the table of its law begins; or `ABSENT`, or `OUTSIDE`.
-    book : ndarray
-        Tables of laws, one after the other.
+        Which law of the book, or `NOT_IN_BOOK`.
+    book : Book
+        The laws.
     load : ndarray, shape (rollers, 3)
         Load on every roller.
     scale : ndarray, shape (3,)
@@ -75,53 +77,80 @@ class Parts(NamedTuple):
     gap: Array
     inner: Flags
     law: Indices
-    book: Array
+    book: Book
     load: Array
     scale: Array
     reach: Array
     stiffness: float
 
 
-class Work(NamedTuple):
-    """How far the search for one state has come.
-
-    The last row of ``slope``, ``share``, ``tries``, ``steps`` and ``searching`` is that of the ring.
+class Tries(NamedTuple):
+    """Steps that are tried and shortened, of the ring or of every roller.
 
     Attributes
     ----------
-    ring, ring_before, ring_step : ndarray, shape (5,)
-        Motion of the inner ring, where its step began, and the whole step.
+    slope, share : ndarray
+        Slope along the step at its beginning, and how much of it is tried.
+    shortened, steps : ndarray of int
+        How often this step was shortened, and how many were taken.
+    searching : ndarray of bool
+        Whether a step is under way.
+    """
+
+    slope: Array
+    share: Array
+    shortened: Indices
+    steps: Indices
+    searching: Flags
+
+
+class Ring(NamedTuple):
+    """The inner ring.
+
+    Attributes
+    ----------
+    motion, before, step : ndarray, shape (5,)
+        Its motion, where its step began, and the whole step.
     force, stiffness : ndarray, shape (5,) and (5, 5)
-        Forces on it, and their derivatives, once the rollers are in balance.
-    left : ndarray, shape (1,)
-        What is left of the balance of ring and rollers, over the loads.
-    motion, before, step, resting, follows : ndarray, shape (rollers, 3)
-        Motions of rollers, where their steps began, and the whole steps; where they were in balance before the ring's
-        step, and how they would follow the whole of it.
+        Forces on it, and their derivatives with rollers that follow in balance.
+    off : ndarray, shape (5,)
+        What is left of its balance.
+    tries : Tries
+        Its steps, arrays of length 1.
+    """
+
+    motion: Array
+    before: Array
+    step: Array
+    force: Array
+    stiffness: Array
+    off: Array
+    tries: Tries
+
+
+class Rollers(NamedTuple):
+    """The rollers.
+
+    Attributes
+    ----------
+    motion, before, step : ndarray, shape (rollers, 3)
+        Their motions, where their own steps began, and the whole steps.
+    resting, follows : ndarray, shape (rollers, 3)
+        Where they were when the ring's step began, and how they follow the whole of it.
     pose, answer : ndarray, shape (rollers, columns, 2) and (rollers, columns, ANSWER)
         Approach and tilt at which contacts are asked, and what they answer.
     off, on_ring : ndarray, shape (rollers, 3)
-        What is left of the balance of rollers, and the forces of the inner ring on them.
+        What is left of their balance, and the forces of the inner ring on them.
+    left : ndarray, shape (rollers,)
+        The largest of what is left [N].
     whole, of_ring : ndarray, shape (rollers, 3, 3)
         Stiffness of all contacts of a roller, and of those with the inner ring.
-    slope, share : ndarray, shape (rollers + 1,)
-        Slope along a step at its beginning, and how much of it is tried.
-    tries, steps : ndarray of int, shape (rollers + 1,)
-        How often this step was shortened, and how many were taken.
-    searching : ndarray of bool, shape (rollers + 1,)
-        Who is within a step.
     asked : ndarray of bool, shape (rollers,)
-        Which rollers' contacts are asked.
-    together : ndarray, shape (1,)
-        What was left when ring and rollers last stepped together; none such step is taken any more if it is zero.
+        Whose contacts are asked.
+    tries : Tries
+        Their steps.
     """
 
-    ring: Array
-    ring_before: Array
-    ring_step: Array
-    force: Array
-    stiffness: Array
-    left: Array
     motion: Array
     before: Array
     step: Array
@@ -131,30 +160,51 @@ class Work(NamedTuple):
     answer: Array
     off: Array
     on_ring: Array
+    left: Array
     whole: Array
     of_ring: Array
-    slope: Array
-    share: Array
-    tries: Indices
-    steps: Indices
-    searching: Flags
     asked: Flags
-    together: Array
+    tries: Tries
+
+
+class Search(NamedTuple):
+    """How far the search for one state has come.
+
+    Attributes
+    ----------
+    ring, rollers : Ring, Rollers
+        The bodies.
+    phase : ndarray of int, shape (1,)
+        `TOGETHER` or `IN_TURN`.
+    limit : ndarray, shape (1,)
+        What may be left of the balance, over the loads, for the next step of ring and rollers together.
+    left : ndarray, shape (1,)
+        What is left, over the loads.
+    """
+
+    ring: Ring
+    rollers: Rollers
+    phase: Indices
+    limit: Array
+    left: Array
 
     @classmethod
-    def blank(cls, rollers: int, columns: int) -> Work:
+    def blank(cls, rollers: int, columns: int) -> Search:
         """Return what a search needs."""
-        by_roller = [(rollers, 3)] * 5 + [(rollers, columns, 2), (rollers, columns, ANSWER)]
-        by_roller += [(rollers, 3)] * 2 + [(rollers, 3, 3)] * 2
-        shapes: list[tuple[int, ...]] = [(5,)] * 4 + [(5, 5), (1,), *by_roller, (rollers + 1,), (rollers + 1,)]
-        arrays: list[Any] = [np.zeros(shape) for shape in shapes]
-        arrays += [np.zeros(rollers + 1, dtype=np.int64) for _ in range(2)]
-        arrays += [np.zeros(count, dtype=np.bool_) for count in (rollers + 1, rollers)]
-        arrays.append(np.zeros(1))
-        return cls(*arrays)
+
+        def tries(count: int) -> Tries:
+            shortened, steps = np.zeros((2, count), dtype=np.int64)
+            return Tries(np.zeros(count), np.zeros(count), shortened, steps, np.zeros(count, dtype=np.bool_))
+
+        of_ring: list[Any] = [np.zeros(shape) for shape in [*[(5,)] * 4, (5, 5), (5,)]]
+        shapes = [(3,)] * 5 + [(columns, 2), (columns, ANSWER), (3,), (3,), (), (3, 3), (3, 3)]
+        of_rollers: list[Any] = [np.zeros((rollers, *shape)) for shape in shapes]
+        of_ring.append(tries(1))
+        of_rollers += [np.zeros(rollers, dtype=np.bool_), tries(rollers)]
+        return cls(Ring(*of_ring), Rollers(*of_rollers), np.zeros(1, dtype=np.int64), np.zeros(1), np.zeros(1))
 
 
-class Given(NamedTuple):
+class Conditions(NamedTuple):
     """What is given, and how well it is to be met.
 
     Attributes
@@ -175,99 +225,104 @@ class Given(NamedTuple):
     steps: int
 
 
-class Found(NamedTuple):
-    """States, a row each.
+class States(NamedTuple):
+    """States of a bearing, a row each.
 
     Attributes
     ----------
     ring, force : ndarray, shape (states, 5)
-        Motion of the inner ring, and forces and moments on it.
+        Motion of the inner ring, and forces and moments on it that hold it there.
     stiffness : ndarray, shape (states, 5, 5)
-        Their derivatives.
-    left : ndarray, shape (states,)
-        What is left of the balance.
+        d(force) / d(ring).
+    residual : ndarray, shape (states,)
+        What is left of the balance of ring and rollers, over the loads.
     steps : ndarray of int, shape (states,)
-        Steps of the ring.
+        Newton steps of the ring.
     motion : ndarray, shape (states, rollers, 3)
-        Of the rollers.
+        Of the rollers along x and r [mm] and about the tangent [rad].
     pose : ndarray, shape (states, rollers, columns, 2)
-        Approach and tilt of contacts.
-    borne : ndarray, shape (states, rollers, columns, ANSWER)
+        Approach and tilt of their contacts [mm, rad].
+    answer : ndarray, shape (states, rollers, columns, ANSWER)
         What contacts answer.
     """
 
     ring: Array
     force: Array
     stiffness: Array
-    left: Array
+    residual: Array
     steps: Indices
     motion: Array
     pose: Array
-    borne: Array
+    answer: Array
 
     @classmethod
-    def blank(cls, states: int, rollers: int, columns: int) -> Found:
+    def blank(cls, states: int, rollers: int, columns: int) -> States:
         """Return room for states."""
-        steps = np.zeros(states, dtype=np.int64)
-        of_contacts = [np.zeros((states, rollers, columns, size)) for size in (2, ANSWER)]
         of_ring = np.zeros((states, 5)), np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states)
-        return cls(*of_ring, steps, np.zeros((states, rollers, 3)), *of_contacts)
+        of_contacts = (np.zeros((states, rollers, columns, size)) for size in (2, ANSWER))
+        return cls(*of_ring, np.zeros(states, dtype=np.int64), np.zeros((states, rollers, 3)), *of_contacts)
 
-    def portion(self, first: int, last: int) -> Found:
-        """Return some of the states, to be filled in."""
+    def portion(self, first: int, last: int) -> States:
+        """Return some of the states, which may be filled in."""
         parts: list[Any] = [each[first:last] for each in self]
-        return Found(*parts)
+        return States(*parts)
+
+    @property
+    def load(self) -> Array:
+        """Loads of contacts [N], shape (states, rollers, columns)."""
+        return self.answer[..., 0]
 
 
 @compiled
 def balance_all(
-    parts: Parts, work: Work, given: Given, target: Array, start: Array, motion: Array, found: Found
+    parts: Parts, search: Search, conditions: Conditions, target: Array, start: Array, motion: Array, found: States
 ) -> None:
-    """Find states whose contacts all have tables; arrays have a row for each, or ``motion`` none at all."""
+    """Find states whose contacts all have laws in the book; arrays have a row for each, or ``motion`` none at all."""
     for k in range(target.shape[0]):
-        begin(parts, work, start[k], motion[k] if motion.shape[0] else work.motion[:0])
+        begin(parts, search, start[k], motion[k] if motion.shape[0] else search.rollers.motion[:0])
         for _ in range(MOST_ROUNDS):
-            ask_tables(parts, work)
-            if not go_on(parts, work, given, target[k]):
+            ask_book(parts, search.rollers)
+            if not go_on(parts, search, conditions, target[k]):
                 break
-        keep(work, found, k)
+        keep(search, found, k)
 
 
 @compiled
-def begin(parts: Parts, work: Work, ring: Array, motion: Array) -> None:
+def begin(parts: Parts, search: Search, start: Array, motion: Array) -> None:
     """Begin the search for a state at motions of ring and rollers; where these are NaN, as equal springs would go."""
-    work.ring[:] = ring
-    _follow_alike(parts, work)
+    ring, rollers = search.ring, search.rollers
+    ring.motion[:] = start
+    _follow_alike(parts, ring, rollers)
     for j in range(motion.shape[0]):
         if not math.isnan(motion[j, 0]):
-            work.motion[j] = motion[j]
-    work.searching[:] = False
-    work.steps[-1] = 0
-    work.together[0] = work.left[0] = np.inf
-    _ask_all(parts, work)
+            rollers.motion[j] = motion[j]
+    ring.tries.searching[0], ring.tries.steps[0] = False, 0
+    rollers.tries.searching[:] = False
+    search.phase[0], search.limit[0], search.left[0] = TOGETHER, CLOSE, np.inf
+    _ask_all(parts, ring, rollers)
 
 
 @compiled
-def keep(work: Work, found: Found, k: int) -> None:
+def keep(search: Search, found: States, k: int) -> None:
     """Write down a state."""
-    found.ring[k], found.force[k], found.stiffness[k] = work.ring, work.force, work.stiffness
-    found.left[k], found.steps[k] = work.left[0], work.steps[-1]
-    found.motion[k], found.pose[k] = work.motion, work.pose
-    found.borne[k] = work.answer
+    ring, rollers = search.ring, search.rollers
+    found.ring[k], found.force[k], found.stiffness[k] = ring.motion, ring.force, ring.stiffness
+    found.residual[k], found.steps[k] = search.left[0], ring.tries.steps[0]
+    found.motion[k], found.pose[k], found.answer[k] = rollers.motion, rollers.pose, rollers.answer
 
 
 @compiled
-def ask_tables(parts: Parts, work: Work) -> None:
-    """Let all tables answer that are asked."""
-    for j in range(work.asked.size):
-        if work.asked[j]:
-            for c in range(parts.law.shape[1]):
-                if parts.law[j, c] >= 0:
-                    answered(parts.book, parts.law[j, c], work.pose[j, c, 0], work.pose[j, c, 1], work.answer[j, c])
+def ask_book(parts: Parts, rollers: Rollers) -> None:
+    """Let all laws of the book answer that are asked."""
+    for j in range(rollers.asked.size):
+        for c in range(parts.law.shape[1]):
+            if rollers.asked[j] and parts.law[j, c] >= 0:
+                approach, tilt = rollers.pose[j, c, 0], rollers.pose[j, c, 1]
+                answered(parts.book, parts.law[j, c], approach, tilt, rollers.answer[j, c])
 
 
 @compiled
-def go_on(parts: Parts, work: Work, given: Given, target: Array) -> bool:
+def go_on(parts: Parts, search: Search, conditions: Conditions, target: Array) -> bool:
     """Take the answers, and move to where contacts are to be asked next.
 
     Returns
@@ -275,331 +330,86 @@ def go_on(parts: Parts, work: Work, given: Given, target: Array) -> bool:
     bool
         Whether any are asked; else the balance is found, or no step is left.
     """
-    for j in range(work.asked.size):
-        if work.asked[j]:
-            _add_up(parts, work, j)
-    size = _size(parts, work, given, target)
-    if work.together[0] > 0.0:
+    ring, rollers = search.ring, search.rollers
+    for j in range(rollers.asked.size):
+        if rollers.asked[j]:
+            _add_up(parts, rollers, j)
+    size = _size(parts, rollers, conditions, target)
+    if search.phase[0] == TOGETHER:
+        enough, stepped = OF_ROLLER * search.limit[0] * size, ring.tries.steps[0] > 0
         # Few rollers that leave or enter the load zone are no reason to give up what suits all others.
-        enough = OF_ROLLER * min(CLOSE, LEADS_ON * work.together[0]) * size
-        if work.together[0] < np.inf and _strays(parts, work, enough) > MOST_STRAY * work.asked.size:
-            _step_back(parts, work)
+        if not stepped or np.sum(rollers.left > enough) <= MOST_STRAY * rollers.left.size:
+            if _rollers_step(parts, search, conditions, enough):
+                return True
+            of_ring, of_rollers, loads = _condense(parts, search, conditions, target, size)
+            left = max(of_ring, of_rollers / OF_ROLLER)
+            balanced = left <= conditions.tolerance
+            if balanced or (left <= search.limit[0] and ring.tries.steps[0] < conditions.steps):
+                if not balanced:
+                    _step_together(parts, search, conditions, loads)
+                    search.limit[0] = min(CLOSE, LEADS_ON * left)
+                return not balanced
+        search.phase[0] = IN_TURN
+        if stepped:
+            # The last step did not lead on.
+            rollers.tries.searching[:] = False
+            _move_along(parts, ring, rollers, 0.0)
             return True
-        if _rollers_move(parts, work, given, enough):
-            return True
-        if _step_together(parts, work, given, target, size):
-            return True
-        if work.together[0] > 0.0:
-            return False
-    if _rollers_move(parts, work, given, OF_ROLLER * given.tolerance * size):
+    if _rollers_step(parts, search, conditions, OF_ROLLER * conditions.tolerance * size):
         return True
-    _condense(parts, work)
-    return _ring_moves(parts, work, given, target, _left_of_rollers(parts, work) / size if size > 0.0 else 0.0)
+    _, _, loads = _condense(parts, search, conditions, target, size)
+    if not _shortened(ring.tries, 0, ring.off, ring.step, ring.stiffness):
+        done = search.left[0] <= conditions.tolerance or not np.any(conditions.by_force)
+        if done or ring.tries.steps[0] >= conditions.steps:
+            return False
+        _follow_ring(parts, search, conditions, loads)
+        _try(ring.tries, 0, ring.off, ring.step)
+    _move_along(parts, ring, rollers, ring.tries.share[0])
+    return True
 
 
 @compiled
-def _follow_alike(parts: Parts, work: Work) -> None:
-    """Move rollers as if all contacts were alike, half-way between the rings; barrels turn with the inner ring."""
-    for j in range(work.asked.size):
-        at_roller, whole, of_ring = np.zeros((3, 1)), np.zeros((3, 3)), np.zeros((3, 3))
-        for a in range(3):
-            for b in range(5):
-                at_roller[a, 0] += parts.ring[j, a, b] * work.ring[b]
-        for c in range(parts.law.shape[1]):
-            if parts.law[j, c] == ABSENT:
-                continue
-            for a in range(3):
-                for b in range(3):
-                    m = parts.motion[j, c]
-                    stiff = m[0, a] * m[0, b] + parts.scale[2] ** 2 / 3.0 * m[1, a] * m[1, b]
-                    whole[a, b] += stiff
-                    if parts.inner[j, c]:
-                        of_ring[a, b] += stiff
-        pushed = _product(of_ring, at_roller)
-        _solve(whole, pushed, parts.scale)
-        work.motion[j] = pushed[:, 0]
-
-
-@compiled
-def _ask(parts: Parts, work: Work, j: int) -> None:
+def _ask(parts: Parts, ring: Ring, rollers: Rollers, j: int) -> None:
     """Ask the contacts of a roller where it and the ring are."""
-    work.asked[j] = True
+    rollers.asked[j] = True
     for c in range(parts.law.shape[1]):
-        if parts.law[j, c] == ABSENT:
-            continue
         approach, tilt = -parts.gap[j, c], 0.0
         for a in range(3):
-            moved = -work.motion[j, a]
+            moved = -rollers.motion[j, a]
             if parts.inner[j, c]:
                 for b in range(5):
-                    moved += parts.ring[j, a, b] * work.ring[b]
+                    moved += parts.ring[j, a, b] * ring.motion[b]
             approach += parts.motion[j, c, 0, a] * moved
             tilt += parts.motion[j, c, 1, a] * moved
-        work.pose[j, c, 0], work.pose[j, c, 1] = approach, tilt
+        rollers.pose[j, c, 0], rollers.pose[j, c, 1] = approach, tilt
 
 
 @compiled
-def _ask_all(parts: Parts, work: Work) -> None:
-    for j in range(work.asked.size):
-        work.steps[j] = 0
-        _ask(parts, work, j)
+def _ask_all(parts: Parts, ring: Ring, rollers: Rollers) -> None:
+    for j in range(rollers.asked.size):
+        rollers.tries.steps[j] = 0
+        _ask(parts, ring, rollers, j)
 
 
 @compiled
-def _add_up(parts: Parts, work: Work, j: int) -> None:
+def _add_up(parts: Parts, rollers: Rollers, j: int) -> None:
     """Add up forces on a roller, and stiffness."""
-    work.off[j] = parts.load[j]
-    work.on_ring[j], work.whole[j], work.of_ring[j] = 0.0, 0.0, 0.0
+    off, on_ring, whole, of_ring = rollers.off[j], rollers.on_ring[j], rollers.whole[j], rollers.of_ring[j]
+    off[:], on_ring[:], whole[:], of_ring[:] = parts.load[j], 0.0, 0.0, 0.0
     for c in range(parts.law.shape[1]):
-        if parts.law[j, c] == ABSENT:
-            continue
-        m, answer = parts.motion[j, c], work.answer[j, c]
+        m, answer, inner = parts.motion[j, c], rollers.answer[j, c], parts.inner[j, c]
         for a in range(3):
             force = m[0, a] * answer[0] + m[1, a] * answer[1]
-            work.off[j, a] += force
-            if parts.inner[j, c]:
-                work.on_ring[j, a] += force
+            off[a] += force
+            if inner:
+                on_ring[a] += force
             load_by, moment_by = m[0, a] * answer[2] + m[1, a] * answer[4], m[0, a] * answer[3] + m[1, a] * answer[5]
             for b in range(3):
                 stiff = load_by * m[0, b] + moment_by * m[1, b]
-                work.whole[j, a, b] += stiff
-                if parts.inner[j, c]:
-                    work.of_ring[j, a, b] += stiff
-
-
-@compiled
-def _size(parts: Parts, work: Work, given: Given, target: Array) -> float:
-    """Return the load of a roller [N] beside which what is left of its balance is judged."""
-    size = 0.0
-    for b in range(5):
-        if given.by_force[b]:
-            size = max(size, abs(target[b]) / parts.reach[b] / work.asked.size)
-    for j in range(work.asked.size):
-        borne = 0.0
-        for c in range(parts.law.shape[1]):
-            borne += work.answer[j, c, 0]
-        size = max(size, borne)
-        for a in range(3):
-            size = max(size, abs(parts.load[j, a]) / parts.scale[a])
-    return size
-
-
-@compiled
-def _rollers_move(parts: Parts, work: Work, given: Given, enough: float) -> bool:
-    """Move the rollers whose balance is short of what is enough [N]; return whether there are any."""
-    moving = False
-    for j in range(work.asked.size):
-        if work.searching[j]:
-            slope = float(np.dot(work.off[j], work.step[j]))
-            work.searching[j] = _shortened(work, j, slope, _along(work.whole[j], work.step[j]))
-        if not work.searching[j]:
-            work.asked[j] = _roller_steps(parts, work, given, j, enough)
-            if not work.asked[j]:
-                continue
-        for a in range(3):
-            work.motion[j, a] = work.before[j, a] + work.share[j] * work.step[j, a]
-        _ask(parts, work, j)
-        moving = True
-    return moving
-
-
-@compiled
-def _roller_steps(parts: Parts, work: Work, given: Given, j: int, enough: float) -> bool:
-    """Give a roller a step if it is not in balance."""
-    if _largest(parts, work.off[j]) <= enough or work.steps[j] >= given.steps:
-        return False
-    step = _roller_step(parts, work, given, j)
-    slope = 0.0
-    for a in range(3):
-        work.step[j, a] = step[a, 0]
-        work.before[j, a] = work.motion[j, a]
-        slope += work.off[j, a] * work.step[j, a]
-    work.steps[j] += 1
-    _search(work, j, slope)
-    return True
-
-
-@compiled
-def _roller_step(parts: Parts, work: Work, given: Given, j: int) -> Array:
-    """Return a step of a roller towards its balance, the ring at rest, shape (3, 1)."""
-    # As for the ring: where nothing resists, a roller goes where it is pushed, and not far at once.
-    held = HELD_BACK * _largest(parts, work.off[j]) / given.depth
-    matrix, right = work.whole[j].copy(), np.empty((3, 1))
-    for a in range(3):
-        right[a, 0] = work.off[j, a]
-        matrix[a, a] += held * parts.scale[a] ** 2
-    _solve(matrix, right, parts.scale)
-    if _is_let_go(parts, work, j, right):
-        right *= LETS_GO
-    right *= _cautious(parts, _deepest(work, given, j), right[:, 0])
-    right *= _share_of_step(parts, work, j, right)
-    return right
-
-
-@compiled
-def _deepest(work: Work, given: Given, j: int) -> float:
-    """Return how deep the contacts of a roller are, or are expected to be [mm]."""
-    deepest = given.depth
-    for c in range(work.pose.shape[1]):
-        deepest = max(deepest, work.answer[j, c, OVERLAP])
-    return deepest
-
-
-@compiled
-def _cautious(parts: Parts, deepest: float, step: Array) -> float:
-    """Return the share of a roller's step that presses nothing much deeper than so deep [mm]."""
-    moved = 0.0
-    for a in range(3):
-        moved = max(moved, abs(step[a]) * parts.scale[a])
-    return _share_within(moved, deepest)
-
-
-@compiled
-def _share_within(moved: float, deepest: float) -> float:
-    """Return the share of a step that moves so far [mm] that is not far beside penetrations [mm]."""
-    return 1.0 if moved <= CAUTION * deepest else CAUTION * deepest / moved
-
-
-@compiled
-def _is_let_go(parts: Parts, work: Work, j: int, step: Array) -> bool:
-    """Return whether a step leaves a roller that nothing loads without any contact: it is to end clear of the rings.
-
-    A load that grows with a power of the penetration falls only to a certain part of itself in every step to zero.
-    """
-    for a in range(3):
-        if parts.load[j, a] != 0.0:
-            return False
-    now, then = 0.0, 0.0
-    for c in range(parts.law.shape[1]):
-        if parts.law[j, c] == ABSENT:
-            continue
-        load = work.answer[j, c, 0]
-        now += load
-        for a in range(3):
-            by_step = work.answer[j, c, 2] * parts.motion[j, c, 0, a] + work.answer[j, c, 3] * parts.motion[j, c, 1, a]
-            load -= by_step * step[a, 0]
-        then += max(load, 0.0)
-    return bool(then <= NOTHING_LEFT * now)
-
-
-@compiled
-def _share_of_step(parts: Parts, work: Work, j: int, step: Array) -> float:
-    """Return how much of a roller's step presses none of its contacts much deeper than what is left would press it.
-
-    Rollers that only speed loads cross the clearance of the bearing, and are to arrive as lightly as they are loaded:
-    contacts hundreds of times too deep take long to solve.
-    """
-    share = 1.0
-    expected = (_largest(parts, work.off[j]) / parts.stiffness) ** (1.0 / STIFFENING)
-    for c in range(parts.law.shape[1]):
-        if parts.law[j, c] == ABSENT:
-            continue
-        closer, turned = 0.0, 0.0
-        for a in range(3):
-            closer -= parts.motion[j, c, 0, a] * step[a, 0]
-            turned -= parts.motion[j, c, 1, a] * step[a, 0]
-        # What bears deepens where it bears, as far as its stiffness reaches; what is apart, at an end of the roller.
-        middle, reach, answer = 0.0, parts.scale[2], work.answer[j, c]
-        if answer[2] > 0.0:
-            middle = answer[3] / answer[2]
-            reach = math.sqrt(3.0 * max(answer[5] / answer[2] - middle**2, 0.0))
-        now = answer[OVERLAP]
-        then, most = now + closer + middle * turned + reach * abs(turned), CAUTION * max(now, expected)
-        if then > most:
-            share = min(share, (most - now) / (then - now))
-    return share
-
-
-@compiled
-def _condense(parts: Parts, work: Work) -> None:
-    """Add up forces on the ring, and its stiffness with rollers that follow it in balance."""
-    work.force[:], work.stiffness[:], most = 0.0, 0.0, 0.0
-    for j in range(work.asked.size):
-        most = max(most, _largest(parts, work.on_ring[j]))
-    for j in range(work.asked.size):
-        # Slices resist with the ninth root of their overlap: one of 1e-19 mm, which is rounding, by a percent and more.
-        if _largest(parts, work.on_ring[j]) <= NO_LOAD * most:
-            continue
-        follows = work.of_ring[j].copy()
-        _solve(work.whole[j].copy(), follows, parts.scale)
-        condensed = work.of_ring[j] - _product(work.of_ring[j], follows)
-        turned = _product(condensed, parts.ring[j])
-        for b in range(5):
-            for a in range(3):
-                work.force[b] += parts.ring[j, a, b] * work.on_ring[j, a]
-                for d in range(5):
-                    work.stiffness[b, d] += parts.ring[j, a, b] * turned[a, d]
-
-
-@compiled
-def _step_together(parts: Parts, work: Work, given: Given, target: Array, size: float) -> bool:
-    """Move ring and rollers at once, near the balance, or back if that did not lead on; return whether they were moved.
-
-    If not, the balance is found, or else ``work.together`` is zero from now on.
-    """
-    row = work.asked.size
-    _condense(parts, work)
-    off = np.zeros(5)
-    most, loads = _off_ring(parts, work, given, target, off)
-    of_rollers = _left_of_rollers(parts, work) / size if size > 0.0 else 0.0
-    work.left[0] = max(most / loads, of_rollers)
-    left = max(most / loads, of_rollers / OF_ROLLER)
-    if left <= given.tolerance:
-        return False
-    if not left <= min(CLOSE, LEADS_ON * work.together[0]) or work.steps[row] >= given.steps:
-        stepped = bool(work.together[0] < np.inf)
-        if stepped:
-            _step_back(parts, work)
-        work.together[0] = 0.0
-        return stepped
-    work.together[0] = left
-    work.ring_before[:], work.resting[:] = work.ring, work.motion
-    work.steps[row] += 1
-    # Where the rollers would go if the ring stayed, and what that does to it.
-    for j in range(row):
-        rest = _roller_step(parts, work, given, j)
-        pushed = _product(work.of_ring[j], rest)
-        for a in range(3):
-            work.before[j, a] = rest[a, 0]
-            for b in range(5):
-                if given.by_force[b]:
-                    off[b] += parts.ring[j, a, b] * pushed[a, 0]
-    _follow_ring(parts, work, given, off, loads)
-    for b in range(5):
-        work.ring[b] += work.ring_step[b]
-    for j in range(row):
-        for a in range(3):
-            work.motion[j, a] += work.follows[j, a] + work.before[j, a]
-    _ask_all(parts, work)
-    return True
-
-
-@compiled
-def _step_back(parts: Parts, work: Work) -> None:
-    """Take back the last step of ring and rollers together, which are to step one after the other from now on."""
-    work.together[0] = 0.0
-    work.searching[:] = False
-    work.ring[:], work.motion[:] = work.ring_before, work.resting
-    _ask_all(parts, work)
-
-
-@compiled
-def _strays(parts: Parts, work: Work, enough: float) -> int:
-    """Return how many rollers are off balance by more than is enough [N]."""
-    count = 0
-    for j in range(work.asked.size):
-        if _largest(parts, work.off[j]) > enough:
-            count += 1
-    return count
-
-
-@compiled
-def _left_of_rollers(parts: Parts, work: Work) -> float:
-    """Return what is left of the balance of rollers [N]."""
-    off = 0.0
-    for j in range(work.asked.size):
-        off = max(off, _largest(parts, work.off[j]))
-    return off
+                whole[a, b] += stiff
+                if inner:
+                    of_ring[a, b] += stiff
+    rollers.left[j] = _largest(parts, off)
 
 
 @compiled
@@ -612,133 +422,270 @@ def _largest(parts: Parts, forces: Array) -> float:
 
 
 @compiled
-def _ring_moves(parts: Parts, work: Work, given: Given, target: Array, of_rollers: float) -> bool:
-    """Move the ring if it, or a roller, is not in balance; return whether it was moved."""
-    row = work.asked.size
-    if work.searching[row]:
-        slope = 0.0
+def _size(parts: Parts, rollers: Rollers, conditions: Conditions, target: Array) -> float:
+    """Return the load of a roller [N] beside which what is left of its balance is judged."""
+    size = 0.0
+    for b in range(5):
+        if conditions.by_force[b]:
+            size = max(size, abs(target[b]) / parts.reach[b] / rollers.asked.size)
+    for j in range(rollers.asked.size):
+        borne = 0.0
+        for c in range(parts.law.shape[1]):
+            borne += rollers.answer[j, c, 0]
+        size = max(size, borne, _largest(parts, parts.load[j]))
+    return size
+
+
+@compiled
+def _follow_alike(parts: Parts, ring: Ring, rollers: Rollers) -> None:
+    """Move rollers as if all contacts were alike, half-way between the rings; barrels turn with the inner ring."""
+    for j in range(rollers.asked.size):
+        rollers.answer[j] = 0.0
+        rollers.answer[j, :, 2], rollers.answer[j, :, 5] = 1.0, parts.scale[2] ** 2 / 3.0
+        _add_up(parts, rollers, j)
+        rollers.answer[j] = 0.0
+        rollers.motion[j] = _following(parts, rollers, j, ring.motion)
+
+
+@compiled
+def _following(parts: Parts, rollers: Rollers, j: int, motion: Array) -> Array:
+    """Return how a roller follows a motion of the ring if its contacts keep their stiffness."""
+    at_roller = np.zeros((3, 1))
+    for a in range(3):
         for b in range(5):
-            if given.by_force[b]:
-                slope += (target[b] - work.force[b]) * work.ring_step[b]
-        if _shortened(work, row, slope, _along(work.stiffness, work.ring_step)):
-            _try(parts, work)
-            return True
-        work.searching[row] = False
-        work.steps[row] += 1
-    off = np.zeros(5)
-    most, loads = _off_ring(parts, work, given, target, off)
-    work.left[0] = max(most / loads, of_rollers)
-    if not np.any(given.by_force) or work.left[0] <= given.tolerance or work.steps[row] >= given.steps:
+            at_roller[a, 0] += parts.ring[j, a, b] * motion[b]
+    pushed = _product(rollers.of_ring[j], at_roller)
+    _solve(rollers.whole[j].copy(), pushed, parts.scale)
+    return pushed[:, 0]
+
+
+@compiled
+def _rollers_step(parts: Parts, search: Search, conditions: Conditions, enough: float) -> bool:
+    """Move the rollers whose balance is short of what is enough [N]; return whether there are any."""
+    rollers, tries = search.rollers, search.rollers.tries
+    for j in range(rollers.asked.size):
+        rollers.asked[j] = True
+        if not _shortened(tries, j, rollers.off[j], rollers.step[j], rollers.whole[j]):
+            if rollers.left[j] <= enough or tries.steps[j] >= conditions.steps:
+                rollers.asked[j] = False
+                continue
+            rollers.before[j], rollers.step[j] = rollers.motion[j], _roller_step(parts, rollers, conditions, j)
+            _try(tries, j, rollers.off[j], rollers.step[j])
+        for a in range(3):
+            rollers.motion[j, a] = rollers.before[j, a] + tries.share[j] * rollers.step[j, a]
+        _ask(parts, search.ring, rollers, j)
+    return bool(np.any(rollers.asked))
+
+
+@compiled
+def _roller_step(parts: Parts, rollers: Rollers, conditions: Conditions, j: int) -> Array:
+    """Return a step of a roller towards its balance, the ring at rest, shape (3,)."""
+    # As for the ring: where nothing resists, a roller goes where it is pushed, and not far at once.
+    held = HELD_BACK * rollers.left[j] / conditions.depth
+    matrix, right = rollers.whole[j].copy(), np.empty((3, 1))
+    for a in range(3):
+        right[a, 0] = rollers.off[j, a]
+        matrix[a, a] += held * parts.scale[a] ** 2
+    _solve(matrix, right, parts.scale)
+    step = right[:, 0].copy()
+    if _is_let_go(parts, rollers, j, step):
+        step *= LETS_GO
+    step *= _cautious(step * parts.scale, _deepest(rollers, conditions, j))
+    step *= _share_of_step(parts, rollers, j, step)
+    return step
+
+
+@compiled
+def _deepest(rollers: Rollers, conditions: Conditions, j: int) -> float:
+    """Return how deep the contacts of a roller are, or are expected to be [mm]."""
+    deepest = conditions.depth
+    for c in range(rollers.pose.shape[1]):
+        deepest = max(deepest, rollers.answer[j, c, OVERLAP])
+    return deepest
+
+
+@compiled
+def _cautious(step: Array, deepest: float) -> float:
+    """Return the share of a step [mm] that presses nothing much deeper than so deep [mm]."""
+    moved = np.max(np.abs(step))
+    return 1.0 if moved <= CAUTION * deepest else CAUTION * deepest / moved
+
+
+@compiled
+def _is_let_go(parts: Parts, rollers: Rollers, j: int, step: Array) -> bool:
+    """Return whether a step leaves a roller that nothing loads without any contact: it is to end clear of the rings.
+
+    A load that grows with a power of the penetration falls only to a certain part of itself in every step to zero.
+    """
+    if np.any(parts.load[j] != 0.0):
         return False
-    _ring_steps(parts, work, given, off, loads)
-    _try(parts, work)
-    return True
+    now, then = 0.0, 0.0
+    for c in range(parts.law.shape[1]):
+        answer = rollers.answer[j, c]
+        closer, turned = _closer(parts, j, c, step)
+        now += answer[0]
+        then += max(answer[0] + answer[2] * closer + answer[3] * turned, 0.0)
+    return bool(then <= NOTHING_LEFT * now)
 
 
 @compiled
-def _off_ring(parts: Parts, work: Work, given: Given, target: Array, off: Array) -> tuple[float, float]:
-    """Fill in what is left of the balance of the ring; return the most of it and the loads, as forces [N]."""
-    most, loads = 0.0, np.finfo(np.float64).tiny
-    for j in range(work.asked.size):
-        loads += abs(work.on_ring[j, 0]) + abs(work.on_ring[j, 1])
+def _closer(parts: Parts, j: int, c: int, step: Array) -> tuple[float, float]:
+    """Return what a step of a roller adds to approach and tilt of a contact."""
+    closer, turned = 0.0, 0.0
+    for a in range(3):
+        closer -= parts.motion[j, c, 0, a] * step[a]
+        turned -= parts.motion[j, c, 1, a] * step[a]
+    return closer, turned
+
+
+@compiled
+def _share_of_step(parts: Parts, rollers: Rollers, j: int, step: Array) -> float:
+    """Return how much of a roller's step presses none of its contacts much deeper than what is left would press it.
+
+    Rollers that only speed loads cross the clearance of the bearing, and are to arrive as lightly as they are loaded:
+    contacts hundreds of times too deep take long to solve.
+    """
+    share = 1.0
+    expected = (rollers.left[j] / parts.stiffness) ** (1.0 / STIFFENING)
+    for c in range(parts.law.shape[1]):
+        closer, turned = _closer(parts, j, c, step)
+        # What bears deepens where it bears, as far as its stiffness reaches; what is apart, at an end of the roller.
+        middle, reach, answer = 0.0, parts.scale[2], rollers.answer[j, c]
+        if answer[2] > 0.0:
+            middle = answer[3] / answer[2]
+            reach = math.sqrt(3.0 * max(answer[5] / answer[2] - middle**2, 0.0))
+        now = answer[OVERLAP]
+        then, most = now + closer + middle * turned + reach * abs(turned), CAUTION * max(now, expected)
+        if then > most:
+            share = min(share, (most - now) / (then - now))
+    return share
+
+
+@compiled
+def _condense(
+    parts: Parts, search: Search, conditions: Conditions, target: Array, size: float
+) -> tuple[float, float, float]:
+    """Add up forces on the ring, and its stiffness with rollers that follow it in balance.
+
+    Returns
+    -------
+    tuple of float
+        What is left of the balance of the ring over the loads, and of rollers over ``size``; and the loads [N].
+    """
+    ring, rollers = search.ring, search.rollers
+    ring.force[:], ring.stiffness[:], most = 0.0, 0.0, 0.0
+    for j in range(rollers.asked.size):
+        most = max(most, _largest(parts, rollers.on_ring[j]))
+    for j in range(rollers.asked.size):
+        # Slices resist with the ninth root of their overlap: one of 1e-19 mm, which is rounding, by a percent and more.
+        if _largest(parts, rollers.on_ring[j]) <= NO_LOAD * most:
+            continue
+        follows = rollers.of_ring[j].copy()
+        _solve(rollers.whole[j].copy(), follows, parts.scale)
+        turned = _product(rollers.of_ring[j] - _product(rollers.of_ring[j], follows), parts.ring[j])
+        for b in range(5):
+            for a in range(3):
+                ring.force[b] += parts.ring[j, a, b] * rollers.on_ring[j, a]
+                for d in range(5):
+                    ring.stiffness[b, d] += parts.ring[j, a, b] * turned[a, d]
+    left, loads = 0.0, max(np.finfo(np.float64).tiny, np.sum(np.abs(rollers.on_ring[:, :2])))
     for b in range(5):
-        if given.by_force[b]:
-            off[b] = target[b] - work.force[b]
-            loads = max(loads, abs(target[b]) / parts.reach[b])
-            most = max(most, abs(off[b]) / parts.reach[b])
-    return most, loads
+        ring.off[b] = target[b] - ring.force[b] if conditions.by_force[b] else 0.0
+        if conditions.by_force[b]:
+            loads, left = max(loads, abs(target[b]) / parts.reach[b]), max(left, abs(ring.off[b]) / parts.reach[b])
+    of_rollers = np.max(rollers.left) / size if size > 0.0 else 0.0
+    search.left[0] = max(left / loads, of_rollers)
+    return left / loads, of_rollers, loads
 
 
 @compiled
-def _ring_steps(parts: Parts, work: Work, given: Given, off: Array, loads: float) -> None:
-    """Give the ring a step, and let the rollers follow."""
-    _follow_ring(parts, work, given, off, loads)
-    work.ring_before[:], work.resting[:] = work.ring, work.motion
-    slope = 0.0
-    for b in range(5):
-        slope += off[b] * work.ring_step[b]
-    _search(work, work.asked.size, slope)
-
-
-@compiled
-def _follow_ring(parts: Parts, work: Work, given: Given, off: Array, loads: float) -> None:
-    """Find the ring's step, and how rollers would follow if the contacts kept their stiffness."""
-    free = np.flatnonzero(given.by_force)
-    matrix, right = np.empty((free.size, free.size)), np.empty((free.size, 1))
-    # A small stiffness against all motions, so that a ring that touches nothing goes where it is pushed.
-    held = HELD_BACK * min(work.left[0], 1.0) * loads / given.depth
-    for a in range(free.size):
-        right[a, 0] = off[free[a]]
-        for b in range(free.size):
-            matrix[a, b] = work.stiffness[free[a], free[b]]
-        matrix[a, a] += held * parts.reach[free[a]] ** 2
-    _solve(matrix, right, np.ones(free.size))
-    work.ring_step[:] = 0.0
-    for a in range(free.size):
-        work.ring_step[free[a]] = right[a, 0]
-    deepest, moved = given.depth, 0.0
-    for j in range(work.asked.size):
-        at_roller = np.zeros((3, 1))
-        deepest = max(deepest, _deepest(work, given, j))
+def _step_together(parts: Parts, search: Search, conditions: Conditions, loads: float) -> None:
+    """Move ring and rollers at once, near the balance."""
+    ring, rollers = search.ring, search.rollers
+    # Where the rollers would go if the ring stayed, and what that does to it.
+    for j in range(rollers.asked.size):
+        rollers.step[j] = _roller_step(parts, rollers, conditions, j)
+        pushed = _product(rollers.of_ring[j], rollers.step[j].reshape(3, 1))
         for a in range(3):
             for b in range(5):
-                at_roller[a, 0] += parts.ring[j, a, b] * work.ring_step[b]
-        moved = max(moved, abs(at_roller[0, 0]), abs(at_roller[1, 0]))
-        pushed = _product(work.of_ring[j], at_roller)
-        _solve(work.whole[j].copy(), pushed, parts.scale)
-        work.follows[j] = pushed[:, 0]
+                if conditions.by_force[b]:
+                    ring.off[b] += parts.ring[j, a, b] * pushed[a, 0]
+    _follow_ring(parts, search, conditions, loads)
+    rollers.follows[:] += rollers.step
+    ring.tries.steps[0] += 1
+    _move_along(parts, ring, rollers, 1.0)
+
+
+@compiled
+def _follow_ring(parts: Parts, search: Search, conditions: Conditions, loads: float) -> None:
+    """Find a step of the ring, and how rollers follow it."""
+    ring, rollers, by_force = search.ring, search.rollers, conditions.by_force
+    ring.before[:], rollers.resting[:] = ring.motion, rollers.motion
+    # A small stiffness against all motions, so that a ring that touches nothing goes where it is pushed.
+    held = HELD_BACK * min(search.left[0], 1.0) * loads / conditions.depth
+    matrix, right = np.zeros((5, 5)), np.zeros((5, 1))
+    for a in range(5):
+        right[a, 0] = ring.off[a]
+        for b in range(5):
+            matrix[a, b] = ring.stiffness[a, b] if by_force[a] and by_force[b] else 0.0
+        matrix[a, a] += held * parts.reach[a] ** 2 if by_force[a] else 1.0
+    _solve(matrix, right, np.ones(5))
+    ring.step[:] = right[:, 0]
+    deepest, moved = conditions.depth, np.zeros((rollers.asked.size, 2))
+    for j in range(rollers.asked.size):
+        deepest = max(deepest, _deepest(rollers, conditions, j))
+        rollers.follows[j] = _following(parts, rollers, j, ring.step)
+        for a in range(2):
+            for b in range(5):
+                moved[j, a] += parts.ring[j, a, b] * ring.step[b]
     # No step presses anything much deeper than it is or is expected to be.
-    share = _share_within(moved, deepest)
-    work.ring_step[:] = share * work.ring_step
-    for j in range(work.asked.size):
+    share = _cautious(moved, deepest)
+    ring.step[:] *= share
+    for j in range(rollers.asked.size):
         # A roller that little holds would be flung about.
-        work.follows[j] *= share
-        work.follows[j] *= _cautious(parts, deepest, work.follows[j])
+        rollers.follows[j] *= share
+        rollers.follows[j] *= _cautious(rollers.follows[j] * parts.scale, deepest)
 
 
 @compiled
-def _try(parts: Parts, work: Work) -> None:
-    """Move the ring along its step, and the rollers with it."""
-    share = work.share[work.asked.size]
-    for b in range(5):
-        work.ring[b] = work.ring_before[b] + share * work.ring_step[b]
-    for j in range(work.asked.size):
-        for a in range(3):
-            work.motion[j, a] = work.resting[j, a] + share * work.follows[j, a]
-    _ask_all(parts, work)
+def _move_along(parts: Parts, ring: Ring, rollers: Rollers, share: float) -> None:
+    """Move the ring to a share of its step, and the rollers with it."""
+    ring.motion[:] = ring.before + share * ring.step
+    rollers.motion[:] = rollers.resting + share * rollers.follows
+    _ask_all(parts, ring, rollers)
 
 
 @compiled
-def _search(work: Work, row: int, slope: float) -> None:
+def _try(tries: Tries, j: int, off: Array, step: Array) -> None:
     """Begin to try a step, the whole of it first."""
-    work.slope[row], work.share[row], work.tries[row], work.searching[row] = slope, 1.0, 0, True
+    tries.slope[j] = 0.0
+    for a in range(step.size):
+        tries.slope[j] += off[a] * step[a]
+    tries.share[j], tries.shortened[j], tries.searching[j] = 1.0, 0, True
+    tries.steps[j] += 1
 
 
 @compiled
-def _shortened(work: Work, row: int, slope: float, bend: float) -> bool:
-    """Shorten a step if the slope at its end points backwards; return whether it did.
+def _shortened(tries: Tries, j: int, off: Array, step: Array, stiffness: Array) -> bool:
+    """Shorten a step that is tried, if the slope at its end points backwards; return whether it did, or end the step.
 
     A step that falls short is good enough: the next goes on from there. A first slope below zero is rounding. Loads
     grow faster the deeper bodies are pressed: a line through both slopes is zero before the best share, often where
     the bodies are apart again, and the tangent at the end behind it.
     """
-    first = work.slope[row]
-    if slope >= -OVERSHOT * first or first <= 0.0 or work.tries[row] == SHORTENINGS:
-        return False
-    tangent = 1.0 + slope / (bend * work.share[row]) if bend > 0.0 else 0.0
-    work.share[row] *= min(max(first / (first - slope), tangent, 0.1), 0.9)
-    work.tries[row] += 1
-    return True
-
-
-@compiled
-def _along(stiffness: Array, step: Array) -> float:
-    """Return how the slope along a step changes."""
-    found = 0.0
+    first, slope, bend = tries.slope[j], 0.0, 0.0
     for a in range(step.size):
+        slope += off[a] * step[a]
         for b in range(step.size):
-            found += step[a] * stiffness[a, b] * step[b]
-    return found
+            bend += step[a] * stiffness[a, b] * step[b]
+    backwards = slope < -OVERSHOT * first and first > 0.0
+    if not (tries.searching[j] and backwards and tries.shortened[j] < SHORTENINGS):
+        tries.searching[j] = False
+        return False
+    tangent = 1.0 + slope / (bend * tries.share[j]) if bend > 0.0 else 0.0
+    tries.share[j] *= min(max(first / (first - slope), tangent, 0.1), 0.9)
+    tries.shortened[j] += 1
+    return True
 
 
 @compiled
@@ -753,9 +700,10 @@ def _product(left: Array, right: Array) -> Array:
 
 @compiled
 def _solve(matrix: Array, right: Array, scale: Array) -> None:
-    """Solve linear equations in place, by elimination with row pivoting; a motion that nothing resists is left alone.
+    """Solve linear equations in place, by elimination; a motion that nothing resists is left alone.
 
-    With three unknowns this is quicker than any call.
+    With three unknowns this is quicker than any call. Stiffness is positive definite, and nearly symmetric: no pivot is
+    looked for.
     """
     n = matrix.shape[0]
     size = 0.0
@@ -764,10 +712,6 @@ def _solve(matrix: Array, right: Array, scale: Array) -> None:
     for a in range(n):
         matrix[a, a] += (RIDGE * size if size > 0.0 else 1.0) * scale[a] ** 2
     for k in range(n):
-        top = k + int(np.argmax(np.abs(matrix[k:, k])))
-        if top != k:
-            _swap(matrix, k, top)
-            _swap(right, k, top)
         for a in range(k + 1, n):
             part = matrix[a, k] / matrix[k, k]
             matrix[a, k + 1 :] -= part * matrix[k, k + 1 :]
@@ -776,9 +720,3 @@ def _solve(matrix: Array, right: Array, scale: Array) -> None:
         for a in range(k + 1, n):
             right[k] -= matrix[k, a] * right[a]
         right[k] /= matrix[k, k]
-
-
-@compiled
-def _swap(rows: Array, one: int, other: int) -> None:
-    for b in range(rows.shape[1]):
-        rows[one, b], rows[other, b] = rows[other, b], rows[one, b]

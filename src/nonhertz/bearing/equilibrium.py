@@ -17,26 +17,24 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bearing.balance import (
-    ABSENT,
     NO_LOAD,
-    OUTSIDE,
-    Found,
-    Given,
+    NOT_IN_BOOK,
+    Conditions,
     Parts,
-    Work,
-    ask_tables,
+    Search,
+    States,
+    ask_book,
     balance_all,
     begin,
     go_on,
     keep,
 )
-from nonhertz.bearing.laws import OVERLAP, ContactLaw, SolvedLaw
+from nonhertz.bearing.laws import OVERLAP, Book, ContactLaw, MapLaw, OutsideLaw, Slices
 from nonhertz.compiled import plain_array
 from nonhertz.life.lamina import roller_stiffness
 
@@ -64,8 +62,8 @@ class Joint:
         Approach and tilt per motion of ring against roller.
     gap : ndarray, shape (rollers of the row,)
         What the approach of a centred ring and roller is short of contact [mm].
-    law : TabulatedLaw or SolvedLaw
-        How it answers.
+    law : Slices or MapLaw or OutsideLaw
+        How it answers; the contacts of a roller that have the same `OutsideLaw` are asked together.
     column : int
         Which of a roller's contacts it is, from 0.
     first : int
@@ -116,79 +114,37 @@ class System:
         """The most contacts that a roller has."""
         return 1 + max(joint.column for joint in self.joints)
 
-    @property
-    def solved(self) -> tuple[tuple[Joint, SolvedLaw], ...]:
-        """The contacts whose laws are no tables."""
-        return tuple((each, each.law) for each in self.joints if not hasattr(each.law, "table"))
+    @cached_property
+    def outside(self) -> tuple[tuple[OutsideLaw, slice, list[int]], ...]:
+        """The laws that answer from outside, with their rollers and columns."""
+        found: dict[OutsideLaw, tuple[OutsideLaw, slice, list[int]]] = {}
+        for joint in self.joints:
+            if not isinstance(joint.law, Slices | MapLaw):
+                found.setdefault(joint.law, (joint.law, joint.rollers, []))[2].append(joint.column)
+        return tuple(found.values())
 
     @cached_property
     def parts(self) -> Parts:
         """The same as arrays."""
         shape = self.rollers, self.columns
         motion, gap = np.zeros((*shape, 2, 3)), np.zeros(shape)
-        inner, law = np.zeros(shape, dtype=np.bool_), np.full(shape, ABSENT)
-        tables: list[Array] = [np.zeros(0)]
+        inner, law = np.zeros(shape, dtype=np.bool_), np.full(shape, NOT_IN_BOOK)
+        laws: list[Slices | MapLaw] = []
         for joint in self.joints:
             at = joint.rollers, joint.column
-            motion[at], gap[at], inner[at], law[at] = joint.motion, joint.gap, joint.inner, OUTSIDE
-            table = getattr(joint.law, "table", None)
-            if table is not None:
-                law[at] = sum(each.size for each in tables)
-                tables.append(table)
+            motion[at], gap[at], inner[at] = joint.motion, joint.gap, joint.inner
+            if isinstance(joint.law, Slices | MapLaw):
+                law[at] = len(laws)
+                laws.append(joint.law)
         # Lever arms that make forces of the ring's moments, and displacements of its rotations.
         reach = np.max(np.abs(self.ring), axis=(0, 1))
         # A single roller does not feel what moves across it.
         reach[1:3], reach[3:] = reach[1:3].max(), reach[3:].max()
         scale = np.array([1.0, 1.0, self.lever])
         ring, load = np.ascontiguousarray(self.ring), np.ascontiguousarray(self.load, dtype=float)
-        book, stiffness = np.concatenate(tables), roller_stiffness(2.0 * self.lever)
-        return Parts(ring, motion, gap, inner, law, book, load, scale, reach, stiffness)
-
-
-class Rollers(NamedTuple):
-    """Rollers in balance.
-
-    Attributes
-    ----------
-    motion : ndarray, shape (states, rollers, 3)
-        Along x and r [mm] and about the tangent [rad].
-    approach, tilt, load, moment, overlap : ndarray, shape (states, rollers, columns)
-        Of their contacts [mm], [rad], [N], [N mm], [mm].
-    """
-
-    motion: Array
-    approach: Array
-    tilt: Array
-    load: Array
-    moment: Array
-    overlap: Array
-
-
-class States(NamedTuple):
-    """States of a bearing.
-
-    Attributes
-    ----------
-    ring : ndarray, shape (states, 5)
-        Motion of the inner ring.
-    rollers : Rollers
-        Its rollers.
-    force : ndarray, shape (states, 5)
-        Forces and moments on the inner ring that hold it there.
-    stiffness : ndarray, shape (states, 5, 5)
-        d(force) / d(ring).
-    residual : ndarray, shape (states,)
-        What is left of the balance of ring and rollers, over the loads.
-    steps : ndarray of int, shape (states,)
-        Newton steps of the ring.
-    """
-
-    ring: Array
-    rollers: Rollers
-    force: Array
-    stiffness: Array
-    residual: Array
-    steps: Indices
+        return Parts(
+            ring, motion, gap, inner, law, Book.of(laws), load, scale, reach, roller_stiffness(2.0 * self.lever)
+        )
 
 
 def balanced(
@@ -223,17 +179,26 @@ def balanced(
         How many may work on many states at once, where all laws are tables.
     """
     ring = np.where(by_force, start, target)
-    at_first = np.zeros((0, system.rollers, 3)) if motion is None else motion
-    given = Given(by_force, float(depth), float(tolerance), STEPS)
-    found = Found.blank(len(ring), system.rollers, system.columns)
-    target, at_first = plain_array(target), plain_array(at_first)
-    if system.solved:
-        _asked_in_turn(system, given, target, ring, at_first, found)
-    else:
-        _in_machine_code(system.parts, given, (target, ring, at_first), found, threads)
-    pose, borne = found.pose, found.borne
-    rollers = Rollers(found.motion, pose[..., 0], pose[..., 1], borne[..., 0], borne[..., 1], borne[..., OVERLAP])
-    return States(found.ring, rollers, found.force, found.stiffness, found.left, found.steps)
+    at_first = np.zeros((0, system.rollers, 3)) if motion is None else plain_array(motion)
+    conditions = Conditions(by_force, float(depth), float(tolerance), STEPS)
+    found = States.blank(len(ring), system.rollers, system.columns)
+    begins = plain_array(target), ring, at_first
+    if system.outside:
+        _asked_in_turn(system, conditions, *begins, found)
+        return found
+    borders = np.linspace(0, len(ring), min(threads, 1 + len(ring) // _PORTION) + 1).astype(int).tolist()
+
+    def in_machine_code(first: int, last: int) -> None:
+        target, ring, motion = (each[first:last] if len(each) else each for each in begins)
+        search = Search.blank(system.rollers, system.columns)
+        balance_all(system.parts, search, conditions, target, ring, motion, found.portion(first, last))
+
+    if len(borders) == 2:
+        in_machine_code(*borders)
+        return found
+    with ThreadPoolExecutor(len(borders) - 1) as pool:
+        list(pool.map(in_machine_code, borders[:-1], borders[1:]))
+    return found
 
 
 def at_edge(system: System, state: States) -> tuple[Indices, Array]:
@@ -256,55 +221,34 @@ def at_edge(system: System, state: States) -> tuple[Indices, Array]:
     ndarray, shape (3,)
         The change of force over such a motion, to the side on which it is larger [N/mm]; NaN if there are none.
     """
-    load, overlap = state.rollers.load[0, :, 0], state.rollers.overlap[0, :, :2].sum(axis=1)
+    load, overlap = state.load[0, :, 0], state.answer[0, :, :2, OVERLAP].sum(axis=1)
     floor, depth = NO_LOAD * float(load.max()), max(EDGE, float(overlap.max()))
     near = np.flatnonzero((load <= floor) & (overlap > -2.0 * EDGE))
     held, moved = np.zeros(5, dtype=np.bool_), state.ring + EDGE * np.concatenate([np.eye(3, 5), -np.eye(3, 5)])
-    found = [balanced(system, held, at, at, depth, motion=state.rollers.motion) for at in moved[:, None] if near.size]
-    ready = near[np.any([each.rollers.load[0, near, 0] > floor for each in found], axis=0)] if found else near
+    found = [balanced(system, held, at, at, depth, motion=state.motion) for at in moved[:, None] if near.size]
+    ready = near[np.any([each.load[0, near, 0] > floor for each in found], axis=0)] if found else near
     if not ready.size:
         return ready, np.full(3, np.nan)
     change = np.array([each.force[0, :3] - state.force[0, :3] for each in found]).reshape(2, 3, 3)
     return ready, np.abs(change.diagonal(axis1=1, axis2=2)).max(axis=0) / EDGE
 
 
-def _in_machine_code(
-    parts: Parts, given: Given, begins: tuple[Array, Array, Array], found: Found, threads: int
+def _asked_in_turn(
+    system: System, conditions: Conditions, target: Array, start: Array, motion: Array, found: States
 ) -> None:
-    """Find all states, in portions on threads of their own."""
-    count = len(begins[0])
-    borders = np.linspace(0, count, min(threads, 1 + count // _PORTION) + 1).astype(int).tolist()
-
-    def one(first: int, last: int) -> None:
-        target, start, motion = (each[first:last] if len(each) else each for each in begins)
-        work = Work.blank(*parts.gap.shape)
-        balance_all(parts, work, given, target, start, motion, found.portion(first, last))
-
-    if len(borders) == 2:
-        one(0, count)
-        return
-    with ThreadPoolExecutor(len(borders) - 1) as pool:
-        list(pool.map(one, borders[:-1], borders[1:]))
-
-
-def _asked_in_turn(system: System, given: Given, target: Array, start: Array, motion: Array, found: Found) -> None:
-    """Find states one after the other, asking the laws that are no tables whenever contacts are asked."""
-    parts, solved = system.parts, system.solved
-    work = Work.blank(system.rollers, system.columns)
+    """Find states one after the other, asking the laws that answer from outside whenever contacts are asked."""
+    parts, search = system.parts, Search.blank(system.rollers, system.columns)
+    rollers = search.rollers
     for k in range(len(target)):
-        begin(parts, work, start[k], motion[k] if len(motion) else motion.reshape(0, 3))
+        begin(parts, search, start[k], motion[k] if len(motion) else motion.reshape(0, 3))
         times = np.zeros(system.rollers, dtype=np.int64)
         while times.max() < MOST_ASKED:
-            times += work.asked
-            ask_tables(parts, work)
-            questions = []
-            for joint, law in solved:
-                asked = joint.first + np.flatnonzero(work.asked[joint.rollers])
-                pose = work.pose[asked, joint.column]
-                questions.append((asked, (k * system.rollers + asked, pose[:, 0], pose[:, 1])))
-                law.expect(*questions[-1][1])
-            for (joint, law), (asked, question) in zip(solved, questions, strict=True):
-                work.answer[asked, joint.column] = law.pressed(*question)
-            if not go_on(parts, work, given, target[k]):
+            times += rollers.asked
+            ask_book(parts, rollers)
+            for law, these, columns in system.outside:
+                asked = these.start + np.flatnonzero(rollers.asked[these])
+                at = np.ix_(asked, columns)
+                rollers.answer[at] = law.answer(k * system.rollers + asked, rollers.pose[at])
+            if not go_on(parts, search, conditions, target[k]):
                 break
-        keep(work, found, k)
+        keep(search, found, k)

@@ -1,71 +1,54 @@
-"""How one contact of a roller answers approach and tilt: with load, moment, their derivatives and the overlap.
+"""How contacts of rollers answer approach and tilt: with load, moment, their derivatives and the overlap.
 
-A law whose answer is a formula or a table is written down as numbers, so that whole bearings are balanced in machine
-code; strips, which are laid and solved, are asked from outside.
+A law that is a formula or a map is written into a `Book` of arrays, from which whole bearings are balanced in machine
+code; any other, such as strips, which are laid and solved, answers from outside.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.compiled import compiled
+from nonhertz.compiled import compiled, plain_array
 from nonhertz.life.lamina import STIFFENING
-from nonhertz.maps.evaluation import Tables, loaded, pressed
+from nonhertz.maps.evaluation import Tables, all_pressed, loaded, pressed
+from nonhertz.maps.value import ContactMap
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 Indices = NDArray[np.int64]
 
-#: What the first number of a law's table says.
-SLICES, POINT, MAP = 0.0, 1.0, 2.0
 #: Numbers of an answer: load [N], moment [N mm], their four derivatives by approach and tilt, and by how much the
 #: undeformed bodies overlap where they do most, negative where they are apart [mm].
 ANSWER = 7
 OVERLAP = 6
 
 
-class TabulatedLaw(Protocol):
-    """A law that is written down as numbers."""
+class OutsideLaw(Protocol):
+    """A law that is asked for the contacts of many rollers at once."""
 
-    @property
-    def table(self) -> Array:
-        """Which law it is, and its numbers, as `answered` reads them."""
-        ...
-
-
-class SolvedLaw(Protocol):
-    """A law that is asked for many contacts at once, each in a *row* of its own.
-
-    One that iterates may so begin where it ended the last time.
-    """
-
-    def expect(self, rows: Indices, approach: Array, tilt: Array) -> None:
-        """Take note of contacts that are about to be asked, when all laws know of theirs."""
-        ...
-
-    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Array:
-        """Return the answers of contacts, shape (n, ANSWER).
+    def answer(self, rows: Indices, pose: Array) -> Array:
+        """Return the answers of contacts, shape (n, contacts, ANSWER).
 
         Parameters
         ----------
         rows : ndarray of int, shape (n,)
-            Which of the bearing's contacts of this kind.
-        approach, tilt : ndarray, shape (n,)
-            [mm], [rad].
+            Which rollers, of all states: a law that iterates may begin where it ended the last time.
+        pose : ndarray, shape (n, contacts, 2)
+            Approach [mm] and tilt [rad] of their contacts that have this law.
         """
         ...
-
-
-ContactLaw = TabulatedLaw | SolvedLaw
 
 
 @dataclass(frozen=True, eq=False)
 class Slices:
     """Independent slices whose load is a power of their penetration.
+
+    A contact in a point, whose load does not depend on the tilt, is a single slice at y = 0.
 
     Parameters
     ----------
@@ -86,11 +69,6 @@ class Slices:
     stiffness: float
     exponent: float = STIFFENING
 
-    @cached_property
-    def table(self) -> Array:
-        """Kind, number of slices, stiffness, exponent; places; reliefs."""
-        return np.concatenate([[SLICES, self.y.size, self.stiffness, self.exponent], self.y, self.relief])
-
     def loads(self, approach: Array, tilt: Array) -> Array:
         """Return the loads of the slices [N], shape (n, slices)."""
         depth = np.maximum(approach[:, None] + tilt[:, None] * self.y - self.relief, 0.0)
@@ -99,23 +77,67 @@ class Slices:
 
 
 @dataclass(frozen=True, eq=False)
-class Point:
-    """Hertz's contact in a point: load = factor approach^1.5, whatever the tilt."""
+class MapLaw:
+    """How a contact answers by its map, which goes on in straight lines beyond its range."""
 
-    factor: float
+    map_: ContactMap
 
-    @cached_property
-    def table(self) -> Array:
-        """Kind and factor."""
-        return np.array([POINT, self.factor])
+    def covers(self, approach: Array, tilt: Array) -> Flags:
+        """Return which approaches and tilts the map holds."""
+        found = np.empty((approach.size, 8))
+        all_pressed(self.map_.tables, plain_array(approach), plain_array(tilt), found)
+        inside: Flags = found[:, 7] != 0.0
+        return inside
+
+
+ContactLaw = Slices | MapLaw | OutsideLaw
+
+
+class Book(NamedTuple):
+    """Laws as numbers, a row each; shorter rows are padded.
+
+    Attributes
+    ----------
+    slices : ndarray of int, shape (laws,)
+        Number of slices; 0 of a map.
+    stiffness, exponent : ndarray, shape (laws,)
+        Of `Slices`.
+    y, relief : ndarray, shape (laws, most slices)
+        Of `Slices`.
+    maps : ndarray, shape (laws, most numbers)
+        Tables of mean approaches, see `nonhertz.maps.evaluation`.
+    """
+
+    slices: Indices
+    stiffness: Array
+    exponent: Array
+    y: Array
+    relief: Array
+    maps: Array
+
+    @classmethod
+    def of(cls, laws: Iterable[Slices | MapLaw]) -> Book:
+        """Return laws written down."""
+        none, every = np.zeros(0), list(laws)
+        sliced = [law if isinstance(law, Slices) else Slices(none, none, 0.0) for law in every]
+        tables = [law.map_.tables.mean_approach if isinstance(law, MapLaw) else none for law in every]
+        stiffness, exponent = (np.array([getattr(law, name) for law in sliced]) for name in ("stiffness", "exponent"))
+        y, relief = (_padded([getattr(law, name) for law in sliced]) for name in ("y", "relief"))
+        return cls(np.array([law.y.size for law in sliced], dtype=int), stiffness, exponent, y, relief, _padded(tables))
+
+
+def _padded(rows: list[Array]) -> Array:
+    found = np.zeros((len(rows), max((row.size for row in rows), default=0)))
+    for into, row in zip(found, rows, strict=True):
+        into[: row.size] = row
+    return found
 
 
 @compiled
-def answered(book: Array, at: int, approach: float, tilt: float, answer: Array) -> None:
-    """Fill in what a contact answers whose table begins at a place in a book of tables; shape (ANSWER,)."""
-    if book[at] == MAP:
-        length = int(book[at + 1])
-        tables = Tables(book[at + 2 : at + 2 + length], book[:0])
+def answered(book: Book, law: int, approach: float, tilt: float, answer: Array) -> None:
+    """Fill in what a contact answers by a law of a book, shape (ANSWER,)."""
+    if book.slices[law] == 0:
+        tables = Tables(book.maps[law], book.stiffness[:0])
         state = pressed(tables, approach, tilt)
         answer[0], answer[1], answer[2] = state.load, state.moment, state.load_by_approach
         answer[3] = answer[4] = state.load_by_tilt
@@ -123,24 +145,17 @@ def answered(book: Array, at: int, approach: float, tilt: float, answer: Array) 
         answer[OVERLAP] = approach - loaded(tables, 0.0, tilt).approach
         return
     answer[:] = 0.0
-    if book[at] == POINT:
-        answer[OVERLAP] = approach
-        if approach > 0.0:
-            answer[2] = 1.5 * book[at + 1] * np.sqrt(approach)
-            answer[0] = answer[2] * approach / 1.5
-        return
-    count, exponent = int(book[at + 1]), book[at + 3]
-    y, relief = at + 4, at + 4 + count
     answer[OVERLAP] = -np.inf
-    for k in range(count):
-        depth = approach + tilt * book[y + k] - book[relief + k]
+    y, relief, exponent = book.y[law], book.relief[law], book.exponent[law]
+    for k in range(book.slices[law]):
+        depth = approach + tilt * y[k] - relief[k]
         answer[OVERLAP] = max(answer[OVERLAP], depth)
         if depth > 0.0:
             # The power of the derivative first: multiplications are cheap.
-            slope = book[at + 2] * depth ** (exponent - 1.0)
+            slope = book.stiffness[law] * depth ** (exponent - 1.0)
             answer[0] += slope * depth
-            answer[1] += slope * depth * book[y + k]
+            answer[1] += slope * depth * y[k]
             answer[2] += exponent * slope
-            answer[3] += exponent * slope * book[y + k]
-            answer[5] += exponent * slope * book[y + k] ** 2
+            answer[3] += exponent * slope * y[k]
+            answer[5] += exponent * slope * y[k] ** 2
     answer[4] = answer[3]

@@ -3,23 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
-
-import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.laws import MAP
-from nonhertz.compiled import plain_array
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
-from nonhertz.maps.evaluation import all_pressed
 from nonhertz.maps.value import ContactMap
 from nonhertz.maps.verb import contact_map
 from nonhertz.model.contact import Contact
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -74,29 +65,3 @@ def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, ac
                 known[contact] = contact_map(contact, load=(0.0, load), tilt=(-tilt, tilt), accuracy=accuracy)
     pairs = [row.bearing.contacts for row in bearing.rows]
     return BearingMaps(bearing, tuple((known[inner], known[outer]) for inner, outer in pairs))
-
-
-@dataclass(frozen=True, eq=False)
-class MapLaw:
-    """How a contact answers by its map, which goes on in straight lines beyond its range.
-
-    Parameters
-    ----------
-    map_ : ContactMap
-        Its map.
-    """
-
-    map_: ContactMap
-
-    @cached_property
-    def table(self) -> Array:
-        """Kind, how many numbers follow, and those of the map."""
-        numbers = self.map_.tables.mean_approach
-        return np.concatenate([[MAP, numbers.size], numbers])
-
-    def covers(self, approach: Array, tilt: Array) -> NDArray[np.bool_]:
-        """Return which approaches and tilts the map holds."""
-        found = np.empty((approach.size, 8))
-        all_pressed(self.map_.tables, plain_array(approach), plain_array(tilt), found)
-        inside: NDArray[np.bool_] = found[:, 7] != 0.0
-        return inside

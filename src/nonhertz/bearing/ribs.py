@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.bearing.laws import Point
+from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.section import point_motion
 from nonhertz.errors import InputError
 from nonhertz.hertz import PointContact, point_contact
@@ -146,10 +146,10 @@ class RibContact:
         )
 
     @cached_property
-    def law(self) -> Point:
-        """How it answers."""
-        unit = self.under(1.0)
-        return Point(unit.load / unit.approach**1.5)
+    def law(self) -> Slices:
+        """How it answers: by Hertz, with the power 1.5 of the approach, whatever the tilt."""
+        unit, middle = self.under(1.0), np.zeros(1)
+        return Slices(middle, middle, unit.load / unit.approach**1.5, 1.5)
 
     def reaches_an_edge(self, load: float) -> bool:
         """Return whether the ellipse under a load [N] reaches beyond the flank or the roller's end."""

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm, mrad, newton, newton_mm, um
-from nonhertz.bearing.balance import NO_LOAD
+from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.equilibrium import States
 from nonhertz.bearing.frames import RINGS, contact_frame
 from nonhertz.bearing.ribs import RibContact
 from nonhertz.bearing.unrolled import POINTS, UnrolledPressure, loaded_shares, row_slices
@@ -100,10 +99,10 @@ class BearingSolution(ReadOnly):
         edge: tuple[NDArray[np.int64], Array] | None = None,
     ) -> BearingSolution:
         """Return the only state of a bearing."""
-        rollers = found.rollers
+        load, (approach, tilt) = found.load[0], np.moveaxis(found.pose[0, :, :2], -1, 0)
         edge_rollers, edge_stiffness = edge or (np.zeros(0, dtype=np.int64), np.full(3, np.nan))
         # What is left of the balance of a roller that has lifted off is no load.
-        borne = rollers.load[0] > NO_LOAD * np.max(rollers.load[0], initial=0.0)
+        borne = load > NO_LOAD * np.max(load, initial=0.0)
         angles = [
             np.tile(each.contact_angles if method == "strips" else (each.nominal_angle,) * 2, (each.rollers, 1))
             for each in (row.bearing for row in bearing.rows)
@@ -112,12 +111,12 @@ class BearingSolution(ReadOnly):
             bearing=bearing,
             method=method,
             angle=np.concatenate([row.bearing.angles for row in bearing.rows]),
-            load=np.where(borne, rollers.load[0], 0.0)[:, :2],
-            moment=np.where(borne, rollers.moment[0], 0.0)[:, :2],
-            approach=rollers.approach[0, :, :2],
-            tilt=rollers.tilt[0, :, :2],
+            load=np.where(borne, load, 0.0)[:, :2],
+            moment=np.where(borne, found.answer[0, ..., 1], 0.0)[:, :2],
+            approach=approach,
+            tilt=tilt,
             contact_angle=np.concatenate(angles),
-            rib_loads=np.where(borne, rollers.load[0], 0.0)[:, 2:],
+            rib_loads=np.where(borne, load, 0.0)[:, 2:],
             displacement=found.ring[0],
             force=found.force[0],
             stiffness=found.stiffness[0],

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.balance import NO_LOAD
+from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.equilibrium import TOLERANCE, States
+from nonhertz.bearing.equilibrium import TOLERANCE
 from nonhertz.bearing.frames import state_frame
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.unrolled import loaded_shares
@@ -58,8 +58,8 @@ class BearingSolutions(ReadOnly):
         cls, bearing: RollerBearing | Paired, method: str, found: States, roller_load: Array, shape: tuple[int, ...]
     ) -> BearingSolutions:
         """Return the states of a bearing in an array of a shape."""
-        load = found.rollers.load[..., :2]
-        most = np.max(found.rollers.load, axis=(1, 2), keepdims=True)
+        load = found.load[..., :2]
+        most = np.max(found.load, axis=(1, 2), keepdims=True)
         return cls(
             bearing=bearing,
             method=method,
@@ -87,11 +87,7 @@ class BearingSolutions(ReadOnly):
             raise IndexError("an index for every axis is needed")
         if not self.converged[number]:
             raise ConvergenceError(f"State {number} of the bearing found no balance.", None)
-        one = slice(int(at), int(at) + 1)
-        cut: list[Any] = [
-            type(each)(*(part[one] for part in each)) if isinstance(each, tuple) else each[one] for each in self._states
-        ]
-        return BearingSolution.of(self.bearing, self.method, States(*cut), self._roller_load)
+        return BearingSolution.of(self.bearing, self.method, self._states.portion(at, at + 1), self._roller_load)
 
     @property
     def loaded_share(self) -> Array:

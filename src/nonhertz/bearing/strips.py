@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,248 +40,239 @@ UNRESOLVED = 1e-10
 KEPT_REMOTE = 64  # each of them takes about half a megabyte
 
 
-@dataclass
-class _Kept:
-    """A solved contact: its strips, what they were laid for, where it was asked last, and what it answered."""
+@dataclass(frozen=True, eq=False)
+class LaidContact:
+    """A contact solved on strips.
+
+    Attributes
+    ----------
+    grids : Grids
+        Its strips.
+    laid_for, depth : (float, float), float
+        The approach and tilt that they were laid for, and the penetration there [mm, rad].
+    pose : (float, float)
+        Approach and tilt at which it is solved.
+    states : States
+        The solution.
+    answer : ndarray, shape (OVERLAP,)
+        Load, moment and their derivatives, times K.
+    """
 
     grids: Grids
-    states: States
     laid_for: Pose
     depth: float
-    asked: Pose
+    pose: Pose
+    states: States
     answer: Array
 
 
-class StripLaw:
-    """How a contact answers by strips.
+class StrippedContact:
+    """A contact between roller and ring with what does not depend on approach and tilt.
 
     Parameters
     ----------
     contact : Contact
         Roller and ring.
-    strips : int or None
-        About so many, nearly equal and laid once, which is fast; or None: those of the automatic grid, laid when a
-        contact is first asked for, and again when its penetration has become another one.
     element : Element
         The strip element.
     """
 
-    def __init__(self, contact: Contact, strips: int | None = None, element: Element = SEMI_ELLIPTIC) -> None:
+    def __init__(self, contact: Contact, element: Element = SEMI_ELLIPTIC) -> None:
         self.contact = contact
-        self._problem = posed(
-            contact, element, np.zeros(2, dtype=np.bool_), np.zeros(2), ACCURACY, accuracy_given=False
-        )
-        self._given = self._problem.prescribed
-        few = equal_grids(self._problem, SAMPLES)[0]
-        self._low, self._high = float(few[0]), float(few[-1])
-        self._y, self._h = self._problem.model.surveyed(self._low, self._high, SAMPLES)
-        self._half = 0.5 * (self._high - self._low)
-        self._other: StripLaw | None = None
-        self._few: Grids | None = None
-        self._ahead: dict[int, Pose] = {}
-        self._kept: dict[int, _Kept] = {}
-        self._remote: dict[int, tuple[Remote, Array]] = {}
-        self._near = False
-        self._depth: dict[int, float] = {}
-        if strips is not None:
-            self._lay_few(strips)
+        self.problem = posed(contact, element, np.zeros(2, dtype=np.bool_), np.zeros(2), ACCURACY, accuracy_given=False)
+        self.model = self.problem.model
+        low, *_, high = equal_grids(self.problem, SAMPLES)[0].tolist()
+        self.low, self.high, self.half = low, high, 0.5 * (high - low)
+        self.y, self.h = self.model.surveyed(low, high, SAMPLES)
 
-    def on_few_strips(self, strips: int) -> StripLaw:
-        """Return the law of the same contact on few strips, which are nearly equal."""
-        other = object.__new__(StripLaw)
-        other.__dict__.update(self.__dict__)
-        other._other, other._ahead, other._kept, other._remote, other._depth = None, {}, {}, {}, {}
-        other._lay_few(strips)
-        return other
-
-    def beside(self, other: StripLaw) -> None:
-        """Let both contacts of rollers use the same strips, if the bodies are as far apart in both."""
-        if np.array_equal(self._y, other._y) and np.allclose(self._h, other._h, rtol=1e-9, atol=0.0):
-            self._other, other._other = other, self
-
-    def penetration(self, approach: Array, tilt: Array) -> Array:
-        """Return how deep the undeformed bodies overlap where they do most [mm]."""
-        rows, most = np.arange(approach.size), np.full(approach.size, -np.inf)
-        y, h = self._y[None], self._h[None]
+    def penetration(self, pose: Array) -> Array:
+        """Return how deep the undeformed bodies overlap where they do most [mm], at poses of shape (n, 2)."""
+        rows, most = np.arange(len(pose)), np.full(len(pose), -np.inf)
+        y, h = self.y[None], self.h[None]
         # A law that overlooked the overlap between two places would jump from no load to some: closer and closer.
         for _ in range(CLOSER_LOOKS):
-            overlap = approach[:, None] + tilt[:, None] * y - h
+            overlap = pose[:, :1] + pose[:, 1:] * y - h
             k = np.argmax(overlap, axis=1)
             most = np.maximum(most, overlap[rows, k])
             y = np.broadcast_to(y, overlap.shape)
             y = np.linspace(y[rows, np.maximum(k - 1, 0)], y[rows, np.minimum(k + 1, y.shape[1] - 1)], LOOKS, axis=1)
-            h = self._problem.model.separation(y.ravel()).reshape(y.shape)
+            h = self.model.separation(y.ravel()).reshape(y.shape)
         return most
 
-    def lay_anew(self) -> None:
-        """From now on lay strips anew for contacts that are not nearly those which they were laid for."""
-        self._near = True
+    def even(self, strips: int) -> Grids:
+        """Return about so many strips, nearly equal."""
+        even = np.linspace(self.low, self.high, strips + 1)
+        # Where corners begin, or else at the ends, in parts: a roller that tips over may have to bear close to there.
+        bends = [bend for bend in self.contact.bends if self.low < bend < self.high]
+        low = max((bend for bend in bends if bend < even[1]), default=self.low)
+        high = min((bend for bend in bends if bend > even[-2]), default=self.high)
+        parts = (even[1] - even[0]) * np.array([0.0, 1 / 16, 1 / 4])
+        return self._grids(*row_of(np.unique(np.concatenate([even, low + parts, high - parts]))))
 
-    def expect(self, rows: Indices, approach: Array, tilt: Array) -> None:
-        """Take note of contacts that are about to be asked."""
-        self._ahead = dict(zip(rows.tolist(), zip(approach.tolist(), tilt.tolist(), strict=True), strict=True))
+    def _grids(self, count: Indices, edges: Array) -> Grids:
+        return self.model.deep(self.model.grids(count, edges))
 
-    def pressed(self, rows: Indices, approach: Array, tilt: Array) -> Array:
-        """Return the answers of contacts, shape (n, ANSWER).
+    def laid(self, poses: Sequence[Pose]) -> list[LaidContact]:
+        """Return contacts at poses, each solved on strips of the automatic grid.
 
         Raises
         ------
         ConvergenceError
             If one of them has no solution.
         """
-        answers = np.zeros((rows.size, ANSWER))
-        depth = self.penetration(approach, tilt)
-        self._depth.update(zip(rows.tolist(), depth.tolist(), strict=True))
-        digits = SAME - np.floor(np.log10(np.max(np.abs(approach), initial=1e-300))).astype(int)
-        known: dict[Pose, int] = {}
-        asked: dict[int, tuple[Pose, float]] = {}
-        twins: list[tuple[int, int]] = []
-        for at in np.flatnonzero(depth > UNRESOLVED * max(self._depth.values())).tolist():
-            pose = float(approach[at]), float(tilt[at])
-            twin = known.setdefault((round(pose[0], int(digits)), round(pose[1], int(digits))), at)
-            if twin == at:
-                asked[int(rows[at])] = pose, float(depth[at])
-            twins.append((at, int(rows[twin])))
-        missing = {row: each for row, each in asked.items() if not self._known(row, *each)}
-        if missing:
-            self._find(missing)
-        for at, row in twins:
-            kept = self._kept[int(rows[at])] = self._kept[row]
-            answers[at, :OVERLAP] = kept.answer / self.contact.compliance
-        answers[:, OVERLAP] = depth
-        return answers
-
-    def edges(self, row: int) -> Array:
-        """Return the edges of the strips on which a contact was solved last [mm], shape (strips + 1,)."""
-        grids = self._kept[row].grids
-        return grids.edges[0, : grids.counts[0] + 1]
-
-    def _lay_few(self, strips: int) -> None:
-        even = np.linspace(self._low, self._high, strips + 1)
-        width = even[1] - even[0]
-        # Where corners begin, or else at the ends, in parts: a roller that tips over may have to bear close to there.
-        bends = [bend for bend in self.contact.bends if self._low < bend < self._high]
-        low = max((bend for bend in bends if bend < even[1]), default=self._low)
-        high = min((bend for bend in bends if bend > even[-2]), default=self._high)
-        parts = width * np.array([0.0, 1 / 16, 1 / 4])
-        edges = np.unique(np.concatenate([even, low + parts, high - parts]))
-        self._few = self._laid(*row_of(edges))
-
-    def _laid(self, count: Indices, edges: Array) -> Grids:
-        return self._problem.model.deep(self._problem.model.grids(count, edges))
-
-    def _known(self, row: int, pose: Pose, depth: float) -> bool:
-        """Bring a contact to where it is asked, on the strips that it has; return whether that can be done."""
-        kept = self._kept.get(row)
-        if kept is None or not self._fits(kept, pose, depth):
-            return False
-        return kept.asked == pose or self._follows(row, kept, pose) or self._settles(kept, pose)
-
-    def _fits(self, kept: _Kept, pose: Pose, depth: float) -> bool:
-        """Return whether the strips of a contact still suit it."""
-        if self._few is not None:
-            return True
-        if not self._near:
-            return max(depth / kept.depth, kept.depth / depth) <= ON_THE_WAY
-        nearer, turned = pose[0] - kept.laid_for[0], self._half * abs(pose[1] - kept.laid_for[1])
-        beside = max(kept.depth, LIGHT * max(self._depth.values(), default=0.0))
-        return turned + nearer <= DEEPER * beside and turned - nearer <= SHALLOWER * beside
-
-    def _follows(self, row: int, kept: _Kept, pose: Pose) -> bool:
-        """Let a contact follow on its strips; return whether it could."""
-        remote, widest = self._remote_of(row, kept.grids)
-        given = BoundaryConditions(self._given, np.array([pose]))
-        followed = follow(kept.grids, given, self._problem.model.kernel, remote, widest, kept.states, kept.answer)
-        kept.asked = pose if followed else kept.asked
-        return followed
-
-    def _settles(self, kept: _Kept, pose: Pose) -> bool:
-        """Solve a contact on its strips from the start; return whether it has a solution there."""
-        given = BoundaryConditions(self._given, np.array([pose]))
-        states = States.unsolved(kept.grids.counts, kept.grids.edges, 1)
-        solve_on_strips(kept.grids, given, self._problem.model.kernel, kept.states, states, TOLERANCE, False)
-        if states.status[0] != CONVERGED:
-            return False
-        kept.states, kept.asked, kept.answer = states, pose, _answer(states)
-        return True
-
-    def _remote_of(self, row: int, grids: Grids) -> tuple[Remote, Array]:
-        """Return what the strips of a contact do far away, as it was left."""
-        row = row if self._few is None else 0
-        found = self._remote.get(row)
-        if found is None or found[0].powers.shape[0] != grids.counts[0]:
-            if len(self._remote) >= KEPT_REMOTE:
-                self._remote.clear()
-            found = self._remote[row] = blank_remote(int(grids.counts[0]), self._problem.model.kernel), np.zeros(1)
-        return found
-
-    def _find(self, missing: dict[int, tuple[Pose, float]]) -> None:
-        """Solve contacts that have no strips that suit them."""
-        if self._few is not None:
-            for row, (pose, depth) in missing.items():
-                states = States.unsolved(self._few.counts, self._few.edges, 1)
-                given = BoundaryConditions(self._given, np.array([pose]))
-                solve_on_strips(self._few, given, self._problem.model.kernel, States.none(), states, TOLERANCE, False)
-                self._kept[row] = _Kept(self._few, states, pose, depth, pose, _answer(states))
-            missing = {row: each for row, each in missing.items() if self._kept[row].states.status[0] != CONVERGED}
-        else:
-            self._let_other_lay(missing)
-            missing = {row: each for row, each in missing.items() if not self._takes(row, *each)}
-        self._lay(missing)
-
-    def _let_other_lay(self, missing: dict[int, tuple[Pose, float]]) -> None:
-        """Let the contact with the other ring have strips laid where it is deeper: they suit both."""
-        other, theirs = self._other, {}
-        if other is None:
-            return
-        for row, (_, depth) in missing.items():
-            pose = other._ahead.get(row)
-            if pose is not None and pose[0] > -np.inf:
-                there = float(self.penetration(np.array([pose[0]]), np.array([pose[1]]))[0])
-                if there > depth and not other._known(row, pose, there):
-                    theirs[row] = pose, there
-        other._lay(theirs)
-
-    def _takes(self, row: int, pose: Pose, depth: float) -> bool:
-        """Solve a contact on the strips of the other one of the same roller, if they suit it."""
-        kept = self._other._kept.get(row) if self._other is not None else None
-        if kept is None:
-            return False
-        near = self._near
-        self._near = True
-        fits = self._fits(kept, pose, depth)
-        self._near = near
-        if not fits:
-            return False
-        grids = self._laid(kept.grids.counts, kept.grids.edges)
-        # Under the same load half-widths are as the roots of the radii, and r as the curvature.
-        sharper = grids.curvature / kept.grids.curvature
-        states = kept.states._replace(
-            r=kept.states.r * sharper, m=kept.states.m / sharper, rigid=kept.states.rigid.copy(),
-            gap=kept.states.gap.copy(), stiffness=kept.states.stiffness.copy(),
-        )  # fmt: skip
-        taken = _Kept(grids, states, kept.laid_for, kept.depth, kept.asked, np.zeros(OVERLAP))
-        self._remote.pop(row, None)
-        if not self._follows(row, taken, pose):
-            return False
-        self._kept[row] = taken
-        return True
-
-    def _lay(self, missing: dict[int, tuple[Pose, float]]) -> None:
-        """Solve contacts on strips that are laid for them."""
-        if not missing:
-            return
-        rows, poses = list(missing), np.array([pose for pose, _ in missing.values()])
-        for solved in on_automatic_strips(self._problem, poses):
+        found: dict[int, LaidContact] = {}
+        targets = np.array(poses).reshape(-1, 2)
+        depths = self.penetration(targets).tolist()
+        for solved in on_automatic_strips(self.problem, targets) if poses else ():
             for k, case in enumerate(solved.cases.tolist()):
-                row, states = rows[case], solved.states[0].one(k).row()
-                pose, depth = missing[row]
+                states, pose = solved.states[0].one(k).row(), poses[case]
                 if states.status[0] != CONVERGED:
                     at = f"an approach of {um(pose[0]):.6g} and a tilt of {mrad(pose[1]):.6g}"
                     raise ConvergenceError(f"The contact of a roller at {at} has no solution.", None)
-                grids = self._laid(states.counts, states.edges)
-                self._remote.pop(row, None)
-                self._kept[row] = _Kept(grids, states, pose, depth, pose, _answer(states))
+                grids = self._grids(states.counts, states.edges)
+                found[case] = LaidContact(grids, pose, depths[case], pose, states, _answer(states))
+        return [found[case] for case in range(len(poses))]
+
+    def solved(self, laid: LaidContact, pose: Pose) -> LaidContact | None:
+        """Return a contact solved elsewhere on its strips, beginning with what it was; None if it has no solution."""
+        states = States.unsolved(laid.grids.counts, laid.grids.edges, 1)
+        given = BoundaryConditions(self.problem.prescribed, np.array([pose]))
+        solve_on_strips(laid.grids, given, self.model.kernel, laid.states, states, TOLERANCE, False)
+        return replace(laid, pose=pose, states=states, answer=_answer(states)) if states.converged[0] else None
+
+    def followed(self, laid: LaidContact, pose: Pose, remote: tuple[Remote, Array]) -> LaidContact | None:
+        """Return a contact led elsewhere on its strips; None if it got lost. It is quicker than `solved`."""
+        states, given = laid.states, BoundaryConditions(self.problem.prescribed, np.array([pose]))
+        copies = {name: getattr(states, name).copy() for name in ("r", "m", "rigid", "gap", "stiffness")}
+        states, answer = states._replace(**copies), np.zeros(OVERLAP)
+        done = follow(laid.grids, given, self.model.kernel, *remote, states, answer)
+        return replace(laid, pose=pose, states=states, answer=answer) if done else None
+
+    def on_strips_of(self, other: LaidContact) -> LaidContact:
+        """Return a guess of this contact, with the other ring, from one on strips that suit both."""
+        grids = self._grids(other.grids.counts, other.grids.edges)
+        # Under the same load half-widths are as the roots of the radii, and r as the curvature.
+        sharper = grids.curvature / other.grids.curvature
+        states = other.states._replace(r=other.states.r * sharper, m=other.states.m / sharper)
+        return replace(other, grids=grids, states=states)
+
+
+class StripLaw:
+    """How the contacts of rollers answer by strips.
+
+    Parameters
+    ----------
+    contacts : sequence of StrippedContact
+        Those of a roller, with both rings. If the bodies are as far apart in both, both use the same strips.
+    strips : int or None
+        About so many, nearly equal and laid once, which is fast; or None: those of the automatic grid, laid when a
+        contact is first asked for, and again when its penetration has become another one.
+    """
+
+    def __init__(self, contacts: Sequence[StrippedContact], strips: int | None = None) -> None:
+        self._contacts, self._near = tuple(contacts), False
+        self._few = () if strips is None else tuple(each.even(strips) for each in contacts)
+        one, other = contacts[0], contacts[-1]
+        alike = np.array_equal(one.y, other.y) and np.allclose(one.h, other.h, rtol=1e-9, atol=0.0)
+        self._alike = strips is None and len(contacts) == 2 and alike
+        # By contact and roller, but for what strips do far away: by the identity of their grids, which are beside it.
+        self._laid: dict[tuple[int, int], LaidContact] = {}
+        self._depths: tuple[dict[int, float], ...] = tuple({} for _ in contacts)
+        self._remotes: dict[int, tuple[Grids, Remote, Array]] = {}
+
+    def lay_anew(self) -> None:
+        """From now on lay strips anew for contacts that are not nearly those which they were laid for."""
+        self._near = True
+
+    def answer(self, rows: Indices, pose: Array) -> Array:
+        """Return the answers of contacts, shape (n, contacts, ANSWER); ``pose`` has the shape (n, contacts, 2).
+
+        Raises
+        ------
+        ConvergenceError
+            If one of them has no solution.
+        """
+        answers = np.zeros((*pose.shape[:2], ANSWER))
+        poses = [dict(zip(rows.tolist(), map(tuple, each.tolist()), strict=True)) for each in pose.swapaxes(0, 1)]
+        for c, contact in enumerate(self._contacts):
+            depth = contact.penetration(pose[:, c])
+            self._depths[c].update(zip(rows.tolist(), depth.tolist(), strict=True))
+            digits = SAME - int(np.floor(np.log10(np.max(np.abs(pose[:, c, 0]), initial=1e-300))))
+            first: dict[Pose, int] = {}
+            twins: dict[int, int] = {}
+            for at in np.flatnonzero(depth > UNRESOLVED * max(self._depths[c].values())).tolist():
+                approach, tilt = poses[c][int(rows[at])]
+                twins[at] = first.setdefault((round(approach, digits), round(tilt, digits)), int(rows[at]))
+            self._find(c, {row: poses[c][row] for row in first.values()}, poses[1 - c] if self._alike else {})
+            for at, row in twins.items():
+                laid = self._laid[c, int(rows[at])] = self._laid[c, row]
+                answers[at, c, :OVERLAP] = laid.answer / contact.contact.compliance
+            answers[:, c, OVERLAP] = depth
+        return answers
+
+    def edges(self, row: int, contact: int = 0) -> Array:
+        """Return the edges of the strips on which a contact was solved last [mm], shape (strips + 1,)."""
+        grids = self._laid[contact, row].grids
+        return grids.edges[0, : grids.counts[0] + 1]
+
+    def _find(self, c: int, asked: dict[int, Pose], others: dict[int, Pose]) -> None:
+        """Solve the contacts of rollers with one ring, of which those with the other are asked at other poses."""
+        depth = self._depths[c]
+        missing = {row: pose for row, pose in asked.items() if not self._moves(c, row, pose, depth[row])}
+        if others:
+            # The contact that is deeper has strips laid: they suit both.
+            deeper = {}
+            for row in missing:
+                there = float(self._contacts[1 - c].penetration(np.array([others[row]]))[0])
+                if there > depth[row] and not self._moves(1 - c, row, others[row], there):
+                    deeper[row] = others[row]
+            self._lay(1 - c, deeper)
+        self._lay(c, {row: pose for row, pose in missing.items() if not self._takes(c, row, pose, depth[row])})
+
+    def _lay(self, c: int, poses: dict[int, Pose]) -> None:
+        found = self._contacts[c].laid(list(poses.values()))
+        self._laid.update(((c, row), laid) for row, laid in zip(poses, found, strict=True))
+
+    def _moves(self, c: int, row: int, pose: Pose, depth: float) -> bool:
+        """Bring a contact to where it is asked, on the strips that it has; return whether that can be done."""
+        laid = self._laid.get((c, row))
+        if laid is None or not (self._few or self._suits(c, laid, pose, depth, self._near)):
+            return False
+        if laid.pose == pose:
+            return True
+        return self._keeps(c, row, self._followed(c, laid, pose) or self._contacts[c].solved(laid, pose))
+
+    def _takes(self, c: int, row: int, pose: Pose, depth: float) -> bool:
+        """Solve a contact on few strips, or on those of the other one of the same roller if they suit it."""
+        if self._few:
+            unsolved = LaidContact(self._few[c], pose, depth, pose, States.none(), np.zeros(OVERLAP))
+            return self._keeps(c, row, self._contacts[c].solved(unsolved, pose))
+        laid = self._laid.get((1 - c, row)) if self._alike else None
+        if laid is None or not self._suits(c, laid, pose, depth, near=True):
+            return False
+        return self._keeps(c, row, self._followed(c, self._contacts[c].on_strips_of(laid), pose))
+
+    def _suits(self, c: int, laid: LaidContact, pose: Pose, depth: float, near: bool) -> bool:
+        """Return whether strips still suit a contact, on the way to the balance or near it."""
+        if not near:
+            return max(depth / laid.depth, laid.depth / depth) <= ON_THE_WAY
+        nearer, turned = pose[0] - laid.laid_for[0], self._contacts[c].half * abs(pose[1] - laid.laid_for[1])
+        beside = max(laid.depth, LIGHT * max(self._depths[c].values(), default=0.0))
+        return bool(turned + nearer <= DEEPER * beside and turned - nearer <= SHALLOWER * beside)
+
+    def _keeps(self, c: int, row: int, found: LaidContact | None) -> bool:
+        if found is not None:
+            self._laid[c, row] = found
+        return found is not None
+
+    def _followed(self, c: int, laid: LaidContact, pose: Pose) -> LaidContact | None:
+        """Let a contact follow, with what its strips do far away, as it was left."""
+        if id(laid.grids) not in self._remotes:
+            if len(self._remotes) >= KEPT_REMOTE:
+                self._remotes.clear()
+            blank = blank_remote(int(laid.grids.counts[0]), self._contacts[c].model.kernel)
+            self._remotes[id(laid.grids)] = laid.grids, blank, np.zeros(1)
+        return self._contacts[c].followed(laid, pose, self._remotes[id(laid.grids)][1:])
 
 
 def _answer(states: States) -> Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,16 +11,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import newton
+from nonhertz.bearing.balance import States
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, at_edge, balanced
-from nonhertz.bearing.laws import ContactLaw
-from nonhertz.bearing.mapped import BearingMaps, MapLaw
+from nonhertz.bearing.equilibrium import TOLERANCE, Joint, System, at_edge, balanced
+from nonhertz.bearing.laws import ContactLaw, MapLaw
+from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.prescribed import BearingLoad, Prescribed, many_states, motions, one_state
 from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
-from nonhertz.bearing.strips import StripLaw
+from nonhertz.bearing.strips import StripLaw, StrippedContact
+from nonhertz.bearing.unrolled import row_slices
 from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.findings import said, warn
 from nonhertz.inputs.checks import thread_count
@@ -258,41 +259,34 @@ class _Setting:
     ) -> tuple[System, States]:
         """Return rollers and states by strips, to which slices and then few strips lead."""
         slices = [(standard_slices(row.bearing, GUIDING_SLICES),) * 2 for row in self.bearing.rows]
-        stripped = [[StripLaw(contact) for contact in row.bearing.contacts] for row in self.bearing.rows]
-        for inner, outer in stripped:
-            inner.beside(outer)
-        few = [[law.on_few_strips(ROUGH_STRIPS) for law in pair] for pair in stripped]
-        sliced, coarse, fine = (_jointed(self.bearing, self.load, laws) for laws in (slices, few, stripped))
+        contacts = [[StrippedContact(each) for each in row.bearing.contacts] for row in self.bearing.rows]
+        few, many = ([StripLaw(each, strips) for each in contacts] for strips in (ROUGH_STRIPS, None))
+        coarse, fine = (_jointed(self.bearing, self.load, [(law, law) for law in laws]) for laws in (few, many))
+        sliced = _jointed(self.bearing, self.load, slices)
         # To the last: rollers that speed alone presses on the outer ring bear less than what is near.
         nearby = balanced(sliced, by_force, target, start, depth)
         # Those that the inner ring presses are nearer to where springs would have them.
-        idle = ~(nearby.rollers.load[:, :, :1] > 0.0)
-        motion = np.where(idle, nearby.rollers.motion, np.nan)
+        idle = ~(nearby.load[:, :, :1] > 0.0)
+        motion = np.where(idle, nearby.motion, np.nan)
         rough = balanced(coarse, by_force, target, nearby.ring, depth, NEARBY, motion)
-        found = balanced(fine, by_force, target, rough.ring, depth, NEARBY, rough.rollers.motion)
+        found = balanced(fine, by_force, target, rough.ring, depth, NEARBY, rough.motion)
         # Strips are laid for the contacts as they were when they were first met.
-        for law in itertools.chain(*stripped):
+        for law in many:
             law.lay_anew()
-        return fine, balanced(fine, by_force, target, found.ring, depth, motion=found.rollers.motion)
+        return fine, balanced(fine, by_force, target, found.ring, depth, motion=found.motion)
 
 
 def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], found: States) -> None:
     """Refuse states whose contacts the maps do not hold."""
-    first = 0
-    rollers = found.rollers
-    for row, pair in zip(bearing.rows, laws, strict=True):
-        count = row.bearing.rollers
-        these = slice(first, first + count)
+    for these, pair in zip(row_slices(bearing), laws, strict=True):
         for k, law in enumerate(pair):
-            approach, tilt = rollers.approach[:, these, k], rollers.tilt[:, these, k]
-            covered = law.covers(approach.ravel(), tilt.ravel()).reshape(approach.shape)
-            if not np.all(covered | (rollers.load[:, these, k] == 0.0)):
-                load, turned = float(rollers.load.max()), float(np.abs(rollers.tilt).max())
+            approach, tilt = (found.pose[:, these, k, each].ravel() for each in range(2))
+            if not np.all(law.covers(approach, tilt) | (found.load[:, these, k].ravel() == 0.0)):
+                load, turned = float(found.load.max()), float(np.abs(found.pose[..., 1]).max())
                 condition = (
                     f"reach to loads of {newton(load):.4g} and tilts of {turned:.4g} rad, which these states have"
                 )
                 raise InputError("maps", "too small", condition, "make larger ones")
-        first += count
 
 
 def _depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:

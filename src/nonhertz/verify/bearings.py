@@ -28,7 +28,7 @@ from nonhertz.bearing import (
 from nonhertz.bearing.equilibrium import Joint, System, balanced
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.section import raceway_motion, ring_motion
-from nonhertz.bearing.strips import StripLaw
+from nonhertz.bearing.strips import StripLaw, StrippedContact
 from nonhertz.verify import known_bearings as known
 from nonhertz.verify.bearing_sums import sums_in_space
 from nonhertz.verify.claim import Claim, Evidence, series, solved
@@ -108,7 +108,7 @@ def _spread(exponent: float) -> tuple[float, float]:
     system = System(ring_motion(at, (0.0, 2000.0)), joints, np.zeros((MANY, 3)), 5.0)
     radial = np.array([False, True, True, False, False])
     states = balanced(system, radial, np.array([[0.0, load, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
-    factor = float(states.rollers.load.max()) * MANY * math.cos(ANGLE) / load
+    factor = float(states.load.max()) * MANY * math.cos(ANGLE) / load
     return factor, float(states.force[0, 0]) / (load * math.tan(ANGLE))
 
 
@@ -330,16 +330,14 @@ def _of_slices(bearing: TaperedRollerBearing, ring: Array) -> tuple[Array, Array
 def _of_kept_strips(solution: BearingSolution) -> Callable[[Array], tuple[Array, Array]]:
     """Return the same by strips that are laid once: where they are laid anew, the error of the grid jumps."""
     ((row, bearing),) = ((row, row.bearing) for row in solution.bearing.rows)
-    contacts = zip(bearing.raceway_motions, row.gaps, bearing.contacts, strict=True)
-    joints = [
-        Joint(column == 0, motion, gap, StripLaw(contact), column)
-        for column, (motion, gap, contact) in enumerate(contacts)
-    ]
+    laws = [StripLaw([StrippedContact(contact)]) for contact in bearing.contacts]
+    raceways = zip(bearing.raceway_motions, row.gaps, laws, strict=True)
+    joints = [Joint(column == 0, motion, gap, law, column) for column, (motion, gap, law) in enumerate(raceways)]
     for column, rib in enumerate(bearing.rib_contacts, start=2):
         joints.append(Joint(rib.ring == "inner", rib.motion, np.full(bearing.rollers, rib.gap), rib.law, column))
     system = System(row.ring_motion, tuple(joints), solution.roller_load, 0.5 * bearing.roller_length)
     none, ring = np.zeros(5, dtype=bool), solution.displacement[None]
-    begun = balanced(system, none, ring, ring, 0.01).rollers.motion
+    begun = balanced(system, none, ring, ring, 0.01).motion
 
     def held(ring: Array) -> tuple[Array, Array]:
         found = balanced(system, none, ring[None], ring[None], 0.01, motion=begun)
