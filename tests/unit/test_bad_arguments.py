@@ -257,8 +257,6 @@ WRITES = {
     "Solutions.save",
     "study.Sweep.write",
     "ContactMap.save",
-    "ContactMap.to_csv",
-    "ContactMap.to_mat",
 }
 #: Asked by the solver, of positions that it has checked, and of bearings that have been solved.
 CHECKED = {"BearingCase.rated", "Body.relief_at", "Body.curvature_at", "Contact.separation_at", "Contact.curvature_at"}

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled, plain_array
 from nonhertz.life.lamina import STIFFENING
-from nonhertz.maps.evaluation import Tables, all_pressed, loaded, pressed
+from nonhertz.maps.evaluation import Tables, all_states, loaded, pressed
 from nonhertz.maps.value import ContactMap
 
 Array = NDArray[np.float64]
@@ -85,7 +85,7 @@ class MapLaw:
     def covers(self, approach: Array, tilt: Array) -> Flags:
         """Return which approaches and tilts the map holds."""
         found = np.empty((approach.size, 8))
-        all_pressed(self.map_.tables, plain_array(approach), plain_array(tilt), found)
+        all_states(self.map_.tables, False, plain_array(approach), plain_array(tilt), found)
         inside: Flags = found[:, 7] != 0.0
         return inside
 

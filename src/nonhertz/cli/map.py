@@ -23,7 +23,7 @@ from nonhertz.maps.value import ROWS, TILTS
 from nonhertz.show.sections import Said, Section
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
-_SUFFIXES = (".csv", ".mat", ".npz")
+_SUFFIXES = (".csv", ".npz")
 _OPTIONS = {name: f"--{name}" for name in ("load", "approach", "tilt", "accuracy")}
 _EXAMPLES = {"approach": ("mm", "-5um:40um"), "load": ("N", "0:40kN")}
 
@@ -60,7 +60,7 @@ def contact_map(
     accuracy : float
         Largest error of load and moment, relative.
     out : Path
-        The file to write: .csv or .mat for a table, .npz for the map itself, which nonhertz.ContactMap.load reads. An
+        The file to write: .csv for a table, .npz for the map itself, which nonhertz.ContactMap.load reads. An
         existing file is replaced.
     """
     read = read_case(case, changes_in(changes))
@@ -68,7 +68,7 @@ def contact_map(
     if len(given) != 1:
         raise InputError("--load", load, "be given where --approach is not, and only there", "write --load 0:20kN")
     if out is not None and (out.suffix.lower() not in _SUFFIXES or out.is_dir()):
-        remedy = "name a .csv or .mat file for a table, or a .npz file for the map itself"
+        remedy = "name a .csv file for a table, or a .npz file for the map itself"
         raise InputError("--out", str(out), f"be a file ending in {', '.join(_SUFFIXES)}", remedy)
     ((name, word),) = given.items()
     low, high, rows = range_in(_OPTIONS[name], word, *_EXAMPLES[name])
@@ -99,14 +99,7 @@ def _written(path: Path, found: ContactMap, table: MapPoint) -> tuple[Path, ...]
     """Write a map, or a table of it, and return the file."""
     if path.suffix.lower() == ".csv":
         return write_files(path.parent, {path.name: found.csv(table)})
-
-    def draft(folder: Path) -> None:
-        if path.suffix.lower() == ".npz":
-            found.save(folder / path.name)
-        else:
-            found.to_mat(folder / path.name, table)
-
-    return write_files(path.parent, {}, draft)
+    return write_files(path.parent, {}, lambda folder: found.save(folder / path.name))
 
 
 def _as_json(found: ContactMap, title: str) -> str:

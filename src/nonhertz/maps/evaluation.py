@@ -444,33 +444,19 @@ def _angle(places: Array, segment: int, y: float) -> float:
 
 
 @compiled
-def all_pressed(tables: Tables, approach: Array, tilt: Array, found: Array) -> None:
-    """Fill the rows of ``found``, shape (points, 8), with the states at approaches and tilts, one row per point."""
-    for row in range(approach.size):
-        state = pressed(tables, approach[row], tilt[row])
-        _fill(found, row, state)
+def all_states(tables: Tables, by_load: bool, values: Array, tilt: Array, found: Array) -> None:
+    """Fill a row of ``found`` for each point, under a load or at an approach.
 
-
-@compiled
-def all_loaded(tables: Tables, load: Array, tilt: Array, found: Array) -> None:
-    """Fill the rows of ``found``, shape (points, 8), with the states under loads and tilts, one row per point."""
-    for row in range(load.size):
-        state = loaded(tables, load[row], tilt[row])
-        _fill(found, row, state)
-
-
-@compiled
-def _fill(found: Array, row: int, state: State) -> None:
-    found[row, 0], found[row, 1], found[row, 2], found[row, 3] = state.approach, state.tilt, state.load, state.moment
-    found[row, 4], found[row, 5], found[row, 6] = state.load_by_approach, state.load_by_tilt, state.moment_by_tilt
-    found[row, 7] = 1.0 if state.inside else 0.0
-
-
-@compiled
-def all_pressures(tables: Tables, load: Array, tilt: Array, found: Array) -> None:
-    """Fill the rows of ``found``, shape (points, 2), with maximum pressures and half-widths."""
-    for row in range(load.size):
-        found[row, 0], found[row, 1] = pressures(tables, load[row], tilt[row])
+    The first eight columns are those of `State`, two more, where there are any, `pressures`.
+    """
+    for row in range(values.size):
+        state = loaded(tables, values[row], tilt[row]) if by_load else pressed(tables, values[row], tilt[row])
+        found[row, 0], found[row, 1] = state.approach, state.tilt
+        found[row, 2], found[row, 3] = state.load, state.moment
+        found[row, 4], found[row, 5] = state.load_by_approach, state.load_by_tilt
+        found[row, 6], found[row, 7] = state.moment_by_tilt, 1.0 if state.inside else 0.0
+        if found.shape[1] > 8:
+            found[row, 8], found[row, 9] = pressures(tables, state.load, tilt[row])
 
 
 @compiled

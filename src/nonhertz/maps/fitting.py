@@ -18,7 +18,7 @@ from scipy.sparse.linalg import splu
 
 from nonhertz.compiled import plain_array
 from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING, Tables, tilt_coordinate
-from nonhertz.maps.spline import Rows, cells, roughness, size
+from nonhertz.maps.spline import cells, roughness, rows, size
 from nonhertz.result.solution import read_only
 
 Array = NDArray[np.float64]
@@ -139,12 +139,11 @@ def fitted(shape: Shape, samples: Samples, touch: Touch) -> tuple[Array, Array]:
     """
     counts = [size(each) for each in shape.breaks]
     x, z = shape.coordinates(samples.load, samples.tilt)
-    rows = Rows(shape.breaks, (x, z[0]))
     light = np.maximum(samples.load, LIGHT * shape.most_load)
-    system, right = _mean_approach_rows(shape, samples, rows, x, z, light)
+    system, right = _mean_approach_rows(shape, samples, x, z, light)
     _, touch_z = shape.coordinates(np.zeros(touch.tilt.size), touch.tilt)
     weight = _TOUCH_WEIGHT * float(np.median(samples.stiffness[:, 0, 0] / light))
-    system.append(weight * Rows(shape.breaks, (np.zeros(touch.tilt.size), touch_z[0])).derivative(0, 0))
+    system.append(weight * rows(shape.breaks, (np.zeros(touch.tilt.size), touch_z[0])))
     right.append(weight * touch.approach)
     # The first two rows of coefficients are the same: no slope at no load.
     merged = sparse.kron(
@@ -156,21 +155,21 @@ def fitted(shape: Shape, samples: Samples, touch: Touch) -> tuple[Array, Array]:
     values = np.column_stack([samples.max_pressure / x, samples.max_half_width / x, samples.places])
     scale = np.array([values[:, 0].max(), values[:, 1].max(), *[shape.half_length] * (values.shape[1] - 2)])
     rough = _SMOOTHING_OTHERS * roughness(shape.breaks)
-    plain = [sparse.diags_array(relative) @ rows.derivative(0, 0)]
+    plain = [sparse.diags_array(relative) @ rows(shape.breaks, (x, z[0]))]
     others = _least_squares(plain, [relative[:, None] * values / scale], rough, None) * scale
     return mean.reshape(counts), others.T.reshape(-1, *counts)
 
 
 def _mean_approach_rows(
-    shape: Shape, samples: Samples, rows: Rows, x: Array, z: Array, light: Array
+    shape: Shape, samples: Samples, x: Array, z: Array, light: Array
 ) -> tuple[list[sparse.sparray], list[Array]]:
     """Return weighted equations for the mean approach: approach, moment and the three stiffnesses."""
-    _, z_x, z_g, z_xx, z_xg, z_gg = z
+    at, z_x, z_g, z_xx, z_xg, z_gg = z
     load = samples.load
 
     def combined(*terms: tuple[Array, tuple[int, int]]) -> sparse.sparray:
-        return sum((sparse.diags_array(factor) @ rows.derivative(*order) for factor, order in terms[1:]),
-                   sparse.diags_array(terms[0][0]) @ rows.derivative(*terms[0][1]))  # fmt: skip
+        first, *others = (sparse.diags_array(factor) @ rows(shape.breaks, (x, at), order) for factor, order in terms)
+        return sum(others, first)
 
     def by_x(factor: Array) -> tuple[tuple[Array, tuple[int, int]], ...]:
         return (factor, (1, 0)), (factor * z_x, (0, 1))

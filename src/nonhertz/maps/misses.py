@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.maps.evaluation import Tables, all_pressed, all_pressures, all_shares
+from nonhertz.maps.evaluation import Tables, all_shares, all_states
 from nonhertz.maps.fitting import LIGHT, Samples, Shape
 
 Array = NDArray[np.float64]
@@ -65,12 +65,9 @@ class Misses:
     @classmethod
     def of(cls, shape: Shape, tables: Tables, stations: Array, samples: Samples) -> Misses:
         """Compare a stand-in with solved cases at the same approach and tilt."""
-        found = np.empty((samples.load.size, 8))
-        all_pressed(tables, samples.approach, samples.tilt, found)
-        pressures, strip_loads = np.empty((samples.load.size, 2)), np.empty(samples.strip_loads.shape)
-        load = found[:, 2].copy()
-        all_pressures(tables, load, samples.tilt, pressures)
-        all_shares(tables, load, samples.tilt, stations, strip_loads)
+        found, strip_loads = np.empty((samples.load.size, 10)), np.empty(samples.strip_loads.shape)
+        all_states(tables, False, samples.approach, samples.tilt, found)
+        all_shares(tables, found[:, 2].copy(), samples.tilt, stations, strip_loads)
         light = np.maximum(samples.load, LIGHT * shape.most_load)
         half, solid = shape.half_length, samples.stiffness
         # The stiffness grows about as the cube root of the load.
@@ -84,8 +81,8 @@ class Misses:
             np.abs(found[:, 2] - samples.load) / light,
             np.abs(found[:, 3] - samples.moment) / (light * half),
             np.abs(entries).max(axis=0),
-            np.abs(pressures[:, 0] - samples.max_pressure) / _but_least(samples.max_pressure),
-            np.abs(pressures[:, 1] - samples.max_half_width) / _but_least(samples.max_half_width),
+            np.abs(found[:, 8] - samples.max_pressure) / _but_least(samples.max_pressure),
+            np.abs(found[:, 9] - samples.max_half_width) / _but_least(samples.max_half_width),
             np.abs(strip_loads - samples.strip_loads).max(axis=1) / light,
         )
 

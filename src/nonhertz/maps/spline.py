@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
-from scipy.interpolate import BSpline
+from scipy.interpolate import BSpline, NdBSpline
 
 from nonhertz.maps.evaluation import ORDER
 
@@ -26,16 +26,16 @@ def size(breaks: Array) -> int:
     return breaks.size - 1 + DEGREE
 
 
-def basis(breaks: Array, places: Array, derivative: int) -> tuple[NDArray[np.intp], Array]:
-    """Return the first of the six basis functions that do not vanish at each place, and derivatives of all six."""
+def basis(breaks: Array, derivative: int = 0) -> BSpline:
+    """Return derivatives of all basis functions, as splines of a lower degree."""
     clamped = np.concatenate([np.repeat(breaks[0], DEGREE), breaks, np.repeat(breaks[-1], DEGREE)])
-    values = BSpline(clamped, np.eye(size(breaks)), DEGREE)(places, nu=derivative)
-    first = np.clip(np.searchsorted(breaks, places, side="right") - 1, 0, breaks.size - 2)
-    return first, np.take_along_axis(values, first[:, None] + np.arange(ORDER), axis=1)
+    return BSpline(clamped, np.eye(size(breaks)), DEGREE).derivative(derivative)
 
 
-class Rows:
-    """Rows that turn the coefficients of a spline into its derivatives at places.
+def rows(
+    breaks: tuple[Array, Array], places: tuple[Array, Array], derivatives: tuple[int, int] = (0, 0)
+) -> sparse.csr_array:
+    """Return rows that turn the coefficients of a spline into a derivative at places.
 
     Parameters
     ----------
@@ -43,21 +43,15 @@ class Rows:
         Borders of the cells in both directions, ascending.
     places : tuple of ndarray, shape (n,)
         First and second coordinate of each place.
+    derivatives : tuple of int
+        Its order in both directions.
     """
-
-    def __init__(self, breaks: tuple[Array, Array], places: tuple[Array, Array]) -> None:
-        self._shape = places[0].size, size(breaks[0]) * size(breaks[1])
-        found = [[basis(each, place, order) for order in range(3)] for each, place in zip(breaks, places, strict=True)]
-        self._first, self._second = ([values for _, values in each] for each in found)
-        rows = found[0][0][0][:, None] + np.arange(ORDER)
-        columns = found[1][0][0][:, None] + np.arange(ORDER)
-        self._columns = (rows[:, :, None] * size(breaks[1]) + columns[:, None, :]).ravel()
-
-    def derivative(self, first: int, second: int) -> sparse.csr_array:
-        """Return the rows of a derivative, of order 0 to 2 in each direction."""
-        values = self._first[first][:, :, None] * self._second[second][:, None, :]
-        starts = np.arange(0, values.size + 1, ORDER * ORDER)
-        return sparse.csr_array((values.ravel(), self._columns, starts), shape=self._shape)
+    first, second = (basis(each, order) for each, order in zip(breaks, derivatives, strict=True))
+    lower = sparse.kron(*(each.c[: each.t.size - each.k - 1] for each in (first, second)), format="csr")
+    found = NdBSpline.design_matrix(np.column_stack(places), (first.t, second.t), (first.k, second.k))
+    # Its shape ends with the last function that is not zero at any place.
+    values = sparse.csr_array((found.data, found.indices, found.indptr), (len(found.indptr) - 1, lower.shape[0]))
+    return sparse.csr_array(values @ lower)
 
 
 def roughness(breaks: tuple[Array, Array]) -> sparse.csr_array:
@@ -74,12 +68,10 @@ def roughness(breaks: tuple[Array, Array]) -> sparse.csr_array:
 
 def polynomials(breaks: Array) -> Array:
     """Return the powers of the local coordinate, 0 to 1, in each basis function: shape (intervals, 6, 6)."""
-    widths = np.diff(breaks)
-    found = np.empty((widths.size, ORDER, ORDER))
-    for power in range(ORDER):
-        _, values = basis(breaks, breaks[:-1], power)
-        found[:, :, power] = values * (widths**power / math.factorial(power))[:, None]
-    return found
+    powers = [basis(breaks, power)(breaks[:-1]) / math.factorial(power) for power in range(ORDER)]
+    local = np.stack(powers, axis=-1) * np.diff(breaks)[:, None, None] ** np.arange(ORDER)
+    own = np.arange(breaks.size - 1)[:, None] + np.arange(ORDER)
+    return np.take_along_axis(local, own[:, :, None], axis=1)
 
 
 def cells(breaks: tuple[Array, Array], coefficients: Array) -> Array:

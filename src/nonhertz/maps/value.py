@@ -1,17 +1,14 @@
-"""A map as a value: evaluated, inverted, printed, and written as tables for other programs."""
+"""A map as a value: evaluated, inverted, printed, tabulated and kept."""
 
 from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-import scipy.io
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import digits, mm, mrad, newton, um
@@ -19,16 +16,7 @@ from nonhertz.compiled import numba_for_us, plain_array
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, numbers, whole
 from nonhertz.maps import files
-from nonhertz.maps.evaluation import (
-    MOST_LOAD,
-    TILT_HIGH,
-    TILT_LOW,
-    Tables,
-    all_loaded,
-    all_pressed,
-    all_pressures,
-    all_shares,
-)
+from nonhertz.maps.evaluation import MOST_LOAD, TILT_HIGH, TILT_LOW, Tables, all_shares, all_states
 from nonhertz.maps.fitting import tables
 from nonhertz.maps.misses import SAFETY, SampledErrors
 from nonhertz.result.brief import plain_text
@@ -192,7 +180,7 @@ class ContactMap(ReadOnly):
         InputError
             If a point is outside the map.
         """
-        return self._found("approach", approach, tilt, all_pressed)
+        return self._found("approach", approach, tilt)
 
     def under(self, *, load: ArrayLike, tilt: ArrayLike = 0.0) -> MapPoint:
         """Return approach, moment, stiffness and the rest under loads [N] and at tilts [rad].
@@ -213,27 +201,22 @@ class ContactMap(ReadOnly):
         InputError
             If a point is outside the map.
         """
-        return self._found("load", load, tilt, all_loaded)
+        return self._found("load", load, tilt)
 
-    def _found(
-        self, name: str, value: ArrayLike, tilt: ArrayLike, evaluate: Callable[[Tables, Array, Array, Array], None]
-    ) -> MapPoint:
+    def _found(self, name: str, value: ArrayLike, tilt: ArrayLike) -> MapPoint:
         unit = QUANTITIES[name].unit
         remedy = f"give the {name} in {unit} and the tilt in rad"
         values, tilts = broadcast(remedy, numbers(name, value, remedy), numbers("tilt", tilt, remedy))
         shape = values.shape
         first, second = plain_array(values).ravel(), plain_array(self._within(tilts)).ravel()
-        found = np.empty((first.size, 8))
-        evaluate(self.tables, first, second, found)
+        found = np.empty((first.size, 10))
+        all_states(self.tables, name == "load", first, second, found)
         outside = np.flatnonzero(found[:, 7] == 0.0)
         if outside.size:
             self._refuse(name, float(first[outside[0]]), float(second[outside[0]]))
-        pressures = np.empty((first.size, 2))
-        all_pressures(self.tables, found[:, 2].copy(), second, pressures)
         stiffness = found[:, [4, 5, 5, 6]].reshape(*shape, 2, 2)
-        columns = np.column_stack([found[:, :4], pressures]).T
-        plain = [column.reshape(shape) if shape else float(column[0]) for column in columns]
-        return MapPoint(*plain[:4], stiffness, *plain[4:])  # type: ignore[call-arg, arg-type]
+        plain = [column.reshape(shape) if shape else float(column[0]) for column in found.T]
+        return MapPoint(*plain[:4], stiffness, *plain[8:])  # type: ignore[call-arg, arg-type]
 
     def strip_loads(self, point: MapPoint, stations: ArrayLike | None = None) -> Array:
         """Return how the load of points is shared by strips along the contact.
@@ -281,9 +264,8 @@ class ContactMap(ReadOnly):
         if name == "load":
             most = newton(0.0, self.most_load, between=" to ")
             raise InputError("load", value, f"lie in the range of the map, {most:g}", remedy)
-        found = np.empty((1, 8))
-        all_loaded(self.tables, np.array([self.most_load]), np.array([tilt]), found)
-        condition = f"not exceed {mm(found[0, 0]):.6g} at a tilt of {tilt:.6g} rad, where the map ends"
+        last = self.under(load=self.most_load, tilt=tilt).approach
+        condition = f"not exceed {mm(last):.6g} at a tilt of {tilt:.6g} rad, where the map ends"
         raise InputError("approach", value, condition, remedy)
 
     def grid(self, rows: int = ROWS, tilts: int = TILTS) -> MapPoint:
@@ -319,27 +301,6 @@ class ContactMap(ReadOnly):
         point = self.grid() if point is None else point
         _refuse_others(point)
         return as_csv({f"{name} [{QUANTITIES[name].unit}]": getattr(point, name) for name in COLUMNS})
-
-    def to_csv(self, path: str | os.PathLike[str], point: MapPoint | None = None) -> None:
-        """Write `csv` into a file."""
-        Path(path).write_text(self.csv(point), encoding="utf-8", newline="\n")
-
-    def to_mat(self, path: str | os.PathLike[str], point: MapPoint | None = None) -> None:
-        """Write points into a MATLAB file: arrays by the names of `csv`, strip loads, stations, and a text of units.
-
-        Parameters
-        ----------
-        path : str or os.PathLike
-            The file; ``.mat`` is appended if missing.
-        point : MapPoint, optional
-            Points of this map, by default those of `grid`.
-        """
-        point = self.grid() if point is None else point
-        _refuse_others(point)
-        units = ", ".join(f"{name} [{QUANTITIES[name].unit}]" for name in COLUMNS)
-        content: dict[str, Any] = {name: np.asarray(getattr(point, name)) for name in COLUMNS}
-        content |= {"strip_loads": self.strip_loads(point), "stations": self.stations, "half_length": self.half_length}
-        scipy.io.savemat(Path(path), content | {"units": units, "description": self.description}, oned_as="column")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the map into an NPZ file, from which `load` returns it to the last bit.
