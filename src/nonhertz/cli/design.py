@@ -18,6 +18,7 @@ from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
+from nonhertz.files.results import plain
 from nonhertz.inputs.files import legible
 from nonhertz.result.tables import csv_text
 from nonhertz.show.studies import design_sections
@@ -87,13 +88,12 @@ def _as_json(found: Design, files: Sequence[Path]) -> str:
         "title": found.was.title,
         "goal": found.goal,
         "values": found.values,
-        "value": _finite(found.value),
-        "before": _finite(found.before),
+        "value": plain(found.value),
+        "before": plain(found.before),
         "worst": found.worst,
         "agreeing_starts": found.agreeing,
         "starts": [
-            vars(start) | {"value": _finite(start.value), "history": [_finite(value) for value in start.history]}
-            for start in found.starts
+            vars(start) | {"value": plain(start.value), "history": plain(start.history)} for start in found.starts
         ],
         "bands": [vars(band) for band in found.bands],
         "loads": [vars(load) for load in found.loads],
@@ -108,7 +108,3 @@ def _profile(found: Design) -> str:
     rows = np.column_stack(found.relief).tolist()
     cells = ([f"{y:.9g}", *("" if math.isnan(each) else f"{each:.9f}" for each in rest)] for y, *rest in rows)
     return csv_text(["y [mm]", "relief [mm]", "relief before [mm]"], cells)
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None

@@ -88,66 +88,43 @@ def _is_summary(block: Table | Said) -> TypeGuard[Table]:
 def _print_rows(console: Console, shown: Table) -> None:
     """Print rows, without the columns that are blank throughout: numbers to the right, words to the left.
 
-    A table is wider than the terminal if need be: a truncated number looks like a different one.
+    A table is wider than the terminal if need be: a truncated number looks like a different one. No line breaks between
+    a number and its unit, and none ends in blanks.
     """
     heads, columns = shown.heads, shown_columns(shown)
     table = Grid(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=bool(heads), header_style="dim")
+    whole = set()  # columns whose cells are not broken
     for at in columns:
         words = shown.words is None or at in shown.words
-        breaks = at == 1 if shown.room else words
+        if not (at == 1 if shown.room else words):
+            whole.add(at)
         table.add_column(
-            Text(heads[at] if heads else ""),
+            _glued(heads[at] if heads else "", at in whole),
             justify="left" if words else "right",
-            no_wrap=not breaks,
+            overflow="fold",
+            no_wrap=at in whole,
             min_width=shown.room if at == 1 and shown.room else None,
         )
     for row in shown.rows:
         heading = "bold" if len(row) == 1 else ""
-        cells = [str(row[at]) if at < len(row) else "" for at in columns]
-        table.add_row(*(Text(cell, _VERDICTS.get(cell, heading)) for cell in cells))
-    print_table(console, table)
+        cells = [(str(row[at]) if at < len(row) else "", at in whole) for at in columns]
+        table.add_row(*(_glued(cell, glued, _VERDICTS.get(cell, heading)) for cell, glued in cells))
+    least = Measurement.get(console, console.options.update(width=sys.maxsize), table).minimum
+    wide = Console(highlight=False, width=max(console.width, least))
+    with wide.capture() as captured:
+        wide.print(table)
+    print(*(line.rstrip() for line in captured.get().replace(_GLUE, " ").splitlines()), sep="\n")
+
+
+def _glued(cell: str, whole: bool, style: str = "") -> Text:
+    """Return the text of a cell that is not broken at all, or not between a number and its unit."""
+    return Text(cell.replace(" ", _GLUE) if whole else _TOGETHER.sub(_GLUE, cell), style)
 
 
 def print_written(written: Iterable[Path]) -> None:
     """Print the names of files that were written."""
     for path in written:
         print(f"wrote {path}")
-
-
-def print_table(printing: Console, table: Grid) -> None:
-    """Print a table, wider than the terminal if need be.
-
-    No line breaks between a number and its unit, and none ends in blanks.
-    """
-    for column in table.columns:
-        column.overflow = "fold"
-        for cell in column.cells:
-            if isinstance(cell, Text):
-                cell.plain = _TOGETHER.sub(_GLUE, cell.plain)
-    whole = Console(highlight=False, width=max(printing.width, _least_width(printing, table)))
-    with whole.capture() as captured:
-        whole.print(table)
-    print(*(line.rstrip() for line in captured.get().replace(_GLUE, " ").splitlines()), sep="\n")
-
-
-def _least_width(printing: Console, table: Grid) -> int:
-    """Return the width at which no cell is truncated and no word is broken."""
-    options = printing.options.update(width=sys.maxsize)
-    _, right, _, left = table.padding
-    return sum(
-        right
-        + left
-        + max(
-            column.min_width or 0,
-            *(_least(Measurement.get(printing, options, cell), column.no_wrap) for cell in cells),
-        )
-        for column in table.columns
-        if (cells := [column.header, *column.cells])
-    )
-
-
-def _least(cell: Measurement, whole: bool) -> int:
-    return cell.maximum if whole else cell.minimum
 
 
 class Progress:

@@ -105,18 +105,21 @@ def of_rows(update: Update | None) -> Callable[[Progress], object] | None:
 def _as_json(found: Sweep, files: Sequence[Path]) -> str:
     """Return a sweep as JSON text."""
     ends = {quantity.name: found.extremes(quantity.name) for quantity in found.quantities}
+    return as_text(found, files, over=list(found.paths), shape=list(found.shape), extremes=ends)
+
+
+def as_text(sweep: Sweep, files: Sequence[Path], **more: Any) -> str:
+    """Return what the rows of a study say as JSON text, and ``more`` that follows from them."""
     content: dict[str, Any] = {
-        "title": found.plan.title,
-        "rows": len(found),
-        "failed": found.failed,
-        "over": list(found.paths),
-        "shape": list(found.shape),
-        "extremes": ends,
-        "failures": [{"sentence": why, "rows": times, "first": first} for why, times, first in found.reasons()],
+        "title": sweep.plan.title,
+        "rows": len(sweep),
+        "failed": sweep.failed,
+        **more,
+        "failures": [{"sentence": why, "rows": times, "first": first} for why, times, first in sweep.reasons()],
         "files": [str(path) for path in files],
-        "units": {name: found.unit(name) for name in (*found.paths, *ends)},
+        "units": {name: sweep.unit(name) for name in (*sweep.paths, *(each.name for each in sweep.quantities))},
     }
-    return json.dumps(content, indent=2)
+    return json.dumps(content, indent=2, allow_nan=False)
 
 
 def _path_and_values(word: str) -> tuple[str, str]:

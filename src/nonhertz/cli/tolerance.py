@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import dataclasses
-import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from nonhertz.cli.options import AsJson, Changes, Excel, Scheduler, UnitsRead, Words, Workers, drawing, named_as
 from nonhertz.cli.printing import bar, print_result
-from nonhertz.cli.sweep import directory_for, of_rows, planned
+from nonhertz.cli.sweep import as_text, directory_for, of_rows, planned
 from nonhertz.files.changes import changes_in
+from nonhertz.files.results import plain
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import tolerance_sections
 from nonhertz.study.pictures import tolerance_figures
@@ -79,25 +77,11 @@ def study_tolerance(
 
 def _as_json(found: Tolerance, files: Sequence[Path]) -> str:
     """Return a study as JSON text."""
-    sweep = found.sweep
-    content: dict[str, Any] = {
-        "title": sweep.plan.title,
-        "rows": len(sweep),
-        "independent_samples": found.independent.size,
-        "failed": sweep.failed,
-        "quantiles": {
-            each.name: [_finite(dataclasses.asdict(one)) for one in found.quantiles(each.name)]
-            for each in sweep.quantities
-        },
-        "indices": {
-            each.name: [dataclasses.asdict(one) for one in found.indices(each.name)] for each in sweep.quantities
-        },
-        "failures": [{"sentence": why, "rows": times, "first": first} for why, times, first in sweep.reasons()],
-        "files": [str(path) for path in files],
-        "units": {name: sweep.unit(name) for name in (*sweep.paths, *(each.name for each in sweep.quantities))},
-    }
-    return json.dumps(content, indent=2, allow_nan=False)
-
-
-def _finite(numbers: dict[str, float]) -> dict[str, float | None]:
-    return {name: value if abs(value) < float("inf") else None for name, value in numbers.items()}
+    names = [each.name for each in found.sweep.quantities]
+    return as_text(
+        found.sweep,
+        files,
+        independent_samples=found.independent.size,
+        quantiles={name: [plain(vars(one)) for one in found.quantiles(name)] for name in names},
+        indices={name: [vars(one) for one in found.indices(name)] for name in names},
+    )

@@ -18,6 +18,7 @@ from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.materials import MATERIALS
 from nonhertz.report.inputs import shown
 from nonhertz.report.results import BearingResults, CaseResults, Results
+from nonhertz.result.brief import sizes
 from nonhertz.show.sections import Row
 
 Array = NDArray[np.float64]
@@ -87,13 +88,8 @@ def _acting(name: str, value: Any) -> str:
 
 def _body(body: Body, letter: str) -> str:
     kind = type(body).__name__.lower()
-    diameter = _diameter(body).removeprefix("-")
-    sizes = [{"flat": "flat", "varies": "diameter varying"}.get(diameter, f"diameter {diameter} {mm().scale[1]}")]
-    if isinstance(body.diameter, float | int) and body.diameter < 0.0:
-        sizes.append("concave")
-    if body.length is not None:
-        sizes.append(f"length {mm(body.length):g}")
-    return f"{f'body {letter}' if kind == 'body' else f'a {kind}'} ({', '.join([*sizes, _material(body)])})"
+    described = ", ".join([*([] if body.diameter is not None else ["flat"]), *sizes(body), _material(body)])
+    return f"{f'body {letter}' if kind == 'body' else f'a {kind}'} ({described})"
 
 
 def geometry(found: Results) -> list[tuple[str, str]]:

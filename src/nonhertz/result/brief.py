@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import html
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -70,15 +70,16 @@ def _numbers(solution: Solved, names: tuple[str, ...], error: float = 0.0, where
 
 def body_line(body: Body) -> str:
     """Return kind, size and model of a body."""
-    sizes = []
-    if isinstance(body.diameter, float | int):
-        sizes.append(f"diameter {mm(float(body.diameter)):g}")
-    elif body.diameter is not None:
-        sizes.append("diameter varying")
-    if body.length is not None:
-        sizes.append(f"length {mm(body.length):g}")
-    shown = "; ".join([*([", ".join(sizes)] if sizes else []), body.model])
+    shown = "; ".join(filter(None, (", ".join(sizes(body)), body.model)))
     return f"{type(body).__name__.lower()} ({shown})"
+
+
+def sizes(body: Body) -> Iterator[str]:
+    """Yield diameter and length of a body in words, as far as it has any."""
+    if body.diameter is not None:
+        yield f"diameter {mm(body.diameter):g}" if isinstance(body.diameter, float | int) else "diameter varying"
+    if body.length is not None:
+        yield f"length {mm(body.length):g}"
 
 
 def where_largest(solution: Solved, significant: int = 5) -> str:
