@@ -200,7 +200,7 @@ def test_on_a_cluster_a_worker_may_be_killed_and_another_added(folder, cluster, 
 @pytest.mark.slow
 def test_an_address_where_nothing_answers_is_refused(folder, capsys, monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr("nonhertz.study.crew.CONNECTING", "1s")
+    monkeypatch.setattr("nonhertz.study.workers.CONNECTING", "1s")
     words = ["sweep", "roller.toml", "--over", "load.load=1kN,2kN", "--scheduler", "tcp://127.0.0.1:9"]
     assert main(words) == 2
     assert "--scheduler = 'tcp://127.0.0.1:9' must be the address of a scheduler" in capsys.readouterr().err

@@ -16,10 +16,10 @@ import pytest
 import nonhertz as nh
 from nonhertz.files.planfile import Plan
 from nonhertz.study import Sampling, Sweep
-from nonhertz.study.crew import LostError, Processes
 from nonhertz.study.pictures import scaled, sweep_figures
 from nonhertz.study.rows import Row, Work
 from nonhertz.study.store import FILE, Store
+from nonhertz.study.workers import LostError, Workers
 
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000), side_faces="none", depth="none")
 PLATE = nh.Plate(side_faces="none", depth="none")
@@ -314,12 +314,12 @@ def _ends_at_three(number):
 
 @pytest.mark.slow
 def test_processes_find_all_in_any_order():
-    assert sorted(Processes(2).run(_square, range(20))) == [(number, number**2) for number in range(20)]
+    assert sorted(Workers().portions(_square, range(20), 2)) == [(number, number**2) for number in range(20)]
 
 
 @pytest.mark.slow
 def test_what_ends_its_process_is_given_up_and_nothing_else_is_lost():
-    found = dict(Processes(2).run(_ends_at_three, range(8)))
+    found = dict(Workers().portions(_ends_at_three, range(8), 2))
     assert isinstance(found.pop(3), LostError)
     assert found == {number: number**2 for number in (0, 1, 2, 4, 5, 6, 7)}
 

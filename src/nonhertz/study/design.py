@@ -14,9 +14,9 @@ from __future__ import annotations
 import contextlib
 import math
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -35,7 +35,6 @@ from nonhertz.life import LoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import WHOLE
 from nonhertz.result.brief import plain_text
 from nonhertz.solver.one import solve
-from nonhertz.study.crew import Crew, Here, LostError, Processes
 from nonhertz.study.objective import (
     GOALS,
     LIFE,
@@ -49,10 +48,12 @@ from nonhertz.study.objective import (
     point_or_none,
     refuse_unlimited,
 )
+from nonhertz.study.workers import LostError, Workers
 
 __all__ = ["Band", "Design", "Front", "Limit", "Start", "best", "front"]
 
 Array = NDArray[np.float64]
+Portions = Callable[..., Iterator[tuple[Any, Any]]]
 
 STARTS, MOST_STARTS = 5, 100
 POINTS, MOST_POINTS = 9, 50  # of a front
@@ -263,18 +264,25 @@ def best(
     """
     callback("announce", announce)
     asked = checked(case, vary, goal, loads, where, model, starts)
-    processes = thread_count(workers)
     task, begins = asked.task, asked.begins()
     was = task.template.case({})
     assert isinstance(was, Case)
     before = _judged_as_it_was(task, was)
     ended: dict[int, _Search | LostError] = {}
-    with contextlib.closing(_crew(processes, len(begins))) as crew:
-        for (number, _, _), found in crew.run(_searched, [(number, task, x) for number, x in enumerate(begins)]):
+    processes = min(thread_count(workers), len(begins))
+    with contextlib.closing(Workers()) as solving:
+        searches = [(number, task, x) for number, x in enumerate(begins)]
+        for (number, _, _), found in solving.portions(_searched, searches, processes):
             ended[number] = found
             if announce is not None:
                 announce(len(ended), len(begins))
-        return _result(task, was, before, [ended[number] for number in sorted(ended)], crew)
+        return _result(
+            task,
+            was,
+            before,
+            [ended[number] for number in sorted(ended)],
+            partial(solving.portions, processes=processes),
+        )
 
 
 def front(
@@ -331,8 +339,8 @@ def front(
         share = (k + 1.0) / (points - 1.0)
         tasks += [(k, task, x) for x in (*begins, (1.0 - share) * begins[1] + share * begins[0])]
     found: dict[int, list[_Search]] = {}
-    with contextlib.closing(_crew(thread_count(workers), len(tasks))) as crew:
-        for (k, _, _), search in crew.run(_searched, tasks):
+    with contextlib.closing(Workers()) as solving:
+        for (k, _, _), search in solving.portions(_searched, tasks, min(thread_count(workers), len(tasks))):
             if isinstance(search, _Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
                 found.setdefault(k, []).append(search)
     rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest, ends[1].case)]
@@ -349,10 +357,6 @@ def front(
 def _better(one: tuple[Any, float, float, Case], other: tuple[Any, float, float, Case]) -> bool:
     """Return whether a point has no more of either pressure than another, and less of one."""
     return one[1] <= other[1] and one[2] <= other[2] and one[1:3] != other[1:3]
-
-
-def _crew(processes: int, tasks: int) -> Crew:
-    return Here() if processes == 1 or tasks == 1 else Processes(min(processes, tasks))
 
 
 def _group(name: str, loads: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
@@ -703,7 +707,7 @@ def _why(task: Task, x: Array) -> str:
     return "It could not be solved."
 
 
-def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], crew: Crew) -> Design:
+def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], portions: Portions) -> Design:
     good = [each for each in found if isinstance(each, _Search) and math.isfinite(each.value)]
     met = [each for each in good if each.least_margin >= -1e-4]
     if not good:
@@ -741,11 +745,11 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
     return Design(
         task.goal, task.values(chosen.ended), goal(judged.value),
         before.value if task.goal == PRESSURE and before is not None else (1.0 if before is not None else math.nan),
-        tuple(starts), _bands(task, judged, crew), worst, judged.case, was, task.loads, units,
+        tuple(starts), _bands(task, judged, portions), worst, judged.case, was, task.loads, units,
     )  # fmt: skip
 
 
-def _bands(task: Task, judged: Judged, crew: Crew) -> tuple[Band, ...]:
+def _bands(task: Task, judged: Judged, portions: Portions) -> tuple[Band, ...]:
     """Return how far each variable may go at each cost."""
     asked = [
         (task, judged.x, judged.value, k, cost)
@@ -753,7 +757,7 @@ def _bands(task: Task, judged: Judged, crew: Crew) -> tuple[Band, ...]:
         if variable.form is None
         for cost in COSTS
     ]
-    found = {(given[3], given[4]): band for given, band in crew.run(_band, asked) if isinstance(band, Band)}
+    found = {(given[3], given[4]): band for given, band in portions(_band, asked) if isinstance(band, Band)}
     return tuple(found[key] for key in sorted(found))
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import contextlib
 import json
 import math
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, replace
 from functools import partial
 from hashlib import sha256
 from itertools import chain
@@ -30,11 +30,11 @@ from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity
-from nonhertz.study.crew import Cluster, Crew, Here, LostError, Processes
 from nonhertz.study.points import Points
 from nonhertz.study.quantities import chosen
 from nonhertz.study.rows import Row, Work
 from nonhertz.study.store import Store
+from nonhertz.study.workers import LostError, Workers
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -297,17 +297,30 @@ def sweep(
     points = Points.of(asked)
     numbers = chosen(asked.quantities, bearing=asked.template.is_bearing)
     processes = thread_count(workers)
-    cluster = None if scheduler is None else Cluster(scheduler)
+    solving = Workers(scheduler)
     directory = None if out is None else _directory(out)
     most = OF_BEARINGS if asked.template.is_bearing else OF_CONTACTS
     size = min(most, math.ceil(len(points) / PORTIONS))
     store = Store(directory, _made_from(asked, points, numbers, size), points.paths, [each.name for each in numbers])
     found = Sweep(asked, points, numbers, store)
-    crew = cluster or (Here() if processes == 1 or len(points) - len(store) <= most else Processes(processes))
-    work = _work(asked, numbers)
+    work, there = _work(asked, numbers), store.portions()
+    progress = Progress(len(store), len(points), len(store))
+    missing = (
+        (portion, rows, points.values(rows))
+        for portion, first in enumerate(range(0, len(points), size))
+        if portion not in there
+        for rows in [points.solved_at(first, min(first + size, len(points))).tolist()]
+    )
     try:
-        with contextlib.closing(crew), contextlib.closing(_Run(points, store, size)) as run:
-            run.solve(crew, work, announce)
+        with contextlib.closing(solving), contextlib.ExitStack() as stack:
+            stack.callback(store.release)
+            processes = 1 if len(points) - len(store) <= most else processes
+            for portion, solved in solving.portions(partial(_solved, work, points.paths), missing, processes):
+                lost = [Row((math.nan,) * len(numbers), str(solved))] * len(portion[1])
+                store.add(*portion, lost if isinstance(solved, LostError) else solved)
+                progress = replace(progress, done=progress.done + len(portion[1]))
+                if announce is not None:
+                    announce(progress)
     except KeyboardInterrupt:
         kept = "" if directory is None else f", which are kept in {directory}; the same call goes on from there"
         raise Interrupted(f"Stopped after {len(store)} of {len(points)} rows{kept}.", found) from None
@@ -316,36 +329,6 @@ def sweep(
 
 def _work(plan: Plan, quantities: tuple[Quantity, ...]) -> Work:
     return Work(plan.template, plan.case.attachments, tuple(each.name for each in quantities))
-
-
-class _Run:
-    """The portions that a study still lacks, solved and kept."""
-
-    def __init__(self, points: Points, store: Store, size: int) -> None:
-        self._points, self._store, self._size = points, store, size
-
-    def close(self) -> None:
-        """Let others use the rows."""
-        self._store.release()
-
-    def solve(self, crew: Crew, work: Work, announce: Callable[[Progress], object] | None) -> None:
-        """Solve what is missing, and keep every portion as soon as it is found."""
-        total, found = len(self._points), len(self._store)
-        done, failed = found, (math.nan,) * len(work.names)
-        solve = partial(_solved, work, self._points.paths)
-        for (portion, numbers, values), solved in crew.run(solve, self._missing()):
-            rows = [Row(failed, str(solved))] * len(numbers) if isinstance(solved, LostError) else solved
-            self._store.add(portion, numbers, values, rows)
-            done += len(numbers)
-            if announce is not None:
-                announce(Progress(done, total, found))
-
-    def _missing(self) -> Iterator[tuple[int, list[int], list[tuple[Any, ...]]]]:
-        there, total = self._store.portions(), len(self._points)
-        for portion, first in enumerate(range(0, total, self._size)):
-            if portion not in there:
-                numbers = self._points.solved_at(first, min(first + self._size, total)).tolist()
-                yield portion, numbers, self._points.values(numbers)
 
 
 @read_in("si")

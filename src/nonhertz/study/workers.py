@@ -1,0 +1,200 @@
+"""Who solves the portions of a study: this process, processes on this machine, or a Dask cluster.
+
+`Workers.portions` takes a function and what it is to be called with, and yields what it returns as it is found. A
+process that ends in the middle of a portion, for want of memory, say, costs no more than that portion's time: those
+that were under way are tried again one at a time, and only one that ends its process every time is given up.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import multiprocessing
+import os
+import re
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from typing import Any, TypeVar
+
+from nonhertz.errors import InputError, NonhertzError
+
+Given = TypeVar("Given")
+Found = TypeVar("Found")
+
+AHEAD = 3  # portions handed out per process: so few that memory stays flat
+ATTEMPTS = 2  # alone, of a portion that was under way when a process ended
+CONNECTING = "20s"
+_ADDRESS = re.compile(r"(?:[a-z]+://)?[^\s/]+:\d+/?")
+_MOST = 61 if sys.platform == "win32" else sys.maxsize  # processes: Windows waits for no more at once
+# Linear algebra of one portion on one thread: the processes share the cores.
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+class LostError(NonhertzError):
+    """A portion whose process ended every time that it was tried."""
+
+    def __init__(self) -> None:
+        super().__init__("The process that solved it ended every time it was tried, perhaps for want of memory.")
+
+
+class Workers:
+    """An executor of processes on this machine, or of a Dask scheduler, which waits for more work until it is closed.
+
+    Parameters
+    ----------
+    scheduler : str, optional
+        Address of a Dask scheduler, such as ``"tcp://10.0.0.1:8786"``, whose workers solve, however many there are at
+        the time.
+
+    Raises
+    ------
+    InputError
+        If nothing answers there.
+    ImportError
+        If dask.distributed is not installed.
+    """
+
+    def __init__(self, scheduler: str | None = None) -> None:
+        self._open = contextlib.ExitStack()
+        self._executor: Executor | None = None
+        self._client = None if scheduler is None else _connected(scheduler)
+
+    def close(self) -> None:
+        """Let processes end, or leave the scheduler; its workers stay."""
+        self._executor = None
+        self._open.close()
+        if self._client is not None:
+            self._client.close()
+
+    def portions(
+        self, solve: Callable[[Given], Found], each: Iterable[Given], processes: int
+    ) -> Iterator[tuple[Given, Found | LostError]]:
+        """Yield what is given with what is found of it, in the order in which it is found; one process is this one."""
+        if self._client is None and processes == 1:
+            yield from ((given, solve(given)) for given in each)
+            return
+        source, left = iter(each), True
+        while left:
+            lost: list[Given] = []
+            if self._executor is None:
+                made = _pool(processes) if self._client is None else self._client.get_executor(pure=False)
+                self._executor = self._open.enter_context(made)
+            for given, future in self._flow(self._executor, solve, source, processes):
+                error = future.exception()
+                if isinstance(error, BrokenProcessPool):
+                    lost.append(given)
+                else:
+                    # The name that dask.distributed, which may not be installed, has for the same.
+                    yield given, LostError() if type(error).__name__ == "KilledWorker" else future.result()
+            if lost:
+                self.close()
+            for given in lost:
+                yield given, _alone(solve, given)
+            left = bool(lost)
+
+    def _flow(
+        self, executor: Executor, solve: Callable[[Given], Found], source: Iterator[Given], processes: int
+    ) -> Iterator[tuple[Given, Future[Found]]]:
+        """Yield what is given with its future as they finish, no more than a few for each process under way at a time.
+
+        Once processes have ended, nothing more is taken from the source.
+        """
+        pending: dict[Future[Found], Given] = {}
+        broken = False
+        try:
+            while True:
+                count = processes if self._client is None else max(1, sum(map(int, self._client.ncores().values())))
+                for given in itertools.islice(source, 0 if broken else max(0, AHEAD * count - len(pending))):
+                    pending[_submitted(executor, solve, given)] = given
+                if not pending:
+                    return
+                done, _ = wait(pending, return_when=FIRST_COMPLETED)
+                for future in done:
+                    broken = broken or isinstance(future.exception(), BrokenProcessPool)
+                    yield pending.pop(future), future
+        finally:
+            for future in pending:
+                future.cancel()
+
+
+def _connected(address: str) -> Any:
+    """Return a client of a Dask scheduler."""
+    from distributed import Client
+
+    remedy = "give that of a running Dask scheduler, such as tcp://10.0.0.1:8786"
+    # The client has assertions, not sentences, for what is no address at all.
+    if not isinstance(address, str) or not _ADDRESS.fullmatch(address):
+        raise InputError("--scheduler", address, "be the address of a scheduler, with a port", remedy)
+    try:
+        return Client(address, timeout=CONNECTING, set_as_default=False)
+    except (OSError, ValueError, TypeError) as error:
+        reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
+        raise InputError("--scheduler", address, f"be the address of a scheduler ({reason})", remedy) from None
+
+
+@contextlib.contextmanager
+def _without_the_script() -> Iterator[None]:
+    """Hide the script that runs from processes that start: they would run it, too, unless it is guarded against that.
+
+    What they are to call is in this package.
+    """
+    main = sys.modules["__main__"]
+    hidden: dict[str, Any] = {name: vars(main)[name] for name in ("__file__", "__spec__") if name in vars(main)}
+    try:
+        vars(main).pop("__file__", None)
+        main.__spec__ = None
+        yield
+    finally:
+        vars(main).update(hidden)
+
+
+def _submitted(executor: Executor, solve: Callable[[Given], Found], given: Given) -> Future[Found]:
+    try:
+        with _without_the_script():
+            return executor.submit(solve, given)
+    except BrokenProcessPool as error:
+        refused: Future[Found] = Future()
+        refused.set_exception(error)
+        return refused
+
+
+def _alone(solve: Callable[[Given], Found], given: Given) -> Found | LostError:
+    """Return what a process of its own finds."""
+    for _ in range(ATTEMPTS):
+        with _pool(1) as pool, contextlib.suppress(BrokenProcessPool):
+            return _submitted(pool, solve, given).result()
+    return LostError()
+
+
+@contextlib.contextmanager
+def _pool(workers: int) -> Iterator[ProcessPoolExecutor]:
+    """Give processes that end with this one, however it ends."""
+    before = {name: os.environ.get(name) for name in _THREADS}
+    os.environ.update({name: "1" for name in _THREADS if before[name] is None})
+    # Forked processes would inherit the threads' locks.
+    pool = ProcessPoolExecutor(
+        min(workers, _MOST), mp_context=multiprocessing.get_context("spawn"), initializer=_end_with_the_parent
+    )
+    try:
+        yield pool
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+        for name in (name for name, value in before.items() if value is None):
+            os.environ.pop(name, None)
+
+
+def _end_with_the_parent() -> None:
+    """Leave Ctrl-C to the parent, and end when it ends: processes of a killed one would wait for work for ever."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+
+    def watch() -> None:
+        if parent is not None:
+            parent.join()
+            os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
