@@ -1,7 +1,5 @@
 """The finer strips that the field right below a contact is taken from."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -96,7 +94,7 @@ def test_pieces_that_bear_another_load_are_not_used(monkeypatch):
 
 
 def cut_with(cut, **factors):
-    return replace(cut, **{name: getattr(cut, name) * factor for name, factor in factors.items()})
+    return cut._replace(**{name: getattr(cut, name) * factor for name, factor in factors.items()})
 
 
 @pytest.mark.parametrize("load", [20e3, 200.0])

@@ -1,6 +1,5 @@
 """The convolution against the sum over all cells, with images and depths; and its rough inverse."""
 
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -61,29 +60,6 @@ def test_it_is_the_sum_over_all_cells(name, cells):
     np.testing.assert_allclose(
         Convolution(grid, influence(name))(pressure), exact, rtol=0.0, atol=3e-14 * np.max(np.abs(exact))
     )
-
-
-@pytest.mark.parametrize("name", ["half-spaces", "mirrored, deep"])
-def test_threads_change_nothing(name):
-    grid = Grid((-0.3, 0.3), (-9.0, 9.0), SIZES[-1])
-    pressure = np.random.default_rng(1).random(grid.cells)
-    alone = Convolution(grid, influence(name))(pressure)
-    with ThreadPoolExecutor(3) as pool:
-        assert np.array_equal(Convolution(grid, influence(name), pool)(pressure), alone)
-
-
-def test_the_displacement_in_the_middle_of_a_uniform_square():
-    # 8 a asinh(1) for a square of side 2 a, whatever the cells: Love's own value.
-    grid = Grid((-1.0, 1.0), (-1.0, 1.0), (15, 9))
-    displacement = Convolution(grid, Influence(HALF_SPACE))(np.ones(grid.cells))
-    np.testing.assert_allclose(displacement[7, 4], 8.0 * np.arcsinh(1.0), rtol=1e-13, atol=0.0)  # rounding
-
-
-def test_convolutions_are_counted():
-    convolution = Convolution(Grid((-1.0, 1.0), (-1.0, 1.0), (4, 4)), Influence(HALF_SPACE))
-    convolution(np.ones((4, 4)))
-    convolution(np.ones((4, 4)))
-    assert convolution.count == 2
 
 
 @pytest.mark.parametrize("sides", [(1.0, 1.0), (1.0, 30.0), (10.0, 1.0)], ids=str)
