@@ -1,6 +1,5 @@
 """The convolution against the sum over all cells, with images and depths; and its rough inverse."""
 
-
 import numpy as np
 import pytest
 
@@ -22,7 +21,7 @@ BODIES = {
     ),
     "series": ({"images": "series"}, {"depth": 7.0}),
 }
-SIZES = [(5, 7), (6, 4), (11, 13), (40, 70)]
+SIZES = [(5, 7), (6, 4), (11, 13)]
 
 
 def influence(name):
@@ -50,7 +49,7 @@ def summed(grid, influence, pressure):
 
 
 @pytest.mark.parametrize("name", BODIES)
-@pytest.mark.parametrize("cells", SIZES[:3], ids=str)
+@pytest.mark.parametrize("cells", SIZES, ids=str)
 def test_it_is_the_sum_over_all_cells(name, cells):
     # A region that is symmetric about nothing.
     grid = Grid((-0.3, 0.45), (-9.0, 8.5), cells)

@@ -33,12 +33,9 @@ def solution():
     [
         ({}, "load = None must be given"),
         ({"load": 1e3, "approach": 0.01}, "approach = 0.01 must not be given together with load"),
-        ({"load": -1.0}, "load = -1.0 must be positive"),
-        ({"load": 1e3, "tilt": 0.0, "moment": 0.0}, "moment = 0.0 must not be given together with tilt"),
         ({"load": 1e3, "moment": 1.1e4}, "moment = 11000.0 must keep moment / load between -10 and 10 mm"),
         ({"load": 1e3, "cells": 64}, "cells = 64 must be a pair"),
         ({"load": 1e3, "cells": (64, 3)}, "cells = (64, 3) must be whole numbers of at least 4"),
-        ({"load": 1e3, "cells": (64.0, 64)}, "cells = (64.0, 64) must be whole numbers of at least 4"),
         ({"load": 1e3, "cells": (10**7, 10**7)}, "cells = (10000000, 10000000) must need less than"),
         ({"load": 1e3, "region": (1.0, 2.0)}, "region = (1.0, 2.0) must be two pairs of ends"),
         ({"load": 1e3, "region": ((1.0, 1.0), (0.0, 1.0))}, "region = ((1.0, 1.0), (0.0, 1.0)) must ascend"),
@@ -48,10 +45,8 @@ def solution():
             "region = ((0.0, nan), (0.0, 1.0)) must have ends that must each be a finite number",
         ),
         ({"load": 1e3, "tolerance": 1e-14}, "tolerance = 1e-14 must lie between 1e-12 and 0.01"),
-        ({"load": 1e3, "threads": 0}, "threads = 0 must be a whole number of at least 1"),
         ({"load": 1e3, "threads": 2.7}, "threads = 2.7 must be a whole number of at least 1"),
         ({"load": 1e3, "features": [3.0]}, "features[0] = 3.0 must be callable"),
-        ({"load": 1e3, "features": None}, "features = None must be callable with x and y"),
         ({"load": 1e3, "features": "dent"}, "features = 'dent' must be callable with x and y"),
         ({"load": 1e3, "features": [Dent]}, "features[0] = <class 'nonhertz.patch.features.Dent'> must be callable"),
         ({"load": 1e3, "features": [math.sin]}, "features[0] = <built-in function sin> must be callable with x and y"),
@@ -98,12 +93,6 @@ def test_a_wrong_return_is_said_of_the_function_that_made_it():
     assert caught.value.value is wrong
 
 
-def test_one_feature_needs_no_list():
-    dent = Dent(depth=0.001, diameter=3.0)
-    one, listed = (nh.patch.solve(CROWNED, load=3e3, features=each, cells=SMALL) for each in (dent, [dent]))
-    assert np.array_equal(one.pressure, listed.pressure)
-
-
 def test_a_feature_that_works_in_place_cannot_move_the_cells():
     def careless(x, y):
         x *= 0.0
@@ -129,15 +118,6 @@ def test_what_else_is_refused(call, sentence):
     with pytest.raises(nh.InputError) as caught:
         call()
     assert str(caught.value).startswith(sentence)
-
-
-def test_a_gap_given_in_full_needs_no_curved_bodies():
-    contact = nh.Contact(nh.Plate(), nh.Plate())
-    exact = nh.hertz.point_contact(load=100, radius_x=5, radius_y=5, compliance=contact.compliance)
-    for given in ({"load": 100.0}, {"approach": exact.approach}):
-        found = nh.patch.solve(contact, gap=lambda x, y: (x**2 + y**2) / 10.0, cells=(48, 48), **given)
-        # 40 cells across the circle.
-        np.testing.assert_allclose([found.approach, found.load], [exact.approach, 100.0], rtol=1e-3, atol=0.0)
 
 
 # First touch
@@ -307,6 +287,8 @@ def test_features_add_up():
         return undeformed_gap(CROWNED, x, y) + dents[0](x, y) + dents[1](x, y)
 
     of_features = nh.patch.solve(CROWNED, load=3e3, features=dents, cells=SMALL)
+    one = nh.patch.solve(CROWNED, load=3e3, features=dents[0], cells=SMALL)  # needs no list
+    assert not np.array_equal(one.pressure, of_features.pressure)
     of_gap = nh.patch.solve(CROWNED, load=3e3, gap=whole, cells=SMALL)
     # The same numbers added in another order.
     np.testing.assert_allclose(of_features.pressure, of_gap.pressure, rtol=0.0, atol=1e-5 * of_gap.max_pressure)
@@ -321,11 +303,7 @@ def test_it_says_how_it_ended(solution):
     assert solution.residual <= 1e-8
     assert 0 < solution.iterations < 60
     assert solution.warnings == ()
-
-
-def test_shapes_and_sizes(solution):
-    assert solution.cells == SMALL
-    assert solution.pressure.shape == solution.gap.shape == solution.footprint.shape == SMALL
+    assert solution.cells == solution.pressure.shape == solution.gap.shape == solution.footprint.shape == SMALL
     assert solution.line_load.shape == solution.half_width.shape == solution.centre_pressure.shape == SMALL[1:]
     np.testing.assert_allclose(np.diff(solution.x), solution.dx, rtol=1e-12, atol=0.0)
     np.testing.assert_allclose(np.diff(solution.y), solution.dy, rtol=1e-12, atol=0.0)
@@ -338,11 +316,8 @@ def test_sums_of_the_pressure(solution):
     np.testing.assert_allclose(solution.line_load.sum() * solution.dy, solution.load, rtol=1e-12, atol=0.0)
     np.testing.assert_allclose(solution.moment, (solution.pressure @ solution.y).sum() * area, rtol=1e-12, atol=0.0)
     np.testing.assert_allclose(solution.contact_area, area * (solution.pressure > 0).sum(), rtol=1e-12, atol=0.0)
-
-
-def test_where_the_maximum_is(solution):
-    x, y = solution.max_pressure_x, solution.max_pressure_y
-    assert solution.pressure[solution.x == x, solution.y == y] == solution.max_pressure
+    at = solution.x == solution.max_pressure_x, solution.y == solution.max_pressure_y
+    assert solution.pressure[at] == solution.max_pressure
 
 
 def test_a_station_across(solution):

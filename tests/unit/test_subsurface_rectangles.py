@@ -1,4 +1,4 @@
-"""Stress and displacement below a plane grid, against Love's sums over all corners and against elasticity itself."""
+"""Stress and displacement below a plane grid, against point loads and Love's sums over all corners."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,6 @@ import pytest
 from nonhertz.patch.kernel import rectangles
 from nonhertz.subsurface.rectangles import ERROR, LADDER, Rectangles, rule_ellipses
 
-XX, YY, ZZ, YZ, XZ, XY = range(6)
 ONE = np.zeros(1)
 
 
@@ -56,18 +55,6 @@ def point_load(x, y, z, nu):
     ]
     across = z / r**3 - (1 - 2 * nu) * far
     return stress, [x * across / (4 * np.pi), y * across / (4 * np.pi), (2 * (1 - nu) / r + z**2 / r**3) / (4 * np.pi)]
-
-
-def gradient(field, points, step):
-    """Derivatives of a field along the three axes, of fourth order, shape (3, n, components)."""
-    steps = step * np.eye(3)
-    return np.array(
-        [
-            (8 * (field(points + s) - field(points - s)) - (field(points + 2 * s) - field(points - 2 * s)))
-            / (12 * step)
-            for s in steps
-        ]
-    )
 
 
 @pytest.fixture(scope="module", params=["7x9", "60x40", "with a hole"])
@@ -131,35 +118,6 @@ def test_displacement_of_the_surface(grid, points):
     expected = [(pressure * rectangles(edges(x, dx) - px, edges(y, dy) - py)).sum() for px, py, _ in on_surface]
     # The half-width is 0.35 mm, and again a millionth of the largest pressure.
     np.testing.assert_allclose(found, 0.7 / (2 * np.pi) * np.array(expected), rtol=0.0, atol=0.35e-6 * pressure.max())
-
-
-def test_hooke_takes_displacement_to_stress(grid, points):
-    inside = points[points[:, 2] > 0.02]
-    load, nu = Rectangles.of(*grid), 0.3
-    rate = gradient(lambda at: load.displacement(at, nu), inside, 1e-3)
-    dilatation = 2 * nu / (1 - 2 * nu) * np.einsum("ini->n", rate)
-    expected = np.empty((len(inside), 6))
-    for component, (i, j) in enumerate([(0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)]):
-        expected[:, component] = rate[i, :, j] + rate[j, :, i] + (dilatation if i == j else 0.0)
-    np.testing.assert_allclose(load.stress(inside, nu), expected, rtol=0.0, atol=1e-6 * grid[-1].max())
-
-
-def test_equilibrium(grid, points):
-    inside = points[points[:, 2] > 0.02]
-    load = Rectangles.of(*grid)
-    rate = gradient(lambda at: load.stress(at, 0.3), inside, 1e-3)
-    for row in ((XX, XY, XZ), (XY, YY, YZ), (XZ, YZ, ZZ)):
-        unbalanced = sum(rate[axis, :, component] for axis, component in enumerate(row))
-        # Stresses change by the pressure within the depth, 0.02 mm; differences leave (step / depth)^4 of that.
-        np.testing.assert_allclose(unbalanced, 0.0, rtol=0.0, atol=1e-4 * grid[-1].max())
-
-
-def test_surface_bears_the_pressure_and_no_shear(grid):
-    x, y, _, _, pressure = grid
-    at = np.stack([*np.meshgrid(x, y, indexing="ij"), np.zeros(pressure.shape)], axis=-1).reshape(-1, 3)
-    found = Rectangles.of(*grid).stress(at, 0.3)
-    np.testing.assert_allclose(found[:, ZZ], -pressure.ravel(), rtol=0.0, atol=1e-9 * pressure.max())
-    np.testing.assert_allclose(found[:, [YZ, XZ]], 0.0, rtol=0.0, atol=1e-9 * pressure.max())
 
 
 def test_finite_on_edges_and_corners_of_the_surface(grid):

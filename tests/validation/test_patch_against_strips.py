@@ -16,12 +16,7 @@ from nonhertz.verify.claim import pressures
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
 LOGARITHMIC = {"profile": nh.profile.iso_logarithmic(diameter=15, length=16)}
-HALF_SPACE = {"side_faces": "none", "depth": "none"}
 SMOOTH = {
-    "crown, half-spaces": ({"profile": nh.profile.crown(1000), **HALF_SPACE}, {"load": 5e3}),
-    "crown, mirrored": ({"profile": nh.profile.crown(1000)}, {"load": 5e3, "tilt": 3e-4}),
-    "logarithmic, half-spaces": ({**LOGARITHMIC, **HALF_SPACE}, {"load": 10e3, "tilt": 3e-4}),
-    "logarithmic, mirrored": (LOGARITHMIC, {"load": 10e3}),
     "logarithmic, calibrated": ({**LOGARITHMIC, "side_faces": "calibrated"}, {"load": 10e3, "tilt": 3e-4}),
     "logarithmic, unlike faces": (
         {**LOGARITHMIC, "side_faces": (0.4, 1.6), "images": 3}, {"load": 10e3, "tilt": -3e-4}
