@@ -1,0 +1,460 @@
+"""Results in US units: numbers converted, words as they were, figures with ticks that are round; files stay in SI."""
+
+from __future__ import annotations
+
+import html
+import json
+import math
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pint
+import pytest
+from matplotlib.contour import ContourSet
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from rich.console import Console
+
+import nonhertz as nh
+from nonhertz import plot
+from nonhertz.amounts import read_in
+from nonhertz.cli import main, printing
+from nonhertz.files.bearingfile import read_bearing
+from nonhertz.files.casefile import Case, read_case
+from nonhertz.files.held import parsed
+from nonhertz.report import compose
+from nonhertz.show import bearing as of_bearing
+from nonhertz.show import stresses
+from nonhertz.show.analysis import assessed, largest_stresses, models_for, solved, spectrum_solved
+from nonhertz.show.lives import sections as life_sections
+from nonhertz.show.sections import Section, Table
+
+pytestmark = pytest.mark.xdist_group("units")  # by one worker, that what is read in both units is computed once
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CASE = EXAMPLES / "roller-15x20.toml"
+PINT = pint.UnitRegistry()
+#: US units as they are printed, and what they are of in files.
+UNITS = {
+    "in": ("inch", "mm"), "µin": ("microinch", "mm"), "lbf": ("lbf", "N"), "ksi": ("ksi", "MPa"), "psi": ("psi", "MPa"),
+    "lbf in": ("lbf * inch", "N * mm"), "lbf/µin": ("lbf / microinch", "N / mm"), "lbf/mrad": ("lbf / mrad", "N / rad"),
+    "lbf in/mil": ("lbf * inch / thou", "N * mm / mm"), "lbf in/mrad": ("lbf * inch / mrad", "N * mm / rad"),
+}  # fmt: skip
+#: How many numbers follow from others and are in no file: the range of a stress, the pitch circle, a diameter in the
+#: middle of a cone, the size of cells.
+DERIVED = {
+    "stress crowned-roller.toml": 1, "bearing nu206-mounted.toml": 1, "bearing tapered-pair.toml": 2,
+    "compare elliptical-point-contact.toml": 2,
+}  # fmt: skip
+NUMBER = r"-?\d+\.?\d*(?:e[+-]\d+)?"
+IN_A_ROW = r"-?(?:\d+\.\d+|0)(?:e[+-]\d+)?"  # a count before a size is none of its numbers
+SHOWN = re.compile(
+    rf"((?:{IN_A_ROW}(?: to |, | and | x ))*{NUMBER}) ({'|'.join(sorted(UNITS, key=len)[::-1])})(?![\w/^]| in\^)"
+)
+
+
+def numbers(found: Any) -> Iterator[float]:
+    if isinstance(found, dict):
+        for name, value in found.items():
+            if name != "numbers":
+                yield from numbers(value)
+            else:
+                yield from (each for one in value.values() if isinstance(one, dict) for each in numbers(one["value"]))
+    elif isinstance(found, list):
+        for value in found:
+            yield from numbers(value)
+    elif isinstance(found, int | float):
+        yield float(found)
+
+
+def rounding(text: str) -> float:
+    """Half a unit of the last digit."""
+    mantissa, _, power = text.partition("e")
+    return 0.5 * 10.0 ** (int(power or 0) - len(mantissa.partition(".")[2]))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["solve", "roller-15x20.toml"],
+        ["solve", "crowned-roller.toml"],
+        ["stress", "crowned-roller.toml"],
+        ["life", "crowned-roller.toml"],
+        ["bearing", "nu206-mounted.toml"],
+        ["bearing", "tapered-pair.toml"],
+        ["compare", "elliptical-point-contact.toml"],
+    ],
+    ids=" ".join,
+)
+def test_printed_numbers_are_those_of_the_json(words, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "300")
+    command = [words[0], str(EXAMPLES / words[1])]
+    assert main([*command, "--json"]) == 0
+    known = [abs(each) for each in numbers(json.loads(capsys.readouterr().out))]
+    assert main([*command, "--units", "us"]) == 0
+    printed = capsys.readouterr().out
+    seen = [(each, unit) for texts, unit in SHOWN.findall(printed) for each in re.findall(NUMBER, texts)]
+    assert len(seen) > 5
+    strange = []
+    for text, unit in seen:
+        us, si = UNITS[unit]
+        size = PINT.Quantity(1.0, us).to(si).magnitude
+        value, off = size * abs(float(text)), 1.0001 * size * rounding(text)
+        if not any(abs(each - value) <= off for each in known):
+            strange.append(f"{text} {unit}")
+    assert len(strange) <= DERIVED.get(" ".join(words), 0), strange
+
+
+# Words
+
+
+#: Words of units, and those that stand for them.
+WORDS = {
+    "mm": {"in"}, "µm": {"µin"}, "nm": {"µin"}, "#/mm": {"#/in"},
+    "N": {"lbf"}, "kN": {"lbf"}, "MPa": {"ksi", "psi"}, "GPa": {"ksi"}, "m": {"in"},
+    "g": {"lb"}, "t/mm^3": {"lb/in^3"},
+    "N/µm": {"lbf/µin"}, "N/mrad": {"lbf/mrad"}, "N/mm": {"lbf/in"},
+    "mm/µm": {"in/mil"}, "m/mrad": {"in/mrad"},
+}  # fmt: skip
+INITIAL = re.compile(r"\b[A-Z]\. (?=[A-Z])")  # of an author, who may be called N.
+UNIT = re.compile(rf"[\[(]?({'|'.join(sorted(map(re.escape, WORDS), key=len, reverse=True))})(?:[\])^.,;:][^/]*)?")
+
+
+ANY = re.compile(r"(?<![\w.^])(?:\+-)?[-+−±]?\d+\.?\d*(?:e[-+]?\d+)?(?!\w)")
+
+
+def once(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a search below the surface that is made once for the same contact under the same load.
+
+    What it returned while a case was read in SI units is used in US units, too: a unit in it would be noticed there.
+    """
+    made: dict[str, Any] = {}
+
+    def found(solution: Any, *arguments: Any, **options: Any) -> Any:
+        wanted = {name: each for name, each in options.items() if name not in ("threads", "announce")}
+        key = repr((solution.contact, solution.load, solution.tilt, arguments, wanted))
+        if key not in made:
+            made[key] = function(solution, *arguments, **options)
+        return made[key]
+
+    return found
+
+
+EXTREMES, EXPOSURE = once(nh.subsurface.extremes), once(nh.life.exposure)
+
+
+@pytest.fixture(name="printed")
+def printed_to(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> Callable[..., str]:
+    """Return what a command prints, on lines as long as need be: otherwise cells would break in different places."""
+
+    def wide(**how: Any) -> Console:
+        return Console(**{**how, "width": 4000})
+
+    monkeypatch.setattr(printing, "Console", wide)
+    for module in ("show.analysis", "strength"):
+        monkeypatch.setattr(f"nonhertz.{module}.extremes", EXTREMES)
+    monkeypatch.setattr("nonhertz.life.assessment.exposure", EXPOSURE)
+    monkeypatch.chdir(tmp_path)
+
+    def run(*words: str) -> str:
+        capsys.readouterr()
+        assert main([*words]) == 0
+        return capsys.readouterr().out
+
+    return run
+
+
+def compare_words(said: str, read: str) -> None:
+    """Assert that nothing but numbers and units changes, and that all units do."""
+    before, after = (ANY.sub("#", INITIAL.sub("", each)).split() for each in (said, read))
+    assert len(before) == len(after)
+    for one, other in zip(before, after, strict=True):
+        unit = UNIT.fullmatch(one)
+        if unit is None:
+            assert one == other
+        else:
+            assert other in {one.replace(unit[1], word, 1) for word in WORDS[unit[1]]}, (one, other)
+
+
+COMMANDS = [
+    *(["solve", name] for name in ("crowned-roller", "measured-roller", "tabulated-profile", "roller-15x20")),
+    ["solve", "crowned-roller", "elliptical-point-contact"],
+    ["stress", "roller-15x20"],
+    ["life", "roller-15x20"],
+    ["bearing", "nu206-mounted"],
+    ["bearing", "tapered-pair"],
+    ["bearing", "nu206", "--compare"],
+    ["materials"],
+    ["materials", "100Cr6"],
+    ["sweep", "roller-15x20-sweep"],
+]
+
+
+def report_text(*words: str) -> str:
+    """Return the text of a report, without what is not converted: files, formulas, what the user wrote, versions."""
+    assert main(["report", *words, "--out", "report.html"]) == 0
+    page = Path("report.html").read_text(encoding="utf-8")
+    for left_out in (
+        *(r"<style>.*?</style>", r"<pre.*?</pre>", r"<i>Source:.*?</i>", r'<ul class="references".*?</ul>'),
+        *(r"<small>written.*?</small>", r'<ul class="files">.*?</ul>', r"<footer>.*?</footer>", r"<title>.*?</title>"),
+    ):
+        page = re.sub(left_out, "", page, flags=re.DOTALL)
+    return html.unescape(re.sub(r"<[^>]+>", " ", page))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "names",
+    [["roller-15x20", "--life"], ["nu206-mounted", "--compare"], ["tapered-pair"],
+     ["roller-15x20", "measured-roller"], ["nu206", "nu206-mounted"]],
+    ids=" ".join,
+)  # fmt: skip
+def test_every_unit_of_reports_is_converted_with_its_numbers(names: list[str], printed: Callable[..., str]) -> None:
+    names = [str(EXAMPLES / f"{each}.toml") if not each.startswith("-") else each for each in names]
+    said, read = report_text(*names), report_text(*names, "--units", "us")
+    compare_words(said, read)
+    compare_beside(said, read)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
+def test_every_unit_of_the_examples_is_converted_with_its_numbers(
+    words: list[str], printed: Callable[..., str]
+) -> None:
+    words = [str(EXAMPLES / f"{each}.toml") if (EXAMPLES / f"{each}.toml").exists() else each for each in words]
+    said, read = printed(*words), printed(*words, "--units", "us")
+    compare_words(said, read)
+    compare_beside(said, read)
+
+
+@pytest.mark.slow
+def test_json_and_files_never_change_units(printed: Callable[..., str]) -> None:
+    case = str(EXAMPLES / "roller-15x20.toml")
+    assert printed("solve", case, "--json", "--units", "us") == printed("solve", case, "--json")
+    printed("solve", case, "--out", "si")
+    printed("solve", case, "--out", "us", "--units", "us")
+    for name in ("result.json", "table.csv"):
+        assert Path("us", name).read_bytes() == Path("si", name).read_bytes()
+
+
+def compare_beside(said: str, read: str) -> None:
+    """Assert that numbers directly before a unit are converted to it."""
+    units = "|".join(sorted({"mm", "µm", "in", "µin", "N", "kN", "lbf", "MPa", "ksi", "psi"}, key=len, reverse=True))
+    pattern = re.compile(rf"({ANY.pattern}) ({units})(?![\w/^ ]|\Z)")
+    pairs = [pattern.findall(each) for each in (said, read)]
+    assert len(pairs[0]) == len(pairs[1])
+    for before, after in zip(*pairs, strict=True):
+        assert_same(before, after)
+
+
+def assert_same(*pairs: tuple[str, str]) -> None:
+    """Assert that two numbers with their units are the same but for rounding."""
+    (value, slack), (other, more) = (
+        (size * float(text.removeprefix("+-").replace("−", "-").replace("±", "")), 1.2 * size * rounding(text))
+        for text, unit in pairs
+        for size in [PINT.Quantity(1.0, UNITS[unit][0] if unit in UNITS else unit).to_base_units().magnitude]
+    )
+    assert abs(value - other) <= slack + more, pairs
+
+
+# Columns of tables, whose heads have the units
+
+
+def columns(sections: list[Section]) -> Iterator[tuple[str, str, list[str]]]:
+    """Yield head, unit and cells of every column that has a unit; the next ones of a ring have that of the first."""
+    for block in (block for section in sections for block in section.blocks if isinstance(block, Table)):
+        for at, head in enumerate(block.heads):
+            found = re.search(r"\[(.*)\]", head)
+            if found and found[1] not in ("deg", "10^6 rev"):
+                yield head, found[1], [str(row[at]).partition(",")[0] for row in block.rows if len(row) > at]
+
+
+def sections_in(units: str, made: Callable[[], list[Section]]) -> list[Section]:
+    with read_in(units):
+        return made()
+
+
+@pytest.mark.slow
+def test_columns_are_converted_with_their_heads() -> None:
+    contact, nu206 = solved(read_case(CASE)), read_bearing(EXAMPLES / "nu206.toml")
+    strips, slices = nu206.solve("strips"), nu206.solve("slices")
+    largest, text = largest_stresses(contact), CASE.read_text(encoding="utf-8")
+    for load in (9e3, 5e3):
+        text += f"[[life.spectrum]]\nload = {load}\ntilt = 1e-4\nshare = 0.5\n"
+    spectrum = Case.of(parsed(text, "case.toml"), CASE)
+    lives = assessed(spectrum, spectrum_solved(spectrum), models_for(spectrum, ("iso-16281",))[0])
+    seen = 0
+    for made in (
+        lambda: stresses.sections(contact, *largest, ()),
+        lambda: of_bearing.sections(nu206, strips, *nu206.rated(strips)),
+        lambda: of_bearing.compared_sections(nu206, strips, slices),
+        lambda: life_sections(lives),
+    ):
+        for (_, unit, cells), (_, other, converted) in zip(
+            *(columns(sections_in(units, made)) for units in ("si", "us")), strict=True
+        ):
+            for one, two in zip(cells, converted, strict=True):
+                assert bool(one) == bool(two)
+                if one:
+                    assert_same((one.removeprefix("+-"), unit), (two.removeprefix("+-"), other))
+                    seen += 1
+    assert seen > 120
+
+
+# Figures
+
+INCH, KSI, POUND = 25.4, 1e3 * 4.4482216152605 / 25.4**2, 4.4482216152605
+#: What labels of axes end in, and the sizes of these units in those of SI figures: mm, µm, MPa, kN.
+SIZES = {"[in]": INCH, "[µin]": 1e-3 * INCH, "[ksi]": KSI, "[lbf]": 1e-3 * POUND}
+MANTISSAS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
+
+
+def ticks(figure: Figure) -> list[tuple[str, list[tuple[float, float]]]]:
+    """Return label, and place and number of every tick that is seen, of each axis that has a unit."""
+    figure.draw_without_rendering()
+    found = []
+    for axes in figure.axes:
+        for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
+            if not axis.get_label_text().endswith("]"):
+                continue
+            seen = [
+                (place, tick.label1.get_text() or tick.label2.get_text())
+                for tick, place in zip(axis.get_major_ticks(), axis.get_majorticklocs(), strict=False)
+                if min(low, high) <= place <= max(low, high)
+            ]
+            numbers = [(place, float(text.replace("−", "-"))) for place, text in seen if text]
+            found.append((axis.get_label_text(), numbers))
+    return found
+
+
+def figures_in(units: str) -> dict[str, Figure]:
+    """Return figures of a contact and of a bearing."""
+    with read_in(units):
+        solution = solved(read_case(CASE))
+        found = plot.figures(solution) | plot.stress_figures(solution, *largest_stresses(solution))
+        others = plot.bearing_figures(read_bearing(EXAMPLES / "nu206.toml").solve())
+        return found | {f"bearing-{name}": figure for name, figure in others.items()}
+
+
+@pytest.fixture(scope="module", name="figures")
+def figures_once() -> dict[str, Figure]:
+    return figures_in("us")
+
+
+@pytest.fixture(scope="module", name="usual")
+def usual_once() -> dict[str, Figure]:
+    return figures_in("si")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("pressure", "footprint", "profile", "axial-plane", "cross-section"),
+        *("bearing-pressure", "bearing-roller", "bearing-displacement"),
+    ],
+)
+def test_ticks_are_round_and_where_they_say(figures: dict[str, Figure], usual: dict[str, Figure], name: str) -> None:
+    found = ticks(figures[name])
+    assert len(found) >= 2
+    for (label, places), (_, before) in zip(found, ticks(usual[name]), strict=True):
+        assert any(label.endswith(unit) for unit in SIZES), label
+        for place, number in [*places, *before]:
+            assert place == pytest.approx(number, rel=1e-9, abs=1e-9), label
+        step = min(np.diff(sorted(number for _, number in places)))
+        assert step / 10.0 ** math.floor(math.log10(step) + 1e-9) == pytest.approx(
+            min(MANTISSAS, key=lambda each: abs(each - step / 10.0 ** math.floor(math.log10(step) + 1e-9)))
+        ), label
+
+
+@pytest.mark.slow
+def test_what_is_drawn_is_what_is_drawn_in_si_units(figures: dict[str, Figure], usual: dict[str, Figure]) -> None:
+    compared = 0
+    for name, figure in figures.items():
+        for axes, before in zip(figure.axes, usual[name].axes, strict=True):
+            if axes.name == "polar":
+                continue
+            for axis, get in (("x", "get_xdata"), ("y", "get_ydata")):
+                label = getattr(axes, f"get_{axis}label")()
+                size = next((size for unit, size in SIZES.items() if label.endswith(unit)), None)
+                through_data = [
+                    pair
+                    for pair in zip(axes.lines, before.lines, strict=True)
+                    if pair[0].get_transform() == axes.transData
+                ]
+                for line, other in through_data if size else []:
+                    there = np.asarray(getattr(other, get)(), dtype=float)
+                    np.testing.assert_allclose(size * np.asarray(getattr(line, get)()), there, rtol=1e-9, atol=1e-12)
+                    compared += 1
+    assert compared > 20
+
+
+def test_contours_are_labelled_with_round_numbers(figures: dict[str, Figure]) -> None:
+    contours = [each for each in figures["cross-section"].findobj(ContourSet) if each.labelTexts]
+    assert contours
+    for lines in contours:
+        assert all(abs(level - round(level)) < 1e-9 for level in lines.levels)
+        assert {float(text.get_text()) for text in lines.labelTexts} <= {float(f"{each:.4g}") for each in lines.levels}
+
+
+def test_rings_of_loads_are_round(figures: dict[str, Figure]) -> None:
+    axes = next(each for each in figures["bearing-loads"].axes if each.name == "polar")
+    rings = [text for text in axes.texts if re.fullmatch(r"\d+ lbf", text.get_text()) and text.get_position()[1] > 0.0]
+    assert len(rings) >= 2
+    for text in rings:
+        number = float(text.get_text().removesuffix(" lbf"))
+        assert text.get_position()[1] == pytest.approx(number)
+        assert number % 50.0 == 0.0
+
+
+def test_no_unit_of_a_figure_is_left(figures: dict[str, Figure]) -> None:
+    for name, figure in figures.items():
+        for text in figure.findobj(Text):
+            assert not re.search(r"(?<![\w/])(mm|um|µm|MPa|kN|N)(?![\w])", text.get_text()), (name, text.get_text())
+
+
+# Files
+
+
+@pytest.mark.slow
+def test_figures_of_files_stay_in_si(tmp_path: Path) -> None:
+    for units in ("si", "us"):
+        assert main(["stress", str(CASE), "--out", str(tmp_path / units), "--units", units]) == 0
+    for path in (tmp_path / "si").iterdir():
+        assert (tmp_path / "us" / path.name).read_bytes() == path.read_bytes()
+
+
+@pytest.mark.slow
+def test_the_files_in_a_report_stay_in_si() -> None:
+    def files(page: str) -> list[str]:
+        return re.findall(r'<ul class="files">.*?</details>', page, re.DOTALL)
+
+    cases = [read_case(CASE)]
+    us, si = compose(cases, units="us", stress=False), compose(cases, stress=False)
+    assert files(us) == files(si)
+    assert "Units are in, lbf, ksi and rad" in us
+    assert "Units are mm" not in us
+
+
+@pytest.mark.slow
+def test_what_the_user_wrote_stays(tmp_path: Path) -> None:
+    text = CASE.read_text(encoding="utf-8").replace("Roller 15 x 20 on a ring of 80", "Roller 20 mm, 5 kN")
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    case = read_case(tmp_path / "case.toml")
+    page = compose([case], units="us", stress=False)
+    assert page.count("Roller 20 mm, 5 kN") == compose([case], stress=False).count("Roller 20 mm, 5 kN") > 1
+    assert "<small>written 15 kN</small>" in page
+
+
+def test_a_table_of_several_cases_stays_in_si(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for units in ("si", "us"):
+        cases = [str(EXAMPLES / f"{name}.toml") for name in ("crowned-roller", "roller-15x20")]
+        assert main(["solve", *cases, "--out", f"{units}.csv", "--units", units]) == 0
+    assert Path("us.csv").read_text("utf-8") == Path("si.csv").read_text("utf-8")
+    assert "mm wide" in Path("us.csv").read_text("utf-8")
