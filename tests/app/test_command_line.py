@@ -130,42 +130,6 @@ def test_json_has_null_where_a_number_is_infinite(case: str, capsys: pytest.Capt
     assert estimate["load"] == 0.0
 
 
-def test_approach_and_moment_can_be_prescribed(case: str, capsys: pytest.CaptureFixture[str]) -> None:
-    text = CASE.replace("load = 20000.0", 'approach = "30 um"').replace("tilt = 0.0005", 'moment = "10 N m"')
-    Path(case).write_text(text, encoding="utf-8")
-    assert main(["solve", case, "--json"]) == 0
-    result = parsed(capsys.readouterr().out)
-    assert result["approach"] == 0.03
-    assert result["moment"] == pytest.approx(10000.0, rel=1e-9)
-
-
-def test_element_and_strips_reach_the_solver(case: str, capsys: pytest.CaptureFixture[str]) -> None:
-    text = CASE.replace('"semi-elliptic"', '"parabolic"').replace('"auto"', "41")
-    Path(case).write_text(text, encoding="utf-8")
-    assert main(["solve", case, "--json"]) == 0
-    result = parsed(capsys.readouterr().out)
-    assert (result["element"], result["strips"], len(result["y"])) == ("parabolic", 41, 41)
-
-
-def test_what_makes_a_body_finite_reaches_the_solver(case: str, capsys: pytest.CaptureFixture[str]) -> None:
-    finite = 'side_faces = ["calibrated", 1.2]\nimages = 3\ndepth = "0.8 cm"'
-    text = CASE.replace('side_faces = "none"', finite, 1).replace('depth = "none"', "", 1)
-    Path(case).write_text(text, encoding="utf-8")
-    assert main(["solve", case, "--json"]) == 0
-    result = parsed(capsys.readouterr().out)
-    roller = nh.Roller(
-        diameter=20,
-        length=20,
-        profile=nh.profile.crown(radius=4000),
-        side_faces=("calibrated", 1.2),
-        images=3,
-        depth=8,
-    )
-    expected = nh.solve(nh.Contact(roller, nh.Plate()), load=20000.0, tilt=0.0005)
-    assert result["approach"] == expected.approach
-    np.testing.assert_array_equal(result["centre_pressure"], expected.centre_pressure)
-
-
 @pytest.mark.slow
 def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["solve", case, "--out", "new/results", "--json"]) == 0
@@ -291,25 +255,6 @@ def test_templates_solve_without_a_warning(
     found = parsed(capsys.readouterr().out)
     assert found["warnings"] == []
     assert len(found["contact_y"]) == 1
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (("--template", "needles"), "--template = 'needles' must be one of"),
-        (
-            ("--template", "cam", "--bearing"),
-            "--template = 'cam' must be one of 'cylindrical', 'needle', 'tapered-pair'",
-        ),
-        (("--template", "cam", "--plan"), "--template = 'cam' must not be given with --plan"),
-        (("--plan", "--bearing"), "--plan must not be given with --bearing"),
-    ],
-)
-def test_templates_that_there_are_not(
-    words: tuple[str, ...], sentence: str, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert main(["new", *words]) == 2
-    assert sentence in capsys.readouterr().err
 
 
 def test_a_plan_to_start_from_is_fine(
@@ -502,28 +447,6 @@ def test_the_module_is_the_command(case: str) -> None:
     assert parsed(run.stdout)["status"] == "converged"
     command = [sys.executable, "-m", "nonhertz", "check", "nowhere.toml"]
     assert subprocess.run(command, capture_output=True, check=False, env=environment()).returncode == 2
-
-
-@pytest.mark.skipif(os.name != "posix", reason="Windows says otherwise that a pipe has no reader")
-@pytest.mark.slow
-def test_a_reader_that_stops_reading_is_met_with_silence(case: str) -> None:
-    command = [sys.executable, "-m", "nonhertz", "solve", case, "--json"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()) as process:
-        assert process.stdout is not None
-        assert process.stderr is not None
-        process.stdout.close()
-        assert process.stderr.read() == b""
-        assert process.wait() == 141
-
-
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a full disk, which Linux lends")
-@pytest.mark.slow
-def test_a_full_disk_is_one_sentence(case: str) -> None:
-    command = [sys.executable, "-m", "nonhertz", "solve", case]
-    with Path("/dev/full").open("w") as full:
-        run = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False, env=environment())
-    assert run.returncode == 3
-    assert run.stderr == "The output could not be written: No space left on device.\n"
 
 
 @pytest.mark.slow

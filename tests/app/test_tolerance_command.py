@@ -47,21 +47,3 @@ def test_a_plan_is_studied(folder, capsys):
     assert next(each["path"] for each in kept["indices"]["max_pressure"]) == "load.load"
     # Too few samples for the interval of 1 %: there is no infinity in JSON.
     assert kept["quantiles"]["max_pressure"][0]["low"] is None
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (["roller.toml", "--over", "load.load=5kN,6kN"], "must be a distribution"),
-        (["roller.toml", "--over", "load.load=normal(nominal,1kN)", "--samples", "0"], "--samples = 0 must be"),
-        (["roller.toml"], "--over must vary something: say how a path of the case is distributed, such as"),
-        (["plan.toml", "--over", "load.load=normal(1kN,1N)"], "write it into the plan"),
-    ],
-)
-def test_a_mistake_ends_in_one_sentence_and_leaves_nothing(folder, capsys, words, sentence):
-    before = sorted(folder.iterdir())
-    assert main(["tolerance", *words]) == 2
-    captured = capsys.readouterr()
-    assert captured.err.count("\n") == 1
-    assert sentence in captured.err
-    assert sorted(folder.iterdir()) == before

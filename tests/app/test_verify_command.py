@@ -51,14 +51,6 @@ def test_a_section_is_printed_and_written(capsys: pytest.CaptureFixture[str]) ->
     assert "`nonhertz verify --out DIR --only half-space`" in page
 
 
-@pytest.mark.slow
-def test_json_is_one_list_and_nothing_else(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["verify", "--only", "half-space", "--json", "--out", "page"]) == 0
-    printed = capsys.readouterr()
-    assert printed.err == ""
-    assert json.loads(printed.out) == json.loads(Path("page/verify.json").read_text(encoding="utf-8"))
-
-
 def test_sections_run_in_reading_order(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     let_it_fail(monkeypatch)
     assert main(["verify", "--only", "edge-exponents", "half-space", "--json"]) == 1
@@ -77,27 +69,6 @@ def test_a_failed_check_is_told_by_the_exit_code(
     page = Path("page/validation.md").read_text(encoding="utf-8")
     assert "| two | counting | 3 | 2 | -3.3e-1 | 1e-6 | FAIL |" in page
     assert main(["verify", "--only", "half-space", "--json"]) == 1
-
-
-def test_an_unknown_section_is_answered_with_the_known_ones(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["verify", "--only", "half-space", "nonsense", "--out", "page"]) == 2
-    printed = capsys.readouterr()
-    assert printed.out == ""
-    assert printed.err == (f"--only = 'nonsense' must be a section: choose from {', '.join(CATALOGUE)}.\n")
-    assert not Path("page").exists()
-
-
-def test_a_file_in_the_place_of_the_directory_is_refused_before_anything_runs(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: pytest.fail("it ran"))
-    Path("page").write_text("mine", encoding="utf-8")
-    assert main(["verify", "--only", "half-space", "--out", "page"]) == 2
-    printed = capsys.readouterr()
-    assert printed.out == ""
-    assert len(printed.err.splitlines()) == 1
-    assert "must be a directory, not a file" in printed.err
-    assert Path("page").read_text(encoding="utf-8") == "mine"
 
 
 @pytest.mark.parametrize("out", ["file/below", "new/page"])
@@ -132,20 +103,6 @@ def test_a_directory_is_tried_without_a_trace(monkeypatch: pytest.MonkeyPatch) -
     for out in ("old", "new/page"):
         assert main(["verify", "--only", "half-space", "--out", out]) == 3
     assert seen == [["old", str(Path("old/notes.txt"))]] * 2
-
-
-def test_a_terminal_sees_what_is_being_done(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    let_it_fail(monkeypatch)
-    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
-    main(["verify", "--only", "half-space", "--json"])
-    assert "1/1 half-space ..." in capsys.readouterr().err
-
-
-def test_help_says_what_it_costs(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["verify", "--help"]) == 0
-    assert "two minutes" in " ".join(capsys.readouterr().out.split())
 
 
 def test_the_documentation_lists_every_section() -> None:

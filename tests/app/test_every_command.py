@@ -1,0 +1,224 @@
+"""What all commands do alike: they refuse in a sentence, leave nothing half done, and say what they are doing."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from crowned_roller import CASE
+from few_rollers import SIX, changed
+
+import nonhertz as nh
+import nonhertz.cli.stress
+import nonhertz.comparison.methods
+import nonhertz.report.layout
+import nonhertz.solver.one
+import nonhertz.verify.half_space
+from nonhertz.cli import main
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.verify import CATALOGUE
+from nonhertz.verify.claim import Claim
+
+CELLS = ("--cells", "24", "48")
+QUICK = ("--model", "iso-16281")
+TOLERANCE = """
+case = "case.toml"
+[tolerance]
+"load.load" = "normal(nominal, 1 kN)"
+"""
+#: Commands that solve, with as little as they need.
+SOLVING = {
+    "solve": ("solve", "case.toml"),
+    "stress": ("stress", "case.toml"),
+    "life": ("life", "case.toml", *QUICK),
+    "compare": ("compare", "case.toml", *CELLS),
+    "bearing": ("bearing", "sliced.toml"),
+}
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    six = changed(SIX, ('clearance = "12 um"\n', ""))
+    texts = {"case": CASE, "six": six, "sliced": f'{six}[solver]\nmethod = "slices"\n', "plan": TOLERANCE}
+    texts["broken"] = "[bearing\n"
+    for name, text in texts.items():
+        Path(f"{name}.toml").write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+def instead_of_solving(monkeypatch: pytest.MonkeyPatch, act: Any) -> None:
+    for module in (nonhertz.solver.one, nonhertz.comparison.methods):
+        monkeypatch.setattr(module, "solve", act)
+    monkeypatch.setattr(BearingCase, "solve", act)
+
+
+REFUSED = [
+    ("new --template needles", "--template = 'needles' must be one of"),
+    ("new --template cam --bearing", "--template = 'cam' must be one of 'cylindrical', 'needle', 'tapered-pair'"),
+    ("new --template cam --plan", "--template = 'cam' must not be given with --plan"),
+    ("new --plan --bearing", "--plan must not be given with --bearing"),
+    ("compare case.toml --cells 3 3", "--cells = (3, 3) must be whole numbers of at least 4: "),
+    ("compare case.toml --cells 200000 200000", "--cells = (200000, 200000) must need less than the "),
+    ("compare case.toml --cells 10", 'Command "compare" parameter --cells requires 2 positional arguments'),
+    ("compare case.toml --cells a b", "Invalid value for --cells"),
+    (
+        "life case.toml --model zaretzky",
+        "--model = 'zaretzky' must be a fatigue model: choose from lundberg-palmgren",
+    ),
+    ("life case.toml --compare nothing.toml", "nothing.toml must exist: "),
+    ("stress case.toml --station nan", "--station = nan must be finite: give a position along the contact in mm."),
+    ("stress case.toml --station -inf", "--station = -inf must be finite: "),
+    ("stress case.toml --station middle", "Invalid value for --station"),
+    ("stress case.toml --body c", "--body = 'c' must be one of the two bodies: write a or b."),
+    ("map case.toml", "--load must be given where --approach is not"),
+    ("map case.toml --load 0:1kN --approach 0:1um", "must be given where --approach is not"),
+    ("map case.toml --load 1kN", "--load = '1kN' must be a range"),
+    ("map case.toml --load 2kN:1kN", "--load = '2kN:1kN' must ascend"),
+    ("map case.toml --load 0:1um", "--load = '1um' must have a unit of force"),
+    ("map case.toml --load 0:1", "--load = '1' must have a unit: append a unit, such as 1N"),
+    ("map case.toml --load 0:1kN:1", "must have a whole number from 2"),
+    ("map case.toml --load 0:1kN:many", "must have a whole number from 2"),
+    ("map case.toml --load 0:1kN --tilt 2", "--tilt = '2' must have a unit"),
+    ("map case.toml --load 0:1kN --tilt 2rad", "--tilt = 2.0 must hold small angles"),
+    ("map case.toml --load 0:1kN --accuracy 0", "--accuracy = 0.0 must be positive"),
+    ("map case.toml --load 0:1kN --out k.txt", "--out = 'k.txt' must be a file ending in .csv, "),
+    ("map case.toml --load 0:1kN --out case.toml/k.csv", "--out = 'case.toml' must be a directory, not a file"),
+    ("map case.toml --approach -9um:-5um", "--approach = -0.005 must exceed"),
+    (
+        "sweep case.toml --over load.laod=1kN:2kN:3",
+        "--over load.laod = 'load.laod' must be a path to a value",
+    ),
+    ("sweep case.toml --over load.load", "must have an equals sign between path and values"),
+    ("sweep case.toml --over load.load=2kN:1kN:3", "must ascend"),
+    ("sweep case.toml --over load.load=5", "--over load.load = '5' must have a unit: append a unit, such as 5N."),
+    ("sweep case.toml --over load.load=1kN,2kN --quantities presure", "the nearest is"),
+    ("sweep case.toml --over load.load=1kN,2kN --workers 0", "--workers = 0 must"),
+    ("sweep case.toml", "--over must vary something: say what a path of the case runs over, such as"),
+    ("sweep case.toml --over load.load=-1N,2kN", "must stay within what the case allows (at -1.0000 N: load.load"),
+    ("tolerance case.toml --over load.load=5kN,6kN", "must be a distribution"),
+    ("tolerance case.toml --over load.load=normal(nominal,1kN) --samples 0", "--samples = 0 must be"),
+    ("tolerance case.toml", "--over must vary something: say how a path of the case is distributed, such as"),
+    ("tolerance plan.toml --over load.load=normal(1kN,1N)", "write it into the plan"),
+    (
+        "verify --only half-space nonsense",
+        f"must be a section: choose from {', '.join(CATALOGUE)}.",
+    ),
+    ("report", "CASE = '' must be given: "),
+    ("bearing six.toml --contact 7 inner", "--contact = 7 must be a whole number from 0 to 5"),
+    ("bearing six.toml --contact 3 inner", "--contact = 3 must be a roller that the inner ring loads"),
+    ("bearing six.toml --contact 0 middle", "--contact = 'middle' must be one of 'inner', 'outer'"),
+    ("bearing six.toml --contact 0 inner --json", "must be given without --compare, --json and --out"),
+    ("bearing broken.toml", "broken.toml must be valid TOML: "),
+    ("bearing nowhere.toml", "nowhere.toml must exist: give the path of a bearing file, or begin with one from"),
+    ("bearing case.toml", "case.toml must hold a bearing, not a single contact: use 'nonhertz solve case.toml'."),
+    *(
+        (f"{command} six.toml", "six.toml must hold a single contact, not a bearing: use 'nonhertz bearing six.toml'.")
+        for command in ("solve", "compare", "stress", "life", "map --load 0:1kN")
+    ),
+    ("serve --port -1 --no-browser", "must lie between 0 and 65535"),
+    ("serve --port 65536 --no-browser", "must lie between 0 and 65535"),
+    (
+        "schema cases",
+        "KIND = 'cases' must be a kind of file that has a schema: choose from case, ",
+    ),
+]
+
+
+@pytest.mark.parametrize(("words", "sentence"), REFUSED, ids=[words for words, _ in REFUSED])
+def test_what_cannot_be_is_refused_in_a_sentence(
+    words: str, sentence: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = sorted(folder.rglob("*"))
+    assert main(words.split()) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    (line,) = printed.err.splitlines()
+    assert sentence in line
+    assert sorted(folder.rglob("*")) == before
+
+
+@pytest.mark.parametrize("words", [*SOLVING.values(), ("bearing", "six.toml", "--compare"), ("verify",)], ids=" ".join)
+def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if words[0] != "solve":  # one case alone is solved first
+        instead_of_solving(monkeypatch, lambda *_, **__: pytest.fail("it ran"))
+    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: pytest.fail("it ran"))
+    assert main([*words, "--out", "plan.toml"]) == 2
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith("--out = 'plan.toml' must be a directory, not a file")
+    assert Path("plan.toml").read_text(encoding="utf-8") == TOLERANCE
+
+
+@pytest.mark.parametrize("words", [*SOLVING.values(), ("report", "case.toml", "--no-stress")], ids=" ".join)
+@pytest.mark.slow
+def test_nothing_is_left_behind_when_drawing_fails(
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise RuntimeError("the pen broke")
+
+    monkeypatch.setattr("nonhertz.plot.sheets.save", fail)
+    monkeypatch.setattr(nonhertz.report.layout, "image", fail)
+    assert main([*words, "--out", "new/report.html" if words[0] == "report" else "new/folder"]) == 3
+    assert capsys.readouterr().out == ""
+    assert not Path("new").exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *(words for name, words in SOLVING.items() if name != "solve"),  # which shows the state in which it stopped
+        ("bearing", "six.toml", "--compare"),
+        ("bearing", "six.toml", "--json"),
+    ],
+    ids=" ".join,
+)
+def test_without_a_solution_there_is_a_sentence_and_no_file(
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stop(*_: object, **__: object) -> None:
+        raise nh.ConvergenceError("It stopped.", None)
+
+    instead_of_solving(monkeypatch, stop)
+    assert main([*words, "--out", "folder"]) == 1
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err in {"It stopped.\n", "On semi-elliptic strips: It stopped.\n"}
+    assert not Path("folder").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (SOLVING["life"], ["1/2 body a ...", "2/2 body b ..."]),
+        (SOLVING["compare"], ["1/3 semi-elliptic strips ...", "3/3 plane grid ..."]),
+        (SOLVING["stress"], ["1/2 whole body ...", "2/2 cross-section ..."]),
+        (("verify", "--only", "half-space"), ["1/1 half-space ..."]),
+    ],
+)
+@pytest.mark.slow
+def test_a_terminal_sees_what_is_being_done(
+    words: tuple[str, ...], said: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    claims = [Claim("two", "counting", 2.0, lambda: 2.0, 1e-6)]
+    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: claims)
+    assert main([*words, "--json"]) == 0
+    shown = capsys.readouterr().err
+    assert all(each in shown for each in said)
+    assert shown.endswith("\r")
+
+
+@pytest.mark.parametrize("name", ["stress", "life", "compare", "bearing"])
+@pytest.mark.slow
+def test_json_is_one_object_and_that_of_the_file(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*SOLVING[name], "--json", "--out", "new/folder"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    file = {"bearing": "result", "compare": "comparison"}.get(name, name)
+    assert json.loads(Path(f"new/folder/{file}.json").read_text(encoding="utf-8")) == json.loads(printed.out)
