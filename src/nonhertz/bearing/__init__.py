@@ -39,12 +39,11 @@ from nonhertz.bearing.mapped import BearingMaps, maps
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.ribs import Rib
 from nonhertz.bearing.shapes import RingShape, fourier_shape, tabulated_shape
-from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.solution import BearingSolution, UnrolledPressure
 from nonhertz.bearing.spectrum import LoadCase, shares_of_revolutions, solve_spectrum
 from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.static import pressure_safety
 from nonhertz.bearing.tables import ForceTable, table
-from nonhertz.bearing.unrolled import UnrolledPressure
 from nonhertz.bearing.verb import solve, solve_many
 
 __all__ = [

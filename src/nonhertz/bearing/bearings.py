@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import accumulate
 from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -715,12 +716,20 @@ class Row:
         Whether it is turned round, so that it bears axial loads along -x, and y of its profiles goes along -x.
     clearance : float
         Axial clearance beside its own, of the ring against this row [mm].
+    first : int
+        How many rollers of the bearing are in the rows before.
     """
 
     bearing: RollerBearing
     x: float = 0.0
     turned: bool = False
     clearance: float = 0.0
+    first: int = 0
+
+    @property
+    def rollers(self) -> slice:
+        """Its rollers among those of all rows, which follow one another."""
+        return slice(self.first, self.first + self.bearing.rollers)
 
     @property
     def ring_motion(self) -> Array:
@@ -809,8 +818,9 @@ class Paired:
     @property
     def rows(self) -> tuple[Row, ...]:
         """The rows in their places."""
-        both = zip(self.bearings, self.x, self.turned, strict=True)
-        return tuple(Row(each, x, way, 0.5 * self.clearance) for each, x, way in both)
+        firsts = accumulate((each.rollers for each in self.bearings[:-1]), initial=0)
+        rows = zip(self.bearings, self.x, self.turned, firsts, strict=True)
+        return tuple(Row(each, x, way, 0.5 * self.clearance, first) for each, x, way, first in rows)
 
 
 @described()

@@ -40,7 +40,6 @@ from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.laminae import singular_ends
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.bearing.unrolled import row_slices
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import one_of
@@ -190,8 +189,8 @@ def volume_life(
     of_rows: list[Array] = []
     even: list[Array] = []
     steep = 0.0
-    for row, these in zip(solution.bearing.rows, row_slices(solution.bearing), strict=True):
-        seen = _Seen(solution, range(these.start, these.stop), field)
+    for row in solution.bearing.rows:
+        seen = _Seen(solution, range(row.rollers.start, row.rollers.stop), field)
         calibrated = Calibration(row.bearing, rated or rating(row.bearing), chosen)
         for lives, ideal in ((of_rows, False), (even, True)):
             lives.append(calibrated.lives(seen.densities(chosen, ideal=ideal), RINGS.index(turning)))

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonhertz.bearing.section import MOTIONS
-from nonhertz.bearing.unrolled import row_slices
 from nonhertz.result.data import library
 
 if TYPE_CHECKING:
@@ -31,15 +30,12 @@ STATE_UNITS = {
 def contact_frame(solution: BearingSolution) -> pd.DataFrame:
     """Return a row for each roller and ring; see `BearingSolution.to_dataframe`."""
     pandas = library("pandas", "to_dataframe")
-    rows = np.concatenate(
-        [np.full(these.stop - these.start, row) for row, these in enumerate(row_slices(solution.bearing))]
-    )
-    within = np.concatenate([np.arange(these.stop - these.start) for these in row_slices(solution.bearing)])
+    counts = [row.bearing.rollers for row in solution.bearing.rows]
     unknown = np.full(solution.load.shape, np.nan)
     stripped = solution.method == "strips"
     columns: dict[str, Any] = {
-        "row": np.repeat(rows, 2),
-        "roller": np.repeat(within, 2),
+        "row": np.repeat(np.arange(len(counts)), 2 * np.array(counts)),
+        "roller": np.repeat(np.concatenate([np.arange(count) for count in counts]), 2),
         "angle": np.repeat(solution.angle, 2),
         "ring": list(RINGS) * solution.angle.size,
         **{name: getattr(solution, name).ravel() for name in ("load", "moment", "approach", "tilt", "contact_angle")},

@@ -28,7 +28,6 @@ from nonhertz.bearing.lubrication import MOST_FACTOR, life_factor
 from nonhertz.bearing.ratings import Rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import standard_slices
-from nonhertz.bearing.unrolled import row_slices
 from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of
 from nonhertz.result.solution import SingularEnd
 
@@ -47,7 +46,7 @@ def singular_ends(solution: BearingSolution) -> set[SingularEnd]:
 def lamina_means(solution: BearingSolution, laminae: int, edge_stress: str, turning: str) -> list[Array]:
     """Return q_e of every lamina [N] of both rings, shape (2, laminae), for each row."""
     suffered = _suffered(solution, laminae, edge_stress)
-    return [mean_over_rollers(suffered[these], turning) for these in row_slices(solution.bearing)]
+    return [mean_over_rollers(suffered[row.rollers], turning) for row in solution.bearing.rows]
 
 
 def mean_over_rollers(suffered: Array, turning: str) -> Array:
@@ -92,16 +91,16 @@ def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Arra
     """Return f q of every lamina [N], shape (rollers, 2, laminae)."""
     found = np.zeros((*solution.load.shape, laminae))
     if solution.method == "slices":
-        for row, these in zip(solution.bearing.rows, row_slices(solution.bearing), strict=True):
-            slices = standard_slices(row.bearing, laminae)
+        for row in solution.bearing.rows:
+            slices, these = standard_slices(row.bearing, laminae), row.rollers
             loads = slices.loads(solution.approach[these].ravel(), solution.tilt[these].ravel())
             found[these] = loads.reshape(found[these].shape)
         found *= edge_function(laminae) if edge_stress == "standard" else 1.0
         return np.where(solution.load[..., None] > 0.0, found, 0.0)
     model = iso_16281(laminae=laminae, edge_stress=edge_stress)
     known: dict[int, Array] = {}
-    for row, these in zip(solution.bearing.rows, row_slices(solution.bearing), strict=True):
-        for j, k in itertools.product(range(these.start, these.stop), range(len(RINGS))):
+    for row in solution.bearing.rows:
+        for j, k in itertools.product(range(row.rollers.start, row.rollers.stop), range(len(RINGS))):
             contact = solution.contact(j, RINGS[k])
             if contact is None:
                 continue

@@ -16,7 +16,6 @@ from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.frames import RINGS, contact_frame
 from nonhertz.bearing.ribs import RibContact
-from nonhertz.bearing.unrolled import POINTS, UnrolledPressure, loaded_shares, row_slices
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, finding, sentences
 from nonhertz.hertz import PointContact
@@ -31,8 +30,35 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+POINTS = 401  # along a roller
 _SAME = 1e-9  # of the largest approach
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class UnrolledPressure(ReadOnly):
+    """The centre-line pressure between the rollers of a row and one of its rings.
+
+    Attributes
+    ----------
+    ring : {"inner", "outer"}
+        Which ring.
+    row : int
+        Which row of rollers, from 0.
+    angle : ndarray, shape (rollers,)
+        Where the rollers are [rad].
+    y : ndarray, shape (n,)
+        Places along the rollers' profiles [mm].
+    pressure : ndarray, shape (rollers, n)
+        Pressure on the line x = 0 [MPa], as `Solution.pressure` interpolates it: zero out of contact, and in a strip at
+        a singular end not a converged value.
+    """
+
+    ring: str
+    row: int
+    angle: Array
+    y: Array
+    pressure: Array
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -212,7 +238,7 @@ class BearingSolution(ReadOnly):
             If there is no such roller.
         """
         roller = whole("roller", roller, 0, self.angle.size - 1, "count from 0")
-        row = next(k for k, these in enumerate(row_slices(self.bearing), start=1) if roller < these.stop)
+        row = next(k for k, row in enumerate(self.bearing.rows, start=1) if roller < row.rollers.stop)
         among = f", row {row}" if len(self.bearing.rows) > 1 else ""
         return f"roller {roller} at {np.degrees(self.angle[roller]):.1f} degrees{among}"
 
@@ -268,11 +294,11 @@ class BearingSolution(ReadOnly):
     def _ribs(self) -> list[tuple[Array, RibContact]]:
         """Return every rib that bears loads, with that on each roller, which is zero on those of other rows."""
         found = []
-        for row, these in zip(self.bearing.rows, row_slices(self.bearing), strict=True):
+        for row in self.bearing.rows:
             # Slices know no ribs of tapered rows.
-            for rib, loads in zip(row.bearing.rib_contacts, self.rib_loads[these].T, strict=False):
+            for rib, loads in zip(row.bearing.rib_contacts, self.rib_loads[row.rollers].T, strict=False):
                 on_all = np.zeros(self.angle.size)
-                on_all[these] = loads
+                on_all[row.rollers] = loads
                 found.append((on_all, rib))
         return found
 
@@ -283,7 +309,7 @@ class BearingSolution(ReadOnly):
         for row in self.bearing.rows:
             # Those on both sides of a load are the same.
             known: dict[tuple[int, int, int], Solution] = {}
-            for j in range(len(solutions), len(solutions) + row.bearing.rollers):
+            for j in range(row.rollers.start, row.rollers.stop):
                 solutions.append([])
                 for k, contact in enumerate(row.bearing.contacts):
                     if not self.load[j, k] > 0.0:
@@ -336,7 +362,7 @@ class BearingSolution(ReadOnly):
             If there is no such row.
         """
         row = whole("row", row, 0, len(self.bearing.rows) - 1, "count the rows from 0")
-        return row_slices(self.bearing)[row]
+        return self.bearing.rows[row].rollers
 
     def unrolled_pressure(self, ring: str = "inner", *, row: int = 0, y: ArrayLike | None = None) -> UnrolledPressure:
         """Return the centre-line pressure of all rollers of a row on one ring, over angle and y.
@@ -429,3 +455,22 @@ def without_rounding(values: Array, weights: Array) -> list[float]:
     sizes = np.abs(values * weights)
     found: list[float] = np.where(sizes > NO_LOAD * sizes.max(), values, 0.0).tolist()
     return found
+
+
+def loaded_shares(bearing: RollerBearing | Paired, load: Array) -> Array:
+    """Return the share of each row's rollers that the inner ring loads.
+
+    Parameters
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    load : ndarray, shape (..., rollers, 2)
+        Loads at the inner and the outer ring [N].
+
+    Returns
+    -------
+    ndarray, shape (..., rows)
+    """
+    # At speed every roller presses on the outer ring; between the rings only these bear load.
+    loaded = load[..., 0] > 0.0
+    return np.stack([loaded[..., row.rollers].mean(axis=-1) for row in bearing.rows], axis=-1)

@@ -12,8 +12,7 @@ from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
 from nonhertz.bearing.frames import state_frame
-from nonhertz.bearing.solution import BearingSolution
-from nonhertz.bearing.unrolled import loaded_shares
+from nonhertz.bearing.solution import BearingSolution, loaded_shares
 from nonhertz.errors import ConvergenceError
 from nonhertz.result.solution import ReadOnly
 

@@ -22,7 +22,6 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.strips import StripLaw, StrippedContact
-from nonhertz.bearing.unrolled import row_slices
 from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.findings import said, warn
 from nonhertz.inputs.checks import thread_count
@@ -278,10 +277,10 @@ class _Setting:
 
 def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], found: States) -> None:
     """Refuse states whose contacts the maps do not hold."""
-    for these, pair in zip(row_slices(bearing), laws, strict=True):
+    for row, pair in zip(bearing.rows, laws, strict=True):
         for k, law in enumerate(pair):
-            approach, tilt = (found.pose[:, these, k, each].ravel() for each in range(2))
-            if not np.all(law.covers(approach, tilt) | (found.load[:, these, k].ravel() == 0.0)):
+            approach, tilt = (found.pose[:, row.rollers, k, each].ravel() for each in range(2))
+            if not np.all(law.covers(approach, tilt) | (found.load[:, row.rollers, k].ravel() == 0.0)):
                 load, turned = float(found.load.max()), float(np.abs(found.pose[..., 1]).max())
                 condition = (
                     f"reach to loads of {newton(load):.4g} and tilts of {turned:.4g} rad, which these states have"
@@ -309,22 +308,20 @@ def _jointed(
 ) -> System:
     """Return the rollers with a law for each raceway of each row, and ribs; as ISO/TS 16281 has them if nominal."""
     joints: list[Joint] = []
-    first, load = 0, load.copy()
+    load = load.copy()
     for row, of_row in zip(bearing.rows, laws, strict=True):
         angle, motions = row.bearing.nominal_angle, row.bearing.raceway_motions
         if nominal:
             # The standard has nothing that holds tapered rollers along their axes: what presses on raceways is left.
             normal = np.array([math.sin(angle), math.cos(angle), 0.0])
-            these = slice(first, first + row.bearing.rollers)
-            load[these] = np.outer(load[these] @ normal, normal)
+            load[row.rollers] = np.outer(load[row.rollers] @ normal, normal)
             # Barrels align themselves; tapered rollers have the contact angle of the bearing at both rings.
             if len(set(row.bearing.contact_angles)) > 1:
                 motions = raceway_motion(angle, inner=True), raceway_motion(angle, inner=False)
         for column, (motion, gap, law) in enumerate(zip(motions, row.gaps, of_row, strict=True)):
-            joints.append(Joint(column == 0, motion, gap, law, column, first))
+            joints.append(Joint(column == 0, motion, gap, law, column, row.first))
         for column, (rib, gap) in enumerate(zip(row.bearing.rib_contacts, row.rib_gaps, strict=True), start=2):
             if not (nominal and angle):
-                joints.append(Joint(rib.ring == "inner", rib.motion, gap, rib.law, column, first))
-        first += row.bearing.rollers
+                joints.append(Joint(rib.ring == "inner", rib.motion, gap, rib.law, column, row.first))
     lever = 0.5 * max(row.bearing.roller_length for row in bearing.rows)
     return System(np.concatenate([row.ring_motion for row in bearing.rows]), tuple(joints), load, lever)

@@ -287,11 +287,10 @@ class BearingCase(HeldCase):
         if not load > 0.0:
             condition = f"be a roller that the {ring} ring loads"
             raise InputError("roller", roller, condition, "choose one within the load zone")
-        numbers = range(len(solution.bearing.rows))
-        row = next(number for number in numbers if roller < solution.rollers_of(number).stop)
+        row = next(each for each in solution.bearing.rows if roller < each.rollers.stop)
         method = "" if solution.method == "strips" else f", by {solution.method}"
         return Case(
-            contact=solution.bearing.rows[row].bearing.contacts[side],
+            contact=row.bearing.contacts[side],
             prescribed={"load": load, "tilt": tilt},
             title=f"{self.title}, roller {roller} on the {ring} ring{method}".removeprefix(", "),
             path=Path(f"{self.path.stem}-{roller}-{ring}.toml"),
