@@ -61,6 +61,9 @@ BARRELS = bearing.SphericalRollerBearing(
     inner_groove=55.0,
     outer_groove=55.0,
 )
+MOUNTING = bearing.Mounting(
+    shaft=bearing.Shaft(diameter=30.0, interference=0.01), housing=bearing.Housing(diameter=62.0)
+)
 LOADED = bearing.solve(ROW, radial=3e3)
 FORCES = bearing.table(ROW, y=[0.0, 0.01], method="slices", checks=1)
 CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=10.0, profile=nh.profile.crown(1000))
@@ -410,24 +413,16 @@ ENTRIES: dict[str, Entry] = {
         outside_diameter=(90.0, "endless"), material=(STEEL, "thing"), expansion=(12e-6, "number?"),
         temperature=(20.0, "number"),
     ),
-    "bearing.axial_expansion": entry(
-        bearing.axial_expansion, bearing=(bearing.paired(ROW, "X", 20.0), "thing"), inner_temperature=(60.0, "number"),
-        outer_temperature=(45.0, "number"), ring_expansion=(12.5e-6, "number?"),
-    ),
-    "bearing.operating_clearance": entry(
-        bearing.operating_clearance, bearing=(ROW, "thing"),
-        shaft=(bearing.Shaft(diameter=30.0, interference=0.01), "thing"),
+    "bearing.Mounting": entry(
+        bearing.Mounting, shaft=(bearing.Shaft(diameter=30.0, interference=0.01), "thing"),
         housing=(bearing.Housing(diameter=62.0), "thing"),
         **dict.fromkeys(("inner_temperature", "roller_temperature", "outer_temperature"), (50.0, "number")),
-        speed=(1e3, "not negative"), ring_expansion=(12e-6, "number?"), roller_expansion=(12e-6, "number?"),
-        ring_density=(7.85e-9, "positive?"),
+        ring_expansion=(12e-6, "number?"), roller_expansion=(12e-6, "number?"), ring_density=(7.85e-9, "positive?"),
     ),
-    "bearing.OperatingClearance.axial": entry(
-        bearing.operating_clearance(
-            ROW, shaft=bearing.Shaft(diameter=30.0), housing=bearing.Housing(diameter=62.0)
-        ).axial,
-        contact_angle=(0.2, "angle"),
-    ),
+    "bearing.Mounting.operating": entry(MOUNTING.operating, bearing=(ROW, "thing"), speed=(1e3, "not negative")),
+    "bearing.Mounting.mounted": entry(MOUNTING.mounted, bearing=(ROW, "thing"), speed=(1e3, "not negative")),
+    "bearing.Mounting.expansion": entry(MOUNTING.expansion, bearing=(bearing.paired(ROW, "X", 20.0), "thing")),
+    "bearing.OperatingClearance.axial": entry(MOUNTING.operating(ROW).axial, contact_angle=(0.2, "angle")),
     "bearing.from_catalogue": entry(
         bearing.from_catalogue, bore=(30.0, "positive"), outside_diameter=(62.0, "positive"), width=(16.0, "positive"),
         dynamic=(44e3, "positive"), static=(36.5e3, "positive"), kind=("cylindrical", "word"),

@@ -26,8 +26,8 @@ TAPER = nh.bearing.TaperedRollerBearing(
 SHAFT, HOUSING = nh.bearing.Shaft(diameter=30.0), nh.bearing.Housing(diameter=62.0)
 
 
-def found(bearing=ROW, *, shaft=SHAFT, housing=HOUSING, **conditions):
-    return nh.bearing.operating_clearance(bearing, shaft=shaft, housing=housing, **conditions)
+def found(bearing=ROW, *, shaft=SHAFT, housing=HOUSING, speed=0.0, **temperatures):
+    return nh.bearing.Mounting(shaft=shaft, housing=housing, **temperatures).operating(bearing, speed)
 
 
 def on_shaft(interference, **changes):

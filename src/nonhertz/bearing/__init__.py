@@ -26,7 +26,7 @@ from nonhertz.bearing.bearings import (
     paired,
 )
 from nonhertz.bearing.catalogue import CatalogueGuess, from_catalogue
-from nonhertz.bearing.clearance import Fit, Housing, OperatingClearance, Shaft, axial_expansion, operating_clearance
+from nonhertz.bearing.clearance import Fit, Housing, Mounting, OperatingClearance, Shaft
 from nonhertz.bearing.fatigue import VolumeLife, volume_life
 from nonhertz.bearing.lubrication import (
     contamination_factor,
@@ -58,6 +58,7 @@ __all__ = [
     "ForceTable",
     "Housing",
     "LoadCase",
+    "Mounting",
     "NeedleRollerBearing",
     "OperatingClearance",
     "Paired",
@@ -72,14 +73,12 @@ __all__ = [
     "UnrolledPressure",
     "VolumeLife",
     "assess",
-    "axial_expansion",
     "contamination_factor",
     "fourier_shape",
     "from_catalogue",
     "life_factor",
     "maps",
     "oil_viscosity",
-    "operating_clearance",
     "paired",
     "pressure_safety",
     "rating",

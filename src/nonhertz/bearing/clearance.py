@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
+from typing import Annotated
 
 from nonhertz.amounts import digits, given, mm, mpa, um
 from nonhertz.bearing.bearings import (
@@ -185,6 +185,29 @@ class Mounting(Input):
     ------
     InputError
         If one of them is out of range.
+
+    Notes
+    -----
+    With one steel for all parts, fits alone give the formulas of bearing makers (recalled from NSK's technical report).
+    Of the interference, the inner raceway grows by k (1 - k_0^2) / (1 - k^2 k_0^2) with k = d / F and k_0 = d_0 / d;
+    the outer one shrinks by h (1 - h_0^2) / (1 - h^2 h_0^2) with h = E / D and h_0 = D / D_H.
+
+    References
+    ----------
+    S. Timoshenko, J. N. Goodier, *Theory of Elasticity*, McGraw-Hill: thick cylinders and rotating discs (recalled).
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0325)
+    >>> mounting = Mounting(shaft=Shaft(diameter=30, interference=0.012), housing=Housing(diameter=62))
+    >>> found = mounting.operating(row)
+    >>> round(found.inner_fit, 5), round(found.clearance, 5), round(found.inner.pressure, 1)
+    (0.0096, 0.0229, 14.9)
+    >>> mounting.mounted(row).clearance == found.clearance
+    True
     """
 
     shaft: Annotated[Shaft, Part("the seat of the inner ring", Shaft, "make one with nonhertz.bearing.Shaft")]
@@ -196,13 +219,22 @@ class Mounting(Input):
     roller_expansion: Annotated[float | None, _of_expansion("rollers")] = None
     ring_density: Annotated[float | None, _of_density("inner ring")] = None
 
-    def operating(self, bearing: RollerBearing, speed: float) -> OperatingClearance:
-        """Return what is left of the clearance of a row at a speed of the inner ring [1/min].
+    def operating(self, bearing: RollerBearing, speed: float = 0.0) -> OperatingClearance:
+        """Return what is left of the clearance of a bearing in operation, and what took how much of it.
+
+        Parameters
+        ----------
+        bearing : RollerBearing
+            The bearing, with the clearance that it has unmounted; of a tapered one its axial clearance counts as a
+            radial one of 2 tan(alpha) times as much.
+        speed : float
+            Of inner ring and shaft [1/min]; outer ring and housing are at rest.
 
         Raises
         ------
         InputError
-            As `operating_clearance`.
+            If the speed is out of range, a seat does not fit the rings, or a warm part's expansion or a turning part's
+            density is neither given nor known.
         """
         angle, unmounted = _check_bearing(bearing)
         _check_rings(bearing, self.shaft, self.housing)
@@ -237,9 +269,25 @@ class Mounting(Input):
         )
 
     def expansion(self, bearing: RollerBearing | Paired) -> float:
-        """Return by how much temperatures widen the clearance between rows of rollers [mm]; 0 of a single row."""
-        if not isinstance(bearing, Paired):
+        """Return by how much temperatures widen the axial clearance between rows of rollers.
+
+        Parameters
+        ----------
+        bearing : RollerBearing or Paired
+            The rows. What lies between their inner rings has the temperature and the expansion of these, and what lies
+            between the outer ones theirs.
+
+        Returns
+        -------
+        float
+            What is to be added to the `clearance` of the pair [mm]: in O expansion times difference of temperatures
+            times distance, in X minus that, and nothing in tandem, where one row gains what the other loses, nor of a
+            single row.
+        """
+        if isinstance(bearing, RollerBearing):
             return 0.0
+        if not isinstance(bearing, Paired):
+            raise InputError("bearing", bearing, "be a bearing", "make one with nonhertz.bearing")
         # Where the inner ring moves towards the side to which a row holds it, away from its rollers.
         apart = sum((row.bears_axially[1] - row.bears_axially[0]) * row.x for row in bearing.rows)
         row = bearing.bearings[0]
@@ -248,8 +296,15 @@ class Mounting(Input):
             inner - _strain("ring_expansion", self.ring_expansion, row.outer.material, self.outer_temperature)
         ) * apart
 
-    def mounted(self, bearing: RollerBearing | Paired, speed: float) -> RollerBearing | Paired:
+    def mounted(self, bearing: RollerBearing | Paired, speed: float = 0.0) -> RollerBearing | Paired:
         """Return a bearing with what is left of its clearance; rows of a pair have the same seats, and move apart warm.
+
+        Parameters
+        ----------
+        bearing : RollerBearing or Paired
+            The bearing, unmounted.
+        speed : float
+            As in `operating`.
 
         Raises
         ------
@@ -341,7 +396,7 @@ class OperatingClearance:
 
     See Also
     --------
-    operating_clearance : finds one
+    Mounting.operating : finds one
     """
 
     unmounted: float
@@ -393,131 +448,6 @@ def _said(name: str, fit: Fit) -> list[str]:
         f"{name} fit: pressure {mpa(fit.mounted_pressure):4} mounted, {mpa(fit.pressure):4} in operation{state}",
         f"{name} ring: hoop stress {mpa(fit.seat_stress):4} at the seat, {mpa(fit.raceway_stress):4} at the raceway",
     ]
-
-
-def operating_clearance(
-    bearing: RollerBearing,
-    *,
-    shaft: Shaft,
-    housing: Housing,
-    inner_temperature: float = REFERENCE,
-    roller_temperature: float = REFERENCE,
-    outer_temperature: float = REFERENCE,
-    speed: float = 0.0,
-    ring_expansion: float | None = None,
-    roller_expansion: float | None = None,
-    ring_density: float | None = None,
-) -> OperatingClearance:
-    """Return the clearance of a bearing in operation, from fits, temperatures and speed.
-
-    Parameters
-    ----------
-    bearing : RollerBearing
-        The bearing, with the clearance that it has unmounted; of a tapered one its axial clearance counts as a radial
-        one of 2 tan(alpha) times as much.
-    shaft, housing : Shaft, Housing
-        The seats, with their fits and temperatures.
-    inner_temperature, roller_temperature, outer_temperature : float
-        Of the bearing's parts [degC].
-    speed : float
-        Of inner ring and shaft [1/min]; outer ring and housing are at rest.
-    ring_expansion, roller_expansion : float, optional
-        Thermal expansion of rings and rollers [1/K], as for a `Shaft`.
-    ring_density : float, optional
-        Of the inner ring [t/mm^3], as for a `Shaft`.
-
-    Returns
-    -------
-    OperatingClearance
-        What is left, and what took how much of it.
-
-    Raises
-    ------
-    InputError
-        If an argument is out of range, a seat does not fit the rings, or a warm part's expansion or a turning part's
-        density is neither given nor known.
-
-    Notes
-    -----
-    With one steel for all parts, fits alone give the formulas of bearing makers (recalled from NSK's technical report).
-    Of the interference, the inner raceway grows by k (1 - k_0^2) / (1 - k^2 k_0^2) with k = d / F and k_0 = d_0 / d;
-    the outer one shrinks by h (1 - h_0^2) / (1 - h^2 h_0^2) with h = E / D and h_0 = D / D_H.
-
-    References
-    ----------
-    S. Timoshenko, J. N. Goodier, *Theory of Elasticity*, McGraw-Hill: thick cylinders and rotating discs (recalled).
-
-    Examples
-    --------
-    >>> import dataclasses
-    >>> import nonhertz as nh
-    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
-    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
-    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0325)
-    >>> shaft, housing = nh.bearing.Shaft(diameter=30, interference=0.012), nh.bearing.Housing(diameter=62)
-    >>> found = operating_clearance(row, shaft=shaft, housing=housing)
-    >>> round(found.inner_fit, 5), round(found.clearance, 5), round(found.inner.pressure, 1)
-    (0.0096, 0.0229, 14.9)
-    >>> mounted = dataclasses.replace(row, clearance=found.clearance)
-    """
-    mounting = Mounting(
-        shaft=shaft,
-        housing=housing,
-        inner_temperature=inner_temperature,
-        roller_temperature=roller_temperature,
-        outer_temperature=outer_temperature,
-        ring_expansion=ring_expansion,
-        roller_expansion=roller_expansion,
-        ring_density=ring_density,
-    )
-    return mounting.operating(bearing, speed)
-
-
-def axial_expansion(
-    bearing: Paired,
-    *,
-    inner_temperature: float = REFERENCE,
-    outer_temperature: float = REFERENCE,
-    ring_expansion: float | None = None,
-) -> float:
-    """Return by how much temperatures widen the axial clearance of rows of rollers, by the distance between them.
-
-    Parameters
-    ----------
-    bearing : Paired
-        The rows. What lies between their inner rings has the temperature and the expansion of these, and what lies
-        between the outer ones theirs.
-    inner_temperature, outer_temperature, ring_expansion
-        As in `operating_clearance`.
-
-    Returns
-    -------
-    float
-        What is to be added to the `clearance` of the pair [mm]: in O expansion times difference of temperatures times
-        distance, in X minus that, and nothing in tandem, where one row gains what the other loses.
-
-    Raises
-    ------
-    InputError
-        If the bearing is no pair, or an argument is out of range.
-
-    Examples
-    --------
-    >>> import nonhertz as nh
-    >>> cone = nh.Roller(diameter=nh.TabulatedDiameter((-6, 6), (11, 10)), length=12)
-    >>> rings = {"inner": nh.Ring(diameter=41), "outer": nh.Ring(diameter=-62.5)}
-    >>> row = nh.bearing.TaperedRollerBearing(roller=cone, **rings, rollers=14, contact_angle=0.2)
-    >>> pair = nh.bearing.paired(row, "O", 40.0)
-    >>> round(axial_expansion(pair, inner_temperature=60, outer_temperature=45), 6)
-    0.0075
-    """
-    if not isinstance(bearing, Paired):
-        raise InputError("bearing", bearing, "be a Paired", "make one with nonhertz.bearing.paired")
-    given: dict[str, Any] = {"inner_temperature": inner_temperature, "outer_temperature": outer_temperature}
-    given |= {} if ring_expansion is None else {"ring_expansion": ring_expansion}
-    # What the seats are does not matter to it.
-    checked = {name: Mounting.descriptions[name].take(name, value) for name, value in given.items()}
-    return Mounting.unchecked(**checked).expansion(bearing)
 
 
 @dataclass(frozen=True)

@@ -57,7 +57,7 @@ class BearingCase(HeldCase):
     spectrum : tuple of LoadCase
         The loads under which life is assessed, in place of what is prescribed; empty if there are none.
     fit : dict
-        Seats and temperatures: keywords for `nonhertz.bearing.operating_clearance` but for the speed, which is that of
+        Seats and temperatures: keywords for `nonhertz.bearing.Mounting`; the speed is that of
         ``prescribed``. The clearance of ``bearing`` is then the one before it is mounted.
     title, path, title_block, origin
         As of `HeldCase`.
@@ -159,7 +159,7 @@ class BearingCase(HeldCase):
         Raises
         ------
         CaseError
-            As `nonhertz.bearing.operating_clearance` does, or if what is left is no clearance that a bearing can have.
+            As `nonhertz.bearing.Mounting.operating` does, or if what is left is no clearance that a bearing can have.
         """
         if not self.fit:
             return self.bearing
