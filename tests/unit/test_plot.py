@@ -32,6 +32,7 @@ from nonhertz.model.corner import Chamfer
 from nonhertz.model.profile import Profile
 from nonhertz.plot.axial import mark_unlimited
 from nonhertz.plot.contact_area import colour_limit
+from nonhertz.plot.overlay import compared_contacts
 from nonhertz.plot.style import INK, SIZE
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.solver.one import solve as solve_one
@@ -290,6 +291,8 @@ class TestPressure:
             assert abs(y) == pytest.approx(9.2, abs=0.05)
             inner = np.abs(solution.y) < 9.1
             assert pressure > 1.05 * solution.centre_pressure[inner].min()
+        beside = [text.get_text() for text in compared_contacts({"one": solution, "other": solution}).axes[0].texts]
+        assert sum(text.startswith("corner, ") for text in beside) == 4
         assert solution.max_pressure > 1500.0
 
     @pytest.mark.parametrize("singular", [False, True])

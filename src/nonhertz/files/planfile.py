@@ -13,7 +13,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, ClassVar
 
-from nonhertz.amounts import digits
+from nonhertz.amounts import amount
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -273,7 +273,7 @@ class Plan(Held):
             try:
                 self.template.case({path: value})
             except CaseError as error:
-                shown = value if isinstance(value, str | bool) else f"{digits(float(value))} {which.unit}".rstrip()
+                shown = value if isinstance(value, str | bool) else str(amount(value, which.unit or ""))
                 condition = f"stay within what the case allows (at {shown}: {error.mistakes[0].rstrip('.')})"
                 raise InputError(path, given, condition, _WAY_OUT) from None
         return spread

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nonhertz.amounts import Amount, given, mm, mrad, newton
+from nonhertz.amounts import Amount, given, mm, mpa, mrad, newton
 from nonhertz.plot.axes import Alignment, key_above, measure, note
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
@@ -102,6 +102,15 @@ def corner_peaks(solution: Solution) -> list[tuple[float, float]]:
         if is_one and at_corner and all(abs(place - end) > 2.0 * near for end in unlimited):
             found.append((place, top))
     return found
+
+
+def mark_corners(solution: Solution, ax: Axes, colour: str = INK) -> None:
+    """Write "corner" and the pressure where it rises again towards an end, on the side of the contact."""
+    middle = 0.5 * sum(axial_range(solution))
+    for y, pressure in corner_peaks(solution):
+        at = float(measure("mm")(y)), float(measure("MPa")(pressure))
+        words = f"corner, {written(mpa(pressure))}"
+        note(ax, words, at, _side(y < middle), 3.0, 4.0, va="bottom", color=colour, bbox=BACKING)
 
 
 def unlimited_ends(solution: Solution) -> tuple[EdgePressure, ...]:

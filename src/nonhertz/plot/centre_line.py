@@ -15,6 +15,7 @@ from nonhertz.plot.axial import (
     corner_peaks,
     draw_body_ends,
     head,
+    mark_corners,
     number,
     place,
     unlimited_ends,
@@ -117,10 +118,8 @@ def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
         # Further out the climbing curve would run through the text.
         side = "left" if y < 0.5 * sum(span) else "right"
     note(ax, words, (float(length(y)), top), side, 3.0, 6.0, **OVER_LINES)
-    for y, pressure in corners if not at_corner else ():
-        words = f"corner, {written(mpa(pressure))}"
-        drawn = float(length(y)), float(measure("MPa")(pressure))
-        note(ax, words, drawn, "left" if y < 0.5 * sum(span) else "right", 3.0, 4.0, **OVER_LINES)
+    if not at_corner:
+        mark_corners(solution, ax)
 
 
 def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:

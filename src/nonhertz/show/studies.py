@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.amounts import amount, digits, error_words, given, mpa, of_dimension, um
+from nonhertz.amounts import amount, digits, error_words, mpa, of_dimension, um
 from nonhertz.files.spreads import Distribution, Spread
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.sections import Block, Row, Said, Section, Table, summary
@@ -164,10 +164,9 @@ def failure_rows(sweep: Sweep) -> list[str]:
 
 
 def in_words(distribution: Distribution, unit: str) -> str:
-    """Return a distribution as it is written in a plan, with its numbers in the base unit."""
-    numbers = ", ".join(f"{given(number)} {unit}".rstrip() for number in distribution.numbers)
-    within = distribution.within
-    limits = "" if within is None else f" within {given(within[0])} : {given(within[1])} {unit}".rstrip()
+    """Return a distribution as it is written in a plan, with its numbers in the units in which people write them."""
+    numbers = ", ".join(f"{of_dimension([number], unit):g}" for number in distribution.numbers)
+    limits = "" if distribution.within is None else f" within {of_dimension(distribution.within, unit, ' : '):g}"
     return f"{distribution.kind}({numbers}){limits}"
 
 
