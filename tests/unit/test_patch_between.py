@@ -10,6 +10,7 @@ import nonhertz as nh
 from nonhertz.patch.between import between, centres_of_parts, interpolation
 from nonhertz.patch.cascade import refined
 from nonhertz.patch.nearness import scan
+from nonhertz.patch.region import Region
 
 PLATES = nh.Contact(nh.Plate(), nh.Plate())
 REGION = ((-0.8, 0.8), (-0.8, 0.8))
@@ -130,7 +131,7 @@ def test_a_wall_that_the_contact_does_not_reach_changes_nothing():
 
 
 def test_a_scan_covers_all_that_it_says():
-    parts = list(scan((1.0, 2.0), (-3.0, 3.0), (128, 512), (-10.0, 200.0), (40.0, 400.0)))
+    parts = list(scan(Region((1.0, 2.0), (-3.0, 3.0), (-10.0, 200.0)), (128, 512), (40.0, 400.0)))
     # As fine as half a cell in twice the region, and s / 48 at a distance s from its middle.
     for x, y in ((1.03, 2.9), (2.4, -5.5), (30.0, 150.0), (-38.0, -9.9)):
         around = [part for part in parts if part.x[0] <= x <= part.x[-1] and part.y[0] <= y <= part.y[-1]]

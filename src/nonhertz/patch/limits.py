@@ -12,12 +12,12 @@ from nonhertz.amounts import mm
 from nonhertz.bodies.influence import Influence
 from nonhertz.bodies.shape import HERTZ
 from nonhertz.findings import Finding, finding
-from nonhertz.patch import region as regions
 from nonhertz.patch.between import Unseen
 from nonhertz.patch.cascade import GridLevel, Outcome, PatchProblem
 from nonhertz.patch.features import Dent, Waviness
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.nearness import Overlap
+from nonhertz.patch.region import Region
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.checks import curved, image_weights, small_strains, thick
 from nonhertz.result.maximum import largest_pressure, singular_y
@@ -214,8 +214,7 @@ def _sizes(feature: object, dx: float, dy: float) -> list[tuple[str, float, floa
 
 def _cut_off(solution: PatchSolution, grid: Grid) -> list[Finding]:
     """Return each border of the region that cuts the contact where the bodies continue."""
-    across = regions.borders(grid.x_span, np.any(solution.footprint, axis=1))
-    along = regions.borders(grid.y_span, np.any(solution.footprint, axis=0), solution.contact.interval)
+    across, along = Region(grid.x_span, grid.y_span, solution.contact.interval).cut(solution.footprint)
     places = [
         *zip("xx", grid.x_span, across, strict=True),
         *zip("yy", grid.y_span, along, strict=True),

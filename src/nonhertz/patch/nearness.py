@@ -21,9 +21,9 @@ from nonhertz.patch.features import Dent
 from nonhertz.patch.free_faces import at_points, merged
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import rectangles
+from nonhertz.patch.region import Region, Span
 
 Array = NDArray[np.float64]
-Span = tuple[float, float]
 
 EVENLY, EVEN_REACH = 65, 8.0  # samples, and the half-widths they reach to either side
 APART, NEAREST = 64, 1e-3  # geometrically spaced samples, and the half-widths at which they start
@@ -91,24 +91,20 @@ def windows(problem: PatchProblem, interval: Span, width: float, reach: float) -
     return tuple(found)
 
 
-def scan(
-    x_span: Span, y_span: Span, cells: tuple[int, int], interval: Span, reach: tuple[float, float]
-) -> Iterator[Window]:
-    """Yield nested windows about a rectangle, in parts; the first is twice its size, with two samples per cell.
+def scan(region: Region, cells: tuple[int, int], reach: tuple[float, float]) -> Iterator[Window]:
+    """Yield nested windows about a region, in parts; the first is twice its size, with two samples per cell.
 
     Parameters
     ----------
-    x_span, y_span : tuple of float
-        The rectangle [mm].
+    region : Region
+        The region.
     cells : tuple of int
         Numbers of cells of the grid over it.
-    interval : tuple of float
-        Extent of both bodies along y [mm].
     reach : tuple of float
-        How far to scan from the middle of the rectangle, across and along [mm].
+        How far to scan from its middle, across and along [mm].
     """
-    x_half, y_half = float(np.ptp(x_span)), float(np.ptp(y_span))
-    x, y = 0.5 * sum(x_span), 0.5 * sum(y_span)
+    x_half, y_half = float(np.ptp(region.x_span)), float(np.ptp(region.y_span))
+    x, y, interval = 0.5 * sum(region.x_span), 0.5 * sum(region.y_span), region.interval
     samples = [min(max(4 * n + 1, SCANNED), MOST_SCANNED) for n in cells]
     while True:
         low, high = max(y - min(y_half, reach[1]), interval[0]), min(y + min(y_half, reach[1]), interval[1])
@@ -127,9 +123,9 @@ def _parts(window: Window) -> Iterator[Window]:
         yield Window(window.x[start : start + step + 1], window.y)
 
 
-def within(x_span: Span, y_span: Span) -> tuple[Window, ...]:
-    """Return where to sample a region."""
-    return (Window(np.linspace(*x_span, 2 * EVENLY - 1), np.linspace(*y_span, ALONG)),)
+def within(grid: Grid) -> tuple[Window, ...]:
+    """Return where to sample the region of a grid."""
+    return (Window(np.linspace(*grid.x_span, 2 * EVENLY - 1), np.linspace(*grid.y_span, ALONG)),)
 
 
 def lowest(gap: Gap, tilt: float, several: tuple[Window, ...]) -> Lowest:

@@ -1,118 +1,82 @@
-"""The region of the contact, found by solving coarsely and adjusting the region to the result.
-
-A region that the contact fills to its border is extended by its own length on that side, one that is mostly empty is
-cut down to the cells in contact; a solve on a thousand cells or so costs next to nothing. For a prescribed approach the
-start is the undeformed overlap (`nonhertz.patch.nearness`): where no cell touches, the contact is smaller than a cell,
-and the region shrinks about its lowest place. A region never extends past the ends of the bodies, so that a contact up
-to an end has it on a cell edge.
-"""
+"""A rectangle for cells to cover, and how it is changed to suit the contact found in it."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.patch.cascade import Outcome, PatchProblem, solve_on
 from nonhertz.patch.grid import Grid
-from nonhertz.result.solution import Status
 
 Span = tuple[float, float]
+Ends = tuple[tuple[bool, bool], tuple[bool, bool]]
 Mask = NDArray[np.bool_]
 
-CELLS = (24, 48)
-ROUGHLY = 1e-3
-FILLED = 0.75  # of each side of the region
-MOST_MOVES, MOST_FAILURES = 60, 3
-CLOSER = 0.25  # of a region in which no cell touches
-UNBOUNDED: Span = (-math.inf, math.inf)
 
+@dataclass(frozen=True)
+class Region:
+    """A rectangle that never extends past the ends of the bodies, so that a contact up to one has it on a cell edge.
 
-def find(
-    problem: PatchProblem,
-    interval: Span,
-    start: tuple[Span, Span],
-    towards: tuple[float, float],
-    refuse: Callable[[Outcome], None],
-) -> tuple[Span, Span]:
-    """Return the region of the contact, with a small margin where it does not end with the bodies.
-
-    Parameters
+    Attributes
     ----------
-    problem : PatchProblem
-        The problem to solve.
+    x_span, y_span : tuple of float
+        Low and high end across and along the contact [mm].
     interval : tuple of float
         Extent of both bodies along y [mm]; may be infinite.
-    start : tuple of tuple of float
-        Region to begin with [mm].
-    towards : tuple of float
-        Place x, y [mm] to zoom in on if no cell touches.
-    refuse : callable
-        Raises if the contact of an outcome is too large for the bodies.
-
-    Returns
-    -------
-    tuple of float, tuple of float
-        Ends across and along [mm].
     """
-    x_span, y_span = start
-    failures = 0
-    for _ in range(MOST_MOVES):
-        outcome = solve_on(problem, Grid(x_span, y_span, CELLS), ROUGHLY, rough=True)
-        touching = outcome.state.pressure > 0.0
-        failures = 0 if outcome.state.status is Status.CONVERGED else failures + 1
-        if failures == MOST_FAILURES:
-            break
+
+    x_span: Span
+    y_span: Span
+    interval: Span = (-math.inf, math.inf)
+
+    def _changed(self, spans: Sequence[Span]) -> Region:
+        x_span, (low, high) = spans
+        return Region(x_span, (max(low, self.interval[0]), min(high, self.interval[1])), self.interval)
+
+    def grid(self, cells: tuple[int, int]) -> Grid:
+        """Return so many cells over it."""
+        return Grid(self.x_span, self.y_span, cells)
+
+    def cut(self, touching: Mask) -> Ends:
+        """Return whether the contact reaches the ends across and along although the bodies continue."""
         across, along = np.any(touching, axis=1), np.any(touching, axis=0)
-        if not np.any(across):
-            x_span, y_span = closer(x_span, towards[0]), closer(y_span, towards[1], interval)
-            continue
-        beyond = borders(x_span, across), borders(y_span, along, interval)
-        if any((*beyond[0], *beyond[1])):
-            refuse(outcome)
-            # Not cut down at the same time: the contact will change once the region no longer cuts it.
-            x_span, y_span = widened(x_span, beyond[0], 1.0), widened(y_span, beyond[1], 1.0, interval)
-            continue
-        done = filled(across) and filled(along)
-        x_span, y_span = around(x_span, across), around(y_span, along, interval)
-        if done:
-            break
-    return x_span, y_span
+        (low, high), (first, last) = self.y_span, self.interval
+        return (bool(across[0]), bool(across[-1])), (bool(along[0]) and low > first, bool(along[-1]) and high < last)
 
+    def filled(self, touching: Mask) -> float:
+        """Return how much of it the contact fills, in the direction in which that is less."""
+        shares: list[float] = [
+            (int(np.ptp(at)) + 1) / n for at, n in zip(np.nonzero(touching), touching.shape, strict=True)
+        ]
+        return min(shares)
 
-def closer(span: Span, place: float, limits: Span = UNBOUNDED) -> Span:
-    """Return a shorter span about a place."""
-    half = 0.5 * CLOSER * (span[1] - span[0])
-    return max(place - half, limits[0]), min(place + half, limits[1])
+    def around(self, touching: Mask) -> Region:
+        """Return one that is a cell wider than the contact on each side."""
+        spans = []
+        for (low, high), at, count in zip(
+            (self.x_span, self.y_span), np.nonzero(touching), touching.shape, strict=True
+        ):
+            side = (high - low) / count
+            spans.append((low + float(at.min() - 1) * side, low + float(at.max() + 2) * side))
+        return self._changed(spans)
 
+    def widened(self, ends: Ends, share: float) -> Region:
+        """Return one extended by a share of its length at each end flagged in ``ends``."""
+        spans = []
+        for (low, high), (at_low, at_high) in zip((self.x_span, self.y_span), ends, strict=True):
+            more = share * (high - low)
+            spans.append((low - more * at_low, high + more * at_high))
+        return self._changed(spans)
 
-def joined(span: Span, other: Span, limits: Span = UNBOUNDED) -> Span:
-    """Return a span that holds both, within limits."""
-    return max(min(span[0], other[0]), limits[0]), min(max(span[1], other[1]), limits[1])
+    def closer(self, place: tuple[float, float], share: float) -> Region:
+        """Return one of a share of its size about a place."""
+        halves = [0.5 * share * (high - low) for low, high in (self.x_span, self.y_span)]
+        return self._changed([(at - half, at + half) for at, half in zip(place, halves, strict=True)])
 
-
-def borders(span: Span, touching: Mask, limits: Span = UNBOUNDED) -> tuple[bool, bool]:
-    """Return whether the contact reaches the low and the high end of a span although the bodies continue."""
-    return bool(touching[0]) and span[0] > limits[0], bool(touching[-1]) and span[1] < limits[1]
-
-
-def filled(touching: Mask) -> bool:
-    """Return whether the contact fills a span well enough."""
-    return int(np.ptp(np.flatnonzero(touching))) + 1 >= FILLED * touching.size
-
-
-def around(span: Span, touching: Mask, limits: Span = UNBOUNDED) -> Span:
-    """Return a span one cell wider than the contact on each side, within limits."""
-    places = np.flatnonzero(touching)
-    side = (span[1] - span[0]) / touching.size
-    low, high = span[0] + float(places[0] - 1) * side, span[0] + float(places[-1] + 2) * side
-    return max(low, limits[0]), min(high, limits[1])
-
-
-def widened(span: Span, ends: tuple[bool, bool], share: float, limits: Span = UNBOUNDED) -> Span:
-    """Return a span extended by a share of its length at each end flagged in ``ends``, within limits."""
-    more = share * (span[1] - span[0])
-    low, high = span[0] - more * ends[0], span[1] + more * ends[1]
-    return max(low, limits[0]), min(high, limits[1])
+    def joined(self, *others: Span) -> Region:
+        """Return one that holds spans across and along, too."""
+        pairs = zip((self.x_span, self.y_span), others, strict=True)
+        return self._changed([(min(a[0], b[0]), max(a[1], b[1])) for a, b in pairs])

@@ -1,4 +1,10 @@
-"""The search for the region of an unknown contact: where to start, what to refuse, and how to verify the result."""
+"""The search for the region of an unknown contact: where to start, what to refuse, and how to verify the result.
+
+It solves coarsely and adjusts the region to the result: one that the contact fills to its border is extended by its own
+length on that side, one that is mostly empty is cut down to the cells in contact; a solve on a thousand cells or so
+costs next to nothing. For a prescribed approach the start is the undeformed overlap (`nonhertz.patch.nearness`): where
+no cell touches, the contact is smaller than a cell, and the region shrinks about its lowest place.
+"""
 
 from __future__ import annotations
 
@@ -16,17 +22,20 @@ from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
-from nonhertz.patch import region as regions
 from nonhertz.patch.cascade import Outcome, PatchProblem, solve_on
 from nonhertz.patch.features import Dent
-from nonhertz.patch.grid import Grid
 from nonhertz.patch.limits import widest_run
 from nonhertz.patch.nearness import Lowest, Overlap, Rows, Window
+from nonhertz.patch.region import Region, Span
 from nonhertz.result.checks import LEAST_OF_ALL, refuse_thin_bodies
+from nonhertz.result.solution import Status
 
 Array = NDArray[np.float64]
-Span = tuple[float, float]
 
+CELLS, ROUGHLY = (24, 48), 1e-3  # of the coarse solves, and their tolerance
+FILLED = 0.75  # of each side of a region that suits its contact
+MOST_MOVES, MOST_FAILURES = 60, 3
+CLOSER = 0.25  # of a region in which no cell touches
 MOST_SOLVES, ENLARGEMENT = 16, 0.15
 EMPTY = 0.6  # of a side of an enlarged region: with less than this in contact it is cut down, once
 LEAST_GUESS, MOST_GUESS = 1e-3, 0.1  # of the radius: bounds on the first half-width where no load is given
@@ -79,26 +88,19 @@ class Search:
         """Whether the gap is that of the bodies with dents alone, which has no bumps that are not known."""
         return not self.gap_given and all(isinstance(each, Dent) for each in getattr(self.problem.gap, "features", ()))
 
-    def windows(self) -> tuple[Window, ...]:
-        """Return where the gap of the undeformed bodies is sampled."""
+    def windows(self, region: Region | None = None, cells: tuple[int, int] = CELLS) -> Iterator[Window]:
+        """Yield where the gap is sampled: along the bodies, and one that may have bumps also around a region.
+
+        Without one it is where a contact is looked for first.
+        """
         width, interval = self.width(), self.contact.interval
-        several = nearness.windows(self.problem, interval, width, self.reach)
+        yield from nearness.windows(self.problem, interval, width, self.reach)
         if self.own_gap:
-            return several
-        x_span, (low, high) = (-width, width), np.clip((-width, width), *interval)
-        along = (float(low), float(high)) if low < high else interval
-        return (*several, *nearness.scan(x_span, along, regions.CELLS, interval, self._scanned()))
-
-    def around(self, outcome: Outcome) -> Iterator[Window]:
-        """Yield where the gap of the deformed bodies is sampled."""
-        yield from nearness.windows(self.problem, self.contact.interval, self.width(), self.reach)
-        if not self.own_gap:
-            grid = outcome.grid
-            yield from nearness.scan(grid.x_span, grid.y_span, grid.cells, self.contact.interval, self._scanned())
-
-    def _scanned(self) -> tuple[float, float]:
-        """Return how far the gap is scanned across and along [mm]."""
-        return min(self.reach, FLAT_REACH), FLAT_REACH
+            return
+        if region is None:
+            low, high = map(float, np.clip((-width, width), *interval))
+            region = Region((-width, width), (low, high) if low < high else interval, interval)
+        yield from nearness.scan(region, cells, (min(self.reach, FLAT_REACH), FLAT_REACH))
 
     def width(self) -> float:
         """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies define one."""
@@ -172,43 +174,64 @@ class Search:
         Overlap or None
             An overlap that could not be included.
         """
-        limits = self.contact.interval
-        windows = self.windows()
+        windows = tuple(self.windows())
         start, towards = self._start(windows)
         if not self.own_gap:
             rows = nearness.rows(self.problem.gap, windows)
             self._refuse_beyond(rows)
             if self.given.arm is not None:
                 # Otherwise the search may settle on a contact on only one side of the moment's lever arm.
-                both = rows.around(self.given.arm)
-                start = start[0], regions.joined(start[1], both, limits)
-        self._refuse_spans(*start)
-        x_span, y_span = regions.find(self.problem, limits, start, towards, self._refuse_huge)
+                start = start.joined(start.x_span, rows.around(self.given.arm))
+        self._refuse_spans(start.x_span, start.y_span)
+        region = self._roughly(start, towards)
         enlarged = shrunk = False
         for _ in range(MOST_SOLVES):
-            outcome = solve_on(self.problem, Grid(x_span, y_span, cells), tolerance, pool)
+            outcome = solve_on(self.problem, region.grid(cells), tolerance, pool)
             touching = outcome.state.pressure > 0.0
-            across, along = np.any(touching, axis=1), np.any(touching, axis=0)
-            beyond = regions.borders(x_span, across), regions.borders(y_span, along, limits)
-            overlap = None
-            if any((*beyond[0], *beyond[1])):
+            ends, overlap = region.cut(touching), None
+            if any((*ends[0], *ends[1])):
                 self._refuse_huge(outcome)
-                x_span = regions.widened(x_span, beyond[0], ENLARGEMENT)
-                y_span = regions.widened(y_span, beyond[1], ENLARGEMENT, limits)
+                region = region.widened(ends, ENLARGEMENT)
                 continue
-            overlap = nearness.overlap(self.problem, outcome, self.around(outcome), smooth=self.own_gap)
+            windows_now = self.windows(region, cells)
+            overlap = nearness.overlap(self.problem, outcome, windows_now, smooth=self.own_gap)
             if overlap is not None:
-                x_span, y_span = regions.joined(x_span, overlap.x_span), regions.joined(y_span, overlap.y_span, limits)
-                enlarged = True
+                region, enlarged = region.joined(overlap.x_span, overlap.y_span), True
                 continue
-            if not enlarged or shrunk or not across.any() or min(_filled(across), _filled(along)) >= EMPTY:
+            if not enlarged or shrunk or not touching.any() or region.filled(touching) >= EMPTY:
                 break
             # Only once: on other cells a small contact may be missed, then found again outside the region.
-            shrunk = True
-            x_span, y_span = regions.around(x_span, across), regions.around(y_span, along, limits)
+            region, shrunk = region.around(touching), True
         return outcome, overlap
 
-    def _start(self, windows: tuple[Window, ...]) -> tuple[tuple[Span, Span], tuple[float, float]]:
+    def _roughly(self, region: Region, towards: tuple[float, float]) -> Region:
+        """Return the region of the contact, with a small margin where it does not end with the bodies.
+
+        ``towards`` is the place x, y [mm] to zoom in on if no cell touches.
+        """
+        failures = 0
+        for _ in range(MOST_MOVES):
+            outcome = solve_on(self.problem, region.grid(CELLS), ROUGHLY, rough=True)
+            touching = outcome.state.pressure > 0.0
+            failures = 0 if outcome.state.status is Status.CONVERGED else failures + 1
+            if failures == MOST_FAILURES:
+                break
+            if not touching.any():
+                region = region.closer(towards, CLOSER)
+                continue
+            ends = region.cut(touching)
+            if any((*ends[0], *ends[1])):
+                self._refuse_huge(outcome)
+                # Not cut down at the same time: the contact will change once the region no longer cuts it.
+                region = region.widened(ends, 1.0)
+                continue
+            done = region.filled(touching) >= FILLED
+            region = region.around(touching)
+            if done:
+                break
+        return region
+
+    def _start(self, windows: tuple[Window, ...]) -> tuple[Region, tuple[float, float]]:
         """Return a region to begin with, and the place to zoom in on."""
         low, high = self.contact.interval
         bounded = math.isfinite(high - low)
@@ -217,7 +240,8 @@ class Search:
         if approach is not None:
             at = self.refuse_apart(windows)
             if self.given.moment is None:
-                return nearness.extent(self.problem.gap, self.tilt, approach, at, windows), (at.x, at.y)
+                spans = nearness.extent(self.problem.gap, self.tilt, approach, at, windows)
+                return Region(*spans, (low, high)), (at.x, at.y)
         elif arm is not None:
             middle = arm
         middle, across = float(np.clip(middle, low, high)), 0.0
@@ -227,7 +251,7 @@ class Search:
             at = self._lowest(windows)
             across, middle = at.x, at.y if self.given.moment is None else middle
         y_span = (low, high) if bounded else (max(low, middle - 10.0 * width), min(high, middle + 10.0 * width))
-        return ((across - 2.0 * width, across + 2.0 * width), y_span), (across, middle)
+        return Region((across - 2.0 * width, across + 2.0 * width), y_span, (low, high)), (across, middle)
 
     def _refuse_huge(self, outcome: Outcome) -> None:
         """Refuse a contact that is wider than the bodies, or that nothing bounds.
@@ -261,7 +285,3 @@ class Search:
         if wide:
             condition = f"keep the contact narrower than {MOST_RADII:g} radii of the bodies"
             raise InputError(*self.given.pressed, condition, "reduce it")
-
-
-def _filled(touching: NDArray[np.bool_]) -> float:
-    return (int(np.ptp(np.flatnonzero(touching))) + 1) / touching.size

@@ -19,10 +19,8 @@ from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
-from nonhertz.patch import region as regions
 from nonhertz.patch.between import between
 from nonhertz.patch.cascade import Outcome, PatchProblem, halved, solve_on
-from nonhertz.patch.grid import Grid
 from nonhertz.patch.limits import (
     between_cells,
     error_estimate,
@@ -34,6 +32,7 @@ from nonhertz.patch.limits import (
     widest_run,
 )
 from nonhertz.patch.nearness import Overlap
+from nonhertz.patch.region import Region
 from nonhertz.patch.resources import checked_cells, refuse_excess
 from nonhertz.patch.search import Search
 from nonhertz.patch.solution import PatchSolution
@@ -152,7 +151,7 @@ def solve(
         if spans is None:
             outcome, overlap = search.found(cells, tolerance, pool)
         else:
-            outcome, overlap = _in_region(search, Grid(*spans, cells), tolerance, pool)
+            outcome, overlap = _in_region(search, Region(*spans, contact.interval), cells, tolerance, pool)
         levels = halved(problem, outcome, tolerance, pool)
     solution = _solution(problem, contact, outcome)
     half_width = 0.5 * solution.dx * widest_run(solution.footprint)
@@ -180,20 +179,20 @@ def solve(
     return replace(solution, findings=(*found, *singularities(solution)), rolls_on=rolls_on)
 
 
-def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
+def _in_region(
+    search: Search, region: Region, cells: tuple[int, int], tolerance: float, pool: Executor | None
+) -> tuple[Outcome, Overlap | None]:
     """Solve in a given region, and return the overlap that it leaves out."""
+    grid = region.grid(cells)
     if search.given.load is None:
-        search.refuse_apart(nearness.within(grid.x_span, grid.y_span))
+        search.refuse_apart(nearness.within(grid))
     outcome = solve_on(search.problem, grid, tolerance, pool)
-    touching = outcome.state.pressure > 0.0
-    across = regions.borders(grid.x_span, np.any(touching, axis=1))
-    along = regions.borders(grid.y_span, np.any(touching, axis=0), search.contact.interval)
+    across, along = region.cut(outcome.state.pressure > 0.0)
     # A contact that is cut off continues beyond the region; the warning about the border says so.
-    cut = any((*across, *along))
-    if cut:
+    if any((*across, *along)):
         return outcome, None
-    around = search.around(outcome)
-    return outcome, nearness.overlap(search.problem, outcome, around, smooth=search.own_gap, given=True)
+    windows = search.windows(region, cells)
+    return outcome, nearness.overlap(search.problem, outcome, windows, smooth=search.own_gap, given=True)
 
 
 def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
