@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from crowned_rows import row
 from scipy.integrate import solve_bvp
 
 import nonhertz as nh
@@ -16,9 +17,7 @@ from nonhertz.show.bearing import summary_rows
 STEEL = nh.Material(modulus=207e3, poisson=0.3)
 IRON = nh.Material(modulus=110e3, poisson=0.26)
 DENSITY = 7.85e-9
-ROLLER = nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000))
-PARTS = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5), "rollers": 13}
-ROW = nh.bearing.CylindricalRollerBearing(roller=ROLLER, **PARTS, clearance=0.0325)
+ROW = row(clearance=0.0325, radius=4000.0, ends={})
 CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=10.0, profile=nh.profile.crown(4000))
 TAPER = nh.bearing.TaperedRollerBearing(
     roller=CONE, inner=nh.Ring(diameter=37.3), outer=nh.Ring(diameter=-55.7), rollers=13, contact_angle=0.2
@@ -321,7 +320,7 @@ def test_it_prints_in_um():
         ),
         (lambda: found(shaft=30.0), "shaft = 30.0 must be a Shaft"),
         (lambda: found(housing=None), "housing = None must be a Housing"),
-        (lambda: found(ROLLER), "must be a radial roller bearing"),
+        (lambda: found(ROW.roller), "must be a radial roller bearing"),
         (lambda: found(speed=-1.0), "speed = -1.0 must not be negative"),
         (lambda: found(outer_temperature=2000.0), "outer_temperature = 2000.0 must lie between"),
         (lambda: found().axial(2.0), "contact_angle = 2.0 must be less than a right angle"),

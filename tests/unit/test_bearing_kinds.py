@@ -5,6 +5,7 @@ import warnings
 
 import numpy as np
 import pytest
+from crowned_rows import TAPER, nu206, row
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
@@ -12,11 +13,6 @@ from nonhertz.bearing.standard import standard_slices
 from nonhertz.show.bearing import summary_rows
 
 B = nh.bearing
-CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.825, 5.825), (10.94, 10.12)), length=11.65,
-                 profile=nh.profile.crown(radius=8000))  # fmt: skip
-TAPER = B.TaperedRollerBearing(
-    roller=CONE, inner=nh.Ring(diameter=40.8), outer=nh.Ring(diameter=-62.32), rollers=14, contact_angle=0.207
-)
 THRUST = B.CylindricalThrustBearing(
     roller=nh.Roller(diameter=8.0, length=8.0, profile=nh.profile.crown(2000.0)),
     inner=nh.Plate(depth=4.0),
@@ -269,18 +265,12 @@ def test_barrels_are_held_along_their_axes():
     assert_allclose(found.load[idle, 1], np.hypot(load[0], load[1]) * (2000.0 * np.pi / 30.0 / 300.0) ** 2, rtol=1e-6)
 
 
-def in_row(**roller):
-    rings = {"inner": nh.Ring(diameter=37.5, depth=3.75), "outer": nh.Ring(diameter=-55.5, depth=3.25)}
-    roller = nh.Roller(diameter=9.0, length=10.0, **roller)
-    return B.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184)
-
-
 @pytest.mark.parametrize(
     ("name", "of_strips"), [("steel", 0.14), ("silicon-nitride", 0.14), ("aluminium", 0.14), ("POM", 0.25)]
 )
 def test_slices_are_as_stiff_as_their_materials(name, of_strips):
     """Palmgren's 3.84e-5 Q^0.9 / L^0.8 for steel is 0.39 {4 (1 - nu_1^2) / E_1 + 4 (1 - nu_2^2) / E_2}^0.9 (Harris)."""
-    row = in_row(material=nh.MATERIALS[name])
+    row = nu206(material=nh.MATERIALS[name])
     compliances = [4.0 * (1.0 - each.poisson**2) / each.modulus for each in (row.roller.material, row.inner.material)]
     approach = 0.39 * sum(compliances) ** 0.9 * 3e3**0.9 / 10.0**0.8
     # The standard's constant differs from that of 0.39 by 4 %.
@@ -292,33 +282,33 @@ def test_slices_are_as_stiff_as_their_materials(name, of_strips):
 
 def test_slices_say_that_they_take_hollow_rollers_as_solid():
     with pytest.warns(nh.AccuracyWarning, match="take hollow rollers as solid ones"):
-        B.solve(in_row(bore=5.0), radial=3e3, method="slices")
+        B.solve(nu206(bore=5.0), radial=3e3, method="slices")
 
 
 def test_ceramic_rollers_have_their_density():
     """46.6 N of steel rollers at 15,000/min times 3.2 / 7.85: 19.0 N."""
     loads = {
-        name: in_row(material=nh.MATERIALS[name]).load_by_speed(15e3 * np.pi / 30.0)[1]
+        name: nu206(material=nh.MATERIALS[name]).load_by_speed(15e3 * np.pi / 30.0)[1]
         for name in ("steel", "100Cr6", "R260", "silicon-nitride", "zirconia")
     }
     assert loads["steel"] == loads["100Cr6"] == loads["R260"] == pytest.approx(46.6, abs=0.05)
     assert loads["silicon-nitride"] == pytest.approx(19.0, abs=0.05)
     assert loads["zirconia"] == pytest.approx(46.6 * 6.05 / 7.85, rel=1e-3)
-    odd = in_row(material=nh.Material(modulus=50e3, poisson=0.3))
+    odd = nu206(material=nh.Material(modulus=50e3, poisson=0.3))
     assert odd.load_by_speed(0.0).tolist() == [0.0, 0.0, 0.0]
     with pytest.raises(nh.InputError, match="density = None must be given for rollers that are neither of steel"):
         odd.load_by_speed(1.0)
 
 
 def test_a_pitch_circle_lies_between_the_raceways():
-    assert dataclasses.replace(in_row(), pitch_diameter=46.6).pitch == 46.6
+    assert dataclasses.replace(nu206(), pitch_diameter=46.6).pitch == 46.6
     with pytest.raises(nh.InputError, match=r"pitch_diameter = 48\.0 must lie within 2 % .* of the 46\.5 mm between"):
-        dataclasses.replace(in_row(), pitch_diameter=48.0)
+        dataclasses.replace(nu206(), pitch_diameter=48.0)
 
 
 @pytest.mark.parametrize(("outer", "said"), [(55.5, ""), (55.5184, ""), (55.55, "50.00 µm"), (55.48, "-20.00 µm")])
 def test_clearance_that_is_built_into_the_raceways_is_said_not_to_count(outer, said):
-    row = dataclasses.replace(in_row(), outer=nh.Ring(diameter=-outer, depth=3.25))
+    row = dataclasses.replace(nu206(), outer=nh.Ring(diameter=-outer, depth=3.25))
     case = nh.BearingCase(row, {"radial": 1e3}, {"method": "slices"})
     rows = [each for each in summary_rows(case, case.solve()) if each[2].startswith("left by the raceways")]
     assert [each[1] for each in rows] == ([said] if said else [])
@@ -346,7 +336,5 @@ def test_what_contacts_warn_of_is_said_once():
 
 def test_a_force_that_a_single_roller_does_not_feel_has_no_balance():
     """The ring was moved by 1e300 mm, with 1,200 warnings of NumPy."""
-    parts = {"roller": nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000.0))}
-    rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
     with pytest.raises(nh.ConvergenceError, match="found no balance"):
-        B.solve(B.CylindricalRollerBearing(**parts, **rings, rollers=1), radial=(1e3, 500.0))
+        B.solve(row(rollers=1), radial=(1e3, 500.0))

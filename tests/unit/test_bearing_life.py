@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from crowned_rows import TAPER
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
@@ -24,15 +25,6 @@ def row(rollers=14, pitch=65.0, diameter=10.0, length=9.6, **given):
     )
 
 
-TAPER = B.TaperedRollerBearing(
-    roller=nh.Roller(
-        diameter=nh.TabulatedDiameter((-5.825, 5.825), (10.94, 10.12)), length=11.65, profile=nh.profile.crown(8000)
-    ),
-    inner=nh.Ring(diameter=40.8),
-    outer=nh.Ring(diameter=-62.32),
-    rollers=14,
-    contact_angle=0.207,
-)
 THRUST = B.CylindricalThrustBearing(
     roller=nh.Roller(diameter=5.0, length=5.0, profile=nh.profile.crown(20000)),
     inner=nh.Plate(),

@@ -5,25 +5,13 @@ import pickle
 
 import numpy as np
 import pytest
+from crowned_rows import row
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz.bearing import equilibrium
 
 B = nh.bearing
-
-
-def row(clearance=0.0184):
-    # Bodies without ends cost little, and ends are not the subject.
-    plain = {"side_faces": "none", "depth": "none"}
-    roller = nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(1200.0), **plain)
-    return B.CylindricalRollerBearing(
-        roller=roller,
-        inner=nh.Ring(diameter=37.5),
-        outer=nh.Ring(diameter=-55.5),
-        rollers=13,
-        clearance=clearance,
-    )
 
 
 @pytest.fixture(scope="module")

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from crowned_rows import nu206
 
 import nonhertz as nh
 from nonhertz.bearing import life_factor, reliability_factor
@@ -24,16 +25,6 @@ def row(clearance=0.0, **roller):
         outer=nh.Ring(diameter=-75.0),
         rollers=14,
         clearance=clearance,
-    )
-
-
-def nu206(*, outer=None, **roller):
-    return B.CylindricalRollerBearing(
-        roller=nh.Roller(**({"diameter": 9.0, "length": 10.0} | roller)),
-        inner=nh.Ring(diameter=37.5, depth=3.75),
-        outer=nh.Ring(diameter=-55.5, depth=3.25, **(outer or {})),
-        rollers=13,
-        clearance=0.0184,
     )
 
 

@@ -5,17 +5,13 @@ import math
 
 import numpy as np
 import pytest
+from crowned_rows import row
 
 import nonhertz as nh
 from nonhertz.bearing import fourier_shape, tabulated_shape
 from nonhertz.files.ring_shapes import read_ring_shape
 
-ROW = nh.bearing.CylindricalRollerBearing(
-    roller=nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000)),
-    inner=nh.Ring(diameter=37.5),
-    outer=nh.Ring(diameter=-55.5),
-    rollers=13,
-)
+ROW = row(clearance=0.0, radius=4000.0, ends={})
 AROUND = np.linspace(-7.0, 7.0, 57)
 TURN = 2.0 * math.pi
 

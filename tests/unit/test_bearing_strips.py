@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from crowned_rows import nu206
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonhertz as nh
@@ -14,9 +15,8 @@ from nonhertz.bearing import strips
 from nonhertz.bearing.strips import StripLaw, StrippedContact
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-ROLLER = nh.Roller(diameter=9.0, length=10.0, corner_radius=0.3, profile=nh.profile.crown(1200.0))
-RINGS = nh.Ring(diameter=37.5, depth=3.75), nh.Ring(diameter=-55.5, depth=3.25)
-INNER, OUTER = (nh.Contact(ROLLER, ring) for ring in RINGS)
+NU206 = nu206(corner_radius=0.3, profile=nh.profile.crown(1200.0))
+INNER, OUTER = NU206.contacts
 POSES = [(0.0118, 1.46e-4), (0.004, 0.0), (0.009, -1.2e-3), (0.0006, 2e-4)]
 
 
@@ -107,7 +107,7 @@ def test_the_ring_that_is_pressed_deeper_lays_the_strips():
 
 
 def test_rings_whose_separations_differ_lay_their_own():
-    crowned = nh.Contact(ROLLER, nh.Ring(diameter=-55.5, depth=3.25, profile=nh.profile.crown(3000.0)))
+    crowned = nh.Contact(NU206.roller, nh.Ring(diameter=-55.5, depth=3.25, profile=nh.profile.crown(3000.0)))
     law = law_of(INNER, crowned)
     asked(law, 0.0115, 0.0, other=(0.012, 0.0))
     assert_array_equal(law.edges(0, 0), laid_for(INNER, 0.0115))
@@ -172,10 +172,7 @@ def test_a_contact_without_a_solution_is_named():
 @pytest.mark.parametrize(("speed", "most"), [(30.0, 100), (3000.0, 26)])
 def test_rollers_that_speed_alone_presses_cost_little(speed, most, laid):
     """They crossed the clearance in leaps that pressed them half a millimetre deep: a hundred times the work."""
-    nu206 = nh.bearing.CylindricalRollerBearing(
-        roller=ROLLER, inner=RINGS[0], outer=RINGS[1], rollers=13, clearance=0.0184
-    )
-    found = nh.bearing.solve(nu206, radial=11e3, tilt=1e-3, speed=speed)
+    found = nh.bearing.solve(NU206, radial=11e3, tilt=1e-3, speed=speed)
     idle = found.load[:, 0] == 0.0
     assert np.count_nonzero(idle) >= 6
     assert_allclose(found.load[idle, 1], found.roller_load[idle, 1], atol=1e-9 * found.load.max())
@@ -196,7 +193,7 @@ def test_idle_tapered_rollers_cost_little(laid):
 @pytest.mark.parametrize("tilt", [1e-4, 1.37e-4, 3.3e-4])
 def test_the_load_fades_with_the_penetration(tilt):
     """Where bodies overlap most between samples, light contacts were cut off that still bore a load."""
-    contact = nh.Contact(nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(1200.0)), RINGS[0])
+    contact = nh.Contact(nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(1200.0)), NU206.inner)
     law = law_of(contact)
     summit = 1200.0 * (np.sqrt(1.0 + tilt**2) - 1.0)
     depth = np.geomspace(1e-4, 1e-9, 6)
@@ -262,6 +259,6 @@ def test_few_strips_bear_close_to_a_corner():
     """A roller that tips over its end found no balance on strips whose last centre was too far inside."""
     law = law_of(INNER, strips=21)
     tilt = 0.02
-    corner = ROLLER.length / 2 - 0.3
+    corner = NU206.roller.length / 2 - 0.3
     found = asked(law, 2e-3 - tilt * corner + corner**2 / 2400.0, tilt)
     assert found[1] / found[0] > 0.97 * corner

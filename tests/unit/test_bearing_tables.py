@@ -8,6 +8,7 @@ import warnings
 
 import numpy as np
 import pytest
+from crowned_rows import row
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
@@ -15,15 +16,7 @@ from nonhertz.bearing import equilibrium
 from nonhertz.files import force_tables
 
 B = nh.bearing
-# Bodies without ends cost little, and ends are not the subject.
-PLAIN = {"side_faces": "none", "depth": "none"}
-ROW = B.CylindricalRollerBearing(
-    roller=nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(1200.0), **PLAIN),
-    inner=nh.Ring(diameter=37.5),
-    outer=nh.Ring(diameter=-55.5),
-    rollers=13,
-    clearance=0.01,
-)
+ROW = row(clearance=0.01, radius=1200.0)
 Y, Z, TILT = np.linspace(-0.02, 0.03, 6), np.linspace(-0.01, 0.02, 4), np.linspace(-1e-3, 5e-4, 5)
 
 
