@@ -7,8 +7,7 @@ import time
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from nonhertz.comparison.quantities import quantities
-from nonhertz.comparison.stations import stations
+from nonhertz.comparison.quantities import quantities, stations
 from nonhertz.comparison.value import Comparison, Seconds
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.inputs.checks import callback, thread_count

@@ -12,10 +12,10 @@ from nonhertz.model.body import BODIES
 from nonhertz.report.inputs import InputGroup
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.solution import EdgeKind, EdgePressure
 from nonhertz.show.bearing import clean
 from nonhertz.show.lives import without_ratio
 from nonhertz.show.sections import Cell
+from nonhertz.show.summary import end_words
 
 ABSENT = "–"
 NOTICED = 5e-6  # relative difference
@@ -67,7 +67,7 @@ def _of_contacts(found: Sequence[CaseResults]) -> list[Compared]:
         for quantity in map(QUANTITIES.__getitem__, _COMPARED)
     ]
     for at, end in enumerate(("low", "high")):
-        cells = [_end(each.edge_pressure[at]) for each in solutions]
+        cells = [Cell(*end_words(each.edge_pressure[at], each)) for each in solutions]
         rows.insert(1 + at, (f"pressure at the {end} end", *cells))
     if all(each.stress for each in found):
         for name, key in _STRESSES.items():
@@ -115,18 +115,6 @@ def remarks_on_lives(found: Sequence[CaseResults]) -> list[str]:
     first = found[0].lives
     remarks = [without_ratio(each.lives, first) for each in found[1:] if each.lives and first]
     return list(dict.fromkeys(words for each in remarks for words in each))
-
-
-def _end(edge: EdgePressure) -> Cell:
-    match edge.kind:
-        case EdgeKind.RUN_OUT:
-            return Cell("runs out")
-        case EdgeKind.CORNER:
-            return Cell("no limit", "at a corner of the profile")
-        case EdgeKind.SINGULAR:
-            return Cell("no limit", edge.law)
-        case _:
-            return Cell(f"{mpa(edge.pressure)}", edge.kind.label.replace("-", " "))
 
 
 # The largest pressure comes first; its position and the coupling stiffnesses are left out.

@@ -73,7 +73,7 @@ def _contact_rows(solution: Solution) -> list[Row]:
     """Return where the bodies touch, and the pressure at the ends."""
     if not solution.contact_y:
         return [("contact along y", "none", "")]
-    ends = [(f"edge at y = {mm(edge.y):.5g}", *_convention(edge, solution)) for edge in solution.edge_pressure]
+    ends = [(f"edge at y = {mm(edge.y):.5g}", *end_words(edge, solution)) for edge in solution.edge_pressure]
     return [("contact along y", "; ".join(str(mm(*ends, between=" to ")) for ends in solution.contact_y), ""), *ends]
 
 
@@ -94,7 +94,8 @@ def _pressure_rows(solution: Solution) -> list[Row]:
     return [(quantity.label, quantity.text(solution), remark), ("", where, away)]
 
 
-def _convention(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
+def end_words(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
+    """Return the pressure where a contact ends, and what to know about it."""
     match edge.kind:
         case EdgeKind.RUN_OUT:
             return "runs out", ""

@@ -21,9 +21,8 @@ from starlette.routing import Route
 from nonhertz.amounts import US
 from nonhertz.files.held import meant_as, parsed
 from nonhertz.web.limits import ANSWER_SECONDS, DOCUMENT_BYTES, UPLOAD_BYTES
-from nonhertz.web.server.documents import in_script
 from nonhertz.web.server.guard import Guard
-from nonhertz.web.server.intake import RefusedError, content
+from nonhertz.web.server.intake import RefusedError, content, in_script
 from nonhertz.web.server.pages import Page, while_awaited
 from nonhertz.web.server.questions import BEARING, CONTACT
 from nonhertz.web.server.units import InUnits

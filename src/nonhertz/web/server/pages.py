@@ -30,8 +30,7 @@ from nonhertz.web.limits import (
     refuse,
     too_long,
 )
-from nonhertz.web.server.documents import as_attachment, document_in, in_script
-from nonhertz.web.server.intake import content, json_object
+from nonhertz.web.server.intake import as_attachment, content, document_in, in_script, json_object
 from nonhertz.web.server.questions import Kind, Question
 from nonhertz.web.server.workers import TooSlowError, Workers
 from nonhertz.web.view.replies import Refusal, as_bytes, broken, misfit, reply
