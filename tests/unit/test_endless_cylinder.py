@@ -76,17 +76,6 @@ def test_mirrored_ends_of_a_cylinder_are_those_of_a_row_of_rollers():
     np.testing.assert_allclose(moved(cut, edges), moved(whole, long_edges), rtol=1e-6)
 
 
-@pytest.mark.slow
-def test_a_long_roller_is_compressed_as_a_cylinder_of_infinite_length_is():
-    crown = nh.profile.crown(radius=20000.0)
-    endless = nh.Body(diameter=20.0, profile=crown, depth="cylinder")
-    long = nh.Roller(diameter=20.0, length=160.0, profile=crown, side_faces="free", depth="finite")
-    found, expected = (
-        nh.solve(nh.Contact(body, nh.Ring(diameter=80.0)), load=1e4).approach for body in (long, endless)
-    )
-    assert found == pytest.approx(expected, rel=3e-3)
-
-
 def test_free_faces_are_refused():
     with pytest.raises(nh.InputError) as refused:
         nh.Body(diameter=20.0, length=20.0, side_faces="free", depth="cylinder")

@@ -5,7 +5,6 @@ CIMNE, Barcelona 1998. Roller 15 x 16 on a ring of diameter 60, ISO profile, E =
 41 equal strips. The summit s of a strip is p = s (c^2 - x^2), so that q = 4/3 s c^3. All digits are met.
 """
 
-import numpy as np
 import pytest
 
 import nonhertz as nh
@@ -35,15 +34,3 @@ def solution():
 def test_all_digits_are_met(solution, name, strip, printed):
     _, measure = QUANTITIES[name]
     assert measure(solution, strip) == pytest.approx(float(printed), rel=0.0, abs=half_digit(printed))
-
-
-def test_strips_are_where_they_were(solution):
-    np.testing.assert_allclose(solution.y[[20, 10, 0]], [0.0, -3.902439, -7.804878], rtol=0.0, atol=0.501e-6)
-
-
-def test_what_is_reported_is_the_hertz_equivalent(solution):
-    # The paper's Eqs. (61)-(62): b = sqrt(2/3) c, p0 = 2 q / (pi b) = 4 sqrt(6) / (3 pi) s c^2.
-    c = solution.element_half_width
-    summit = 0.75 * solution.line_load / c**3
-    np.testing.assert_allclose(solution.half_width, 0.8164965809 * c, rtol=1e-9, atol=0.0)
-    np.testing.assert_allclose(solution.centre_pressure, 1.0395957 * summit * c**2, rtol=5e-8, atol=0.0)
