@@ -8,7 +8,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bodies.depths import REFERENCES, plane_strain_depth
-from nonhertz.bodies.ends import End, ends
+from nonhertz.bodies.ends import ends
 from nonhertz.bodies.images import ALL_LINKS, SEPARATE_LINKS
 from nonhertz.bodies.influence import Influence, influence_of
 from nonhertz.bodies.shape import HERTZ
@@ -49,42 +49,47 @@ def below(contact, element=nh.SEMI_ELLIPTIC):
 
 # Ends
 
-
-def test_a_roller_that_ends_on_a_long_body_has_an_end_of_its_own_on_either_side():
-    # Equal materials: half of the compliance.
-    assert ends(on_plate()) == (End(-8.0, -1, (1.0, 0.0), 0.5, 0.5, 0.0), End(8.0, 1, (1.0, 0.0), 0.5, 0.5, 0.0))
-
-
-def test_the_share_of_the_compliance_counts():
+STIFF = plate(material=nh.Material(3.0 * STEEL.modulus, STEEL.poisson))
+# y, side, weights of the images in both bodies, and kappa; equal materials have half of the compliance each.
+ENDS = {
+    "one body that ends": (on_plate(), [(-8.0, -1, (1.0, 0.0), 0.5), (8.0, 1, (1.0, 0.0), 0.5)]),
     # K ~ (1 - nu^2) / E: 0.91 / 206 against 0.91 / 618, three quarters of both.
-    stiff = plate(material=nh.Material(3.0 * STEEL.modulus, STEEL.poisson))
-    assert [end.image_weight for end in ends(nh.Contact(roller(), stiff))] == pytest.approx([0.75, 0.75], rel=1e-12)
-    assert [end.image_weight for end in ends(nh.Contact(stiff, roller()))] == pytest.approx([0.75, 0.75], rel=1e-12)
+    "of another share": (nh.Contact(roller(), STIFF), [(-8.0, -1, (1.0, 0.0), 0.75), (8.0, 1, (1.0, 0.0), 0.75)]),
+    "the other body": (nh.Contact(STIFF, roller()), [(-8.0, -1, (0.0, 1.0), 0.75), (8.0, 1, (0.0, 1.0), 0.75)]),
+    "different lengths": (
+        nh.Contact(roller(), plate(length=24.0, position=1.0, side_faces=(0.5, "calibrated"))),
+        [
+            (-8.0, -1, (1.0, 0.0), 0.5), (-11.0, -1, (0.0, 0.5), 0.25),
+            (8.0, 1, (1.0, 0.0), 0.5), (13.0, 1, (0.0, 1.6), 0.8),
+        ],
+    ),
+    "none freed": (on_plate(side_faces="none"), []),
+    "one freed": (on_plate(side_faces=("none", "mirror")), [(8.0, 1, (1.0, 0.0), 0.5)]),
+    "one weighed": (on_plate(side_faces=(0.3, 0)), [(-8.0, -1, (0.3, 0.0), 0.15)]),
+    "no body that ends": (nh.Contact(nh.Body(diameter=15.0), plate()), []),
+    # Ends are faces, not where contact ends.
+    "moved": (
+        on_plate(position=2.0, effective_length=10.0), [(-6.0, -1, (1.0, 0.0), 0.5), (10.0, 1, (1.0, 0.0), 0.5)]
+    ),
+    # Alone, a heavy face keeps its weight up to kappa = 1.
+    "heavy": (on_plate(side_faces=1.999), [(-8.0, -1, (1.999, 0.0), 0.9995), (8.0, 1, (1.999, 0.0), 0.9995)]),
+    "apart": (
+        nh.Contact(roller(), plate(length=16.0, position=1.7e-5)),
+        [
+            (-8.0, -1, (1.0, 0.0), 0.5), (-8.0 + 1.7e-5, -1, (0.0, 1.0), 0.5),
+            (8.0, 1, (1.0, 0.0), 0.5), (8.0 + 1.7e-5, 1, (0.0, 1.0), 0.5),
+        ],
+    ),
+}  # fmt: skip
 
 
-def test_bodies_of_different_length_have_four_ends():
-    contact = nh.Contact(roller(), plate(length=24.0, position=1.0, side_faces=(0.5, "calibrated")))
-    found = [(end.y, end.side, end.weights, end.image_weight) for end in ends(contact)]
-    assert found == [
-        (-8.0, -1, (1.0, 0.0), 0.5),
-        (-11.0, -1, (0.0, 0.5), 0.25),
-        (8.0, 1, (1.0, 0.0), 0.5),
-        (13.0, 1, (0.0, 1.6), 0.8),
-    ]
-
-
-@pytest.mark.parametrize(("side_faces", "sides"), [("none", []), (("none", "mirror"), [1]), ((0.3, 0), [-1])], ids=str)
-def test_a_face_that_is_not_freed_is_no_end(side_faces, sides):
-    assert [end.side for end in ends(on_plate(side_faces=side_faces))] == sides
-
-
-def test_unbounded_bodies_have_no_ends():
-    assert ends(nh.Contact(nh.Body(diameter=15.0), plate())) == ()
-
-
-def test_ends_are_faces_not_where_contact_ends():
-    contact = on_plate(position=2.0, effective_length=10.0)
-    assert [end.y for end in ends(contact)] == [-6.0, 10.0]
+@pytest.mark.parametrize("name", ENDS)
+def test_every_freed_face_is_an_end_with_the_weights_of_its_body(name):
+    contact, expected = ENDS[name]
+    found = ends(contact)
+    assert [end[:3] for end in expected] == [(end.y, end.side, end.weights) for end in found]
+    assert [end[3] for end in expected] == pytest.approx([end.image_weight for end in found], rel=1e-12)
+    assert all(end.free == 0.0 for end in found)
 
 
 @pytest.mark.parametrize("shift", [0.0, 1.4e-5, -1.4e-5])
@@ -109,15 +114,6 @@ def test_heavy_faces_a_little_apart_are_lowered_by_as_much_as_they_are_near(apar
     assert len(found) == (1 if apart == 0.0 else 2)
 
 
-def test_faces_further_apart_are_two_ends():
-    found = ends(nh.Contact(roller(), plate(length=16.0, position=1.7e-5)))
-    assert [end.weights for end in found] == [(1.0, 0.0), (0.0, 1.0)] * 2
-
-
-def test_a_single_heavy_face_keeps_its_weight_up_to_kappa_one():
-    assert [end.weights for end in ends(on_plate(side_faces=1.999))] == [(1.999, 0.0)] * 2
-
-
 @pytest.mark.parametrize(
     ("of_a", "of_b", "wanted", "used"),
     [
@@ -135,31 +131,42 @@ def test_weights_are_lowered_in_proportion_to_kappa_one(of_a, of_b, wanted, used
         assert end.image_weight == pytest.approx(min(wanted, 1.0), rel=1e-12)
 
 
-def test_images_have_the_weights_that_were_lowered():
-    contact = nh.Contact(roller(side_faces="calibrated"), plate(length=20.0, side_faces=(4.0, "none")))
-    # Of the roller 1.6 alone; of the plate 4 times its half, lowered to 1.
-    expected = DIRECT | {(-1.0, -16.0): 0.8, (-1.0, 16.0): 0.8, (-1.0, -20.0): 1.0}
-    assert rows(contact) == pytest.approx(expected, rel=1e-12)
-
-
 # Images
 
+IMAGES = {
+    "half-spaces": (on_plate(side_faces="none"), {}),
+    "one body that ends": (on_plate(), {(-1.0, -16.0): 0.5, (-1.0, 16.0): 0.5}),
+    "moved, faces at -6 and 10": (on_plate(position=2.0), {(-1.0, -12.0): 0.5, (-1.0, 20.0): 0.5}),
+    "one face, three images": (on_plate(images=3, side_faces=("none", "mirror")), {(-1.0, 16.0): 0.5}),
+    "one face, all images": (on_plate(images="series", side_faces=("none", "mirror")), {(-1.0, 16.0): 0.5}),
+    # Low face 0.4, high face 1.6, each image also carrying the weights of those before it in its chain; from the
+    # second on no weight is more than 1.
+    "two of unlike faces": (
+        on_plate(images=2, side_faces=(0.4, 1.6)),
+        {
+            (-1.0, -16.0): 0.2, (1.0, 32.0): 0.2, (-1.0, -48.0): 0.08,
+            (-1.0, 16.0): 0.8, (1.0, -32.0): 0.32, (-1.0, 48.0): 0.32,
+        },
+    ),
+    "coincident faces": (
+        nh.Contact(roller(), plate(length=16.0, side_faces=0.3)), {(-1.0, -16.0): 0.65, (-1.0, 16.0): 0.65}
+    ),
+    "other faces": (
+        nh.Contact(roller(), plate(length=24.0)),
+        dict.fromkeys([(-1.0, -16.0), (-1.0, 16.0), (-1.0, -24.0), (-1.0, 24.0)], 0.5),
+    ),
+    # Of the roller 1.6 alone; of the plate 4 times its half, lowered to 1.
+    "lowered": (
+        nh.Contact(roller(side_faces="calibrated"), plate(length=20.0, side_faces=(4.0, "none"))),
+        {(-1.0, -16.0): 0.8, (-1.0, 16.0): 0.8, (-1.0, -20.0): 1.0},
+    ),
+}  # fmt: skip
 
-def test_half_spaces_act_directly_alone():
-    influence = influence_of(on_plate(side_faces="none", depth="none"), nh.SEMI_ELLIPTIC)
-    assert influence.terms.tolist() == [[1.0, 0.0, 1.0]]
-    assert influence.references == ()
 
-
-def test_one_image_per_face_is_two_mirrored_strips():
-    expected = DIRECT | {(-1.0, -16.0): 0.5, (-1.0, 16.0): 0.5}
-    assert rows(on_plate()) == pytest.approx(expected, rel=1e-12)
-
-
-def test_images_move_with_the_body():
-    # Faces at -6 and 10.
-    expected = DIRECT | {(-1.0, -12.0): 0.5, (-1.0, 20.0): 0.5}
-    assert rows(on_plate(position=2.0)) == pytest.approx(expected, rel=1e-12)
+@pytest.mark.parametrize("name", IMAGES)
+def test_images_lie_about_the_faces_with_the_weights_of_their_chain(name):
+    contact, expected = IMAGES[name]
+    assert rows(contact) == pytest.approx(DIRECT | expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 7])
@@ -169,38 +176,6 @@ def test_several_images_alternate_between_both_faces(count):
     mirrored = {(-1.0, side * (16.0 + 2.0 * length * k)): 0.5 for side in (-1, 1) for k in range(count)}
     shifted = {(1.0, side * 2.0 * length * k): 0.5 for side in (-1, 1) for k in range(1, count)}
     assert rows(on_plate(images=count)) == pytest.approx(DIRECT | mirrored | shifted, rel=1e-12)
-
-
-@pytest.mark.parametrize("images", [3, "series"])
-def test_a_single_free_face_has_a_single_image(images):
-    contact = on_plate(images=images, side_faces=("none", "mirror"))
-    assert rows(contact) == pytest.approx(DIRECT | {(-1.0, 16.0): 0.5}, rel=1e-12)
-
-
-def test_only_the_first_image_of_a_face_may_weigh_more_than_one():
-    # Low face 0.4, high face 1.6, each image also carrying the weights of those before it in its chain.
-    expected = {
-        (-1.0, -16.0): 0.4,
-        (1.0, 32.0): 0.4,  # and about the high face, at most 1
-        (-1.0, -48.0): 0.4 * 0.4,
-        (-1.0, 16.0): 1.6,
-        (1.0, -32.0): 1.6 * 0.4,
-        (-1.0, 48.0): 1.6 * 0.4,
-    }
-    found = rows(on_plate(images=2, side_faces=(0.4, 1.6)))
-    assert found == pytest.approx(DIRECT | {at: 0.5 * weight for at, weight in expected.items()}, rel=1e-12)
-
-
-def test_images_of_coincident_faces_are_added_up():
-    expected = DIRECT | {(-1.0, -16.0): 0.5 + 0.15, (-1.0, 16.0): 0.5 + 0.15}
-    contact = nh.Contact(roller(), plate(length=16.0, side_faces=0.3))
-    assert rows(contact) == pytest.approx(expected, rel=1e-12)
-
-
-def test_images_of_other_faces_are_kept_apart():
-    contact = nh.Contact(roller(), plate(length=24.0))
-    expected = DIRECT | dict.fromkeys([(-1.0, -16.0), (-1.0, 16.0), (-1.0, -24.0), (-1.0, 24.0)], 0.5)
-    assert rows(contact) == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)
