@@ -30,6 +30,7 @@ from nonhertz.measured.steps import (
     THRESHOLD,
     Align,
     Corners,
+    CornersKept,
     Filter,
     Level,
     Middle,
@@ -84,7 +85,7 @@ class Measured:
     >>> round(measured.states[1].numbers["tilt"], 6), round(float(measured.profile().relief(5.0)), 6)
     (0.002, 0.0125)
     >>> measured.without("level").steps
-    (Align(by='ends', slope=0.05),)
+    (Align(),)
     """
 
     trace: Trace
@@ -344,14 +345,7 @@ def prepare(
             "'auto' finds the land and its corners, a length is kept about y = 0, false keeps all",
         ),
     ] = "auto",
-    corner: Annotated[
-        Corners,
-        Word(
-            "whether corners that the trace holds are kept ('keep'), smoothed apart from the land, or cut off ('cut')",
-            "choose what becomes of the corners",
-            get_args(Corners),
-        ),
-    ] = "keep",
+    corner: CornersKept = "keep",
     outliers: Annotated[
         float | bool,
         OrFlag(
@@ -366,24 +360,8 @@ def prepare(
             "the filter that takes roughness off, 'gaussian' (true) or 'spline', or false",
         ),
     ] = "gaussian",
-    cutoff: Annotated[
-        float | None,
-        Quantity(
-            "mm",
-            "wavelength of which the filter lets half through",
-            positive,
-            "give a wavelength in mm, such as 0.8",
-        ),
-    ] = None,
-    slope: Annotated[
-        float | None,
-        Quantity(
-            "",
-            "slope at which a chamfer begins",
-            positive,
-            "give the slope at which a chamfer begins, 0.05 being 50 um in a millimetre",
-        ),
-    ] = None,
+    cutoff: Annotated[float | None, Smooth.descriptions["cutoff"]] = None,
+    slope: Annotated[float | None, Level.descriptions["slope"]] = None,
     points: Annotated[
         int | str | bool,
         OrFlag(

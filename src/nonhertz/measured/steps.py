@@ -9,14 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import ClassVar, Literal, Protocol, get_args
+from typing import Annotated, ClassVar, Literal, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import amount, mm, mrad, um
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, one_of, positive
+from nonhertz.inputs.checks import positive
+from nonhertz.inputs.fields import Count, Input, Quantity, Word, described
 from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smoothed, turns
 from nonhertz.measured.filters import check_cutoff, gaussian, spline
 from nonhertz.measured.land import CHAMFER_SLOPE, corner_ends, land, symmetry, tilt
@@ -44,6 +45,23 @@ Middle = Literal["ends", "symmetry"]
 Filter = Literal["gaussian", "spline"]
 #: What becomes of the corners beyond the land.
 Corners = Literal["keep", "cut"]
+ChamferSlope = Annotated[
+    float,
+    Quantity(
+        "",
+        "slope at which the land ends and a chamfer begins",
+        positive,
+        "give the slope at which a chamfer begins, 0.05 being 50 um in a millimetre",
+    ),
+]
+CornersKept = Annotated[
+    Corners,
+    Word(
+        "whether corners that the trace holds are kept ('keep'), smoothed apart from the land, or cut off ('cut')",
+        "choose what becomes of the corners",
+        get_args(Corners),
+    ),
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,26 +116,18 @@ class Step(Protocol):
         """Return the points after the step and what it did."""
 
 
-@dataclass(frozen=True)
-class Level:
+@described()
+class Level(Input):
     """Remove the tilt at which the body lay in the machine.
 
     Chamfers are left out. About the middle of the land between them the heights have an even part, which contains any
     symmetric shape, and an odd part, in which a tilt is a straight line. The line of least absolute deviations through
     the odd part is subtracted: a crown does not affect it, whatever its drop, and one end that has lost more material
     than the other hardly does.
-
-    Parameters
-    ----------
-    slope : float
-        Slope at which the land ends and a chamfer begins.
     """
 
     name: ClassVar[str] = "level"
-    slope: float = CHAMFER_SLOPE
-
-    def __post_init__(self) -> None:
-        _check_slope(self.slope)
+    slope: ChamferSlope = CHAMFER_SLOPE
 
     def apply(self, points: Points) -> StepResult:
         """Return the levelled points; the middle of the land keeps its height."""
@@ -129,17 +139,9 @@ class Level:
         return StepResult(self.name, after, words, {"tilt": lean, "low": low, "high": high}, removed_height=line)
 
 
-@dataclass(frozen=True)
-class Align:
+@described()
+class Align(Input):
     """Move y = 0 to the middle of the body.
-
-    Parameters
-    ----------
-    by : str
-        How the middle is found: ``"ends"``, half-way between the ends of the land, where the chamfers begin (or of the
-        trace, if there are none); ``"symmetry"``, where the land is most like its own mirror image.
-    slope : float
-        Slope at which the land ends and a chamfer begins.
 
     Raises
     ------
@@ -148,12 +150,16 @@ class Align:
     """
 
     name: ClassVar[str] = "align"
-    by: Middle = "ends"
-    slope: float = CHAMFER_SLOPE
-
-    def __post_init__(self) -> None:
-        one_of("align", self.by, get_args(Middle), "choose how to find the middle")
-        _check_slope(self.slope)
+    by: Annotated[
+        Middle,
+        Word(
+            "how the middle is found: 'ends', half-way between the ends of the land, where the chamfers begin (or of "
+            "the trace, if there are none); 'symmetry', where the land is most like its own mirror image",
+            "choose how to find the middle",
+            get_args(Middle),
+        ),
+    ] = "ends"
+    slope: ChamferSlope = CHAMFER_SLOPE
 
     def apply(self, points: Points) -> StepResult:
         """Return the points moved along y."""
@@ -176,20 +182,11 @@ class Align:
         return StepResult(self.name, after, words, {"shift": -middle, "low": low - middle, "high": high - middle})
 
 
-@dataclass(frozen=True)
-class Trim:
+@described()
+class Trim(Input):
     """Cut off what does not belong to the body, and mark where the land ends and the corners begin.
 
-    Parameters
-    ----------
-    length : float or None
-        Length [mm] to keep, half of it on either side of y = 0, all of it as one land; None finds the ends of the land
-        and of the corners.
-    slope : float
-        Slope at which the land ends and a chamfer begins.
-    corner : str
-        What becomes of the corners that are found, be they rounded or chamfered: ``"keep"`` them, up to the lowest
-        point of each, to be smoothed apart from the land; or ``"cut"`` them off. See `nonhertz.measured.corners`.
+    See `nonhertz.measured.corners`.
 
     Raises
     ------
@@ -198,15 +195,18 @@ class Trim:
     """
 
     name: ClassVar[str] = "trim"
-    length: float | None = None
-    slope: float = CHAMFER_SLOPE
-    corner: Corners = "keep"
-
-    def __post_init__(self) -> None:
-        _check_slope(self.slope)
-        one_of("corner", self.corner, get_args(Corners), "choose what becomes of the corners")
-        if self.length is not None:
-            positive("trim", self.length, "give the length to keep in mm, or 'auto'")
+    length: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "length to keep, half of it on either side of y = 0, all of it as one land; if left out, the ends of the "
+            "land and of the corners are found, each up to its lowest point",
+            positive,
+            "give the length to keep in mm, or 'auto'",
+        ),
+    ] = None
+    slope: ChamferSlope = CHAMFER_SLOPE
+    corner: CornersKept = "keep"
 
     def apply(self, points: Points) -> StepResult:
         """Return the points that are kept."""
@@ -260,8 +260,8 @@ def _cornered(
     return (begins[0], begins[1]), (bounds[0], bounds[1])
 
 
-@dataclass(frozen=True)
-class Outliers:
+@described()
+class Outliers(Input):
     """Remove points that do not belong to the surface: dust, scratches, lost contact of the stylus.
 
     A point is removed if it lies further than a limit off the surface on its left, extrapolated to it, off that on its
@@ -275,18 +275,18 @@ class Outliers:
     nearly zero, and what one point in ten does is still the surface. Neither measure is affected by fewer points, which
     is the idea of the robust filter of ISO 16610-31. Removed points are not replaced. The land is searched by itself;
     for the corners beyond it the limit is that of the roughest of the three.
-
-    Parameters
-    ----------
-    threshold : float
-        Robust standard deviations beyond which a point is removed, positive.
     """
 
     name: ClassVar[str] = "outliers"
-    threshold: float = THRESHOLD
-
-    def __post_init__(self) -> None:
-        positive("outliers", self.threshold, "give a number of robust standard deviations, such as 5, or true")
+    threshold: Annotated[
+        float,
+        Quantity(
+            "",
+            "robust standard deviations beyond which a point is removed",
+            positive,
+            "give a number of robust standard deviations, such as 5",
+        ),
+    ] = THRESHOLD
 
     def apply(self, points: Points) -> StepResult:
         """Return the remaining points."""
@@ -311,20 +311,12 @@ class Outliers:
         return StepResult(self.name, after, words, numbers, (points.y[out], points.height[out]))
 
 
-@dataclass(frozen=True)
-class Smooth:
+@described()
+class Smooth(Input):
     """Remove roughness: waves shorter than a cutoff.
 
     Corners, where the trace holds any, are smoothed apart from the land and joined to it, with a cutoff of 0.08 mm or
     this one, if it is shorter. See `nonhertz.measured.corners`.
-
-    Parameters
-    ----------
-    cutoff : float
-        Wavelength [mm] at which the filter transmits 50 %.
-    method : str
-        ``"gaussian"``, the filter of ISO 16610-21, or ``"spline"``, that of ISO 16610-22, which transmits less of
-        shorter and more of longer waves. See `nonhertz.measured.filters` for their behaviour at the ends.
 
     Raises
     ------
@@ -333,12 +325,24 @@ class Smooth:
     """
 
     name: ClassVar[str] = "smooth"
-    cutoff: float = CUTOFF
-    method: Filter = "gaussian"
-
-    def __post_init__(self) -> None:
-        one_of("smooth", self.method, get_args(Filter), "choose a filter")
-        positive("cutoff", self.cutoff, "give a wavelength in mm, such as 0.8")
+    cutoff: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "wavelength of which the filter lets half through",
+            positive,
+            "give a wavelength in mm, such as 0.8",
+        ),
+    ] = CUTOFF
+    method: Annotated[
+        Filter,
+        Word(
+            "'gaussian', the filter of ISO 16610-21, or 'spline', that of ISO 16610-22, which transmits less of "
+            "shorter and more of longer waves; see `nonhertz.measured.filters` for their behaviour at the ends",
+            "choose a filter",
+            get_args(Filter),
+        ),
+    ] = "gaussian"
 
     def apply(self, points: Points) -> StepResult:
         """Return the smooth points."""
@@ -362,34 +366,31 @@ class Smooth:
         return StepResult(self.name, after, words, {"cutoff": self.cutoff, "rms": rms}, removed_height=rough)
 
 
-@dataclass(frozen=True)
-class Thin:
+@described()
+class Thin(Input):
     """Keep only as many points as a smooth line needs: the solver has a few hundred strips, a trace 10,000 points.
 
     Heights at evenly spaced positions are interpolated linearly between neighbouring points. Gaps narrower than the new
     spacing are bridged and no longer count as gaps. Corners keep points of their own, 10 um apart where they begin.
-
-    Parameters
-    ----------
-    count : int
-        How many points of the land to keep, at least five. A land with fewer is left unchanged.
     """
 
     name: ClassVar[str] = "thin"
-    count: int = 201
-
-    def __post_init__(self) -> None:
-        finite("points", self.count, "give a whole number of points to keep, or 'auto'")
-        if self.count != int(self.count) or self.count < FEWEST_POINTS:
-            condition = f"be a whole number, at least {FEWEST_POINTS}"
-            raise InputError("points", self.count, condition, "give a number of points to keep, or 'auto'")
+    count: Annotated[
+        int,
+        Count(
+            "how many points of the land to keep; a land with fewer is left unchanged",
+            FEWEST_POINTS,
+            math.inf,
+            "give a number of points to keep, or 'auto'",
+        ),
+    ] = 201
 
     def apply(self, points: Points) -> StepResult:
         """Return the points kept."""
         land = points.on_land
         if len(land) <= self.count:
             return StepResult(self.name, points, f"All {len(points)} points were kept.", {"points": float(len(points))})
-        y = np.linspace(land.y[0], land.y[-1], int(self.count))
+        y = np.linspace(land.y[0], land.y[-1], self.count)
         gaps = tuple((low, high) for low, high in points.gaps if high - low > y[1] - y[0])
         if points.land is not None:
             y = _merged(y, positions(points))
@@ -472,7 +473,3 @@ def _dust_at_end(y: Array, height: Array) -> float:
     lack = float(np.median(expected) - height[-1])
     scatter = _MAD_TO_SIGMA * float(np.median(np.abs(expected - np.median(expected))))
     return lack if abs(lack) > THRESHOLD * scatter else 0.0
-
-
-def _check_slope(slope: float) -> None:
-    positive("slope", slope, "give the slope at which a chamfer begins, 0.05 being 50 um in a millimetre")
