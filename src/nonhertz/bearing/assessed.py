@@ -34,7 +34,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import numbers, positive
 from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, together
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
-from nonhertz.life.spectrum import checked_shares
+from nonhertz.life.spectrum import checked_shares, miner
 from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import SingularEnd
@@ -361,12 +361,6 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
         static_safety=rated.static / still if still > 0.0 else math.inf,
         singular_ends=tuple(ends),
     )
-
-
-def miner(lives: Sequence[float], shares: Sequence[float]) -> float:
-    """Return the life under loads with shares of the revolutions."""
-    damage = math.fsum(share / life for life, share in zip(lives, shares, strict=True))
-    return 1.0 / damage if damage != 0.0 else math.inf
 
 
 def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeConditions) -> BearingLife:

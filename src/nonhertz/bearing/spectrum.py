@@ -14,12 +14,11 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import Method, solve
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import listed, numbers, positive
+from nonhertz.inputs.checks import numbers, positive
 from nonhertz.inputs.fields import Quantity, described
-from nonhertz.life.spectrum import at_most_whole, share_of_revolutions
+from nonhertz.life.spectrum import at_most_whole, checked_cases, share_of_revolutions
 
 _SHARE = "give the share of the revolutions, above 0 and at most 1"
-_CASES = "give a list of nonhertz.bearing.LoadCase(share=..., radial=...)"
 
 
 @described(kw_only=True)
@@ -87,12 +86,7 @@ def solve_spectrum(
     >>> round(nh.bearing.assess(pairs).equivalent_load, -1)
     6500.0
     """
-    cases = listed("cases", cases, "be several LoadCase", _CASES)
-    for case in cases:
-        if not isinstance(case, LoadCase):
-            raise InputError("cases", case, "be a LoadCase", _CASES)
-    if not cases:
-        raise InputError("cases", cases, "be one load or more", _CASES)
+    cases = checked_cases("cases", cases, LoadCase)
     at_most_whole("share", [case.share for case in cases], "give all loads with their shares of the revolutions")
     options: dict[str, Any] = {"turning": turning, "method": method, "laminae": laminae, "maps": maps}
     return tuple((solve(bearing, **case.load, **options), case.share) for case in cases)

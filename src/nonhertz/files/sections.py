@@ -31,7 +31,7 @@ from nonhertz.life import MODELS, LoadCase, Model, model
 from nonhertz.life.capacity import ANGLE_REMEDY, contact_angle_at_most
 from nonhertz.life.catalogue import check_slope
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
-from nonhertz.life.spectrum import WHOLE
+from nonhertz.life.spectrum import refuse_other_than_whole
 from nonhertz.model.body import BODIES, Body, BodyName, convex
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -282,10 +282,9 @@ class Life(Input):
 
     @together("spectrum")
     def _check_shares(self) -> None:
-        total = math.fsum(case.share for case in self.spectrum)
-        if self.spectrum and abs(total - 1.0) > WHOLE:
+        if self.spectrum:
             remedy = "give all loads with their shares of the revolutions"
-            raise InputError("spectrum.share", round(total, 6), "add up to 1", remedy)
+            refuse_other_than_whole("spectrum.share", self.spectrum, remedy)
 
     @together("spectrum", "dent")
     def _check_dent(self) -> None:

@@ -25,7 +25,7 @@ from nonhertz.inputs.checks import listed, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
-from nonhertz.life.spectrum import checked_shares
+from nonhertz.life.spectrum import checked_shares, miner
 from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
@@ -251,7 +251,7 @@ def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], sh
             (ring.capacity(rollers) / each.load) ** 4 * ratio(*pair, chosen.slope)
             for (each, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
         ]
-        absolute = float(1.0 / sum(share / life for share, life in zip(shares, of_loads, strict=True)))
+        absolute = miner(of_loads, shares.tolist())
     found = _findings(spectrum, sharp)
     return Life(chosen, body, damage, reference, absolute, unrated, ring, y, _over(density, reference / length), found)
 

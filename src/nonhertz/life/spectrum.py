@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite, listed, positive
@@ -17,6 +17,7 @@ from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
 WHOLE = 1e-3  # tolerance for the sum of shares, so that three of 0.333, for example, are accepted
 
+Case = TypeVar("Case")
 _SHARE_REMEDY = "give the share of the revolutions, above 0 and at most 1"
 
 
@@ -41,6 +42,29 @@ def checked_shares(
             raise InputError("solution", "several", f"all be of one {of}", f"assess {of}s one by one")
     at_most_whole("share", [share for _, share in pairs], remedy)
     return pairs
+
+
+def checked_cases(name: str, cases: Iterable[Any], kind: type[Case]) -> list[Case]:
+    """Return load cases of a kind in a list; refuse anything else, and none at all."""
+    remedy = f"give a list of {kind.__module__.removesuffix('.spectrum')}.LoadCase"
+    found: list[Case] = listed(name, cases, "be load cases", remedy)
+    if not found or not all(isinstance(each, kind) for each in found):
+        raise InputError(name, cases, "be load cases", remedy)
+    return found
+
+
+def refuse_other_than_whole(name: str, cases: Sequence[LoadCase], remedy: str) -> float:
+    """Refuse shares that do not add up to 1 within 0.001; return what they add up to."""
+    total = math.fsum(each.share for each in cases)
+    if abs(total - 1.0) > WHOLE:
+        raise InputError(name, round(total, 6), "add up to 1", remedy)
+    return total
+
+
+def miner(lives: Sequence[float], shares: Sequence[float]) -> float:
+    """Return the life under loads with shares of the revolutions, after Palmgren and Miner."""
+    damage = math.fsum(share / life for life, share in zip(lives, shares, strict=True))
+    return 1.0 / damage if damage != 0.0 else math.inf
 
 
 def share_of_revolutions(name: str, share: float, remedy: str) -> None:
@@ -118,14 +142,8 @@ def solve_spectrum(
     >>> [round(share, 3) for _, share in solve_spectrum(contact, cases, strips=41)]
     [0.2, 0.8]
     """
-    cases = listed("cases", cases, "be several LoadCase", "give a list of LoadCase(load=..., share=...)")
-    for case in cases:
-        if not isinstance(case, LoadCase):
-            raise InputError("cases", case, "be a LoadCase", "make each with LoadCase(load=..., share=...)")
-    total = math.fsum(case.share for case in cases)
-    if not cases or abs(total - 1.0) > WHOLE:
-        remedy = "give all loads with their shares of the revolutions"
-        raise InputError("share", round(total, 6), "add up to 1", remedy)
+    cases = checked_cases("cases", cases, LoadCase)
+    total = refuse_other_than_whole("share", cases, "give all loads with their shares of the revolutions")
     loads, tilts = [case.load for case in cases], [case.tilt for case in cases]
     options: dict[str, Any] = {"element": element, "strips": strips, "accuracy": accuracy, "threads": threads}
     found = solve_many(contact, load=loads, tilt=tilts, **options)

@@ -1,12 +1,6 @@
 """Design: the dimensions of a contact for the least largest pressure or the longest life under all of its loads.
 
-The least largest pressure is found in the form: least t such that the largest pressure of every third of every contact
-is at most t, which is smooth where the largest one changes its place. Both goals are searched from several starts by
-sequential quadratic programming (SLSQP of SciPy) with exact gradients, each start in a process of its own.
-
-References
-----------
-D. Kraft, A software package for sequential quadratic programming, DFVLR-FB 88-28, 1988.
+Both goals are searched from several starts (`nonhertz.study.search`), each in a process of its own.
 """
 
 from __future__ import annotations
@@ -30,16 +24,15 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import free_form_in
 from nonhertz.files.planfile import Template, read_design
 from nonhertz.files.spreads import bounds_in
-from nonhertz.inputs.checks import callback, listed, one_of, thread_count, whole
+from nonhertz.inputs.checks import callback, one_of, thread_count, whole
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
-from nonhertz.life.spectrum import WHOLE
+from nonhertz.life.spectrum import checked_cases, refuse_other_than_whole
 from nonhertz.result.brief import plain_text
 from nonhertz.solver.one import solve
 from nonhertz.study.objective import (
     GOALS,
     LIFE,
     PRESSURE,
-    SEARCHING,
     Judged,
     Limit,
     Task,
@@ -48,6 +41,7 @@ from nonhertz.study.objective import (
     point_or_none,
     refuse_unlimited,
 )
+from nonhertz.study.search import Search, searched
 from nonhertz.study.workers import LostError, Workers
 
 __all__ = ["Band", "Design", "Front", "Limit", "Start", "best", "front"]
@@ -57,14 +51,11 @@ Portions = Callable[..., Iterator[tuple[Any, Any]]]
 
 STARTS, MOST_STARTS = 5, 100
 POINTS, MOST_POINTS = 9, 50  # of a front
-# Of a search: steps, the change of the goal at which it ends, and how often it is begun again.
-STEPS, CLOSE, AGAIN = 20, 1e-4, 2
 SAME = 0.01  # of the goal: starts that come so close have found the same
 COSTS = (0.01, 0.05)  # for which the bands of variables are found
 PLACES = 401  # of a relief
 BAND_STEPS, BAND_CLOSE = 10, 2e-3  # of the search for an end of a band, and its width in a variable
 BEYOND = 1.2  # by how much slopes and curvatures of a start stay below their bounds at least
-_BAD = 10.0  # logarithm, of a point that is not allowed
 
 
 @dataclass(frozen=True)
@@ -268,11 +259,11 @@ def best(
     was = task.template.case({})
     assert isinstance(was, Case)
     before = _judged_as_it_was(task, was)
-    ended: dict[int, _Search | LostError] = {}
+    ended: dict[int, Search | LostError] = {}
     processes = min(thread_count(workers), len(begins))
     with contextlib.closing(Workers()) as solving:
         searches = [(number, task, x) for number, x in enumerate(begins)]
-        for (number, _, _), found in solving.portions(_searched, searches, processes):
+        for (number, _, _), found in solving.portions(searched, searches, processes):
             ended[number] = found
             if announce is not None:
                 announce(len(ended), len(begins))
@@ -338,10 +329,10 @@ def front(
         # From both ends, and from as far between them as the cap is.
         share = (k + 1.0) / (points - 1.0)
         tasks += [(k, task, x) for x in (*begins, (1.0 - share) * begins[1] + share * begins[0])]
-    found: dict[int, list[_Search]] = {}
+    found: dict[int, list[Search]] = {}
     with contextlib.closing(Workers()) as solving:
-        for (k, _, _), search in solving.portions(_searched, tasks, min(thread_count(workers), len(tasks))):
-            if isinstance(search, _Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
+        for (k, _, _), search in solving.portions(searched, tasks, min(thread_count(workers), len(tasks))):
+            if isinstance(search, Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
                 found.setdefault(k, []).append(search)
     rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest, ends[1].case)]
     for k in sorted(found):
@@ -360,9 +351,7 @@ def _better(one: tuple[Any, float, float, Case], other: tuple[Any, float, float,
 
 
 def _group(name: str, loads: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
-    found: list[LoadCase] = listed(name, loads, "be loads", "give a list of nonhertz.life.LoadCase")
-    if not found or not all(isinstance(each, LoadCase) for each in found):
-        raise InputError(name, loads, "be loads", "give a list of nonhertz.life.LoadCase")
+    found = checked_cases(name, loads, LoadCase)
     return tuple(replace(each, share=1.0 / len(found)) for each in found)
 
 
@@ -501,13 +490,8 @@ def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:
             remedy = "give loads, each with a tilt"
             raise InputError("case", sorted(case.prescribed), "have a load, and no moment, for a design", remedy)
         return (LoadCase(load=case.prescribed["load"], share=1.0, tilt=case.prescribed.get("tilt", 0.0)),)
-    remedy = "give a list of nonhertz.life.LoadCase"
-    found: list[LoadCase] = listed("loads", loads, "be loads", remedy)
-    if not found or not all(isinstance(each, LoadCase) for each in found):
-        raise InputError("loads", loads, "be loads", remedy)
-    total = math.fsum(each.share for each in found)
-    if abs(total - 1.0) > WHOLE:
-        raise InputError("loads", round(total, 6), "have shares that add up to 1", "give each its share")
+    found = checked_cases("loads", loads, LoadCase)
+    refuse_other_than_whole("loads", found, "give each its share")
     return tuple(found)
 
 
@@ -519,199 +503,11 @@ def _judged_as_it_was(task: Task, was: Case) -> Judged | None:
         return None
 
 
-@dataclass(frozen=True)
-class _Search:
-    """How a search has ended."""
-
-    begun: Array
-    ended: Array
-    value: float
-    history: tuple[float, ...]
-    least_margin: float
-    failure: str = ""
-
-
-def _searched(given: tuple[int, Task, Array]) -> _Search:
-    """Search from one start; called in other processes."""
-    _, task, x = given
-    return _Searching(task).run(x)
-
-
-class _Searching:
-    """A search, which remembers the point that it looked at last and the best one."""
-
-    def __init__(self, task: Task) -> None:
-        self._task = task
-        self._at: tuple[bytes, Judged | None] = (b"", None)
-        self._best: tuple[float, Array, float] | None = None
-        self._history: list[float] = []
-        self._accuracy: float | None = None
-
-    def run(self, begun: Array) -> _Search:
-        """Return how it ends."""
-        x = begun
-        for accuracy in (SEARCHING, None) if self._task.is_automatic else (None,):
-            self._accuracy, self._best, self._at = accuracy, None, (b"", None)
-            if self._judged(x) is None:
-                return _Search(begun, x, math.nan, tuple(self._history), -math.inf, _why(self._task, x))
-            x = self._improved(x)
-        assert self._best is not None
-        value, x, margin = self._best
-        return _Search(begun, x, value, tuple(self._history), margin)
-
-    def _improved(self, x: Array) -> Array:
-        """Return the best point that a search from ``x`` finds."""
-        search = self._for_pressure if self._task.goal == PRESSURE else self._for_life
-        for _ in range(1 + AGAIN):
-            done = search(x)
-            assert self._best is not None
-            x = self._best[1]
-            if done:
-                break
-            # A search that has lost its way begins again from the best point, with nothing learnt of the curvature.
-        return x
-
-    def _judged(self, x: Array) -> Judged | None:
-        key = x.tobytes()
-        if self._at[0] != key:
-            judged = point_or_none(self._task, np.clip(x, 0.0, 1.0), self._accuracy)
-            self._at = key, judged
-            if judged is not None:
-                self._note(judged)
-        return self._at[1]
-
-    def _note(self, judged: Judged) -> None:
-        margin = judged.spare
-        value = judged.value
-        self._history.append(value)
-        # A point that meets all limits is better than any that does not; noise of 1e-6 counts as met.
-        rank = (min(margin + 1e-6, 0.0), -value)
-        if self._best is None or rank > (min(self._best[2] + 1e-6, 0.0), -self._best[0]):
-            self._best = value, judged.x.copy(), margin
-
-    def _for_life(self, begun: Array) -> bool:
-        from scipy.optimize import minimize
-
-        def value(x: Array) -> float:
-            judged = self._judged(x)
-            return _BAD if judged is None else math.log(judged.damage / self._scale)
-
-        def slope(x: Array) -> Array:
-            judged = self._judged(x)
-            return np.zeros(x.size) if judged is None else judged.slope_of_damage()
-
-        first = self._judged(begun)
-        assert first is not None
-        self._scale = first.damage
-        found = minimize(
-            value, begun, jac=slope, method="SLSQP", bounds=[(0.0, 1.0)] * begun.size,
-            constraints=self._limits(begun.size, 0), options={"maxiter": STEPS, "ftol": CLOSE},
-        )  # fmt: skip
-        return bool(found.success)
-
-    def _for_pressure(self, begun: Array) -> bool:
-        from scipy.optimize import minimize
-
-        first = self._judged(begun)
-        assert first is not None
-        scale = math.log(first.largest[0])
-        count = begun.size
-
-        def rows(z: Array) -> Array:
-            judged = self._judged(z[:count])
-            found = np.full(self._rows, z[-1] - _BAD)
-            if judged is not None:
-                peaks = judged.peaks()
-                found[: len(peaks)] = [top(number, z[-1]) - each for number, _, each in peaks]
-                found[len(peaks) :] = found[: len(peaks)].max()
-            return found
-
-        def top(number: int, t: float) -> float:
-            cap = self._task.cap(number)
-            return t + scale if cap is None else math.log(cap)
-
-        def slopes(z: Array) -> Array:
-            judged = self._judged(z[:count])
-            found = np.zeros((self._rows, count + 1))
-            if judged is not None:
-                peaks = judged.peaks()
-                found[: len(peaks), :count] = -judged.slopes_of_peaks(peaks)
-                found[: len(peaks), -1] = [self._task.cap(number) is None for number, _, _ in peaks]
-                # A zone without contact has no peak: its row repeats one that is met.
-                met = int(np.argmax([top(number, z[-1]) - each for number, _, each in peaks]))
-                found[len(peaks) :] = found[met]
-            return found
-
-        self._rows = self._task.zones * len(self._task.loads)
-        goal = np.zeros(count + 1)
-        goal[-1] = 1.0
-        found = minimize(
-            lambda z: float(z[-1]), np.append(begun, 0.0), jac=lambda z: goal, method="SLSQP",
-            bounds=[(0.0, 1.0)] * count + [(None, None)],
-            constraints=[{"type": "ineq", "fun": rows, "jac": slopes}, *self._limits(count, 1)],
-            options={"maxiter": STEPS, "ftol": CLOSE},
-        )  # fmt: skip
-        return bool(found.success)
-
-    def _limits(self, count: int, more: int) -> list[dict[str, Any]]:
-        """Return the constraints, of variables and of so many more unknowns."""
-        found: list[dict[str, Any]] = []
-        if any(each.form is not None for each in self._task.variables):
-
-            def of_forms(z: Array) -> Array:
-                return np.concatenate([margins for _, margins, _ in self._task.of_forms(z[:count])])
-
-            def slopes_of_forms(z: Array) -> Array:
-                parts = []
-                for mine, _, own in self._task.of_forms(z[:count]):
-                    parts.append(np.zeros((len(own), count + more)))
-                    parts[-1][:, np.flatnonzero(mine)] = own
-                return np.concatenate(parts)
-
-            found.append({"type": "ineq", "fun": of_forms, "jac": slopes_of_forms})
-        if self._task.limits:
-            size = sum((limit.most is not None) + (limit.least is not None) for limit in self._task.limits)
-            rows = size * len(self._task.loads)
-
-            def margins(z: Array) -> Array:
-                judged = self._judged(z[:count])
-                return np.full(rows, -1.0) if judged is None else judged.margins()
-
-            def slopes(z: Array) -> Array:
-                judged = self._judged(z[:count])
-                exact = None if judged is None else judged.slopes_of_margins()
-                by_x = self._differences(z[:count], rows) if exact is None else exact
-                return np.hstack([by_x, np.zeros((rows, more))])
-
-            found.append({"type": "ineq", "fun": margins, "jac": slopes})
-        return found
-
-    def _differences(self, x: Array, rows: int) -> Array:
-        """Return derivatives of margins that have no gradient, by differences."""
-        found = np.zeros((rows, x.size))
-        here = self._judged(x)
-        for k in range(x.size if here is not None else 0):
-            moved = x.copy()
-            moved[k] += 0.01 if x[k] < 0.5 else -0.01
-            there = point_or_none(self._task, moved, self._accuracy)
-            if there is not None and here is not None:
-                found[:, k] = (there.margins() - here.margins()) / (moved[k] - x[k])
-        return found
-
-
-def _why(task: Task, x: Array) -> str:
-    try:
-        task.at(x)
-    except NonhertzError as error:
-        return str(error)
-    return "It could not be solved."
-
-
 def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], portions: Portions) -> Design:
-    good = [each for each in found if isinstance(each, _Search) and math.isfinite(each.value)]
+    good = [each for each in found if isinstance(each, Search) and math.isfinite(each.value)]
     met = [each for each in good if each.least_margin >= -1e-4]
     if not good:
-        why = next((each.failure for each in found if isinstance(each, _Search)), "no process came back")
+        why = next((each.failure for each in found if isinstance(each, Search)), "no process came back")
         paths = ", ".join(dict.fromkeys(each.path for each in task.variables))
         raise InputError("vary", paths, f"be possible at a start ({why.rstrip('.')})", "change the bounds or the loads")
     if not met:

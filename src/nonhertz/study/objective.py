@@ -28,6 +28,7 @@ from nonhertz.life import LoadCase, Model
 from nonhertz.result.gradient import Gradient
 from nonhertz.result.maximum import counted, singular_y
 from nonhertz.result.measures import PressureAt
+from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.solver.many import solve_in_silence
 from nonhertz.solver.one import is_automatic
@@ -100,6 +101,11 @@ class Limit:
     name: str
     most: float | None = None
     least: float | None = None
+
+    @property
+    def sides(self) -> list[tuple[float, float]]:
+        """The bounds that there are, each with the sign of what goes beyond it."""
+        return [(sign, bound) for sign, bound in ((-1.0, self.most), (1.0, self.least)) if bound is not None]
 
 
 @dataclass(frozen=True)
@@ -314,15 +320,14 @@ class Judged:
 
     def margins(self) -> Array:
         """Return how far every limit is met under every load, over the limit; negative where it is not met."""
-        found = []
-        for limit in self.task.limits:
-            for solution in self.solutions:
-                value = _quantity(solution, limit.name)
-                if limit.most is not None:
-                    found.append((limit.most - value) / abs(limit.most))
-                if limit.least is not None:
-                    found.append((value - limit.least) / abs(limit.least))
-        return np.array(found)
+        return np.array(
+            [
+                sign * (float(QUANTITIES[limit.name].get(solution)) - bound) / abs(bound)
+                for limit in self.task.limits
+                for solution in self.solutions
+                for sign, bound in limit.sides
+            ]
+        )
 
     @property
     def spare(self) -> float:
@@ -339,21 +344,13 @@ class Judged:
         """Return the derivatives of the margins, shape (margins, variables); None if a quantity has no gradient."""
         if any(limit.name not in _WITH_GRADIENT for limit in self.task.limits):
             return None
-        found = []
-        for limit in self.task.limits:
-            for number in range(len(self.solutions)):
-                slopes = self.slopes(number, limit.name)
-                if limit.most is not None:
-                    found.append(-slopes / abs(limit.most))
-                if limit.least is not None:
-                    found.append(slopes / abs(limit.least))
+        found = [
+            sign / abs(bound) * slopes
+            for limit in self.task.limits
+            for slopes in (self.slopes(number, limit.name) for number in range(len(self.solutions)))
+            for sign, bound in limit.sides
+        ]
         return np.array(found).reshape(-1, len(self.task.variables))
-
-
-def _quantity(solution: Solution, name: str) -> float:
-    from nonhertz.result.quantities import QUANTITIES
-
-    return float(QUANTITIES[name].get(solution))
 
 
 def point_or_none(task: Task, x: Array, accuracy: float | None = None) -> Judged | None:
@@ -382,7 +379,6 @@ def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:
     """
     from nonhertz.files.spreads import number_in
     from nonhertz.inputs.fields import nearest
-    from nonhertz.result.quantities import QUANTITIES
 
     found = []
     for name, given in limits.items():
