@@ -162,17 +162,12 @@ def test_a_guess_says_that_it_is_one():
     ("make", "message"),
     [
         (lambda: from_catalogue(62, 30, 16, 44e3, 36.5e3), "outside_diameter = 30 must exceed the bore of 62 mm"),
-        (lambda: from_catalogue(30, 62, 0, 44e3, 36.5e3), "width = 0 must be positive"),
         (
             lambda: from_catalogue(30, 62, 16, 44.0, 36.5),
             "static = 36.5 must be that of rollers which fit between rings",
         ),
         (lambda: from_catalogue(30, 62, 16, 44.0, 36.5e3), "dynamic = 44.0 must be near 3"),
         (lambda: from_catalogue(30, 62, 16, 44e3, 90e3), "static = 90000.0 must be that of rollers which fit"),
-        (
-            lambda: from_catalogue(*NU206, kind="ball"),
-            "kind = 'ball' must be one of 'cylindrical', 'needle', 'tapered'",
-        ),
         (lambda: from_catalogue(*NU206, contact_angle=0.2), "contact_angle = 0.2 must be left out for a cylindrical"),
         (lambda: tapered(*HR30306J), "contact_angle = None must be given for a tapered bearing"),
         (
@@ -187,7 +182,6 @@ def test_a_guess_says_that_it_is_one():
             "outer_raceway = 36 must lie between 37.5 and 62 mm",
         ),
         (lambda: from_catalogue(1200, 1420, 106, 3e6, 6.5e6), "clearance = None must be given for a bore of more than"),
-        (lambda: from_catalogue(*NU206, clearance=math.nan), "clearance = nan must be a finite number"),
     ],
 )
 def test_what_is_in_no_catalogue_is_refused(make, message):

@@ -297,13 +297,10 @@ def test_it_prints_in_um():
     ("make", "message"),
     [
         (lambda: nh.bearing.Shaft(diameter=30.0, bore=30.0), "bore = 30.0 must be less than the diameter of the shaft"),
-        (lambda: nh.bearing.Shaft(diameter=-30.0), "diameter = -30.0 must be positive"),
         (
             lambda: on_shaft(12.0),
             "interference = 12.0 must not exceed 1 % of the diameter of 30 mm: give it on the diameter",
         ),
-        (lambda: on_shaft(0.01, smoothing=-0.002), "smoothing = -0.002 must not be negative"),
-        (lambda: on_shaft(0.01, material=3), "material = 3 must be a Material or the name of one"),
         (lambda: on_shaft(0.01, expansion=12.5), "expansion = 12.5 must not exceed 0.001 per kelvin"),
         (lambda: on_shaft(0.01, temperature=-300.0), "temperature = -300.0 must lie between -273.15 and 1000 degC"),
         (
@@ -318,10 +315,7 @@ def test_it_prints_in_um():
             lambda: found(housing=nh.bearing.Housing(diameter=55.0)),
             "housing.diameter = 55.0 must exceed that of the outer",
         ),
-        (lambda: found(shaft=30.0), "shaft = 30.0 must be a Shaft"),
-        (lambda: found(housing=None), "housing = None must be a Housing"),
         (lambda: found(ROW.roller), "must be a radial roller bearing"),
-        (lambda: found(speed=-1.0), "speed = -1.0 must not be negative"),
         (lambda: found(outer_temperature=2000.0), "outer_temperature = 2000.0 must lie between"),
         (lambda: found().axial(2.0), "contact_angle = 2.0 must be less than a right angle"),
     ],

@@ -116,7 +116,6 @@ def test_tandem_rows_share_the_load():
     ("make", "message"),
     [
         (lambda: spherical(inner_groove=50.0), "inner_groove = 50.0 must exceed the radius of the barrels"),
-        (lambda: spherical(contact_angle=-0.1), "contact_angle = -0.1 must be positive"),
         (
             lambda: B.solve(THRUST, axial=-1e3),
             "axial = -1000.0 must act along +x, the only way in which this bearing bears it",
@@ -128,8 +127,6 @@ def test_tandem_rows_share_the_load():
             ),
             "must be of bearing steel",
         ),
-        (lambda: B.paired(TAPER, "Y", 20.0), "arrangement = 'Y' must be"),
-        (lambda: B.paired(TAPER, "X", 0.0), "distance = 0.0 must be positive"),
         (lambda: B.Paired(bearings=(TAPER,), x=(0.0, 1.0), turned=(True,)), "x = (0.0, 1.0) must hold 1 places"),
         (lambda: B.Paired(bearings=(), x=(), turned=()), "bearings = () must be rows of rollers"),
         (lambda: B.Paired(bearings=(TAPER,), x=(0.0,), turned=(3,)), "turned = 3 must be"),

@@ -97,7 +97,6 @@ def test_static_ratings_are_where_hertz_has_4000_mpa():
             lambda: B.rating(B.paired(THRUST, "X", 20.0)),
             "bearing = 'Paired' must have all its thrust bearings turned the same way",
         ),
-        (lambda: B.rating(3), "bearing = 'int' must be a bearing of rollers"),
         (
             lambda: B.assess(B.solve(THRUST, axial=1e3, method="slices"), viscosity=20.0, speed=1e3),
             "viscosity = 20.0 must be left out for thrust bearings",

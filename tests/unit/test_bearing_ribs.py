@@ -121,7 +121,6 @@ def test_a_contact_beyond_the_flank_is_said():
 @pytest.mark.parametrize(
     ("made", "said"),
     [
-        (lambda: row("NK"), "design = 'NK' must be one of 'NU', 'N', 'NJ', 'NF', 'NUP'"),
         (
             lambda: row("NU", rib=B.Rib(100.0, 3.0)),
             "design = 'NU' must have ribs that bear loads, since",
@@ -131,7 +130,6 @@ def test_a_contact_beyond_the_flank_is_said():
         (lambda: row("NJ", rib=B.Rib(9e5, 4.0)), None),
         (lambda: row(axial_clearance=-0.1), "axial_clearance = -0.1 must"),
         (lambda: B.Rib(100.0, 3.0, edge=3.5), "edge = 3.5 must be less than the height of the contact, 3 mm"),
-        (lambda: B.Rib(100.0, 3.0, crown_radius=0.0), "crown_radius = 0.0 must be"),
         (lambda: B.Rib.of_flank(end_radius=100.0, angle=2.0), "angle = 2.0 must be less than a right angle"),
         (lambda: B.solve(row(), radial=1e3, axial=-5.0), "axial = -5.0 must act along \\+x, the only way in which"),
         (lambda: B.solve(row("N"), radial=1e3, axial=5.0), "axial = 5.0 must be zero for a bearing whose inner ring"),

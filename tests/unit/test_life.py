@@ -82,18 +82,12 @@ def test_the_parameters_are_those_of_the_publications():
             "fatigue_limit = 3.0 must be a parameter of zaretsky: it has sl",
         ),
         (lambda: lundberg_palmgren(slope=0.1), "slope = 0.1 must lie between 0.2 and 5"),
-        (lambda: zaretsky(slope=-1.0), "slope = -1.0 must be positive"),
-        (lambda: weibull(exponent=0.0), "exponent = 0.0 must be positive"),
-        (lambda: ioannides_harris(fatigue_limit=-1.0), "fatigue_limit = -1.0 must not be negative"),
         (lambda: ioannides_harris(stress="von_mises"), "stress = 'von_mises' must be 'orthogonal_shear' where depth_e"),
         (
             lambda: VolumeModel("own", "shear", 9.0, 1.0, 1.1, 0.0, "none"),
             "stress = 'shear' must be 'orthogonal_shear' where depth_exponent is 1 or more",
         ),
-        (lambda: weibull(stress="hydrostatic"), "stress = 'hydrostatic' must be one of 'orthogonal_shear', "),
         (lambda: iso_16281(laminae=29), "laminae = 29 must be a whole number from 30 to 2000"),
-        (lambda: iso_16281(edge_stress="maybe"), "edge_stress = 'maybe' must be one of 'pressure', "),
-        (lambda: LoadCase(load=0.0, share=1.0), "load = 0.0 must be positive"),
         (lambda: LoadCase(load=1.0, share=1.2), "share = 1.2 must not exceed 1"),
         (lambda: solve_spectrum(nh.Contact(roller(), RING), []), "cases = [] must be load cases"),
     ],
@@ -430,12 +424,7 @@ def test_laminae_are_compared_where_both_have_raceways_or_neither(logarithmic):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"rollers": 0}, "rollers = 0 must be a whole number of at least 1"),
-        ({"rollers": 2.5}, "rollers = 2.5 must be a whole number"),
         ({"rollers": 16}, "rollers = 16 must fit side by side on the pitch circle of 75 mm, 15 at most"),
-        ({"models": [3]}, "models = 3 must be a fatigue model or several"),
-        ({"models": "iso-16281", "body": "c"}, "body = 'c' must be one of the two bodies"),
-        ({"body": "c"}, "body = 'c' must be one of the two bodies"),
         ({"models": "palmgren"}, "model = 'palmgren' must be a fatigue model"),
     ],
 )
