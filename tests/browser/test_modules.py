@@ -204,14 +204,17 @@ DRAGGED = """async ([delays, bodies]) => {
       live.want({});
     };
     const live = new Live({
-      answered: (answer, wanted, stress) => stress && shown.push(answer.body),
-      stressed: (answer) => {
-        shown.push(answer.body);
+      request: (document, stress, body) => ["solve", { document, stress, body }],
+      together: true,
+      rest: 120,
+      answered: (answer, wanted, stress) => stress && shown.push(answer.wish),
+      more: (answer) => {
+        shown.push(answer.wish);
         window.setTimeout(next);
       },
       waiting() {},
       rested: (complete) => complete && next(),
-      stress: () => body,
+      wish: () => body,
     });
     next();
   });

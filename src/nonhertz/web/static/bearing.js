@@ -2,20 +2,19 @@
 
 import { figure, head, whenResized } from "./chart.js";
 import { byId, element } from "./elements.js";
-import { AWAY, asked, post } from "./live.js";
+import { AWAY, Live, post } from "./live.js";
 import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
 import { Polar, degrees, newtons } from "./polar.js";
 import { sayLater, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
 import { drawRoller } from "./roller.js";
-import { notice, timed, watchProgram, whileSolving } from "./status.js";
+import { notice, timed, watchProgram } from "./status.js";
 import { amount, parts } from "./units.js";
 import { Work } from "./work.js";
 
 const REST = 250; // ms without a change before strips are asked for
 const HELD = 600; // ms after the last key, while a slider is moved by keys
-const AGAIN = 1500; // ms between attempts to reach the program
 /** @type {[string, string][]} */
 const POLAR_KEY = [
   ["bar-inner", "inner ring"],
@@ -40,99 +39,53 @@ const page = {
   moved: 0, // when a slider was last moved by a key
 };
 
-/** @type {{document: any, since: number} | null} */
-let next = null;
-let busy = false;
-let rest = 0;
-/** @type {AbortController | null} */
-let strips = null;
-
-/** Solve by slices, now or as soon as the request in flight has been answered. */
-function want(document, since = performance.now()) {
-  next = { document, since };
-  stopStrips();
-  root.dataset.state = "solving";
-  if (!busy) void run();
-}
-
-function stopStrips() {
-  window.clearTimeout(rest);
-  strips?.abort();
-  strips = null;
-}
-
-async function run() {
-  busy = true;
-  let last = null;
-  while (next) {
-    const wanted = next;
-    next = null;
-    const begun = { drawing: 0 };
-    const answer = await asked("bearing/solve", { document: wanted.document, method: "slices" });
-    if (!answer) {
-      next ??= wanted;
-      await new Promise((done) => window.setTimeout(done, AGAIN));
-      continue;
-    }
-    begun.drawing = performance.now();
+/** Slices at every edit, strips when the hand rests. */
+const live = new Live({
+  request: (document, more) => ["bearing/solve", { document, method: more ? "strips" : "slices" }],
+  wish: () => (page.answer?.file_method === "strips" ? "strips" : null),
+  together: false,
+  rest: REST,
+  held: () => work.edits.dragging || performance.now() - page.moved < HELD,
+  counted: `${SLICED}; strips are being solved`,
+  answered(answer, { document, since }) {
+    const begun = performance.now();
     page.fresh = false;
-    answered(answer, wanted);
-    timed(wanted.since, begun.drawing, (took) => saySlices(answer, took));
-    last = answer;
-  }
-  busy = false;
-  if (last?.ok && last.file_method === "strips") restSoon();
-  else root.dataset.state = "settled";
-}
-
-function restSoon() {
-  root.dataset.state = "sliced";
-  rest = window.setTimeout(() => {
-    if (work.edits.dragging || performance.now() - page.moved < HELD) restSoon();
-    else void runStrips();
-  }, REST);
-}
-
-async function runStrips() {
-  const stop = new AbortController();
-  strips = stop;
-  const begun = performance.now();
-  byId("round-trip").textContent = "; strips are being solved …";
-  const done = whileSolving(() => gaveUp("Cancelled"), `${SLICED}; strips are being solved`, false);
-  const answer = await asked("bearing/solve", { document: work.document, method: "strips" }, stop.signal);
-  done();
-  if (stop.signal.aborted) return;
-  if (!answer) {
-    rest = window.setTimeout(() => void runStrips(), AGAIN);
-    return;
-  }
-  strips = null;
-  if (answer.ok) {
-    page.pressed = answer;
-    page.fresh = true;
-    show(answer, work.document);
-    byId("state").textContent = "solved by strips";
-    byId("round-trip").textContent = `in ${((performance.now() - begun) / 1e3).toFixed(1)} s`;
-  } else if (answer.slow) gaveUp(answer.mistakes[0].sentence);
-  else {
-    showMistakes(answer.mistakes);
-    gaveUp("strips gave no answer");
-  }
-  root.dataset.state = "settled";
-}
+    showMistakes(answer.ok ? [] : answer.mistakes);
+    if (answer.ok) show(answer, document);
+    else refuse(answer);
+    timed(since, begun, (took) => saySlices(answer, took));
+  },
+  more(answer, { document }, begun) {
+    if (answer.ok) {
+      page.pressed = answer;
+      page.fresh = true;
+      show(answer, document);
+      byId("state").textContent = "solved by strips";
+      byId("round-trip").textContent = `in ${((performance.now() - begun) / 1e3).toFixed(1)} s`;
+    } else {
+      showMistakes(answer.mistakes);
+      stay("strips gave no answer");
+    }
+    root.dataset.state = "settled";
+  },
+  waiting(more) {
+    if (more) byId("round-trip").textContent = "; strips are being solved …";
+    else root.dataset.state = "solving";
+  },
+  rested() {
+    root.dataset.state = live.latest && live.page.wish() ? "sliced" : "settled";
+  },
+  gaveUp(sentence, more) {
+    if (more) stay(sentence);
+    else refuse({ mistakes: [{ sentence }] });
+    root.dataset.state = "settled";
+  },
+});
 
 /** Stay with slices. @param {string} why */
-function gaveUp(why) {
-  stopStrips();
+function stay(why) {
   byId("state").textContent = `${SLICED}. ${why}`;
   byId("round-trip").textContent = "";
-  root.dataset.state = "settled";
-}
-
-function answered(answer, { document }) {
-  showMistakes(answer.ok ? [] : answer.mistakes);
-  if (answer.ok) show(answer, document);
-  else refuse(answer);
 }
 
 function show(answer, shown) {
@@ -262,7 +215,7 @@ const work = new Work(JSON.parse(byId("start").textContent), {
   what: "bearing",
   at: "bearing/",
   bodies: { roller: "roller", inner: "inner", outer: "outer" },
-  want,
+  want: (document, since) => live.want(document, since),
   latest: () => page.answer && { document: page.document, answer: page.answer },
   pin(result) {
     page.pinned = result?.answer ?? null;

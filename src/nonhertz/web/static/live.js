@@ -1,31 +1,41 @@
-// Requesting solutions during a drag: one request in flight, the latest case next, every answer drawn.
+// Requesting solutions during a drag: one request in flight, the latest document next, every answer drawn.
 //
-// A request in flight is not aborted for a newer case until it has taken long: a slider gives a case every 16 ms, and all
-// answers would be lost until the drag pauses. Stresses take longer: they come with every answer while that is quick enough for dragging,
-// otherwise when the drag pauses, and then a newer case aborts them.
+// A request in flight is not aborted for a newer document until it has taken long: a slider gives one every 16 ms, and
+// all answers would be lost until the drag pauses. More takes longer, stresses of a contact or strips of a bearing: it
+// comes with every answer while that is quick enough for dragging, otherwise when the drag pauses, and then a newer
+// document aborts it.
 
 import { notice, whileSolving } from "./status.js";
 import { unitsCode } from "./units.js";
 
-const REST = 120; // ms without a new case before stresses are requested separately
-const QUICK = 100; // ms from request to drawn; up to this, stresses come with every answer
-const PATIENCE = 3; // slow answers in a row, or one three times as slow, after which stresses are requested separately
-const LONG = 6000; // ms after which an answer is given up for that of a newer case
+const QUICK = 100; // ms from request to drawn; up to this, more comes with every answer
+const PATIENCE = 3; // slow answers in a row, or one three times as slow, after which more is requested separately
+const LONG = 6000; // ms after which an answer is given up for that of a newer document
 const AGAIN = 1500; // ms between attempts to reach the program
 /** Shown when nothing answers. */
 export const AWAY = "The program behind this page does not answer: check that nonhertz serve is still running.";
 const ATTEMPTS = 4; // while it is busy
 
 /**
- * @typedef {{document: object, since: number}} Pending a case and when the edit that made it began
+ * @typedef {{document: object, since: number}} Pending a document and when the edit that made it began
  * @typedef {{
- *   answered: (answer: any, wanted: Pending, stress: boolean) => void,
- *   stressed: (answer: any) => void,
- *   waiting: () => void,
+ *   request: (document: object, more: boolean, wish: string | null) => [string, object],
+ *   wish: () => string | null,
+ *   together: boolean,
+ *   rest: number,
+ *   held?: () => boolean,
+ *   counted?: string,
+ *   answered: (answer: any, wanted: Pending, more: boolean) => void,
+ *   more: (answer: any, wanted: Pending, begun: number) => void,
+ *   waiting: (more: boolean) => void,
  *   rested: (complete: boolean) => void,
- *   gaveUp: (sentence: string) => void,
- *   stress: () => ("a" | "b" | null),
- * }} Listener
+ *   gaveUp: (sentence: string, more: boolean) => void,
+ * }} Page
+ * Where a document is sent with what, and what is wished beyond the quick answer, null for nothing: the stresses in a
+ * body, or strips. Whether more comes together with the quick answer while that is quick enough; after how many ms
+ * without a new document it is asked for otherwise, and whether a hand still moves then; what is said, with the seconds
+ * counted, while it is worked out. What follows when there is an answer, more, a new document, nothing left to ask, or
+ * no answer.
  */
 
 /**
@@ -76,45 +86,46 @@ export async function asked(place, body, signal) {
 }
 
 export class Live {
-  /** @param {Listener} listener */
-  constructor(listener) {
-    this.listener = listener;
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
     /** @type {Pending | null} */
     this.next = null;
     /** @type {Pending | null} */
     this.latest = null;
     this.busy = false;
-    this.slow = 0; // answers with stresses in a row that took too long
+    this.slow = 0; // answers with more in a row that took too long
     this.rest = 0;
     /** @type {AbortController | null} */
-    this.stresses = null;
+    this.more = null;
     /** @type {{stop: AbortController, since: number} | null} */
     this.asking = null;
   }
 
   /**
-   * Solve a case, now or as soon as the request in flight has been answered.
+   * Solve a document, now or as soon as the request in flight has been answered.
    * @param {object} document
    * @param {number} [since] when the edit began, by performance.now()
    */
   want(document, since = performance.now()) {
     this.next = { document, since };
-    this.forgetStress();
-    this.listener.waiting();
+    this.forgetMore();
+    this.page.waiting(false);
     if (this.asking && performance.now() - this.asking.since > LONG) this.asking.stop.abort();
     if (!this.busy) void this.run();
   }
 
-  /** Ask for the stresses of the latest case, if they are shown. */
-  wantStress() {
-    this.forgetStress();
-    if (this.latest && this.listener.stress()) this.rest = window.setTimeout(() => this.runStress(), REST);
+  /** Ask for what else is wished of the latest document, when the hand rests. */
+  wantMore() {
+    this.forgetMore();
+    const ask = () => (this.page.held?.() ? this.wantMore() : void this.runMore());
+    if (this.latest && this.page.wish()) this.rest = window.setTimeout(ask, this.page.rest);
   }
 
-  forgetStress() {
+  forgetMore() {
     window.clearTimeout(this.rest);
-    this.stresses?.abort();
-    this.stresses = null;
+    this.more?.abort();
+    this.more = null;
   }
 
   async run() {
@@ -123,18 +134,18 @@ export class Live {
     while (this.next) {
       const wanted = this.next;
       this.next = null;
-      const stress = this.slow < PATIENCE && this.listener.stress() !== null;
+      const more = this.page.together && this.slow < PATIENCE && this.page.wish() !== null;
       const first = this.latest === null;
       const begun = performance.now();
       const stop = new AbortController();
       this.asking = { stop, since: begun };
       const done = whileSolving(() => stop.abort(), "still solving", true);
-      const answer = await this.ask(wanted, stress, stop.signal);
+      const answer = await this.ask(wanted, more, stop.signal);
       done();
       this.asking = null;
       if (stop.signal.aborted || answer?.slow) {
         this.latest = null;
-        if (!this.next) this.listener.gaveUp(answer?.mistakes[0].sentence ?? "cancelled");
+        if (!this.next) this.page.gaveUp(answer?.mistakes[0].sentence ?? "cancelled", false);
         continue;
       }
       if (!answer) {
@@ -143,48 +154,55 @@ export class Live {
         continue;
       }
       this.latest = answer.ok ? wanted : null;
-      this.listener.answered(answer, wanted, stress);
-      if (stress && !first) this.judge(performance.now() - begun); // the first answer is always slow
-      complete = stress && answer.body === this.listener.stress(); // another body may be shown by now
+      this.page.answered(answer, wanted, more);
+      if (more && !first) this.judge(performance.now() - begun); // the first answer is always slow
+      complete = more && answer.wish === this.page.wish(); // another body may be shown by now
     }
     this.busy = false;
-    if (complete) this.forgetStress();
-    else this.wantStress();
-    this.listener.rested(complete);
+    if (complete) this.forgetMore();
+    else this.wantMore();
+    this.page.rested(complete);
   }
 
-  async runStress() {
+  async runMore() {
     const wanted = this.latest;
     if (!wanted) return;
-    this.listener.waiting();
+    this.page.waiting(true);
     const stop = new AbortController();
-    this.stresses = stop;
+    this.more = stop;
     const begun = performance.now();
+    const giveUp = (why) => {
+      stop.abort();
+      this.page.gaveUp(why, true);
+    };
+    const done = this.page.counted ? whileSolving(() => giveUp("Cancelled"), this.page.counted, false) : () => {};
     const answer = await this.ask(wanted, true, stop.signal);
+    done();
     if (stop.signal.aborted) return;
     if (!answer) {
-      this.rest = window.setTimeout(() => this.runStress(), AGAIN);
+      this.rest = window.setTimeout(() => this.runMore(), AGAIN);
       return;
     }
-    this.listener.stressed(answer);
+    if (answer.slow) giveUp(answer.mistakes[0].sentence);
+    else this.page.more(answer, wanted, begun);
     this.slow = performance.now() - begun < QUICK ? 0 : PATIENCE;
   }
 
-  /** Note how long an answer with stresses took. @param {number} took ms */
+  /** Note how long an answer with more took. @param {number} took ms */
   judge(took) {
     if (took < QUICK) this.slow = 0;
     else this.slow += took < PATIENCE * QUICK ? 1 : PATIENCE;
   }
 
   /**
-   * Return the program's answer, or null if there is none.
+   * Return the program's answer with what was wished, or null if there is none.
    * @param {Pending} wanted
-   * @param {boolean} stress
+   * @param {boolean} more
    * @param {AbortSignal} [signal]
    */
-  async ask(wanted, stress, signal) {
-    const body = this.listener.stress() ?? "a";
-    const answer = await asked("solve", { document: wanted.document, stress, body }, signal);
-    return answer && { ...answer, body };
+  async ask(wanted, more, signal) {
+    const wish = this.page.wish();
+    const answer = await asked(...this.page.request(wanted.document, more, wish), signal);
+    return answer && { ...answer, wish };
   }
 }

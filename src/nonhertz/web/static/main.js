@@ -9,6 +9,7 @@ import { Strength } from "./strength.js";
 import { View } from "./view.js";
 import { Work } from "./work.js";
 
+const REST = 120; // ms without a new case before stresses are requested separately
 const STILL = 150; // ms after the last answer before coarsely drawn stresses are redrawn finely
 let refining = 0;
 
@@ -18,6 +19,10 @@ const sketch = new Sketch(byId("case"));
 const strength = new Strength((found) => view.searched(found));
 
 const live = new Live({
+  request: (document, stress, body) => ["solve", { document, stress, body: body ?? "a" }],
+  wish: () => view.shownBody(),
+  together: true,
+  rest: REST,
   answered(answer, { document, since }, stress) {
     const begun = performance.now();
     if (answer.ok) view.show(document, answer);
@@ -29,7 +34,7 @@ const live = new Live({
     }
     roundTrip(since, begun, answer);
   },
-  stressed(answer) {
+  more(answer) {
     showStress(answer, true);
     searchStrength(answer.section !== undefined);
     document.documentElement.dataset.state = "settled";
@@ -48,13 +53,20 @@ const live = new Live({
     }
     if (complete || !view.shownBody() || !live.latest) document.documentElement.dataset.state = "settled";
   },
-  gaveUp: (sentence) => view.outdate(sentence),
-  stress: () => view.shownBody(),
+  gaveUp(sentence, stress) {
+    if (!stress) {
+      view.outdate(sentence);
+      return;
+    }
+    byId("round-trip").textContent = `Stresses: ${sentence}`;
+    searchStrength(false);
+    document.documentElement.dataset.state = "settled";
+  },
 });
 
 function showStress(answer, fine) {
   byId("stress-figures").classList.remove("stale");
-  if (answer.ok) view.stress(answer, fine);
+  if (answer.ok) view.stress({ ...answer, body: answer.wish }, fine);
 }
 
 /** Ask whether the body that is shown bears it. @param {boolean} stressed whether it has stresses */
@@ -91,7 +103,7 @@ for (const choice of document.querySelectorAll("[name=stress-body], #stress-on")
     if (view.shownBody()) strength.forget();
     else strength.hide();
     view.redraw();
-    live.wantStress();
+    live.wantMore();
   });
 }
 void watchProgram();
