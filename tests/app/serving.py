@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+import httpx
+
 from nonhertz.web.server.app import application
 from nonhertz.web.server.serving import HOST, listening, server_of
 
@@ -29,6 +31,16 @@ def running(document: dict[str, Any], workers: int = 1, text: str = "") -> Itera
         finally:
             server.should_exit = True
             thread.join()
+
+
+def post(client: httpx.Client, path: str, **request: Any) -> httpx.Response:
+    """Send a request until the page is not busy, as its script does."""
+    for _ in range(600):
+        response = client.post(path, **request)
+        if response.status_code != 503:
+            return response
+        time.sleep(0.1)
+    raise AssertionError(f"{path} is still answered by {response.text}")
 
 
 def raw(port: int, method: str, path: str, headers: dict[str, str], body: bytes | None = None) -> tuple[int, bytes]:

@@ -5,7 +5,6 @@ import json
 import re
 import socket
 import threading
-import time
 import tomllib
 from importlib import resources
 
@@ -14,7 +13,7 @@ import httpx
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from serving import raw, running
+from serving import post, raw, running
 
 import nonhertz as nh
 from nonhertz.files.casefile import TEMPLATES, read_case, starting_case
@@ -40,18 +39,8 @@ def page():
 @pytest.fixture
 def client(page):
     """Return a client of the one page, once its process is free: a test before may have had it ended and replaced."""
-    asked_again(page, "/open", content=b"", headers={"content-type": "application/toml"})
+    post(page, "/open", content=b"", headers={"content-type": "application/toml"})
     return page
-
-
-def asked_again(client, path, **request):
-    """Return the answer to a request that is sent until the page is not busy, as its script does."""
-    for _ in range(600):
-        response = client.post(path, **request)
-        if response.status_code != 503:
-            return response
-        time.sleep(0.1)
-    raise AssertionError(f"{path} is still answered by {response.text}")
 
 
 def refused(response, status):
@@ -152,6 +141,9 @@ def test_opening_a_case_file(client):
     assert found == {"ok": True, "document": STARTING, "text": starting_case()}
 
 
+NESTED = "The file must be a case file: lists or tables are nested too deeply."
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -159,33 +151,27 @@ def test_opening_a_case_file(client):
         (b"title = '\xff'", "The file must be text in UTF-8: save it with that encoding."),
         ("a = " + "[" * 5000, "The file must be valid TOML: lists or tables are nested too deeply."),
         ("a = " + "9" * 5000, "The file must be valid TOML: a number has thousands of digits."),
+        (".".join("a" * 5000) + " = 1", NESTED),
+        ("[" + '."b c" . '.join("a" * 17) + "]", NESTED),
+        ("a = " + "{a = " * 17 + "1" + "}" * 17, NESTED),
     ],
 )
 def test_opening_what_is_no_case_file(client, text, words):
     response = client.post("/open", content=text, headers={"content-type": "application/toml"})
-    assert response.status_code == 200
-    assert response.json()["mistakes"] == [{"path": "", "sentence": words}]
+    assert refused(response, 200) == words
 
 
 @pytest.mark.parametrize(
-    "text",
-    [".".join("a" * 5000) + " = 1", "[" + '."b c" . '.join("a" * 17) + "]", "a = " + "{a = " * 17 + "1" + "}" * 17],
+    ("text", "document"),
+    [
+        ("title = 2026-01-01", {"title": "2026-01-01"}),
+        *((f"a = {number}", {"a": "inf"}) for number in ("9" * 4000, "0x" + "f" * 20_000, "inf")),
+        ("a = nan", {"a": "nan"}),
+    ],
 )
-def test_opening_what_is_nested_too_deeply(client, text):
+def test_opening_what_json_has_not(client, text, document):
     response = client.post("/open", content=text, headers={"content-type": "application/toml"})
-    assert refused(response, 200) == "The file must be a case file: lists or tables are nested too deeply."
-
-
-@pytest.mark.parametrize("number", ["9" * 4000, "0x" + "f" * 20_000, "nan", "inf"])
-def test_opening_numbers_beyond_all_numbers(client, number):
-    response = client.post("/open", content=f"a = {number}", headers={"content-type": "application/toml"})
-    assert response.json()["document"] == {"a": "nan" if number == "nan" else "inf"}
-
-
-def test_opening_what_json_has_not(client):
-    text = "title = 2026-01-01\n[load]\nload = inf\ntilt = nan\n"
-    response = client.post("/open", content=text, headers={"content-type": "application/toml"})
-    assert response.json()["document"] == {"title": "2026-01-01", "load": {"load": "inf", "tilt": "nan"}}
+    assert response.json()["document"] == document
 
 
 def test_downloads(client, tmp_path):
@@ -292,10 +278,18 @@ async def too_slow(self, job, *arguments, seconds):
     raise workers.TooSlowError
 
 
-def test_a_file_that_takes_too_long_is_given_up(client, monkeypatch):
+@pytest.mark.parametrize(
+    ("path", "sent", "command"),
+    [
+        ("/solve", {"json": {"document": STARTING}}, "solve"),
+        ("/upload", {"content": b"1 2\n" * 1000, "headers": BINARY}, "profile"),
+    ],
+)
+def test_what_takes_too_long_is_given_up(client, monkeypatch, path, sent, command):
     monkeypatch.setattr(workers.Workers, "run", too_slow)
-    response = client.post("/upload", content=b"1 2\n" * 1000, headers=BINARY)
-    sentence = "This takes longer than the page waits: use 'nonhertz profile'."
+    sentence = f"This takes longer than the page waits: use 'nonhertz {command}'."
+    response = client.post(path, **sent)
+    assert response.status_code == 200
     assert response.json() == {"ok": False, "slow": True, "mistakes": [{"path": "", "sentence": sentence}]}
 
 
@@ -390,6 +384,7 @@ def test_requests_of_other_sites_are_refused(client):
 
 
 POSTS = ["/solve", "/form", "/curve", "/download/case.toml"]
+OF_BEARINGS = ["/bearing/solve", "/bearing/contact"]
 
 
 @pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", ""])
@@ -425,20 +420,34 @@ def test_what_a_foreign_form_could_send_is_refused(client, kind):
     ids=range(20),
 )
 def test_malformed_requests(client, text):
-    for path in POSTS:
+    for path in POSTS + OF_BEARINGS:
         refused(client.post(path, content=text, headers=JSON), 400)
 
 
-@pytest.mark.parametrize("more", [{"stress": 1}, {"stress": None}, {"body": "c"}, {"body": ["a"]}, {"body": 1}])
-def test_malformed_wishes(client, more):
-    refused(client.post("/solve", json={"document": STARTING} | more), 400)
-    if "body" in more:
-        refused(client.post("/strength", json={"document": STARTING} | more), 400)
+LOAD = {"path": "load.load"}
+
+
+@pytest.mark.parametrize(
+    ("path", "wishes"),
+    [
+        ("/solve", [{"stress": 1}, {"stress": None}, {"body": "c"}, {"body": ["a"]}, {"body": 1}]),
+        ("/strength", [{"body": "c"}, {"body": ["a"]}, {"body": 1}]),
+        ("/curve", [{}, LOAD, {"values": [1.0]}, {"path": 1, "values": [1.0]}, LOAD | {"values": 1.0}]),
+        ("/curve", [LOAD | {"values": values} for values in (
+            [], [1.0] * (limits.CURVE_POINTS + 1), ["1"], [True], [10**400], [[1.0]],
+        )]),
+        ("/bearing/solve", [{"method": "magic"}, {"method": ["slices"]}]),
+        ("/bearing/contact", [{}, {"roller": 0}, {"roller": True, "ring": "inner"}, {"roller": 0, "ring": "c"}]),
+    ],
+)  # fmt: skip
+def test_malformed_wishes(client, path, wishes):
+    for wish in wishes:
+        refused(client.post(path, json={"document": STARTING} | wish), 400)
 
 
 @pytest.mark.slow
 def test_whether_a_body_bears_it(client, monkeypatch):
-    found = asked_again(client, "/strength", json={"document": STARTING, "body": "b"}).json()
+    found = post(client, "/strength", json={"document": STARTING, "body": "b"}).json()
     assert [each["verdict"] for each in found["checks"]] == ["not known", "not known"]
     assert "body b" in found["checks"][0]["sentence"]
     wrong = {"document": STARTING | {"load": {"load": "20 kg"}}}
@@ -458,21 +467,6 @@ def test_a_curve_in_pieces(client):
     wanted["values"] = [1e4, 2e4]
     wanted["document"] = STARTING | {"load": {"load": "20 kg"}}
     assert [each["path"] for each in client.post("/curve", json=wanted).json()["mistakes"]] == ["load.load"]
-
-
-@pytest.mark.parametrize(
-    "more",
-    [
-        {}, {"path": "load.load"}, {"values": [1.0]}, {"path": 1, "values": [1.0]},
-        {"path": "load.load", "values": 1.0},
-        {"path": "load.load", "values": []}, {"path": "load.load", "values": [1.0] * (limits.CURVE_POINTS + 1)},
-        {"path": "load.load", "values": ["1"]}, {"path": "load.load", "values": [True]},
-        {"path": "load.load", "values": [10**400]}, {"path": "load.load", "values": [[1.0]]},
-    ],
-    ids=range(11),
-)  # fmt: skip
-def test_malformed_curves(client, more):
-    refused(client.post("/curve", json={"document": STARTING} | more), 400)
 
 
 def test_numbers_beyond_all_numbers(client):
@@ -565,15 +559,7 @@ def test_more_than_can_wait_is_told_to_come_again(client, monkeypatch):
         thread.join()
     assert {response.status_code for response in found} == {200, 503}
     assert {response.headers["retry-after"] for response in found if response.status_code == 503} == {"1"}
-    assert asked_again(client, "/solve", json={"document": STARTING}).json()["ok"], "and then it goes on"
-
-
-def test_a_case_that_takes_too_long_is_given_up(client, monkeypatch):
-    monkeypatch.setattr(workers.Workers, "run", too_slow)
-    response = client.post("/solve", json={"document": STARTING})
-    assert response.status_code == 200
-    sentence = "This takes longer than the page waits: use 'nonhertz solve'."
-    assert response.json() == {"ok": False, "slow": True, "mistakes": [{"path": "", "sentence": sentence}]}
+    assert post(client, "/solve", json={"document": STARTING}).json()["ok"], "and then it goes on"
 
 
 async def mistaken(self, job, *arguments, seconds):
