@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
@@ -127,18 +126,18 @@ def solve(
     >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6830.0
     """
-    setting = _Setting.checked(bearing, speed, turning, method, laminae, maps)
+    solver, loaded = _checked(bearing, speed, turning, method, laminae, maps)
     given: dict[str, Any] = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
-    system, found = setting.solved(one_state(bearing, BearingLoad(**given)))
+    system, found = _solved(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**given)))
     if not found.residual[0] <= TOLERANCE:
         raise ConvergenceError(
             f"Rollers and rings found no balance in {found.steps[0]} steps: the loads may leave the inner ring unheld.",
             None,
         )
-    solution = BearingSolution.of(bearing, method, found, setting.load, at_edge(system, found))
+    solution = BearingSolution.of(bearing, method, found, loaded, at_edge(system, found))
     try:
         strained = solution.findings
     except (InputError, ConvergenceError) as error:  # the loads are known
@@ -188,91 +187,67 @@ def solve_many(
     InputError
         If the input is invalid.
     """
-    setting = _Setting.checked(bearing, speed, turning, method, laminae, maps)
+    solver, loaded = _checked(bearing, speed, turning, method, laminae, maps)
     given = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
     acting, shape = many_states(bearing, given) if displacement is None else motions(displacement, given)
-    _, states = setting.solved(acting, thread_count(threads))
-    return BearingSolutions.of(bearing, method, states, setting.load, shape)
+    _, states = _solved(bearing, loaded, solver, maps, acting, thread_count(threads))
+    return BearingSolutions.of(bearing, method, states, loaded, shape)
 
 
-@dataclass(frozen=True, eq=False)
-class _Setting:
-    """A bearing and how it is to be solved, checked."""
+def _checked(
+    bearing: RollerBearing | Paired, speed: float, turning: str, method: Any, laminae: int, maps: BearingMaps | None
+) -> tuple[BearingSolver, Array]:
+    """Return how a bearing is solved, and what its speed loads every roller with; refuse what cannot be."""
+    if not isinstance(bearing, RollerBearing | Paired):
+        remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
+        raise InputError("bearing", bearing, "be a bearing", remedy)
+    solver = BearingSolver(method=method, laminae=laminae)
+    rate = _UNIT_OF_SPEED * BearingLoad(speed=speed).speed
+    if maps is not None:
+        if not isinstance(maps, BearingMaps) or maps.bearing != bearing:
+            raise InputError("maps", maps, "be maps of this bearing", "make them with nonhertz.bearing.maps")
+        if method != "strips":
+            raise InputError("maps", maps, "not be given with slices", "leave out method")
+    rows = [row.bearing for row in bearing.rows]
+    return solver, np.concatenate([np.tile(each.load_by_speed(rate, turning), (each.rollers, 1)) for each in rows])
 
-    bearing: RollerBearing | Paired
-    method: str
-    laminae: int
-    maps: BearingMaps | None
-    load: Array
 
-    @classmethod
-    def checked(
-        cls,
-        bearing: RollerBearing | Paired,
-        speed: float,
-        turning: str,
-        method: str,
-        laminae: int,
-        maps: BearingMaps | None,
-    ) -> _Setting:
-        if not isinstance(bearing, RollerBearing | Paired):
-            remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
-            raise InputError("bearing", bearing, "be a bearing", remedy)
-        chosen: dict[str, Any] = {"method": method, "laminae": laminae}
-        solver = BearingSolver(**chosen)
-        speed = BearingLoad(speed=speed).speed
-        if maps is not None:
-            if not isinstance(maps, BearingMaps) or maps.bearing != bearing:
-                remedy = "make them with nonhertz.bearing.maps"
-                raise InputError("maps", maps, "be maps of this bearing", remedy)
-            if method != "strips":
-                raise InputError("maps", maps, "not be given with slices", "leave out method")
-        rate = _UNIT_OF_SPEED * speed
-        rows = [row.bearing for row in bearing.rows]
-        load = np.concatenate([np.tile(each.load_by_speed(rate, turning), (each.rollers, 1)) for each in rows])
-        return cls(bearing, solver.method, solver.laminae, maps, load)
-
-    def solved(self, acting: Prescribed, threads: int = 1) -> tuple[System, States]:
-        """Return the rollers with their laws, and the states of the bearing."""
-        by_force, target = acting
-        depth = _depth(self.bearing, acting)
-        start = np.zeros_like(target)
-        start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
-        if self.method == "slices":
-            slices = [(standard_slices(row.bearing, self.laminae),) * 2 for row in self.bearing.rows]
-            sliced = _jointed(self.bearing, self.load, slices, nominal=True)
-            return sliced, balanced(sliced, by_force, target, start, depth, threads=threads)
-        if self.maps is not None:
-            laws = [[MapLaw(each) for each in pair] for pair in self.maps.contacts]
-            mapped = _jointed(self.bearing, self.load, laws)
-            found = balanced(mapped, by_force, target, start, depth, threads=threads)
-            _refuse_beyond(self.bearing, laws, found)
-            return mapped, found
-        return self._by_strips(by_force, target, start, depth)
-
-    def _by_strips(
-        self, by_force: NDArray[np.bool_], target: Array, start: Array, depth: float
-    ) -> tuple[System, States]:
-        """Return rollers and states by strips, to which slices and then few strips lead."""
-        slices = [(standard_slices(row.bearing, GUIDING_SLICES),) * 2 for row in self.bearing.rows]
-        contacts = [[StrippedContact(each) for each in row.bearing.contacts] for row in self.bearing.rows]
-        few, many = ([StripLaw(each, strips) for each in contacts] for strips in (ROUGH_STRIPS, None))
-        coarse, fine = (_jointed(self.bearing, self.load, [(law, law) for law in laws]) for laws in (few, many))
-        sliced = _jointed(self.bearing, self.load, slices)
-        # To the last: rollers that speed alone presses on the outer ring bear less than what is near.
-        nearby = balanced(sliced, by_force, target, start, depth)
-        # Those that the inner ring presses are nearer to where springs would have them.
-        idle = ~(nearby.load[:, :, :1] > 0.0)
-        motion = np.where(idle, nearby.motion, np.nan)
-        rough = balanced(coarse, by_force, target, nearby.ring, depth, NEARBY, motion)
-        found = balanced(fine, by_force, target, rough.ring, depth, NEARBY, rough.motion)
-        # Strips are laid for the contacts as they were when they were first met.
-        for law in many:
-            law.lay_anew()
-        return fine, balanced(fine, by_force, target, found.ring, depth, motion=found.motion)
+def _solved(
+    bearing: RollerBearing | Paired, load: Array, solver: BearingSolver, maps: BearingMaps | None, acting: Prescribed,
+    threads: int = 1,
+) -> tuple[System, States]:  # fmt: skip
+    """Return the rollers with their laws, and the states of the bearing."""
+    by_force, target = acting
+    depth, start = _depth(bearing, acting), np.zeros_like(target)
+    start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
+    sliced = solver.method == "slices"
+    count = solver.laminae if sliced else GUIDING_SLICES
+    laws: list[Any] = [(standard_slices(row.bearing, count),) * 2 for row in bearing.rows]
+    if maps is not None:
+        laws = [[MapLaw(each) for each in pair] for pair in maps.contacts]
+    system = joined(bearing, load, laws, nominal=sliced)
+    found = balanced(system, by_force, target, start, depth, threads=threads)
+    if maps is not None:
+        _refuse_beyond(bearing, laws, found)
+    if sliced or maps is not None:
+        return system, found
+    # Slices lead to the neighbourhood of the balance, and few strips closer to it; the slices to the last: rollers that
+    # speed alone presses on the outer ring bear less than what is near. Those that the inner ring presses are nearer to
+    # where springs would have them.
+    idle = ~(found.load[:, :, :1] > 0.0)
+    motion = np.where(idle, found.motion, np.nan)
+    contacts = [[StrippedContact(each) for each in row.bearing.contacts] for row in bearing.rows]
+    few, many = ([StripLaw(each, strips) for each in contacts] for strips in (ROUGH_STRIPS, None))
+    coarse, fine = (joined(bearing, load, [(law, law) for law in laws]) for laws in (few, many))
+    found = balanced(coarse, by_force, target, found.ring, depth, NEARBY, motion)
+    found = balanced(fine, by_force, target, found.ring, depth, NEARBY, found.motion)
+    # Strips are laid for the contacts as they were when they were first met.
+    for law in many:
+        law.lay_anew()
+    return fine, balanced(fine, by_force, target, found.ring, depth, motion=found.motion)
 
 
 def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], found: States) -> None:
@@ -303,7 +278,7 @@ def _depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
     return max(by_load, moved, 1e-6 * max(row.roller_diameter for row in rows)) + 4.0 * gap
 
 
-def _jointed(
+def joined(
     bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequence[ContactLaw]], *, nominal: bool = False
 ) -> System:
     """Return the rollers with a law for each raceway of each row, and ribs; as ISO/TS 16281 has them if nominal."""

@@ -29,6 +29,7 @@ from nonhertz.bearing.equilibrium import Joint, System, balanced
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.section import raceway_motion, ring_motion
 from nonhertz.bearing.strips import StripLaw, StrippedContact
+from nonhertz.bearing.verb import joined
 from nonhertz.verify import known_bearings as known
 from nonhertz.verify.bearing_sums import sums_in_space
 from nonhertz.verify.claim import Claim, Evidence, series, solved
@@ -329,13 +330,8 @@ def _of_slices(bearing: TaperedRollerBearing, ring: Array) -> tuple[Array, Array
 
 def _of_kept_strips(solution: BearingSolution) -> Callable[[Array], tuple[Array, Array]]:
     """Return the same by strips that are laid once: where they are laid anew, the error of the grid jumps."""
-    ((row, bearing),) = ((row, row.bearing) for row in solution.bearing.rows)
-    laws = [StripLaw([StrippedContact(contact)]) for contact in bearing.contacts]
-    raceways = zip(bearing.raceway_motions, row.gaps, laws, strict=True)
-    joints = [Joint(column == 0, motion, gap, law, column) for column, (motion, gap, law) in enumerate(raceways)]
-    for column, rib in enumerate(bearing.rib_contacts, start=2):
-        joints.append(Joint(rib.ring == "inner", rib.motion, np.full(bearing.rollers, rib.gap), rib.law, column))
-    system = System(row.ring_motion, tuple(joints), solution.roller_load, 0.5 * bearing.roller_length)
+    laws = [StripLaw([StrippedContact(contact)]) for contact in solution.bearing.rows[0].bearing.contacts]
+    system = joined(solution.bearing, solution.roller_load, [laws])
     none, ring = np.zeros(5, dtype=bool), solution.displacement[None]
     begun = balanced(system, none, ring, ring, 0.01).motion
 
