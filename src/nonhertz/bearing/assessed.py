@@ -31,7 +31,7 @@ from nonhertz.bearing.ratings import Rating, equivalent_loads, rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import numbers, positive
+from nonhertz.inputs.checks import number_that, numbers, positive
 from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, together
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.spectrum import checked_shares, miner
@@ -133,12 +133,7 @@ def _reliability(name: str, value: float, remedy: str) -> None:
     reliability_factor(value)
 
 
-def _contamination(name: str, value: float, remedy: str) -> None:
-    positive(name, value, remedy)
-    if value > 1.0:
-        raise InputError(name, value, "not exceed 1", remedy)
-
-
+_contamination = number_that(lambda value: value <= 1.0, "not exceed 1", positive)
 _RATING = "give the load rating in N"
 
 

@@ -16,7 +16,7 @@ from nonhertz.amounts import mm
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import raceway_motion, ring_motion
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, flag, listed, not_negative, numbers, one_of, positive
+from nonhertz.inputs.checks import finite, flag, listed, not_negative, number_that, numbers, one_of, positive
 from nonhertz.inputs.fields import Count, Input, Part, Quantity, Word, described, together
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
@@ -61,12 +61,6 @@ class Inertia(NamedTuple):
 def _function_of_angle(name: str, value: Any, remedy: str) -> None:
     if not callable(value):
         raise InputError(name, value, "be a function of the angle", remedy)
-
-
-def _contact_angle(name: str, value: float, remedy: str) -> None:
-    positive(name, value, remedy)
-    if value > _MOST_ANGLE:
-        raise InputError(name, value, f"not exceed {_MOST_ANGLE:.4g} rad, 45 degrees", remedy)
 
 
 def likely_raceway(values: Mapping[str, Any]) -> type[Body]:
@@ -119,7 +113,7 @@ _CLEARANCE = Quantity(
 _ANGLE = Quantity(
     "rad",
     "the angle between the normal of the outer raceway and the radial plane, of tapered and spherical bearings",
-    _contact_angle,
+    number_that(lambda value: value <= _MOST_ANGLE, f"not exceed {_MOST_ANGLE:.4g} rad, 45 degrees", positive),
     "give it in rad: 12 degrees are 0.21",
 )
 _RIB = Part(

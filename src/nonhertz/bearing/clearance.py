@@ -29,7 +29,7 @@ from nonhertz.bearing.bearings import (
 )
 from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.checks import finite, not_negative, number_that, positive
 from nonhertz.inputs.fields import Input, Part, Quantity, described, together
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.materials import STEEL_DENSITY, NamedMaterial, density_of
@@ -45,16 +45,8 @@ _IN_TONNES = "give it in t/mm^3, 7.85e-9 for steel"
 _IN_MM = "give it on the diameter in mm: 20 um are 0.02"
 
 
-def _expansion(name: str, value: float, remedy: str) -> None:
-    finite(name, value, remedy)
-    if abs(value) > MOST_EXPANSION:
-        raise InputError(name, value, f"not exceed {MOST_EXPANSION:g} per kelvin", remedy)
-
-
-def _temperature(name: str, value: float, remedy: str) -> None:
-    finite(name, value, remedy)
-    if not COLDEST <= value <= HOTTEST:
-        raise InputError(name, value, f"lie between {COLDEST:g} and {HOTTEST:g} degC", remedy)
+_expansion = number_that(lambda value: abs(value) <= MOST_EXPANSION, f"not exceed {MOST_EXPANSION:g} per kelvin")
+_temperature = number_that(lambda value: COLDEST <= value <= HOTTEST, f"lie between {COLDEST:g} and {HOTTEST:g} degC")
 
 
 def _outside(name: str, value: float, remedy: str) -> None:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import broadcast, finite, not_negative, numbers
+from nonhertz.inputs.checks import broadcast, finite, not_negative, number_that, numbers
 from nonhertz.inputs.fields import Input, OneOrTwo, Quantity, described
 from nonhertz.model.prescription import MOST_TILT
 
@@ -25,10 +25,8 @@ _ALONG_Y, _ABOUT_Z = (("along y", "along z"), 0), (("about y", "about z"), 1)
 _ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
 
 
-def _rotation(name: str, value: float, remedy: str) -> None:
-    finite(name, value, remedy)
-    if abs(value) > MOST_TILT:
-        raise InputError(name, value, f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
+_SMALL = f"be a small angle, of at most {MOST_TILT:g} rad"
+_rotation = number_that(lambda value: abs(value) <= MOST_TILT, _SMALL)
 
 
 @described(kw_only=True)
@@ -238,4 +236,4 @@ def _refuse_large(name: str, rotations: Array) -> None:
     """Refuse rotations that are not small."""
     largest = float(rotations.flat[np.argmax(np.abs(rotations))])
     if abs(largest) > MOST_TILT:
-        raise InputError(name, largest, f"be a small angle, of at most {MOST_TILT:g} rad", _ROTATION)
+        raise InputError(name, largest, _SMALL, _ROTATION)

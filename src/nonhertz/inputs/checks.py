@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import os
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from numbers import Integral
 from typing import Any
 
@@ -53,6 +53,19 @@ def not_negative(field: str, value: float, remedy: str) -> None:
     finite(field, value, remedy)
     if value < 0.0:
         raise InputError(field, value, "not be negative", remedy)
+
+
+def number_that(
+    holds: Callable[[float], bool], condition: str, first: Callable[[str, float, str], object] = finite
+) -> Callable[[str, float, str], None]:
+    """Return a check that refuses numbers of which something does not hold, beside those that another check refuses."""
+
+    def check(field: str, value: float, remedy: str) -> None:
+        first(field, value, remedy)
+        if not holds(value):
+            raise InputError(field, value, condition, remedy)
+
+    return check
 
 
 def whole(field: str, value: int, least: int, most: float, remedy: str) -> int:

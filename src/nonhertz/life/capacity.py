@@ -33,7 +33,7 @@ import numpy as np
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import not_negative, positive, whole
+from nonhertz.inputs.checks import not_negative, number_that, positive, whole
 from nonhertz.inputs.fields import Flag, Input, Quantity, Word, described, together
 from nonhertz.model.body import BODIES, Body, BodyName, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
@@ -47,11 +47,10 @@ ANGLE_REMEDY, _MOST_ANGLE = "give it in rad, for a radial bearing: 45 degrees at
 _DIAMETER_EXPONENT, _LENGTH_EXPONENT = 29.0 / 27.0, 7.0 / 9.0
 
 
-def contact_angle_at_most(name: str, angle: float, remedy: str) -> None:
-    """Refuse a contact angle that no radial bearing has."""
-    not_negative(name, angle, remedy)
-    if angle > _MOST_ANGLE:
-        raise InputError(name, angle, f"not exceed {_MOST_ANGLE:.4g} rad", remedy)
+#: No radial bearing has another contact angle.
+contact_angle_at_most = number_that(
+    lambda angle: angle <= _MOST_ANGLE, f"not exceed {_MOST_ANGLE:.4g} rad", not_negative
+)
 
 
 @described()

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any, TypeVar
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import above_zero, finite, listed, positive
+from nonhertz.inputs.checks import above_zero, finite, listed, number_that, positive
 from nonhertz.inputs.fields import Input, Quantity, described
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
@@ -67,11 +67,7 @@ def miner(lives: Sequence[float], shares: Sequence[float]) -> float:
     return 1.0 / damage if damage != 0.0 else math.inf
 
 
-def share_of_revolutions(name: str, share: float, remedy: str) -> None:
-    """Refuse a share that is not above 0 and at most 1."""
-    positive(name, share, remedy)
-    if share > 1.0:
-        raise InputError(name, share, "not exceed 1", remedy)
+share_of_revolutions = number_that(lambda share: share <= 1.0, "not exceed 1", positive)
 
 
 @described(kw_only=True)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, not_negative, numbers, positive
+from nonhertz.inputs.checks import not_negative, number_that, numbers, positive
 from nonhertz.inputs.fields import Input, Quantity, described, together
 from nonhertz.model.profile.base import Formula, Profile
 from nonhertz.model.profile.circular import drop_of_circle
@@ -74,10 +74,7 @@ class Rounded(Corner):
         return drop_of_circle(self.radius, numbers("distance", distance, _DISTANCE_REMEDY))
 
 
-def _acute(name: str, angle: float, remedy: str) -> None:
-    finite(name, angle, remedy)
-    if not 0.0 < angle < 0.5 * math.pi:
-        raise InputError(name, angle, "lie between 0 and pi / 2", remedy)
+_acute = number_that(lambda angle: 0.0 < angle < 0.5 * math.pi, "lie between 0 and pi / 2")
 
 
 @described()

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.checks import not_negative, number_that, positive
 from nonhertz.inputs.fields import Flag, Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile
 from nonhertz.model.profile.kind import kind
@@ -52,10 +52,7 @@ class Arcs(Formula):
         return (-self.junction, self.junction) if self.junction > 0.0 else ()
 
 
-def _not_zero(name: str, value: float, remedy: str) -> None:
-    finite(name, value, remedy)
-    if value == 0.0:
-        raise InputError(name, value, "not be zero", remedy)
+_not_zero = number_that(lambda value: value != 0.0, "not be zero")
 
 
 @kind(by_drop=("radius",))

@@ -17,7 +17,7 @@ import numpy as np
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, one_of
+from nonhertz.inputs.checks import finite, number_that, one_of
 from nonhertz.inputs.fields import unknown
 from nonhertz.model.profile.base import Profile
 from nonhertz.model.profile.kind import CATALOGUE, PARAMETERS
@@ -94,11 +94,8 @@ def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
     return _searched(lambda value: make(**parameters, **{free: value}), kind, free, drop, at)
 
 
-def off_the_middle(name: str, at: float, remedy: str) -> None:
-    """Refuse a place of a drop in the middle of the body, from which drops are measured."""
-    finite(name, at, remedy)
-    if at == 0.0:
-        raise InputError(name, at, "not be the middle of the body", remedy)
+#: Drops are measured from the middle of the body.
+off_the_middle = number_that(lambda at: at != 0.0, "not be the middle of the body")
 
 
 def determined(kind: str, given: Iterable[str]) -> str | None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.checks import not_negative, number_that, positive
 from nonhertz.inputs.fields import Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile, Straight
 from nonhertz.model.profile.kind import kind
@@ -75,16 +75,8 @@ def straight() -> Profile:
     return Straight()
 
 
-def _less_than_upright(name: str, angle: float, remedy: str) -> None:
-    finite(name, angle, remedy)
-    if abs(angle) >= 0.5 * math.pi:
-        raise InputError(name, angle, "lie in (-pi/2, pi/2)", remedy)
-
-
-def _acute(name: str, angle: float, remedy: str) -> None:
-    finite(name, angle, remedy)
-    if not 0.0 <= angle < 0.5 * math.pi:
-        raise InputError(name, angle, "lie in [0, pi/2)", remedy)
+_less_than_upright = number_that(lambda angle: abs(angle) < 0.5 * math.pi, "lie in (-pi/2, pi/2)")
+_acute = number_that(lambda angle: 0.0 <= angle < 0.5 * math.pi, "lie in [0, pi/2)")
 
 
 @kind(by_drop=("angle",))

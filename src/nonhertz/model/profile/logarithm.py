@@ -9,7 +9,7 @@ from typing import Annotated
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.checks import not_negative, number_that, positive
 from nonhertz.inputs.fields import Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile
 from nonhertz.model.profile.design_load import (
@@ -76,10 +76,8 @@ class Logarithmic(Formula):
         return (-0.5 * self.straight, 0.5 * self.straight) if self.straight > 0.0 else ()
 
 
-def _share(name: str, value: float, remedy: str) -> None:
-    finite(name, value, remedy)
-    if not 0.0 < value <= 1.0:
-        raise InputError(name, value, "lie in (0, 1]", remedy)
+_share = number_that(lambda value: 0.0 < value <= 1.0, "lie in (0, 1]")
+_crowned_share = number_that(lambda value: _LEAST_SHARE <= value <= 1.0, f"lie between {_LEAST_SHARE:g} and 1")
 
 
 @kind(by_drop=("amplitude",), of_body=("length",))
@@ -274,12 +272,6 @@ def johns_gohar(
     half_width = design_half_width(load, length, radius, compliance)
     rest = _END * 2.0 * half_width / length
     return Logarithmic(amplitude, length, rest, curved=length)
-
-
-def _crowned_share(name: str, value: float, remedy: str) -> None:
-    finite(name, value, remedy)
-    if not _LEAST_SHARE <= value <= 1.0:
-        raise InputError(name, value, f"lie between {_LEAST_SHARE:g} and 1", remedy)
 
 
 def _line_contact_or_end(
