@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.amounts import mm, read_in
 from nonhertz.files.planfile import Plan
 from nonhertz.study import Sampling, Sweep
 from nonhertz.study.pictures import scaled, sweep_figures
@@ -302,8 +303,8 @@ def test_nothing_varied_is_refused():
         nh.sweep(CASE, over={"load.load": "1 kN : 2 kN : 9000", "load.tilt": np.linspace(0.0, 1e-3, 9000)})
 
 
-def _square(number):
-    return number**2
+def _length(number):
+    return f"{mm(25.4 * number):g}"
 
 
 def _ends_at_three(number):
@@ -313,8 +314,9 @@ def _ends_at_three(number):
 
 
 @pytest.mark.slow
-def test_processes_find_all_in_any_order():
-    assert sorted(Workers().portions(_square, range(20), 2)) == [(number, number**2) for number in range(20)]
+def test_processes_find_all_in_any_order_and_say_it_in_the_units_that_are_read():
+    with read_in("us"):
+        assert sorted(Workers().portions(_length, range(20), 2)) == [(number, f"{number} in") for number in range(20)]
 
 
 @pytest.mark.slow

@@ -18,8 +18,10 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from functools import partial
 from typing import Any, TypeVar
 
+from nonhertz.amounts import chosen, read_in
 from nonhertz.errors import InputError, NonhertzError
 
 Given = TypeVar("Given")
@@ -77,7 +79,7 @@ class Workers:
         if self._client is None and processes == 1:
             yield from ((given, solve(given)) for given in each)
             return
-        source, left = iter(each), True
+        solve, source, left = partial(_as_here, chosen().code, solve), iter(each), True
         while left:
             lost: list[Given] = []
             if self._executor is None:
@@ -119,6 +121,12 @@ class Workers:
         finally:
             for future in pending:
                 future.cancel()
+
+
+def _as_here(units: str, solve: Callable[[Given], Found], given: Given) -> Found:
+    """Return what is found of something, its sentences in units of the process that asked."""
+    with read_in(units):
+        return solve(given)
 
 
 def _connected(address: str) -> Any:
