@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import gc
 import subprocess
 import sys
@@ -15,12 +14,11 @@ from xml.etree import ElementTree
 import matplotlib as mpl
 import numpy as np
 import pytest
+from drawn_words import can_be_read, words
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle, StepPatch
-from matplotlib.text import Text
-from matplotlib.transforms import Bbox
 from numpy.testing import assert_allclose
 from numpy.typing import ArrayLike, NDArray
 
@@ -190,27 +188,6 @@ def solution(request: pytest.FixtureRequest) -> Solution:
 @pytest.fixture
 def ax() -> Axes:
     return Figure().add_subplot()
-
-
-def words(figure: Figure) -> list[str]:
-    return [text.get_text() for text in figure.findobj(Text) if text.get_text()]
-
-
-def drawn_words(figure: Figure) -> list[tuple[str, Bbox]]:
-    """Return every text that shows ink, with its box in pixels, ticks beyond the axes' limits left out."""
-    figure.draw_without_rendering()
-    hidden = set()
-    for axes in figure.axes:
-        for axis, (low, high) in (
-            (axes.xaxis, sorted(axes.get_xlim())),
-            (axes.yaxis, sorted(axes.get_ylim())),
-        ):
-            slack = 1e-9 * (high - low)
-            for tick in axis.get_major_ticks():
-                if not low - slack <= tick.get_loc() <= high + slack:
-                    hidden |= {tick.label1, tick.label2}
-    texts = [text for text in figure.findobj(Text) if text.get_text() and text.get_visible() and text not in hidden]
-    return [(text.get_text(), Text.get_window_extent(text)) for text in texts]
 
 
 class TestPressure:
@@ -552,13 +529,8 @@ class TestFigures:
 
     @pytest.mark.slow
     def test_no_words_overlap_or_leave_the_paper(self, solution: Solution) -> None:
-        for name, sheet in plot.figures(solution, title="A roller").items():
-            placed = drawn_words(sheet)
-            for count, (text, box) in enumerate(placed):
-                assert box.x0 >= 0.0 and box.y0 >= 0.0, (name, text)  # noqa: PT018
-                assert box.x1 <= sheet.bbox.x1 and box.y1 <= sheet.bbox.y1, (name, text)  # noqa: PT018
-                for other, other_box in placed[count + 1 :]:
-                    assert not box.overlaps(other_box), (name, text, other)
+        for sheet in plot.figures(solution, title="A roller").values():
+            can_be_read(sheet)
 
     def test_footprint_has_a_true_panel_and_a_stretched_one(self) -> None:
         sheet = plot.figures(CASES["crowned"])["footprint"]
@@ -630,14 +602,6 @@ class TestSave:
         with mpl.rc_context({"font.size": 14.0, "font.family": "DejaVu Serif", "svg.hashsalt": None}):
             for name, sheet in plot.figures(CASES["hollow"]).items():
                 assert plot.save(sheet, tmp_path / name)[0].read_bytes() == svg[name]
-
-    @pytest.mark.slow
-    def test_solution_is_not_touched(self, solution: Solution, tmp_path: Path) -> None:
-        before = copy.deepcopy({name: getattr(solution, name) for name in ("y", "line_load", "gap", "half_width")})
-        for name, sheet in plot.figures(solution).items():
-            plot.save(sheet, tmp_path / name)
-        for name, value in before.items():
-            assert_allclose(getattr(solution, name), value, rtol=0, atol=0)
 
     def test_figures_leave_nothing_behind(self) -> None:
         sheet = plot.figures(CASES["crowned"])["pressure"]
