@@ -192,7 +192,10 @@ ENTRIES: dict[str, Entry] = {
         life=({}, "options"), spectrum=((), "thing"), fit=({}, "options"), title=("one", "name"),
         path=(Path("bearing.toml"), "thing"), title_block=(TitleBlock(), "thing"),
     ),
-    "BearingCase.solve": entry(nh.BearingCase(ROW).solve, method=("slices", "optional"), raises=(nh.CaseError,)),
+    "BearingCase.solve": entry(
+        nh.BearingCase(ROW).solve, method=("slices", "optional"), interpolated=(False, "flag"),
+        raises=(nh.CaseError,),
+    ),
     "BearingCase.assess": entry(nh.BearingCase(ROW).assess, solution=(LOADED, "thing")),
     "BearingCase.contact_case": entry(
         nh.BearingCase(ROW).contact_case, solution=(LOADED, "thing"), roller=(0, "count"), ring=("inner", "word"),
@@ -270,7 +273,7 @@ ENTRIES: dict[str, Entry] = {
         nh.Material, modulus=(2e5, "positive"), poisson=(0.3, "number"), yield_strength=(None, "positive?"),
         core_yield_strength=(None, "positive?"), hardness=(None, "optional"), pressure_limit=(None, "positive?"),
     ),
-    "Contact": entry(nh.Contact, a=(ROLLER, "thing"), b=(RING, "thing")),
+    "Contact": entry(nh.Contact, a=(ROLLER, "thing"), b=(RING, "thing"), interpolated=(False, "flag")),
     "Body": entry(nh.Body, **BODY),
     "Roller": entry(nh.Roller, **BODY | {"length": (20.0, "positive")}),
     "Ring": entry(nh.Ring, **BODY),

@@ -333,3 +333,12 @@ def test_arrays_are_computed_where_nothing_can_be_kept(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "file"))
     np.testing.assert_array_equal(stored(__name__)(lambda value: np.array([value]))(3.0), [3.0])
+
+
+def test_a_contact_is_interpolated_by_what_it_says_itself():
+    # 0.7373 radii is between lengths of which shapes are kept.
+    exact = nh.Contact(nh.Roller(diameter=20.0, length=14.746, profile=nh.profile.crown(1e3)), nh.Plate())
+    between = dataclasses.replace(exact, interpolated=True)
+    first, near, again = (nh.solve(each, load=2e3).approach for each in (exact, between, dataclasses.replace(exact)))
+    assert 0.0 < abs(near / first - 1.0) < 3e-7
+    assert again == first

@@ -140,4 +140,4 @@ def _of_body(
 ) -> tuple[Images, Reference | None]:
     body = (contact.a, contact.b)[which]
     images = Images.of(body, weights, shares(contact)[which])
-    return images, reference_of(body, shape, images)
+    return images, reference_of(body, shape, images, contact.interpolated)

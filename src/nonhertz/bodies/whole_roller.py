@@ -29,10 +29,8 @@ longer.
 
 from __future__ import annotations
 
-import contextlib
 import math
-from collections.abc import Callable, Iterator
-from contextvars import ContextVar
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -57,7 +55,6 @@ _POINTS = 4  # of which each mode is interpolated
 TERMS, _TERMS_PER_LENGTH, _FADING = 12.0, 6.0, 4.0
 PER_TERM = 5.0  # half-lengths over the polynomials, of the longest element
 _STEP, _DIGITS = 0.004, 9  # between half-lengths of which others are interpolated [radii]; their digits
-_interpolating: ContextVar[bool] = ContextVar("interpolating", default=False)
 _PANELS, _NODES = 18, 12  # halvings towards logarithms, and nodes on each panel
 _OUTER_NODES = 24  # and as many for every eight polynomials: with half of them the sixth digit changes
 # What the width of a contact of usual half-width, b = 0.03 R, changes on its strip: the sums over n = 2, 4 ... of
@@ -224,26 +221,16 @@ def _norms(count: int, half_length: float) -> Array:
     return norms
 
 
-def whole_roller(outline: Outline, poisson: float) -> WholeRoller:
-    """Return what makes a whole roller of an outline, in a radius of the surface, and a material."""
+def whole_roller(outline: Outline, poisson: float, interpolated: bool = False) -> WholeRoller:
+    """Return what makes a whole roller of an outline, in a radius of the surface, and a material.
+
+    If ``interpolated``, that of a solid cylinder is interpolated between three of fixed lengths, within 1e-6, since a
+    new shape takes half a second.
+    """
     half_length = outline.half_length
-    between = _interpolating.get() and outline == Outline.cylinder(half_length)
+    between = interpolated and outline == Outline.cylinder(half_length)
     matrix = _between_shapes(half_length, poisson) if between else response_matrix(outline, poisson)
     return WholeRoller.of(outline, poisson, matrix)
-
-
-@contextlib.contextmanager
-def interpolated_shapes() -> Iterator[None]:
-    """Interpolate between solid cylinders of fixed lengths, in a ``with`` block: for thousands of different ones.
-
-    A new shape takes half a second. What is interpolated between three of the fixed ones is within 1e-6 of what it is
-    for the shape itself.
-    """
-    token = _interpolating.set(True)
-    try:
-        yield
-    finally:
-        _interpolating.reset(token)
 
 
 def _between_shapes(half_length: float, poisson: float) -> Array:

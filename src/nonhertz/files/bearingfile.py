@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import Paired, RollerBearing, of_interpolated_shapes
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.spectrum import LoadCase
@@ -24,7 +24,7 @@ from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import Surroundings
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
-from nonhertz.inputs.checks import one_of, whole
+from nonhertz.inputs.checks import flag, one_of, whole
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
@@ -177,13 +177,15 @@ class BearingCase(HeldCase):
         """The speed at which the inner ring and the shaft widen [1/min]."""
         return float(self.prescribed.get("speed") or 0.0) if self._turning == "inner" else 0.0
 
-    def solve(self, method: str | None = None) -> BearingSolution:
+    def solve(self, method: str | None = None, *, interpolated: bool = False) -> BearingSolution:
         """Return the loaded bearing, as `nonhertz.bearing.solve` does.
 
         Parameters
         ----------
         method : {"strips", "slices"}, optional
             In place of that of the file.
+        interpolated : bool
+            As of `nonhertz.Contact`.
 
         Raises
         ------
@@ -194,8 +196,9 @@ class BearingCase(HeldCase):
         """
         from nonhertz.bearing.verb import solve
 
+        flag("interpolated", interpolated, "write True for thousands of different rollers")
         chosen: dict[str, Any] = {} if method is None else {"method": method}
-        bearing = self.mounted
+        bearing = of_interpolated_shapes(self.mounted) if interpolated else self.mounted
         try:
             return solve(bearing, **self.prescribed, turning=self._turning, **self.solver | chosen)
         except InputError as error:

@@ -41,7 +41,7 @@ class StripModel:
     def of(cls, contact: Contact, element: Element) -> StripModel:
         """Return the model of a contact, which is kept with it."""
         # Of a twin: a contact that is kept by what it keeps would stay until Python looks for cycles.
-        return derived(contact, (cls, id(element)), lambda: cls(Contact(contact.a, contact.b), element))
+        return derived(contact, (cls, id(element)), lambda: cls(replace(contact), element))
 
     @cached_property
     def influence(self) -> Influence:

@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import digits
-from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import free_form_in
@@ -356,9 +355,10 @@ def _group(name: str, loads: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
 
 
 def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
-    with warnings.catch_warnings(), interpolated_shapes():
+    contact = replace(case.contact, interpolated=True)
+    with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)
-        return max(solve(case.contact, load=each.load, tilt=each.tilt, **case.solver).max_pressure for each in loads)
+        return max(solve(contact, load=each.load, tilt=each.tilt, **case.solver).max_pressure for each in loads)
 
 
 def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mrad
-from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import FreeForm, half_length
@@ -202,11 +201,11 @@ class Task:
             If the case is not allowed, or a load has no solution.
         """
         case = self.case(x)
-        with warnings.catch_warnings(), interpolated_shapes():
+        with warnings.catch_warnings():
             warnings.simplefilter("ignore", AccuracyWarning)
             solver = case.solver | ({"accuracy": accuracy} if self.is_automatic else {})
             pressed = {name: [getattr(each, name) for each in self.loads] for name in ("load", "tilt")}
-            solutions = tuple(solve_in_silence(case.contact, pressed, **solver))
+            solutions = tuple(solve_in_silence(replace(case.contact, interpolated=True), pressed, **solver))
         return Judged(self, x.copy(), case, solutions)
 
 
@@ -286,10 +285,9 @@ class Judged:
             def family(share: float) -> Any:
                 moved = self.x.copy()
                 moved[k] = share
-                return self.task.case(moved).contact
+                return replace(self.task.case(moved).contact, interpolated=True)
 
-            with interpolated_shapes():
-                return gradient.along(family, float(self.x[k]), STEP)
+            return gradient.along(family, float(self.x[k]), STEP)
         return float(gradient.relief @ self._relief(number, k))
 
     def _relief(self, number: int, k: int) -> Array:

@@ -19,7 +19,6 @@ from typing import Any
 import numpy as np
 
 from nonhertz.bearing.quantities import SolvedBearing
-from nonhertz.bodies.whole_roller import interpolated_shapes
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case, placed
@@ -81,7 +80,7 @@ class Work:
             Of each row, the values of these.
         """
         named = [dict(zip(paths, each, strict=True)) for each in values]
-        with warnings.catch_warnings(), interpolated_shapes(), self._template_and_files() as template:
+        with warnings.catch_warnings(), self._template_and_files() as template:
             # What strains the model is a column of its own.
             warnings.simplefilter("ignore", AccuracyWarning)
             if template.is_bearing:
@@ -92,7 +91,7 @@ class Work:
         try:
             case = template.case(values)
             assert isinstance(case, BearingCase)
-            solved = SolvedBearing(case, case.solve())
+            solved = SolvedBearing(case, case.solve(interpolated=True))
         except NonhertzError as error:
             return self._failed(error)
         return Row(tuple(number_of(quantity, solved) for quantity in self.quantities))
@@ -125,7 +124,7 @@ class Work:
 
     def _together(self, case: Case, given: Sequence[dict[str, float]]) -> list[Row]:
         columns = {name: np.array([each[name] for each in given]) for name in given[0]}
-        solutions = solve_in_silence(case.contact, columns, **case.solver)
+        solutions = solve_in_silence(replace(case.contact, interpolated=True), columns, **case.solver)
         at_once = {each.name: solutions.column(each.name) for each in self.quantities if each.name in QUANTITIES}
         converged = solutions.converged.tolist()
         rows = []
@@ -154,6 +153,7 @@ class Work:
         try:
             case = template.case(values)
             assert isinstance(case, Case)
+            case = replace(case, contact=replace(case.contact, interpolated=True))
             solved = SolvedContact(case, case.solve())
         except NonhertzError as error:
             return self._failed(error)
@@ -168,9 +168,10 @@ class Work:
                 condition = "be zero where there is no load"
                 raise InputError("moment", case.prescribed["moment"], condition, "leave it out, or give a load")
             tilt = case.prescribed.get("tilt", 0.0)
-            problem = problem_of(case.contact, Prescription(load=1.0, tilt=tilt), case.solver["element"])
+            contact = replace(case.contact, interpolated=True)
+            problem = problem_of(contact, Prescription(load=1.0, tilt=tilt), case.solver["element"])
             edges = np.linspace(*bounded(problem), TOUCHING + 1)
-            touched = -float(penetrations(case.contact, edges, np.array([0.0, tilt])))
+            touched = -float(penetrations(contact, edges, np.array([0.0, tilt])))
         except NonhertzError as error:
             return self._failed(error)
         known = dict.fromkeys(_NOTHING, 0.0) | {"approach": touched, "tilt": tilt}
