@@ -117,6 +117,13 @@ def assigned(statement: ast.AST) -> tuple[str, ...]:
     )
 
 
+def is_compiled(node: ast.AST) -> bool:
+    """Return whether this is a function that is compiled, or what it makes is, of which no line is seen to run."""
+    return isinstance(node, ast.FunctionDef) and any(
+        isinstance(each, ast.Name) and each.id in COMPILING for each in ast.walk(node)
+    )
+
+
 class _Finder(ast.NodeVisitor):
     def __init__(self, text: str, name: str) -> None:
         self.text, self.name = text, name
@@ -125,7 +132,7 @@ class _Finder(ast.NodeVisitor):
         for line in text.splitlines(keepends=True):
             self._lines.append(self._lines[-1] + len(line))
         self._within: list[str] = []
-        self._compiled = self._runs = False
+        self._compiled, self._runs = "", False
         self._statement: ast.stmt = ast.Pass(lineno=0)
         tree = ast.parse(text)
         # A constant of the module may be compiled into any function.
@@ -144,7 +151,7 @@ class _Finder(ast.NodeVisitor):
         before = " ".join(self.text[start:end].split())
         if before == after:
             return
-        compiled = self._compiled if self._within else self._module_compiled
+        compiled = bool(self._compiled) if self._within else self._module_compiled
         last = node.end_lineno or node.lineno
         self.found.append(
             Mutant(
@@ -155,7 +162,7 @@ class _Finder(ast.NodeVisitor):
 
     def _known_as(self) -> tuple[str, ...]:
         """Return the names by which others use what is being read."""
-        return (self._within[-1],) if self._within else assigned(self._statement)
+        return (self._compiled or self._within[-1],) if self._within else assigned(self._statement)
 
     def _replace(self, node: ast.expr, changed: ast.expr) -> None:
         self._add(node, f"({ast.unparse(changed)})")
@@ -171,7 +178,7 @@ class _Finder(ast.NodeVisitor):
 
     def _visit_body(self, node: ast.FunctionDef | ast.ClassDef) -> None:
         outer, ran = self._compiled, self._runs
-        self._compiled = outer or any(ast.unparse(each) in COMPILING for each in node.decorator_list)
+        self._compiled = outer or (node.name if is_compiled(node) else "")
         self._within.append(node.name)
         defaults = [*node.args.defaults, *filter(None, node.args.kw_defaults)] if _is_function(node) else []
         for each in defaults:

@@ -39,7 +39,7 @@ from pathlib import Path
 from typing import Any
 
 import selection
-from mutants import COMPILING, Mutant, assigned, chosen, mutants
+from mutants import Mutant, assigned, chosen, is_compiled, mutants
 from sitecustomize import FILE, MODULE, TEXT
 
 HERE = Path(__file__).resolve().parent
@@ -137,7 +137,7 @@ def users(tree: ast.AST, user: str = "", compiled: bool = False) -> Iterator[tup
     for node in ast.iter_child_nodes(tree):
         within, machine = user, compiled
         if isinstance(node, ast.FunctionDef) and not compiled:
-            machine = any(ast.unparse(each) in COMPILING for each in node.decorator_list)
+            machine = is_compiled(node)
             within = node.name if machine else ""
         elif isinstance(node, ast.ClassDef):
             within = node.name

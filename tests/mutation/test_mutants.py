@@ -23,6 +23,13 @@ def solved(x, y=0.5):
 
 def read(text: "1"):
     return text if text else abs(3)
+
+def doubled(sign):
+    def value(x):
+        return sign * solved(x) + 7
+    return compiled(value)
+
+double = doubled(2)
 '''
 EXPECTED = {
     "-: 1e-3 -> 0.002",
@@ -73,7 +80,7 @@ def test_keys_tell_them_apart_and_do_not_depend_on_lines(found, tmp_path):
 
 
 def test_it_is_known_what_is_compiled(found):
-    assert {each.function for each in found if each.compiled} == {"", "solved"}
+    assert {each.function for each in found if each.compiled} == {"", "solved", "doubled.value"}
     assert {each.function for each in found if not each.compiled} == {"read"}
 
 
@@ -82,8 +89,9 @@ def test_it_is_known_what_runs_when_the_lines_are_not_seen(found):
     assert named["", "1e-3"] == ("LEAST",)
     assert named["solved", "x < y"] == ("solved",)
     assert named["read", "abs(3)"] == ()
+    assert named["doubled.value", "7"] == ("doubled",)
     used = set(users(ast.parse(SOURCE)))
-    assert {("LEAST", 10, "solved"), ("text", 17, "")} <= used
+    assert {("LEAST", 10, "solved"), ("text", 17, ""), ("solved", 21, "doubled"), ("doubled", 24, "double")} <= used
 
 
 def test_the_choice_of_one_seed_is_always_the_same(found):
