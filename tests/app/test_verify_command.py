@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import errno
 import json
-import os
 import re
 from pathlib import Path
 
@@ -69,25 +67,6 @@ def test_a_failed_check_is_told_by_the_exit_code(
     page = Path("page/validation.md").read_text(encoding="utf-8")
     assert "| two | counting | 3 | 2 | -3.3e-1 | 1e-6 | FAIL |" in page
     assert main(["verify", "--only", "half-space", "--json"]) == 1
-
-
-@pytest.mark.parametrize("out", ["file/below", "new/page"])
-def test_a_directory_that_cannot_be_written_is_refused_before_anything_runs(
-    out: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def refuse(*_: object, **__: object) -> str:
-        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-
-    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: pytest.fail("it ran"))
-    # Whoever runs the tests may be allowed everything.
-    monkeypatch.setattr("tempfile.mkdtemp", refuse)
-    Path("file").write_text("mine", encoding="utf-8")
-    assert main(["verify", "--only", "half-space", "--out", out]) == 2
-    printed = capsys.readouterr()
-    assert printed.out == ""
-    assert len(printed.err.splitlines()) == 1
-    assert "must be a directory to write to (" in printed.err
-    assert [path.name for path in Path().iterdir()] == ["file"]
 
 
 def test_a_directory_is_tried_without_a_trace(monkeypatch: pytest.MonkeyPatch) -> None:
