@@ -636,7 +636,7 @@ def test_a_file_is_refused_in_the_words_of_python(
 @pytest.mark.parametrize(
     ("words", "beginning"),
     [
-        (["slove", "case.toml"], 'Unknown command "slove". Did you mean "solve"?'),
+        (["slove", "case.toml"], 'Unknown command "slove". Did you mean "solve"? See \''),
         (["solve"], 'Command "solve" parameter CASE requires an argument'),
         (["check", "a", "b"], "This command takes no 'b'; see"),
         (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
@@ -648,5 +648,5 @@ def test_wrong_usage_is_one_sentence(capsys: pytest.CaptureFixture[str], words: 
     printed = capsys.readouterr()
     assert printed.out == ""
     assert printed.err.startswith(beginning)
-    assert printed.err.endswith("; see 'nonhertz --help'.\n")
+    assert printed.err.endswith(("; see 'nonhertz --help'.\n", "? See 'nonhertz --help'.\n"))
     assert len(printed.err.splitlines()) == 1

@@ -88,7 +88,9 @@ def run(words: Sequence[str]) -> int:
         unused = ", ".join(repr(word) for word in error.unused_tokens or ())
         print(f"This command takes no {unused}; see 'nonhertz --help'.", file=sys.stderr)
     except CycloptsError as error:
-        print(f"{' '.join(str(error).split()).rstrip('.')}; see 'nonhertz --help'.", file=sys.stderr)
+        said, _, _ = " ".join(str(error).split()).partition(" Available commands: ")  # which help lists
+        lead = f"{said} See" if said.endswith("?") else f"{said.rstrip('.')}; see"
+        print(f"{lead} 'nonhertz --help'.", file=sys.stderr)
     return BAD_INPUT
 
 
