@@ -64,6 +64,8 @@ class Table:
         What that word decides.
     pairs : tuple of pairs of str
         Keys of which one is given in place of the other, the usual one first.
+    apart : tuple of tuples of str
+        Groups of keys of which no two are given.
     likely : callable or None
         The class of what it makes if it gives no kind.
     name : str
@@ -76,6 +78,7 @@ class Table:
     kinds: Mapping[str, Table] = field(default_factory=dict)
     meaning_of_kind: str = ""
     pairs: tuple[tuple[str, str], ...] = ()
+    apart: tuple[tuple[str, ...], ...] = ()
     likely: Callable[[Mapping[str, Any]], type[Input]] | None = None
     name: str = ""
 
@@ -114,8 +117,10 @@ def _plain(cls: type[Input]) -> Table:
         # Its bodies stand beside it in a file, and a second row in it.
         keys = {name: key for name, key in keys.items() if name not in PARTS}
         keys["pair"] = Key(Part(PAIR, Pair, ""), None, (table_of(Pair),))
-    pairs = tuple(tuple(sorted(pair, key=[*keys].index)) for pair in cls.instead.items())
-    return Table(cls.__name__, (cls.__doc__ or "").partition("\n")[0], keys, pairs=pairs, name=cls.__name__)  # type: ignore[arg-type]
+    order = [*keys].index
+    pairs = tuple((min(pair, key=order), max(pair, key=order)) for pair in cls.instead.items())
+    meaning = (cls.__doc__ or "").partition("\n")[0]
+    return Table(cls.__name__, meaning, keys, pairs=pairs, apart=cls.apart, name=cls.__name__)
 
 
 def _usual(cls: type[Input]) -> dict[str, Any]:
@@ -152,4 +157,5 @@ def _profile_table(kind: str) -> Table:
     # What is not given is that of the body.
     keys = {name: Key(each, MISSING if name in needed else usual.get(name)) for name, each in keys_of(kind).items()}
     pairs = tuple((name, "drop") for name in needed if name in KINDS[kind].by_drop)
-    return Table(kind, meaning_of(kind), keys, meaning_of_kind="kind of profile", pairs=pairs[:1])
+    apart = KINDS[kind].apart
+    return Table(kind, meaning_of(kind), keys, meaning_of_kind="kind of profile", pairs=pairs[:1], apart=apart)

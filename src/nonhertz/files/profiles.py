@@ -68,7 +68,7 @@ class Changes(Moves):
             AT_REMEDY,
         ),
     ] = None
-    instead: ClassVar[Mapping[str, str]] = {"scale": "drop"}
+    apart: ClassVar[tuple[tuple[str, ...], ...]] = (("scale", "drop"),)
 
     @together("drop", "at")
     def _check_place(self) -> None:
@@ -102,7 +102,6 @@ def _with_changes(cls: type[ProfileKind]) -> type[ProfileKind]:
     around = Moves if cls is MeasuredProfile else Changes
     made: type[ProfileKind] = described(kw_only=True)(type(cls.__name__, (around, cls), {"__doc__": cls.__doc__}))
     made.checks_together = cls.checks_together + around.checks_together
-    made.instead = {**cls.instead, **around.instead}
     return made
 
 

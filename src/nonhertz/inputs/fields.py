@@ -12,6 +12,7 @@ import dataclasses
 import difflib
 import functools
 import inspect
+import itertools
 import math
 import re
 import textwrap
@@ -437,6 +438,8 @@ class Input:
         What that word decides.
     instead : mapping of str to str
         Fields that are given in place of others, not beside them.
+    apart : tuple of tuples of str
+        Groups of fields of which no two are given.
     """
 
     # Made by `described`: what describes the fields, by name; which must be given, and which may be None; the classes
@@ -451,6 +454,7 @@ class Input:
     kinds: ClassVar[Mapping[str, type[Any]]] = {}
     meaning_of_kind: ClassVar[str] = ""
     instead: ClassVar[Mapping[str, str]] = {}
+    apart: ClassVar[tuple[tuple[str, ...], ...]] = ()
 
     def __post_init__(self) -> None:
         for name, each in self.descriptions.items():
@@ -541,10 +545,11 @@ def checked(function: Callable[P, Read]) -> Callable[P, Read]:
 
 
 def given_beside(cls: type[Input], given: Mapping[str, Any]) -> list[InputError]:
-    """Return an error for each field that is given beside the one that it takes the place of."""
+    """Return an error for each field that is given beside one that it takes the place of or rules out."""
+    ruled_out = (pair for group in cls.apart for pair in itertools.combinations(group, 2))
     return [
         InputError(name, given[name], f"not be given together with {other}", "leave one out")
-        for name, other in cls.instead.items()
+        for name, other in (*cls.instead.items(), *ruled_out)
         if name in given and other in given
     ]
 

@@ -141,6 +141,7 @@ class Body(Input):
         "'roller', 'ring' or 'plate': what the diameter must be, and the default of the depth; 'body' for any; left "
         "out, a body with a positive diameter and a length is a roller"
     )
+    apart: ClassVar[tuple[tuple[str, ...], ...]] = (("corner_radius", "chamfer", "effective_length"),)
 
     material: NamedMaterial = STEEL
     diameter: Annotated[
@@ -245,14 +246,11 @@ class Body(Input):
             condition = f"not exceed the length of {mm(self.length):g}"
             raise InputError("effective_length", self.effective_length, condition, _TOUCHING_REMEDY)
 
-    @together("length", "effective_length", "corner_radius", "chamfer", "profile")
+    @together("length", "corner_radius", "chamfer", "profile")
     def _check_corner(self) -> None:
         for name in ("chamfer", "corner_radius"):
             if getattr(self, name) is None:
                 continue
-            for other in ("effective_length", "chamfer"):
-                if name != other and getattr(self, other) is not None:
-                    raise InputError(name, getattr(self, name), f"not be given together with {other}", "leave one out")
             if self.length is None:
                 remedy = "give the distance between the faces in mm"
                 raise InputError("length", None, f"be given where {name} is", remedy)

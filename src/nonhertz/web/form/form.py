@@ -48,15 +48,9 @@ RINGS: Final = ("inner", "outer")
 UNREAD: Final = "file"
 #: The most frequently changed keys come first; the rest in the order of their class.
 FIRST: Final = ("title", "kind", "load", "body", "bearing", "diameter", "length", "profile", "material")
-#: Keys that a table must not have beside others, and those that it must have only beside another.
-_NOT_BESIDE: Final = {
-    "effective_length": ("corner_radius", "chamfer"),
-    "corner_radius": ("effective_length", "chamfer"),
-    "chamfer": ("effective_length", "corner_radius"),
-    "scale": ("drop",),
-    "dent": ("spectrum",),
-}
+#: Keys that a table has only beside another, or only without it.
 _ONLY_BESIDE: Final = {"at": "drop", "chamfer": "length"}
+_ONLY_WITHOUT: Final = {"dent": "spectrum"}
 #: Of a bearing file, what another kind of bearing leaves as it is.
 _OF_ALL_BEARINGS: Final = ("format", "solver", "report")
 _NOTICEABLE: Final = 0.1  # of the length of a body, by which a slider moves a profile
@@ -389,7 +383,8 @@ def _unchosen(table: Table, given: dict[str, Any]) -> set[str]:
     for pair in table.pairs:
         shown = [name for name in pair if name in given] or [pair[0]]
         aside |= {name for name in pair if name not in shown}
-    aside |= {name for name, others in _NOT_BESIDE.items() if name not in given and set(others) & set(given)}
+    aside |= {name for group in table.apart if set(group) & set(given) for name in set(group) - set(given)}
+    aside |= {name for name, other in _ONLY_WITHOUT.items() if name not in given and other in given}
     aside |= {name for name, other in _ONLY_BESIDE.items() if not {name, other} & set(given)}
     if given.get("kind") == "plate" and "diameter" not in given:
         aside.add("diameter")
