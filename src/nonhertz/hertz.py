@@ -28,7 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, shown
-from nonhertz.inputs.checks import LEAST, finite, numbers, positive
+from nonhertz.inputs.checks import LEAST, finite, number_that, numbers, positive
 from nonhertz.model.material import Material, check_poisson
 
 Array = NDArray[np.float64]
@@ -443,14 +443,9 @@ def plane_strain_cylinder_compression(contact: LineContact, *, diameter: float, 
     >>> round(plane_strain_cylinder_compression(contact, diameter=20, material=STEEL), 6)
     0.011989
     """
-    _check_line_contact(contact)
     if not isinstance(material, Material):
         raise InputError("material", material, "be a Material", "use nonhertz.Material(modulus, poisson)")
-    remedy = "give the cylinder's diameter in mm"
-    positive("diameter", diameter, remedy)
-    if diameter <= 2.0 * contact.half_width:
-        condition = f"exceed the width of contact of {mm(2.0 * contact.half_width):.6g}"
-        raise InputError("diameter", diameter, condition, remedy)
+    _refuse_wider(contact, "diameter", diameter, "give the cylinder's diameter in mm")
     logarithm = math.log(2.0 * diameter / contact.half_width)
     return contact.line_load * material.compliance * (2.0 * logarithm - 1.0)
 
@@ -495,12 +490,7 @@ def half_space_line_compression(contact: LineContact, *, length: float) -> float
     >>> round(half_space_line_compression(contact, length=20), 6)
     0.029588
     """
-    _check_line_contact(contact)
-    remedy = "give the length of the strip in mm, or use point_contact"
-    positive("length", length, remedy)
-    if length <= 2.0 * contact.half_width:
-        condition = f"exceed the width of contact of {mm(2.0 * contact.half_width):.6g}"
-        raise InputError("length", length, condition, remedy)
+    _refuse_wider(contact, "length", length, "give the length of the strip in mm, or use point_contact")
     logarithm = math.log(2.0 * length / contact.half_width)
     return contact.line_load * contact.compliance * (1.0 + 2.0 * logarithm)
 
@@ -524,6 +514,9 @@ def _semicircle(position: Array) -> Array:
     return np.asarray(np.sqrt(np.maximum((1.0 - position) * (1.0 + position), 0.0)))
 
 
-def _check_line_contact(contact: LineContact) -> None:
+def _refuse_wider(contact: LineContact, name: str, value: float, remedy: str) -> None:
+    """Refuse a line contact that is wider than what it presses."""
     if not isinstance(contact, LineContact):
         raise InputError("contact", contact, "be a LineContact", "make one with line_contact")
+    condition = f"exceed the width of contact of {mm(2.0 * contact.half_width):.6g}"
+    number_that(lambda given: given > 2.0 * contact.half_width, condition, positive)(name, value, remedy)

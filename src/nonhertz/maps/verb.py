@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.findings import finding, warn
-from nonhertz.inputs.checks import callback, finite, numbers, positive, thread_count, whole
+from nonhertz.inputs.checks import callback, finite, number_that, numbers, thread_count, whole
 from nonhertz.maps.build import FIRST_CELLS, Building, Built, built
 from nonhertz.maps.fitting import Shape
 from nonhertz.maps.touch import Relief
@@ -27,12 +27,12 @@ Range = tuple[float, float]
 
 STATIONS, MOST_STATIONS = 21, 200
 CHECKS, FEWEST_CHECKS, MOST_CHECKS = 300, 20, 100_000
-FINEST, COARSEST = 1e-6, 0.1
 _SINGLE = 5e-5  # rad to both sides of a single tilt, for the derivatives
 _END_TILTS = 9
 _BEYOND = 1.02  # the largest load between those tilts, over the largest at them
 # Where a straight length tips over: the scale of tilts under no load over that under the largest load.
 _LIGHTEST = 2e-3
+_relative_error = number_that(lambda error: 1e-6 <= error <= 0.1, "lie between 1e-06 and 0.1")
 
 
 def contact_map(
@@ -124,10 +124,7 @@ def _building(contact: Contact, element: Element | str, threads: int | None, acc
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     element = element_of(element)
     thread_count(threads)
-    positive("accuracy", accuracy, "give a relative error such as 1e-4")
-    if not FINEST <= accuracy <= COARSEST:
-        condition = f"lie between {FINEST:g} and {COARSEST:g}"
-        raise InputError("accuracy", accuracy, condition, "1e-4 suits most uses")
+    _relative_error("accuracy", accuracy, "1e-4 suits most uses")
     checks = whole("checks", checks, FEWEST_CHECKS, MOST_CHECKS, "300 suit most uses")
     return Building(contact, element, threads, np.empty(0), checks)
 

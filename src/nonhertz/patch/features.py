@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, not_negative, positive
+from nonhertz.inputs.checks import finite, not_negative, number_that, positive
 from nonhertz.inputs.fields import Input, Quantity, described, together
 
 Array = NDArray[np.float64]
@@ -182,9 +182,7 @@ class ChamferRun:
 
     def __post_init__(self) -> None:
         remedy = "give the position where the chamfer begins in mm, positive for the end at high y"
-        finite("start", self.start, remedy)
-        if self.start == 0.0:
-            raise InputError("start", self.start, "not be zero", remedy)
+        number_that(lambda start: start != 0.0, "not be zero")("start", self.start, remedy)
         positive("slope", self.slope, "give the tangent of the angle of the chamfer")
         finite("skew", self.skew, "give the slope dy/dx of the chamfer's edge")
         not_negative("blend", self.blend, "give half of the rounded length in mm, or leave it out")

@@ -15,7 +15,7 @@ from nonhertz.bodies.influence import influence_of
 from nonhertz.bodies.shape import HERTZ
 from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.findings import warn
-from nonhertz.inputs.checks import finite
+from nonhertz.inputs.checks import finite, number_that, whole
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
@@ -45,10 +45,10 @@ Array = NDArray[np.float64]
 Span = tuple[float, float]
 
 CELLS = (128, 512)
-TIGHTEST, LOOSEST = 1e-12, 1e-2
 WORTH_THREADS = 2**16  # cells: below this, distributing blocks costs more than it saves
 SNAP = 1e-9  # of the length of a region
 
+_residual = number_that(lambda tolerance: 1e-12 <= tolerance <= 1e-2, "lie between 1e-12 and 0.01")
 _REGION_REMEDY = "give ((x_low, x_high), (y_low, y_high)) in mm, or leave it out"
 
 
@@ -139,9 +139,7 @@ def solve(
     prescription = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
     prescription.refuse_outside(contact)
     cells = checked_cells(CELLS if cells is None else cells)
-    finite("tolerance", tolerance, "give the largest residual, such as 1e-8")
-    if not TIGHTEST <= tolerance <= LOOSEST:
-        raise InputError("tolerance", tolerance, f"lie between {TIGHTEST:g} and {LOOSEST:g}", "use 1e-8")
+    _residual("tolerance", tolerance, "give the largest residual, such as 1e-8")
     spans = None if region is None else _checked_region(contact, region)
     refuse_excess(cells, contact)
     surface = Surface.checked(contact, gap, features)
@@ -268,10 +266,7 @@ def _checked_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, 
 def _pool(threads: int | None, cells: tuple[int, int]) -> AbstractContextManager[Executor | None]:
     if threads is None:
         return nullcontext()
-    remedy = "give the number of threads, or leave it out for one"
-    finite("threads", threads, remedy)
-    if not isinstance(threads, (int, np.integer)) or threads < 1:
-        raise InputError("threads", threads, "be a whole number of at least 1", remedy)
+    threads = whole("threads", threads, 1, math.inf, "give the number of threads, or leave it out for one")
     if threads == 1 or cells[0] * cells[1] < WORTH_THREADS:
         return nullcontext()
-    return ThreadPoolExecutor(int(threads))
+    return ThreadPoolExecutor(threads)
