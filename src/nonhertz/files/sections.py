@@ -29,7 +29,7 @@ from nonhertz.inputs.fields import (
 )
 from nonhertz.life import MODELS, LoadCase, Model, model
 from nonhertz.life.capacity import ANGLE_REMEDY, contact_angle_at_most
-from nonhertz.life.catalogue import check_slope
+from nonhertz.life.catalogue import SLOPE_REMEDY, weibull_slope
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
 from nonhertz.life.spectrum import refuse_other_than_whole
 from nonhertz.model.body import BODIES, Body, BodyName, convex
@@ -195,10 +195,6 @@ class OverrolledDent(Input):
         return density | ({} if self.raceway_diameter is None else {"raceway_diameter": self.raceway_diameter})
 
 
-def _slope(name: str, value: float, remedy: str) -> None:
-    check_slope(value)
-
-
 @described(kw_only=True)
 class Life(Input):
     """How long the bodies last."""
@@ -234,7 +230,7 @@ class Life(Input):
     ] = ()
     slope: Annotated[
         float | None,
-        Quantity("", "Weibull's slope e of the volume models, 9/8 if left out", _slope),
+        Quantity("", "Weibull's slope e of the volume models, 9/8 if left out", weibull_slope, SLOPE_REMEDY),
     ] = None
     fatigue_limit: Annotated[
         float | None,

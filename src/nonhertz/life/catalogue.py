@@ -13,11 +13,11 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import not_negative, one_of, positive, text
+from nonhertz.inputs.checks import not_negative, number_that, positive, text
+from nonhertz.inputs.fields import Input, Quantity, Word, described, together
 from nonhertz.life.lamina import LaminaModel, iso_16281
 
 LINE_CONTACT_SLOPE = 9.0 / 8.0
@@ -25,50 +25,40 @@ SLOPES = 0.2, 5.0  # far beyond any measured value; the powers stay within doubl
 MOST_EXPONENT = 60.0
 STRESSES = ("orthogonal_shear", "shear", "von_mises")
 
-_EXPONENT_REMEDY = "give a positive number"
+_EXPONENT_REMEDY, SLOPE_REMEDY = "give a positive number", "give Weibull's slope, 9/8 for line contacts"
 
 
-@dataclass(frozen=True)
-class VolumeModel:
-    """A fatigue model that is an integral over the stressed volume, as made by the functions of this module.
+#: No bearing has another slope.
+weibull_slope = number_that(
+    lambda slope: SLOPES[0] <= slope <= SLOPES[1], f"lie between {SLOPES[0]:g} and {SLOPES[1]:g}", positive
+)
+_exponent = number_that(lambda value: value <= MOST_EXPONENT, f"not exceed {MOST_EXPONENT:g}", positive)
 
-    Attributes
-    ----------
-    name : str
-        The name that files and commands use.
-    stress : str
-        ``"orthogonal_shear"`` (half its range over a pass where the field is symmetric), ``"shear"`` (maximum shear) or
-        ``"von_mises"``, the largest over a pass.
-    exponent : float
-        k [-] of the stress.
-    depth_exponent : float
-        h [-] of the depth.
-    slope : float
-        e [-] of Weibull's distribution.
-    fatigue_limit : float
-        s_u [MPa].
-    source : str
-        Where it was published.
-    """
 
-    name: str
-    stress: str
-    exponent: float
-    depth_exponent: float
-    slope: float
-    fatigue_limit: float
-    source: str
+@described()
+class VolumeModel(Input):
+    """A fatigue model that is an integral over the stressed volume, as made by the functions of this module."""
 
-    def __post_init__(self) -> None:
-        text("name", self.name, "give the name of the model")
-        text("source", self.source, "say where it has been published")
-        one_of("stress", self.stress, STRESSES, "choose what makes the material fatigue")
-        positive("exponent", self.exponent, _EXPONENT_REMEDY)
-        if self.exponent > MOST_EXPONENT:
-            raise InputError("exponent", self.exponent, f"not exceed {MOST_EXPONENT:g}", _EXPONENT_REMEDY)
-        not_negative("depth_exponent", self.depth_exponent, "give 0 for no influence of the depth")
-        check_slope(self.slope)
-        not_negative("fatigue_limit", self.fatigue_limit, "give a limit in MPa, 0 for none")
+    name: Annotated[str, Word("the name that files and commands use", "give the name of the model", condition=text)]
+    stress: Annotated[
+        str,
+        Word(
+            "'orthogonal_shear' (half its range over a pass where the field is symmetric), 'shear' (maximum shear) or "
+            "'von_mises', the largest over a pass",
+            "choose what makes the material fatigue",
+            STRESSES,
+        ),
+    ]
+    exponent: Annotated[float, Quantity("", "k of the stress", _exponent, _EXPONENT_REMEDY)]
+    depth_exponent: Annotated[
+        float, Quantity("", "h of the depth", not_negative, "give 0 for no influence of the depth")
+    ]
+    slope: Annotated[float, Quantity("", "e of Weibull's distribution", weibull_slope, SLOPE_REMEDY)]
+    fatigue_limit: Annotated[float, Quantity("MPa", "s_u", not_negative, "give a limit in MPa, 0 for none")]
+    source: Annotated[str, Word("where it was published", "say where it has been published", condition=text)]
+
+    @together("stress", "exponent", "depth_exponent")
+    def _check_surface(self) -> None:
         if self.depth_exponent >= 1.0 and self.stress != "orthogonal_shear":
             condition = "be 'orthogonal_shear' where depth_exponent is 1 or more"
             remedy = "other stresses do not vanish on the surface, and the integral has no limit there"
@@ -77,14 +67,6 @@ class VolumeModel:
         if self.depth_exponent >= 1.0 and 0.5 * self.exponent <= self.depth_exponent - 1.0:
             condition = f"be less than {1.0 + 0.5 * self.exponent:g}, or the integral has no limit at the surface"
             raise InputError("depth_exponent", self.depth_exponent, condition, "give 7/3, or a larger stress exponent")
-
-
-def check_slope(slope: float) -> None:
-    """Reject a Weibull slope that no bearing has."""
-    remedy = "give Weibull's slope, 9/8 for line contacts"
-    positive("slope", slope, remedy)
-    if not SLOPES[0] <= slope <= SLOPES[1]:
-        raise InputError("slope", slope, f"lie between {SLOPES[0]:g} and {SLOPES[1]:g}", remedy)
 
 
 def lundberg_palmgren(
@@ -164,7 +146,7 @@ def zaretsky(
     76-83, doi:10.2514/3.22954.
     """
     positive("stress_life_exponent", stress_life_exponent, _EXPONENT_REMEDY)
-    check_slope(slope)
+    weibull_slope("slope", slope, SLOPE_REMEDY)
     return VolumeModel("zaretsky", stress, stress_life_exponent * slope, 0.0, slope, 0.0, "Zaretsky 1987")
 
 

@@ -153,19 +153,8 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     seen = passage(solution, y[:, None], half_width[:, None] * depth, body=body, **options)
     # There is nothing where a thin wall ends.
     amplitudes = {name: np.maximum(np.nan_to_num(getattr(seen, name)) @ fill.T, 0.0) for name in QUANTITIES}
-    sharp = tuple(end.y for end in solution.singular_ends)
-    counted = _counted(y, half_width, sharp, solution.max_half_width)
-    counted &= half_width[:, None] * depths()[0] <= inside.extent.thickness(y)[:, None]
-    return Exposure(
-        body,
-        y,
-        width,
-        half_width,
-        **amplitudes,
-        counted=counted,
-        reference=even_exposure(solution.contact, solution.load, body),
-        sharp=sharp,
-    )
+    within = half_width[:, None] * depths()[0] <= inside.extent.thickness(y)[:, None]
+    return _exposed(solution, body, (y, width, half_width), amplitudes, within)
 
 
 def section_exposure(solution: Solved, body: BodyName) -> Exposure:
@@ -187,18 +176,7 @@ def section_exposure(solution: Solved, body: BodyName) -> Exposure:
     plane = _plane_strain(inside.body.material.poisson)
     amplitudes = {name: pressure[:, None] * each for name, each in plane.items()}
     amplitudes["orthogonal_shear"] = _from_nearby(solution, y, half_width, plane["orthogonal_shear"])
-    sharp = tuple(end.y for end in solution.singular_ends)
-    counted = _counted(y, half_width, sharp, solution.max_half_width)
-    return Exposure(
-        body,
-        y,
-        width,
-        half_width,
-        **amplitudes,
-        counted=counted,
-        reference=even_exposure(solution.contact, solution.load, body),
-        sharp=sharp,
-    )
+    return _exposed(solution, body, (y, width, half_width), amplitudes, True)
 
 
 def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) -> Array:
@@ -239,12 +217,21 @@ def _plane_strain(poisson: float) -> dict[str, Array]:
     return {name: fill @ values / line.max_pressure for name, values in found.items()}
 
 
-def _counted(y: Array, half_width: Array, sharp: tuple[float, ...], largest: float) -> NDArray[np.bool_]:
-    """Return which points are not too near to sharp ends."""
-    counted = np.ones((y.size, depths()[0].size), dtype=np.bool_)
-    for end in sharp:
-        counted &= np.hypot(y[:, None] - end, half_width[:, None] * depths()[0]) >= LEFT_OUT * largest
-    return counted
+def _exposed(
+    solution: Solved,
+    body: BodyName,
+    stations: tuple[Array, Array, Array],
+    amplitudes: dict[str, Array],
+    counted: NDArray[np.bool_] | bool,
+) -> Exposure:
+    """Return the exposure by stresses at stations, of which what is too near to sharp ends does not count."""
+    y, _, half_width = stations
+    sharp = tuple(end.y for end in solution.singular_ends)
+    below = half_width[:, None] * depths()[0]
+    away = [np.hypot(y[:, None] - end, below) >= LEFT_OUT * solution.max_half_width for end in sharp]
+    reference = even_exposure(solution.contact, solution.load, body)
+    every = np.logical_and.reduce([np.broadcast_to(counted, below.shape), *away])
+    return Exposure(body, *stations, **amplitudes, counted=every, reference=reference, sharp=sharp)
 
 
 def _stations(solution: Solved, faces: tuple[float, float]) -> tuple[Array, Array, Array]:
