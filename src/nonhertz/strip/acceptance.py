@@ -17,7 +17,7 @@ import numpy as np
 from nonhertz.amounts import mm, per_mm, um
 from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
-from nonhertz.strip.free_end import AWAY, far_terms, far_whole
+from nonhertz.strip.free_end import AWAY, TILE, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States, Strips
@@ -261,7 +261,7 @@ def _add_face(strips: Strips, kernel: Kernel, answer: Answer, k: int, lift: Arra
     unit = 0.0
     for j in range(n):
         unit = max(unit, half_width[j] if q[j] > 0.0 else 0.0)
-    u, of_edges, work = np.empty(n), np.empty((2, 1 + POWERS, n)), np.empty((2, n))
+    u, of_edges, work = np.empty(n), np.empty((2, 1 + POWERS, n + TILE)), np.empty((2, n + TILE))
     for i in range(n):
         u[i] = max(side * (place - y[i]), 0.0) / unit
     # Strips adjoin, so that the upper edge of one is the lower edge of the next.

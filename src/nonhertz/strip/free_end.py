@@ -29,11 +29,15 @@ from nonhertz.strip.element import ELEMENTS, LEADING_AT, POWERS, POWERS_AT, Elem
 
 Array = NDArray[np.float64]
 Four = tuple[float, float, float, float]
+Eight = tuple[float, float, float, float, float, float, float, float]
 Density = Callable[[Array, Array], Array]
 
 FIRST_OCTAVE, LAST_OCTAVE = -14, 2
 CLOSE, AWAY = 2.0**FIRST_OCTAVE, 2.0**LAST_OCTAVE
 OCTAVES = LAST_OCTAVE - FIRST_OCTAVE
+#: Places whose polynomials are evaluated at a time: enough for no instruction to wait for the one before it.
+TILE = 16
+_ZERO = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 TINY = 1e-300
 LOGARITHMIC = 16.0 * CLOSE  # up to which both distances count as close to the edge
 SQUARE_DEGREE = 9
@@ -297,7 +301,7 @@ def far_whole(u: float, k: int, table: Array, first: int) -> float:
 def far_terms(u: Array, v: float, table: Array, first: int, terms: Array, work: Array) -> None:
     """Fill in the integrals of the series over the loads up to ``v``, or for u < v over those beyond, negative.
 
-    All in any unit of length L; the k-th term has the unit L^-2k. Loops vectorise.
+    All in any unit of length L; the k-th term has the unit L^-2k.
 
     Parameters
     ----------
@@ -307,9 +311,9 @@ def far_terms(u: Array, v: float, table: Array, first: int, terms: Array, work: 
         Distance of an edge.
     table, first
         As for `free_end`.
-    terms : ndarray, shape (POWERS + 1, n)
-        Result.
-    work : ndarray, shape (2, n)
+    terms : ndarray, shape (POWERS + 1, n + TILE)
+        Result, and room beyond it.
+    work : ndarray, shape (2, n + TILE)
         Overwritten.
     """
     n, begin, end = u.size, 0, 0
@@ -317,6 +321,7 @@ def far_terms(u: Array, v: float, table: Array, first: int, terms: Array, work: 
     for i in range(n):
         larger = max(u[i], v, TINY)
         x[i], w[i] = 2.0 * min(u[i], v) / larger - 1.0, 1.0 / (larger * larger)
+    x[n:], w[n:] = 0.0, 0.0
     # The places from begin to before end count from infinity.
     while end < n and u[end] < v:
         end += 1
@@ -336,18 +341,50 @@ def far_terms(u: Array, v: float, table: Array, first: int, terms: Array, work: 
 def _far_polynomials(
     x: Array, w: Array, begin: int, end: int, sign: float, at: int, table: Array, terms: Array
 ) -> None:
-    """Fill in the polynomials of some places, the k-th multiplied by w^k, in loops that vectorise."""
-    places, weights = x[begin:end], w[begin:end]
-    n = places.size
-    for k in range(POWERS + 1):
-        total = terms[k][begin:end]
-        for i in range(n):
-            total[i] = 0.0
-        for c in range(DIRECTION_DEGREES[k] + 1):
-            coefficient = sign * table[at + c]
-            for i in range(n):
-                total[i] = total[i] * places[i] + coefficient
-        for _ in range(k):
-            for i in range(n):
-                total[i] *= weights[i]
-        at += DIRECTION_DEGREES[k] + 1
+    """Fill in the polynomials of some places, the k-th multiplied by w^k, and whatever beyond, to the end of a tile."""
+    for first in range(begin, end, TILE):
+        place, beside, weight, weight_beside = (
+            _eight(x, first), _eight(x, first + 8), _eight(w, first), _eight(w, first + 8)
+        )  # fmt: skip
+        c = np.uint64(at)
+        for k in range(POWERS + 1):
+            total = total_beside = _ZERO
+            for _ in range(DIRECTION_DEGREES[k] + 1):
+                coefficient = sign * table[c]
+                total = _horner(total, place, coefficient)
+                total_beside = _horner(total_beside, beside, coefficient)
+                c += np.uint64(1)
+            for _ in range(k):
+                total, total_beside = _product(total, weight), _product(total_beside, weight_beside)
+            _put(terms[k], first, total)
+            _put(terms[k], first + 8, total_beside)
+
+
+@compiled
+def _eight(values: Array, at: int) -> Eight:
+    i = np.uint64(at)
+    return (
+        values[i], values[i + np.uint64(1)], values[i + np.uint64(2)], values[i + np.uint64(3)],
+        values[i + np.uint64(4)], values[i + np.uint64(5)], values[i + np.uint64(6)], values[i + np.uint64(7)],
+    )  # fmt: skip
+
+
+@compiled
+def _horner(s: Eight, x: Eight, c: float) -> Eight:
+    return (
+        s[0] * x[0] + c, s[1] * x[1] + c, s[2] * x[2] + c, s[3] * x[3] + c,
+        s[4] * x[4] + c, s[5] * x[5] + c, s[6] * x[6] + c, s[7] * x[7] + c,
+    )  # fmt: skip
+
+
+@compiled
+def _product(s: Eight, w: Eight) -> Eight:
+    return (
+        s[0] * w[0], s[1] * w[1], s[2] * w[2], s[3] * w[3], s[4] * w[4], s[5] * w[5], s[6] * w[6], s[7] * w[7]
+    )  # fmt: skip
+
+
+@compiled
+def _put(values: Array, at: int, s: Eight) -> None:
+    for k in range(8):
+        values[np.uint64(at) + np.uint64(k)] = s[k]

@@ -18,7 +18,7 @@ import numpy as np
 from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
-from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table
+from nonhertz.strip.free_end import AWAY, TABLE_SIZE, TILE, Four, far_terms, far_whole, free_end, free_end_table
 from nonhertz.strip.records import Array, Flags, Indices, Kernel, Strips
 
 # Widths over distances below which nine terms of the series of a logarithm are exact to rounding.
@@ -96,7 +96,7 @@ def _add_beyond_face(
     """Add what a free side face adds where it is far from place and source together, and fill in where it is not."""
     n, place, side, weight, table = strips.y.size, face[0], face[1], face[2], int(face[3])
     root = math.sqrt(widest)
-    u, terms, work = np.empty(n), np.empty((2, 1 + POWERS, n)), np.empty((2, n))
+    u, terms, work = np.empty(n), np.empty((2, 1 + POWERS, n + TILE)), np.empty((2, n + TILE))
     for i in range(n):
         u[i] = max(side * (place - strips.y[i]), 0.0) / root
     of_low = max(side * (place - strips.low[0]), 0.0) / root
@@ -113,7 +113,7 @@ def _add_beyond_face(
         first[j], beyond[j] = begin, end
         for k in range(1 + POWERS):
             _add_difference(powers[j][k][:begin], side * weight, low[k][:begin], high[k][:begin])
-            _add_difference(powers[j][k][end:], side * weight, low[k][end:], high[k][end:])
+            _add_difference(powers[j][k][end:], side * weight, low[k][end:n], high[k][end:n])
         for i in range(n):
             if inner <= u[i] < outer and not begin <= i < end:
                 for k in range(1 + POWERS):
