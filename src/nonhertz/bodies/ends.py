@@ -81,6 +81,7 @@ def edge_exponent(kappa: float, free: float = 0.0) -> float:
     return _zero_between(0.0, mirrored, kappa, free) if free > 0.0 and kappa < 1.0 else mirrored
 
 
+@lru_cache
 def edge_powers(kappa: float, free: float = 0.0) -> tuple[float, float, float]:
     """Return the first three powers of the distance from an end whose pressures move its surface by smooth terms only.
 

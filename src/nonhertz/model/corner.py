@@ -21,7 +21,6 @@ from nonhertz.model.profile.circular import drop_of_circle
 Array = NDArray[np.float64]
 
 _STEP = 1e-4  # of the land, for the slope at its ends
-_DISTANCE_REMEDY = "give distances from the end of the land in mm"
 _STEEPEST = 0.5  # slope of a profile where a corner begins
 
 
@@ -33,7 +32,6 @@ class Corner(ABC):
     def extent(self) -> float:
         """Length along the axis from where it begins to the side face [mm]."""
 
-    @abstractmethod
     def drop(self, distance: ArrayLike) -> Array:
         """Return how far it lies below the tangent at its beginning [mm].
 
@@ -42,6 +40,11 @@ class Corner(ABC):
         distance : array_like
             From its beginning along the axis [mm], not negative; beyond its extent the result means nothing.
         """
+        return self.drop_at(numbers("distance", distance, "give distances from the end of the land in mm"))
+
+    @abstractmethod
+    def drop_at(self, distance: Array) -> Array:
+        """Return the drop at distances that are known to be numbers."""
 
     @property
     def bends(self) -> tuple[float, ...]:
@@ -69,9 +72,9 @@ class Rounded(Corner):
         """The radius [mm]."""
         return self.radius
 
-    def drop(self, distance: ArrayLike) -> Array:
-        """Return how far it lies below the tangent at its beginning [mm]."""
-        return drop_of_circle(self.radius, numbers("distance", distance, _DISTANCE_REMEDY))
+    def drop_at(self, distance: Array) -> Array:
+        """Return the drop at distances that are known to be numbers."""
+        return drop_of_circle(self.radius, distance)
 
 
 _acute = number_that(lambda angle: 0.0 < angle < 0.5 * math.pi, "lie between 0 and pi / 2")
@@ -136,9 +139,8 @@ class Chamfer(Input, Corner):
         """The length [mm]."""
         return self.length
 
-    def drop(self, distance: ArrayLike) -> Array:
-        """Return how far it lies below the tangent at its beginning [mm]."""
-        distance = numbers("distance", distance, _DISTANCE_REMEDY)
+    def drop_at(self, distance: Array) -> Array:
+        """Return the drop at distances that are known to be numbers."""
         straight = np.maximum(distance - self._arc, 0.0) * math.tan(self.angle)
         if self.blend_radius == 0.0:
             return straight
@@ -204,15 +206,16 @@ class Cornered(Formula):
     def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite beyond the side faces."""
         beyond = np.abs(y) - self.land_end
-        (low, high), (low_slope, high_slope) = self._tangents
-        within = np.clip(beyond, 0.0, self.corner.extent)
-        tangent = np.where(y < 0.0, low + low_slope * within, high + high_slope * within)
-        relief = np.where(
-            beyond > 0.0,
-            tangent + self.corner.drop(within),
-            self.land.relief_at(np.clip(y, -self.land_end, self.land_end)),
-        )
-        return np.where(beyond > self.corner.extent, np.inf, relief)
+        relief = np.array(self.land.relief_at(np.minimum(np.maximum(y, -self.land_end), self.land_end)))
+        on_corners = beyond > 0.0
+        distance, at_low = beyond[on_corners], y[on_corners] < 0.0
+        if distance.size:
+            (low, high), (low_slope, high_slope) = self._tangents
+            within = np.minimum(distance, self.corner.extent)
+            tangent = np.where(at_low, low + low_slope * within, high + high_slope * within)
+            fallen = tangent + self.corner.drop_at(within)
+            relief[on_corners] = np.where(distance > self.corner.extent, np.inf, fallen)
+        return relief
 
     @property
     def bends(self) -> tuple[float, ...]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.findings import Finding, finding
-from nonhertz.model.contact import Contact
+from nonhertz.model.contact import Contact, derived
 from nonhertz.result.maximum import distance_beyond, singular_y
 from nonhertz.result.solution import EdgeKind, EdgePressure, SingularEnd, Solved
 from nonhertz.strip.overlaps import runs
@@ -27,6 +27,7 @@ LEFT_AT_CORNER = 0.5  # of the squared pressure in the strip next to it: if extr
 RUNS_OUT = 0.05
 SAME_PLACE = 1e-9  # of the length
 STEP = 1e-5  # of the length: step of the differences that distinguish a corner from a curve
+KEPT_TURNS = 64
 
 
 def away_from_ends(solution: Solved, y: Array) -> Flags:
@@ -120,8 +121,15 @@ def _presses(contact: Contact, bend: float, side: float, y: Array, pressure: Arr
 
 def _turn(contact: Contact, place: float, step: float) -> float:
     """Return by how much the slope of the separation increases across a place [rad]."""
-    before, there, after = contact.separation_at(np.array([place - step, place, place + step])).tolist()
-    return float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0
+    known = derived(contact, "turns", dict[tuple[float, float], float])
+    turn = known.get((place, step))
+    if turn is None:
+        before, there, after = contact.separation_at(np.array([place - step, place, place + step])).tolist()
+        turn = float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0
+        if len(known) >= KEPT_TURNS:
+            known.clear()
+        known[place, step] = turn
+    return turn
 
 
 def ends_in_words(ends: Iterable[SingularEnd]) -> Finding:

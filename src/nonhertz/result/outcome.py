@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError
 from nonhertz.findings import said
-from nonhertz.model.contact import Contact
 from nonhertz.result.end_pressure import centre_pressure, corners, edge_pressures
 from nonhertz.result.ends import singular_ends
 from nonhertz.result.estimate import error_estimate
@@ -24,7 +23,7 @@ from nonhertz.result.validity import (
     strains,
 )
 from nonhertz.strip.acceptance import shortfall, steady
-from nonhertz.strip.grid import contact_of, kinks_of
+from nonhertz.strip.grid import MOST_BENDS, contact_of, nearly_touching
 from nonhertz.strip.levels import Levels, Solved, levels_from
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, Grids, States
@@ -88,7 +87,7 @@ def _solution(problem: Problem, levels: Levels) -> Solution:
     places = np.array([end.y for end in singular])
     half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
     highest, at = map(float, largest_pressure(state.y, state.scaled_pressure, half_width, places))
-    within = bool(state.converged) and _is_at_kink(contact, state, at, places)
+    within = bool(state.converged) and _is_at_kink(problem, state, at, places)
     return Solution(
         contact=contact,
         element=problem.model.element,
@@ -136,10 +135,15 @@ def _at_corner(end: EdgePressure, corner: float, pressure: float, width: float) 
     return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=why)
 
 
-def _is_at_kink(contact: Contact, state: States, y: float, ends: Array) -> bool:
+def _is_at_kink(problem: Problem, state: States, y: float, ends: Array) -> bool:
     """Return whether the largest pressure, at y [mm], is at a corner of the profile: it has no limit there either."""
+    low, high = float(state.edges[0]), float(state.edges[-1])
+    bends = (bend for bend in problem.contact.bends if low < bend < high)
+    inside = tuple(bend for bend in bends if nearly_touching(state.edges, state.m, bend))
+    if not inside or len(inside) > MOST_BENDS:  # of so many none stands out
+        return False
     width = float(state.width[np.abs(state.y - y).argmin()])
     return any(
         abs(place - y) <= AT_CORNER * width and place not in ends
-        for place, _ in kinks_of(contact.separation_at, contact.bends, state)
+        for place in problem.model.kinks(inside, high - low)[0].tolist()
     )

@@ -158,6 +158,8 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> Itera
 def _missed_contact(solution: Solution, problem: Problem, state: States) -> Iterator[Finding]:
     """Yield where the bodies overlap although no strip there is in contact."""
     region = _searched(solution.contact, float(state.edges[0]), float(state.edges[-1]))
+    if not suspects(problem, state.row(), region)[0]:
+        return
     y, overlap = overlapping(problem, state, region)
     overlap = np.where(_next_to_contact(state, y), 0.0, overlap)
     deepest = float(np.max(solution.interference[solution.line_load > 0.0]))

@@ -129,21 +129,6 @@ def reaching(states: States, side: int) -> Flags:
     return found
 
 
-def kinks_of(
-    separation: Callable[[Array], Array], bends: tuple[float, ...], state: States
-) -> list[tuple[float, float]]:
-    """Return places in contact of one case, or next to it, where the slope of the separation jumps, and the jump [rad].
-
-    None if there are so many that none stands out.
-    """
-    low, high = state.edges[0], state.edges[-1]
-    inside = tuple(bend for bend in bends if low < bend < high and nearly_touching(state.edges, state.m, bend))
-    if len(inside) > MOST_BENDS:
-        return []
-    places, turns = turns_at(separation, inside, float(high - low))
-    return list(zip(places.tolist(), turns.tolist(), strict=True))
-
-
 def turns_at(separation: Callable[[Array], Array], bends: tuple[float, ...], length: float) -> tuple[Array, Array]:
     """Return places where the slope of the separation jumps, among ``bends``, and the jumps [rad].
 

@@ -30,7 +30,7 @@ from nonhertz.strip.feasible import (
     refuse_infeasible,
     refuse_no_contact,
 )
-from nonhertz.strip.grid import Fineness, Surface, intervals, lay_all, reaching, turns_at, uniform
+from nonhertz.strip.grid import Fineness, Surface, intervals, lay_all, reaching, uniform
 from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
 from nonhertz.strip.problem import Problem, padded_rows, solved_on, winkler_state
@@ -180,9 +180,7 @@ def on_automatic_strips(problem: Problem, targets: Array) -> list[Solved]:
     edges = uniform(*finite, COARSE_STRIPS)
     y = 0.5 * (edges[1:] + edges[:-1])
     refuse_endless_relief(y, problem.model.separation(y))
-    kinks = turns_at(
-        problem.model.separation, tuple(bend for bend in bends if finite[0] < bend < finite[1]), np.ptp(finite)
-    )
+    kinks = problem.model.kinks(tuple(bend for bend in bends if finite[0] < bend < finite[1]), finite[1] - finite[0])
     order = ORDER_COARSER if accuracy > ACCURACY else ORDER
     coarseness = np.full(len(targets), COARSENESS * (accuracy / ACCURACY) ** (1.0 / order))
     learning = Refinement(problem, finite, kinks, targets, coarseness)

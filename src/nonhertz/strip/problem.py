@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from threading import Lock
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -12,14 +14,19 @@ from nonhertz.bodies.influence import Influence, influence_of
 from nonhertz.compiled import plain_array
 from nonhertz.model.contact import Contact, derived
 from nonhertz.strip.element import Element
+from nonhertz.strip.grid import turns_at
 from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.records import ITERATION_LIMIT, Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States
 from nonhertz.strip.solving import solve_on_strips, strips_of, unknowns_of
 from nonhertz.strip.start import winkler_start
 
-KEPT_GRIDS = 8  # of up to KEPT_STRIPS each: some levels of the strips that a contact is solved on again and again
-KEPT_STRIPS = 160  # those of thousands of strips take megabytes
+KEPT = 24  # of samples, kinks, and grids of so many strips at most, of which thousands would take megabytes
+KEPT_STRIPS = 160
+
+Known = TypeVar("Known")
+
+_lock = Lock()
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +50,9 @@ class StripModel:
         # Of a twin: a contact that is kept by what it keeps would stay until Python looks for cycles.
         return derived(contact, (cls, id(element)), lambda: cls(replace(contact), element))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return StripModel, (self.contact, self.element)
+
     @cached_property
     def influence(self) -> Influence:
         """How strips act."""
@@ -54,12 +64,19 @@ class StripModel:
         return kernel_of(self.influence, self.element)
 
     @cached_property
-    def _sampled(self) -> dict[tuple[float, float, int], tuple[Array, Array]]:
+    def _kept(self) -> dict[Hashable, Any]:
         return {}
 
-    @cached_property
-    def _grids(self) -> dict[bytes, Grids]:
-        return {}
+    def kept(self, what: Hashable, make: Callable[[], Known]) -> Known:
+        """Return what follows from the model alone, as long as it is one of the last `KEPT` that were made."""
+        found: Known | None = self._kept.get(what)
+        if found is None:
+            found = make()
+            with _lock:
+                if len(self._kept) >= KEPT:
+                    del self._kept[next(iter(self._kept))]
+                self._kept[what] = found
+        return found
 
     def separation(self, y: Array) -> Array:
         """Return h [mm] at places [mm]."""
@@ -67,24 +84,22 @@ class StripModel:
 
     def sampled(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
         """Return evenly spaced places and the separation there, kept."""
-        key = (low, high, intervals)
-        if key not in self._sampled:
-            y = np.linspace(low, high, intervals + 1)
-            self._sampled[key] = y, self.separation(y)
-        return self._sampled[key]
+        return self.kept(("sampled", low, high, intervals), lambda: self._at(np.linspace(low, high, intervals + 1)))
 
     def surveyed(self, low: float, high: float, intervals: int) -> tuple[Array, Array]:
         """Return the places of `sampled` and the crests between them, ascending, and the separation there."""
-        key = (low, high, -intervals)  # distinct from the key of the samples alone
-        if key not in self._sampled:
-            y, h = self.sampled(low, high, intervals)
-            crests = np.array(self.contact.crests)
-            crests = crests[(crests > low) & (crests < high)]
-            if crests.size:
-                y = np.unique(np.concatenate([y, crests]))
-                h = self.separation(y)
-            self._sampled[key] = y, h
-        return self._sampled[key]
+        crests = [crest for crest in self.contact.crests if low < crest < high]
+        if not crests:
+            return self.sampled(low, high, intervals)
+        even = np.linspace(low, high, intervals + 1)
+        return self.kept(("surveyed", low, high, intervals), lambda: self._at(np.union1d(even, crests)))
+
+    def kinks(self, bends: tuple[float, ...], length: float) -> tuple[Array, Array]:
+        """Return where the slope of the separation jumps along strips of this length, as `turns_at`, kept."""
+        return self.kept(("kinks", bends, length), lambda: turns_at(self.separation, bends, length))
+
+    def _at(self, y: Array) -> tuple[Array, Array]:
+        return y, self.separation(y)
 
     def grids(self, count: Indices, edges: Array) -> Grids:
         """Return grids with everything that is known about them before their loads are, depth excepted.
@@ -111,16 +126,11 @@ class StripModel:
 
     def kept_grid(self, edges: Array) -> Grids:
         """Return one grid, which is kept unless it is large."""
-        key, found = edges.tobytes(), None
-        if edges.size <= KEPT_STRIPS:
-            found = self._grids.get(key)
-        if found is None:
-            found = self.deep(self.grids(*row_of(edges)))
-            if edges.size <= KEPT_STRIPS:
-                if len(self._grids) >= KEPT_GRIDS:
-                    self._grids.clear()
-                self._grids[key] = found
-        return found
+
+        def made() -> Grids:
+            return self.deep(self.grids(*row_of(edges)))
+
+        return made() if edges.size > KEPT_STRIPS else self.kept(edges.tobytes(), made)
 
 
 @dataclass(frozen=True)

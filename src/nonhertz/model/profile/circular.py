@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Annotated
 
 import numpy as np
@@ -42,9 +43,15 @@ class Arcs(Formula):
     def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite beyond the point where an arc becomes vertical."""
         distance = np.abs(y)
-        middle = drop_of_circle(self.radius, np.minimum(distance, self.junction))
         end = drop_of_circle(self.end_radius, np.maximum(distance, self.junction) - self.end_summit)
-        return np.asarray(middle + end - drop_of_circle(self.end_radius, self.junction - self.end_summit))
+        relief = end - self._end_at_junction
+        if math.isfinite(self.radius):
+            relief += drop_of_circle(self.radius, np.minimum(distance, self.junction))
+        return relief
+
+    @cached_property
+    def _end_at_junction(self) -> float:
+        return float(drop_of_circle(self.end_radius, self.junction - self.end_summit))
 
     @property
     def bends(self) -> tuple[float, ...]:
