@@ -47,7 +47,7 @@ class Arcs(Formula):
         relief = end - self._end_at_junction
         if math.isfinite(self.radius):
             relief += drop_of_circle(self.radius, np.minimum(distance, self.junction))
-        return relief
+        return np.asarray(relief)
 
     @cached_property
     def _end_at_junction(self) -> float:
