@@ -22,6 +22,7 @@ from nonhertz.bodies.quarter_space import free_face
 from nonhertz.bodies.shape import Shape
 from nonhertz.bodies.whole_roller import WholeRoller, whole_roller
 from nonhertz.compiled import compiled, plain_array
+from nonhertz.compiled.tiles import TILE, polynomial
 from nonhertz.errors import InputError
 from nonhertz.model.body import Body
 from nonhertz.model.outline import outline_of
@@ -168,32 +169,39 @@ def _at_depth_by_faces(
     y: Array, depth: Array, edges: Array, poisson_factor: float, faces: Array, over_image: Array, out: Array
 ) -> None:
     """Add what free side faces add to the displacement at depth, by Gauss's rule of three points on each strip."""
+    n = out.shape[2]
+    room = (3 * n + TILE - 1) // TILE * TILE
+    v, share, added, work = np.zeros(room), np.empty(3 * n), np.empty(room), np.empty(room)
     for k in range(faces.shape[0]):
         place, side, weight = faces[k, 0], faces[k, 1], faces[k, 2]
         for row in range(y.shape[0]):
+            for e in range(n):
+                half = 0.5 * (edges[row, e + 1] - edges[row, e])
+                middle = side * (place - 0.5 * (edges[row, e + 1] + edges[row, e]))
+                for part in range(3):
+                    v[3 * e + part] = max(middle + (part - 1) * SIDE * half, 0.0)
+                    share[3 * e + part] = weight * half * (MIDDLE_WEIGHT if part == 1 else SIDE_WEIGHT)
             for i in range(y.shape[1]):
                 u = max(side * (place - y[row, i]), 0.0)
-                for e in range(out.shape[2]):
-                    half = 0.5 * (edges[row, e + 1] - edges[row, e])
-                    middle = side * (place - 0.5 * (edges[row, e + 1] + edges[row, e]))
-                    total = 0.0
-                    for part, share in ((-SIDE, SIDE_WEIGHT), (0.0, MIDDLE_WEIGHT), (SIDE, SIDE_WEIGHT)):
-                        v = max(middle + part * half, 0.0)
-                        total += share * _by_face(u, v, depth[row, i], poisson_factor, over_image)
-                    out[row, i, e] += weight * half * total
+                _fill_by_face(u, v, depth[row, i], poisson_factor, over_image, work, added)
+                for e in range(n):
+                    for part in range(3):
+                        out[row, i, e] += share[3 * e + part] * added[3 * e + part]
 
 
 @compiled
-def _by_face(u: float, v: float, depth: float, poisson_factor: float, over_image: Array) -> float:
-    """Return what a free side face adds to the displacement at a depth below ``u`` by a unit load at ``v``."""
-    distance = u + v
-    if distance == 0.0:
-        return 0.0
-    aside = (u - v) / distance
-    x, ratio = 2.0 * aside * aside - 1.0, 0.0
-    for c in over_image:
-        ratio = ratio * x + c
-    return ratio * _kernel(distance / depth, poisson_factor) / depth
+def _fill_by_face(
+    u: float, v: Array, depth: float, poisson_factor: float, over_image: Array, work: Array, added: Array
+) -> None:
+    """Fill in what a free side face adds to the displacement at a depth below ``u`` by unit loads at ``v``."""
+    for j in range(v.size):
+        distance = u + v[j]
+        aside = (u - v[j]) / distance if distance > 0.0 else 0.0
+        work[j] = 2.0 * aside * aside - 1.0
+    polynomial(work, over_image, added)
+    for j in range(v.size):
+        distance = u + v[j]
+        added[j] *= _kernel(distance / depth, poisson_factor) / depth if distance > 0.0 else 0.0
 
 
 @compiled

@@ -16,8 +16,9 @@ import numpy as np
 
 from nonhertz.amounts import mm, per_mm, um
 from nonhertz.compiled import compiled, inlined, plain_array
+from nonhertz.compiled.tiles import TILE
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
-from nonhertz.strip.free_end import AWAY, TILE, far_terms, far_whole
+from nonhertz.strip.free_end import AWAY, far_terms, far_whole
 from nonhertz.strip.influence import added_by_face
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States, Strips

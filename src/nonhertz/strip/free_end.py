@@ -25,19 +25,16 @@ from numpy.typing import NDArray
 from nonhertz.bodies.quarter_space import EDGE_SLOPE, FreeFace, free_face
 from nonhertz.bodies.stored import MOST, stored
 from nonhertz.compiled import compiled
+from nonhertz.compiled.tiles import TILE, ZERO, eight, horner, product, put
 from nonhertz.strip.element import ELEMENTS, LEADING_AT, POWERS, POWERS_AT, Element
 
 Array = NDArray[np.float64]
 Four = tuple[float, float, float, float]
-Eight = tuple[float, float, float, float, float, float, float, float]
 Density = Callable[[Array, Array], Array]
 
 FIRST_OCTAVE, LAST_OCTAVE = -14, 2
 CLOSE, AWAY = 2.0**FIRST_OCTAVE, 2.0**LAST_OCTAVE
 OCTAVES = LAST_OCTAVE - FIRST_OCTAVE
-#: Places whose polynomials are evaluated at a time: enough for no instruction to wait for the one before it.
-TILE = 16
-_ZERO = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 TINY = 1e-300
 LOGARITHMIC = 16.0 * CLOSE  # up to which both distances count as close to the edge
 SQUARE_DEGREE = 9
@@ -344,47 +341,17 @@ def _far_polynomials(
     """Fill in the polynomials of some places, the k-th multiplied by w^k, and whatever beyond, to the end of a tile."""
     for first in range(begin, end, TILE):
         place, beside, weight, weight_beside = (
-            _eight(x, first), _eight(x, first + 8), _eight(w, first), _eight(w, first + 8)
+            eight(x, first), eight(x, first + 8), eight(w, first), eight(w, first + 8)
         )  # fmt: skip
         c = np.uint64(at)
         for k in range(POWERS + 1):
-            total = total_beside = _ZERO
+            total = total_beside = ZERO
             for _ in range(DIRECTION_DEGREES[k] + 1):
                 coefficient = sign * table[c]
-                total = _horner(total, place, coefficient)
-                total_beside = _horner(total_beside, beside, coefficient)
+                total = horner(total, place, coefficient)
+                total_beside = horner(total_beside, beside, coefficient)
                 c += np.uint64(1)
             for _ in range(k):
-                total, total_beside = _product(total, weight), _product(total_beside, weight_beside)
-            _put(terms[k], first, total)
-            _put(terms[k], first + 8, total_beside)
-
-
-@compiled
-def _eight(values: Array, at: int) -> Eight:
-    i = np.uint64(at)
-    return (
-        values[i], values[i + np.uint64(1)], values[i + np.uint64(2)], values[i + np.uint64(3)],
-        values[i + np.uint64(4)], values[i + np.uint64(5)], values[i + np.uint64(6)], values[i + np.uint64(7)],
-    )  # fmt: skip
-
-
-@compiled
-def _horner(s: Eight, x: Eight, c: float) -> Eight:
-    return (
-        s[0] * x[0] + c, s[1] * x[1] + c, s[2] * x[2] + c, s[3] * x[3] + c,
-        s[4] * x[4] + c, s[5] * x[5] + c, s[6] * x[6] + c, s[7] * x[7] + c,
-    )  # fmt: skip
-
-
-@compiled
-def _product(s: Eight, w: Eight) -> Eight:
-    return (
-        s[0] * w[0], s[1] * w[1], s[2] * w[2], s[3] * w[3], s[4] * w[4], s[5] * w[5], s[6] * w[6], s[7] * w[7]
-    )  # fmt: skip
-
-
-@compiled
-def _put(values: Array, at: int, s: Eight) -> None:
-    for k in range(8):
-        values[np.uint64(at) + np.uint64(k)] = s[k]
+                total, total_beside = product(total, weight), product(total_beside, weight_beside)
+            put(terms[k], first, total)
+            put(terms[k], first + 8, total_beside)

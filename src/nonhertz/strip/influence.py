@@ -17,8 +17,9 @@ import numpy as np
 
 from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled, inlined, plain_array
+from nonhertz.compiled.tiles import TILE
 from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
-from nonhertz.strip.free_end import AWAY, TABLE_SIZE, TILE, Four, far_terms, far_whole, free_end, free_end_table
+from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table
 from nonhertz.strip.records import Array, Flags, Indices, Kernel, Strips
 
 # Widths over distances below which nine terms of the series of a logarithm are exact to rounding.
