@@ -259,7 +259,14 @@ WRITES = {
     "ContactMap.save",
 }
 #: Asked by the solver, of positions that it has checked, and of bearings that have been solved.
-CHECKED = {"BearingCase.rated", "Body.relief_at", "Body.curvature_at", "Contact.separation_at", "Contact.curvature_at"}
+CHECKED = {
+    "BearingCase.rated",
+    "Chamfer.drop_at",
+    "Body.relief_at",
+    "Body.curvature_at",
+    "Contact.separation_at",
+    "Contact.curvature_at",
+}
 
 
 def test_every_method_that_takes_arguments_is_in_the_table(table):

@@ -32,7 +32,7 @@ from nonhertz.plot.axial import mark_unlimited
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.overlay import compared_contacts
 from nonhertz.plot.style import INK, SIZE
-from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, Judgement, SingularEnd, Solution, Status
 from nonhertz.solver.one import solve as solve_one
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 
@@ -112,13 +112,15 @@ def springs(
         line_load=line_load,
         element_half_width=half_width / element.hertz_ratio,
         gap=np.where(touching, 0.0, -0.8 * interference),
-        contact_y=runs(edges, touching),
-        edge_pressure=ends,  # type: ignore[arg-type]
-        singular_ends=singular_among(ends),
-        peaks_at_corner=False,
         iterations=7,
-        error_estimate=ErrorEstimate(approach=1e-4, load=0.0, max_pressure=1e-3, moment=0.0, tilt=0.0),
-        findings=(),
+        judgement=Judgement(
+            contact_y=runs(edges, touching),
+            edge_pressure=ends,  # type: ignore[arg-type]
+            singular_ends=singular_among(ends),
+            peaks_at_corner=False,
+            error_estimate=ErrorEstimate(approach=1e-4, load=0.0, max_pressure=1e-3, moment=0.0, tilt=0.0),
+            findings=(),
+        ),
     )
 
 
@@ -127,7 +129,11 @@ def singular_among(ends: tuple[EdgePressure, ...]) -> tuple[SingularEnd, ...]:
 
 
 def with_ends(solution: Solution, *ends: EdgePressure) -> Solution:
-    return replace(solution, edge_pressure=ends, singular_ends=singular_among(ends))
+    return judged(solution, edge_pressure=ends, singular_ends=singular_among(ends))
+
+
+def judged(solution: Solution, **changed: object) -> Solution:
+    return replace(solution, judgement=replace(solution.judgement, **changed))
 
 
 def run_out(y: float) -> EdgePressure:
@@ -246,7 +252,7 @@ class TestPressure:
         assert any("contact on 3 intervals" in text.get_text() for text in ax.texts)
 
     def test_a_maximum_at_a_corner_says_so(self, ax: Axes) -> None:
-        plot.pressure(replace(crowned(), peaks_at_corner=True), ax)
+        plot.pressure(judged(crowned(), peaks_at_corner=True), ax)
         (shown,) = (text.get_text() for text in ax.texts if "MPa" in text.get_text())
         assert shown.endswith(" mm (corner: rises with refinement)")
 

@@ -119,10 +119,11 @@ def test_what_was_solved_before_an_interruption_is_kept(count, strips):
 class Stuck(nh.profile.Profile):
     """A profile that is not computed before the test says so."""
 
-    def __init__(self, go_on: threading.Event) -> None:
-        self.go_on = go_on
+    def __init__(self, go_on: threading.Event, asked: threading.Event) -> None:
+        self.go_on, self.asked = go_on, asked
 
     def relief(self, y):
+        self.asked.set()
         self.go_on.wait(60.0)
         return np.zeros_like(y)
 
@@ -130,16 +131,18 @@ class Stuck(nh.profile.Profile):
 @pytest.mark.parametrize(("patience", "solved"), [(0.1, 64), (60.0, 128)], ids=["abandoned", "kept"])
 def test_a_portion_that_has_begun_is_waited_for_but_not_for_long(monkeypatch, patience, solved):
     monkeypatch.setattr("nonhertz.solver.portions.PATIENCE", patience)
-    go_on = threading.Event()
+    go_on, asked = threading.Event(), threading.Event()
     go_on.set()  # while the contact is made
-    stuck = nh.Contact(nh.Roller(diameter=20, length=20, profile=Stuck(go_on)), nh.Plate())
+    stuck = nh.Contact(nh.Roller(diameter=20, length=20, profile=Stuck(go_on, asked)), nh.Plate())
 
     def stop(portion):
+        asked.wait(60.0)
         if solved == 128:
             go_on.set()
         raise KeyboardInterrupt
 
     go_on.clear()
+    asked.clear()
     try:
         with pytest.raises(nh.Interrupted, match=rf"^Stopped after {solved} of 128 cases\.$") as stopped:
             nh.solve_many([CROWNED] * 64 + [stuck] * 64, load=5e3, strips=11, threads=2, announce=stop)

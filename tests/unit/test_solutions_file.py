@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.result.solution import Judgement
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -47,12 +48,17 @@ def again(many: nh.Solutions, contacts, tmp_path) -> nh.Solutions:
 
 
 def assert_same_solution(found: nh.Solution, expected: nh.Solution) -> None:
-    for field in dataclasses.fields(nh.Solution):
-        ours, theirs = getattr(found, field.name), getattr(expected, field.name)
+    for name in names_of(nh.Solution):
+        ours, theirs = getattr(found, name), getattr(expected, name)
         if isinstance(theirs, np.ndarray):
-            np.testing.assert_array_equal(ours, theirs, err_msg=field.name)
+            np.testing.assert_array_equal(ours, theirs, err_msg=name)
         else:
-            assert ours == theirs, field.name
+            assert ours == theirs, name
+
+
+def names_of(kind: type[nh.Solution]) -> set[str]:
+    """Fields of a solution, and what its judgement says of it."""
+    return {each.name for part in (kind, Judgement) for each in dataclasses.fields(part)} - {"judgement"}
 
 
 def assert_same(found: nh.Solutions, expected: nh.Solutions) -> None:

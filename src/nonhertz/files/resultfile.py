@@ -23,7 +23,7 @@ from nonhertz.files.folder import write_files
 from nonhertz.files.held import meant_as
 from nonhertz.findings import said
 from nonhertz.inputs.files import content
-from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, Judgement, SingularEnd, Solution, Status
 from nonhertz.strip.element import ELEMENTS
 
 LARGEST_RESULT = 200_000_000  # bytes
@@ -184,7 +184,7 @@ def _object(path: Path) -> dict[str, Any]:
 
 
 def _solution(found: dict[str, Any], case: Case) -> Solution:
-    low, high = found["edge_pressure"]
+    (low, high), ends = found["edge_pressure"], found["singular_ends"]
     # Files of the first format have no kinds.
     kinds = [str(each["kind"]) for each in found.get("findings", ())]
     return Solution(
@@ -200,13 +200,15 @@ def _solution(found: dict[str, Any], case: Case) -> Solution:
         line_load=_array(found["line_load"]),
         element_half_width=_array(found["element_half_width"]),
         gap=_array(found["gap"]),
-        contact_y=tuple((float(first), float(last)) for first, last in found["contact_y"]),
-        edge_pressure=(_edge(low), _edge(high)),
-        singular_ends=tuple(SingularEnd(each["y"], EdgeKind[_member(each["kind"])]) for each in found["singular_ends"]),
-        peaks_at_corner=bool(found["peaks_at_corner"]),
         iterations=int(found["iterations"]),
-        error_estimate=ErrorEstimate(**{name: _number(value) for name, value in found["error_estimate"].items()}),
-        findings=tuple(starmap(said, zip_longest(map(str, found["warnings"]), kinds, fillvalue=""))),
+        judgement=Judgement(
+            contact_y=tuple((float(first), float(last)) for first, last in found["contact_y"]),
+            edge_pressure=(_edge(low), _edge(high)),
+            singular_ends=tuple(SingularEnd(each["y"], EdgeKind[_member(each["kind"])]) for each in ends),
+            peaks_at_corner=bool(found["peaks_at_corner"]),
+            error_estimate=ErrorEstimate(**{name: _number(value) for name, value in found["error_estimate"].items()}),
+            findings=tuple(starmap(said, zip_longest(map(str, found["warnings"]), kinds, fillvalue=""))),
+        ),
     )
 
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
@@ -13,11 +11,11 @@ from numpy.typing import NDArray
 from nonhertz.bodies.depths import AxisOfRoller
 from nonhertz.compiled import compiled
 from nonhertz.result.checks import WIDER_THAN_LONG
-from nonhertz.result.end_pressure import SHARP_END_ERROR, left_at_sharp_ends, sharp_end_error
+from nonhertz.result.end_pressure import left_at_sharp_ends, sharp_end_error
 from nonhertz.result.maximum import distance_beyond, largest_pressure
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate
-from nonhertz.strip.grid import contact_of, intervals, reaching
-from nonhertz.strip.levels import ACCURACY, LEFT_OF_CHANGE, SAFETY, Levels, cusps
+from nonhertz.strip.grid import contact_of, intervals
+from nonhertz.strip.levels import ACCURACY, SAFETY, Levels, cusps
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import States
 from nonhertz.strip.resolution import departures, roughness, within
@@ -82,7 +80,7 @@ def error_estimate(
     before_touch = float(state.rigid[0]) - penetration
     # Towards a corner errors fall in proportion to the strips only, and anyhow in contacts that are wider than long.
     corners = at_corner or any(edge.kind is EdgeKind.CORNER for edge in edges)
-    wide = bool(wider_than_long(problem, state.row())[0])
+    wide = bool(wide_among(state.row(), problem.model.element.hertz_ratio)[0])
     error = levels.difference if corners or wide else levels.remaining
     aimed = levels.accuracy or 0.0
     unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.scaled_load))
@@ -153,7 +151,7 @@ def _reach(levels: Levels) -> Array:
     A summit stands out no further than by twice what halving the strips has just raised it by.
     """
     state = levels.finest
-    reach: Array = cusps(state.scaled_pressure[None])[0]
+    reach: Array = cusps(state.scaled_pressure)
     if len(levels.states) > 1:
         coarse = levels.states[1]
         at = np.clip(np.searchsorted(coarse.edges, state.y) - 1, 0, coarse.scaled_pressure.size - 1)
@@ -195,13 +193,9 @@ def _largest(hertz_ratio: float, singular: Array, state: States) -> float:
     return float(largest_pressure(state.y, state.scaled_pressure, hertz_ratio * np.sqrt(state.m), singular)[0])
 
 
-def wider_than_long(problem: Problem, states: States) -> Flags:
-    """Return which contacts are wider than their longest piece is long."""
-    return _wide(states, problem.model.element.hertz_ratio)
-
-
 @compiled
-def _wide(states: States, hertz_ratio: float) -> Flags:
+def wide_among(states: States, hertz_ratio: float) -> Flags:
+    """Return which contacts are wider than their longest piece is long."""
     found = np.empty(states.status.size, np.bool_)
     for case in range(found.size):
         row, widest, longest = 0 if states.edges.shape[0] == 1 else case, 0.0, 0.0
@@ -213,57 +207,3 @@ def _wide(states: States, hertz_ratio: float) -> Flags:
             longest = max(longest, contact[k, 1] - contact[k, 0])
         found[case] = widest > WIDER_THAN_LONG * longest
     return found
-
-
-def may_be_uncertain(problem: Problem, levels: Sequence[States], singular: Array) -> Flags:
-    """Return which cases may have a large estimated error, including all without a solution on a coarser grid.
-
-    ``singular`` are their ends at which the pressure has no limit [mm], shape (cases, k).
-    """
-    finest = levels[0]
-    large = min(LARGE_ERROR, problem.accuracy) if problem.accuracy_given and problem.accuracy else LARGE_ERROR
-    wide = wider_than_long(problem, finest)
-    share = np.where(wide, 2.0 * SAFETY, LEFT_OF_CHANGE) if problem.accuracy else 2.0 * SAFETY
-    highest = partial(_pressures, problem.model.element.hertz_ratio, singular)
-    unsure: Flags = np.full(finest.status.shape, len(levels) == 1)
-    width = finest.width
-    last = np.stack([width[:, 0], np.take_along_axis(width, finest.counts[:, None] - 1, axis=1)[:, 0]])
-    few = FEW_AT_END * last.max(axis=0) > problem.model.element.hertz_ratio * np.sqrt(finest.m.max(axis=1))
-    unsure |= (few | problem.accuracy_given) & np.any(np.isfinite(singular), axis=1)
-    loads = finest.r * finest.m * width
-    mean, ripples = roughness(departures(within(problem, finest.edges)[1]), width, loads)
-    y = finest.y
-    separation = problem.model.separation(y.ravel()).reshape(y.shape)
-    penetration = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * y - separation, axis=1)
-    total = np.sum(loads, axis=1)
-    for known, left in ((penetration, mean), (total, finest.stiffness[:, 0, 0] * mean)):
-        unsure |= left > 0.5 * large * np.abs(known)
-    half_width = problem.model.element.hertz_ratio * np.sqrt(finest.m)
-    summits = np.where(distance_beyond(y, half_width, singular) > 0.0, cusps(finest.scaled_pressure), 0.0)
-    for beside in (np.max(np.where(loads > 0.0, ripples, 0.0), axis=1), np.max(summits, axis=1) - highest(finest)):
-        unsure |= beside > 0.5 * LARGE_PRESSURE_ERROR * highest(finest)
-    ends = SHARP_END_ERROR * sum(each * reaching(finest, side) for each, side in zip(last, (-1, 1), strict=True))
-    unsure |= ends > 0.5 * large * np.sum((finest.m > 0.0) * width, axis=1)
-    for fine, coarse in itertools.pairwise(levels[: 2 if problem.accuracy and not wide.any() else 3]):
-        unsure |= ~coarse.converged
-        for value, whole, limit in (
-            (_approaches, penetration, large),
-            (_loads, total, large),
-            (highest, highest(finest), LARGE_PRESSURE_ERROR),
-        ):
-            with np.errstate(invalid="ignore"):
-                unsure |= ~(share * np.abs(value(fine) - value(coarse)) <= limit * np.abs(whole))
-    return unsure
-
-
-def _approaches(states: States) -> Array:
-    return states.rigid[:, 0]
-
-
-def _loads(states: States) -> Array:
-    return states.scaled_load
-
-
-def _pressures(hertz_ratio: float, singular: Array, states: States) -> Array:
-    a = np.sqrt(states.m)
-    return largest_pressure(states.y, states.r * a, hertz_ratio * a, singular)[0]

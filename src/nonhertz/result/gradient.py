@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -24,13 +24,10 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
 from nonhertz.model.contact import Contact
 from nonhertz.result.measures import Measure, measure_of
-from nonhertz.result.solution import ReadOnly, Status
+from nonhertz.result.solution import Judgement, ReadOnly, Solution, Status
 from nonhertz.strip.adjoint import Linearised, linearised
 from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.records import Grids
-
-if TYPE_CHECKING:
-    from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 Family = Callable[[float], Contact]
@@ -193,8 +190,14 @@ class _Linear:
             edges=edges,
             load=float(forces.sum()),
             moment=float(forces @ (0.5 * (edges[1:] + edges[:-1]))),
-            contact_y=tuple((to(start), to(end)) for start, end in solution.contact_y),
-            singular_ends=tuple(dataclasses.replace(end, y=to(end.y)) for end in solution.singular_ends),
+            judgement=Judgement(
+                contact_y=tuple((to(start), to(end)) for start, end in solution.contact_y),
+                edge_pressure=solution.edge_pressure,
+                singular_ends=tuple(dataclasses.replace(end, y=to(end.y)) for end in solution.singular_ends),
+                peaks_at_corner=solution.peaks_at_corner,
+                error_estimate=solution.error_estimate,
+                findings=(),
+            ),
         )
 
     def residuals(self, contact: Contact, moved: Solution, by_force: tuple[bool, bool]) -> Array:

@@ -22,6 +22,7 @@ from nonhertz.compiled import compiled, plain_array
 
 if TYPE_CHECKING:
     from nonhertz.result.solution import Solved
+    from nonhertz.strip.records import States
 
 Array = NDArray[np.float64]
 
@@ -70,6 +71,31 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
     places, found = counted(y, pressure, half_width, ends)
     at = found.argmax(axis=-1)[..., None]
     return np.take_along_axis(found, at, -1)[..., 0], np.take_along_axis(places, at, -1)[..., 0]
+
+
+@compiled
+def largest_of(states: States, hertz_ratio: float, ends: Array) -> tuple[Array, Array]:
+    """Return the largest pressures of many contacts, as `States.scaled_pressure`, and where they are [mm].
+
+    ``ends``, shape (cases, k), are those that have no limit, as for `largest_pressure`.
+    """
+    cases, n = states.m.shape
+    y, pressure, half_width = np.empty((states.edges.shape[0], n)), np.empty((cases, n)), np.empty((cases, n))
+    for row in range(y.shape[0]):
+        for i in range(n):
+            y[row, i] = 0.5 * (states.edges[row, i + 1] + states.edges[row, i])
+    for case in range(cases):
+        for i in range(n):
+            root = math.sqrt(states.m[case, i])
+            pressure[case, i], half_width[case, i] = states.r[case, i] * root, hertz_ratio * root
+    places, values = _counted(y, pressure, half_width, ends)
+    highest, at = np.empty(cases), np.empty(cases)
+    for case in range(cases):
+        most = 0
+        for k in range(values.shape[1]):
+            most = k if values[case, k] > values[case, most] else most
+        highest[case], at[case] = values[case, most], places[case, most]
+    return highest, at
 
 
 def largest_half_width(y: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:

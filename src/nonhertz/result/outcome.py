@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import contextlib
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError
-from nonhertz.findings import said
-from nonhertz.result.end_pressure import centre_pressure, corners, edge_pressures
+from nonhertz.findings import Finding, said
+from nonhertz.result.end_pressure import centre_pressure, corners, edge_pressures, singular_places
 from nonhertz.result.ends import singular_ends
 from nonhertz.result.estimate import error_estimate
 from nonhertz.result.maximum import largest_pressure
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.result.suspicion import suspected
 from nonhertz.result.validity import (
     AT_CORNER,
     refuse_wide,
@@ -44,8 +46,7 @@ def outcome(problem: Problem, solved: Solved) -> Solution:
     ConvergenceError
         If the Newton loop failed, or if its solution does not meet what was prescribed.
     """
-    levels = levels_from(problem, [level.one(0) for level in solved.states])
-    solution = _solution(problem, levels)
+    solution = solution_of(problem, levels_from(problem, [level.one(0) for level in solved.states]))
     refuse_wide(solution, problem)
     refuse_wide_series(solution)
     if solution.status is not Status.CONVERGED:
@@ -53,7 +54,7 @@ def outcome(problem: Problem, solved: Solved) -> Solution:
     unmet = _shortfall(solution, problem, solved.grids)
     if unmet is not None:
         raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))
-    return _with_findings(solution, problem, levels)
+    return solution
 
 
 def _shortfall(solution: Solution, problem: Problem, grids: Grids) -> str | None:
@@ -65,31 +66,13 @@ def _shortfall(solution: Solution, problem: Problem, grids: Grids) -> str | None
 
 
 def solution_of(problem: Problem, levels: Levels) -> Solution:
-    """Return a solution that is known to meet what was prescribed."""
-    return _with_findings(_solution(problem, levels), problem, levels)
-
-
-def _with_findings(solution: Solution, problem: Problem, levels: Levels) -> Solution:
-    return replace(solution, findings=(*strains(solution, problem, levels.finest), *singularities(solution)))
-
-
-def _solution(problem: Problem, levels: Levels) -> Solution:
-    state, contact = levels.finest, problem.contact
-    compliance = contact.compliance
+    """Return the solution that the levels hold, unchecked."""
+    state, compliance = levels.finest, problem.contact.compliance
     # A loop that failed may leave any values.
     with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
-        edges = edge_pressures(problem, state)
         line_load, stiffness = state.r * state.m / compliance, state.stiffness / compliance
-    at_corners = corners(problem, state) if state.converged else ()
-    edges = _with_corners(problem, state, edges, at_corners)
-    sharp = (edge.y for edge in edges if edge.kind is EdgeKind.SINGULAR)
-    singular = singular_ends(sharp, at_corners, float(np.ptp(state.edges)))
-    places = np.array([end.y for end in singular])
-    half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
-    highest, at = map(float, largest_pressure(state.y, state.scaled_pressure, half_width, places))
-    within = bool(state.converged) and _is_at_kink(problem, state, at, places)
     return Solution(
-        contact=contact,
+        contact=problem.contact,
         element=problem.model.element,
         status=_STATUS[int(state.status)],
         approach=float(state.rigid[0]),
@@ -101,14 +84,77 @@ def _solution(problem: Problem, levels: Levels) -> Solution:
         line_load=line_load,
         element_half_width=np.sqrt(state.m),
         gap=state.gap.copy(),
-        contact_y=contact_of(state),
-        edge_pressure=edges,
-        singular_ends=singular,
-        peaks_at_corner=within,
         iterations=int(state.steps),
-        error_estimate=error_estimate(problem, levels, edges, places, highest, at_corner=within),
-        findings=(),
+        judgement=Pending(problem, levels),
     )
+
+
+@dataclass(frozen=True, eq=False)
+class Pending:
+    """The judgement of a solution, each part of it made when it is first asked for; see `Judgement`."""
+
+    problem: Problem
+    levels: Levels
+
+    @cached_property
+    def contact_y(self) -> tuple[tuple[float, float], ...]:
+        """The intervals in contact."""
+        return contact_of(self.levels.finest)
+
+    @cached_property
+    def _corners(self) -> tuple[float, ...]:
+        return corners(self.problem, self.levels.finest) if self.levels.finest.converged else ()
+
+    @cached_property
+    def edge_pressure(self) -> tuple[EdgePressure, EdgePressure]:
+        """The pressure at both ends."""
+        state = self.levels.finest
+        with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
+            edges = edge_pressures(self.problem, state)
+        return _with_corners(self.problem, state, edges, self._corners)
+
+    @cached_property
+    def singular_ends(self) -> tuple[SingularEnd, ...]:
+        """The ends without a limit of the pressure."""
+        sharp = (edge.y for edge in self.edge_pressure if edge.kind is EdgeKind.SINGULAR)
+        return singular_ends(sharp, self._corners, float(np.ptp(self.levels.finest.edges)))
+
+    @cached_property
+    def _places(self) -> Array:
+        return np.array([end.y for end in self.singular_ends])
+
+    @cached_property
+    def _largest(self) -> tuple[float, float]:
+        """The largest pressure, scaled, and where it is."""
+        state = self.levels.finest
+        half_width = self.problem.model.element.hertz_ratio * np.sqrt(state.m)
+        highest, at = largest_pressure(state.y, state.scaled_pressure, half_width, self._places)
+        return float(highest), float(at)
+
+    @cached_property
+    def peaks_at_corner(self) -> bool:
+        """Whether the largest pressure is at a corner."""
+        state = self.levels.finest
+        return bool(state.converged) and _is_at_kink(self.problem, state, self._largest[1], self._places)
+
+    @cached_property
+    def error_estimate(self) -> ErrorEstimate:
+        """The estimated errors."""
+        return error_estimate(
+            self.problem, self.levels, self.edge_pressure, self._places, self._largest[0],
+            at_corner=self.peaks_at_corner,
+        )  # fmt: skip
+
+    def found(self, solution: Solution) -> tuple[Finding, ...]:
+        """Return what strains the model: nothing, without a closer look, on most automatic grids."""
+        if solution.status is not Status.CONVERGED:
+            return ()
+        if self.problem.accuracy is not None:
+            rows = [level.row() for level in self.levels.states]
+            singular = singular_places(self.problem, rows[0])
+            if not suspected(self.problem, rows, singular)[0]:
+                return singularities(solution) if np.any(np.isfinite(singular)) else ()
+        return (*strains(solution, self.problem, self.levels.finest), *singularities(solution))
 
 
 def _with_corners(

@@ -7,7 +7,7 @@ import math
 import os
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -349,6 +349,38 @@ class Solved(HasFindings, ReadOnly, _Derived):
         return math.fsum(high - low for low, high in self.contact_y)
 
 
+@dataclass(frozen=True)
+class Judgement:
+    """What follows from the strips of a solution; see the attributes of `Solution` of the same names."""
+
+    contact_y: tuple[tuple[float, float], ...]
+    edge_pressure: tuple[EdgePressure, EdgePressure]
+    singular_ends: tuple[SingularEnd, ...]
+    peaks_at_corner: bool
+    error_estimate: ErrorEstimate
+    findings: tuple[Finding, ...]
+
+    def found(self, solution: Solution) -> tuple[Finding, ...]:
+        """Return what strains the model in the solution that is judged."""
+        return self.findings
+
+
+class _Judge(Protocol):
+    """A `Judgement`, or what comes to one when it is asked: most solves are not asked how their contact ends."""
+
+    @property
+    def contact_y(self) -> tuple[tuple[float, float], ...]: ...
+    @property
+    def edge_pressure(self) -> tuple[EdgePressure, EdgePressure]: ...
+    @property
+    def singular_ends(self) -> tuple[SingularEnd, ...]: ...
+    @property
+    def peaks_at_corner(self) -> bool: ...
+    @property
+    def error_estimate(self) -> ErrorEstimate: ...
+    def found(self, solution: Solution) -> tuple[Finding, ...]: ...
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution(Solved):
     """A solved contact.
@@ -394,6 +426,8 @@ class Solution(Solved):
         The solve's own estimate of its discretisation errors.
     findings : tuple of Finding
         What strains the model in this case; empty when nothing does.
+    judgement : Judgement
+        The last six of these, how the contact ends and what strains the model, worked out when they are first read.
     """
 
     contact: Contact
@@ -408,13 +442,38 @@ class Solution(Solved):
     line_load: Array
     element_half_width: Array
     gap: Array
-    contact_y: tuple[tuple[float, float], ...]
-    edge_pressure: tuple[EdgePressure, EdgePressure]
-    singular_ends: tuple[SingularEnd, ...]
-    peaks_at_corner: bool
     iterations: int
-    error_estimate: ErrorEstimate
-    findings: tuple[Finding, ...]
+    judgement: _Judge
+
+    @property
+    def contact_y(self) -> tuple[tuple[float, float], ...]:
+        """The intervals in contact along y [mm], ascending."""
+        return self.judgement.contact_y
+
+    @property
+    def edge_pressure(self) -> tuple[EdgePressure, EdgePressure]:
+        """The pressure at the low and at the high end."""
+        return self.judgement.edge_pressure
+
+    @property
+    def singular_ends(self) -> tuple[SingularEnd, ...]:
+        """The ends at which the pressure has no limit, ascending."""
+        return self.judgement.singular_ends
+
+    @property
+    def peaks_at_corner(self) -> bool:
+        """Whether the largest pressure is at a corner of the profile within the contact."""
+        return self.judgement.peaks_at_corner
+
+    @property
+    def error_estimate(self) -> ErrorEstimate:  # type: ignore[override]  # of a plane grid it is a field
+        """The solve's own estimate of its discretisation errors."""
+        return self.judgement.error_estimate
+
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
+        """What strains the model in this case."""
+        return self.judgement.found(self)
 
     def _said(self) -> list[str]:
         ends = [edge.kind.label.replace("-", " ") for edge in self.edge_pressure]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,19 +12,7 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
 from nonhertz.model.side_faces import SERIES
-from nonhertz.result.checks import (
-    HEAVIEST,
-    LEAST_DEPTH,
-    LEAST_OF_ALL,
-    MOST_OF_MODULUS,
-    MOST_OF_RADIUS,
-    MOST_UNEVEN,
-    WAY_OUT,
-    checks,
-    refuse_thin_bodies,
-    sharper_curvature,
-    unevenness,
-)
+from nonhertz.result.checks import LEAST_OF_ALL, WAY_OUT, checks, refuse_thin_bodies, sharper_curvature
 from nonhertz.result.ends import step_at
 from nonhertz.result.estimate import (
     LARGE_ERROR,
@@ -32,12 +20,10 @@ from nonhertz.result.estimate import (
     LEFT_BY_MODES,
     MISSED,
     has_whole_roller,
-    may_be_uncertain,
 )
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, Solution, Status
-from nonhertz.strip.grid import reaching
-from nonhertz.strip.overlaps import overlapping, runs, suspects
+from nonhertz.strip.overlaps import overlapping, runs
 from nonhertz.strip.problem import Problem, winkler_state
 from nonhertz.strip.records import Grids, States
 from nonhertz.strip.solving import SCARCELY
@@ -47,54 +33,6 @@ Flags = NDArray[np.bool_]
 
 AT_CORNER = 1.5  # strips: a maximum this close to a corner of the profile is attributed to the corner
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then accurate to 0.2 %
-
-
-def suspected(problem: Problem, levels: Sequence[States], singular: Array, peak: Array) -> Flags:
-    """Return which of many cases may have warnings, at little cost; `outcome` decides whether they do.
-
-    The warning about singular ends is left to the caller.
-
-    Parameters
-    ----------
-    problem : Problem
-        What the cases share.
-    levels : sequence of States
-        The states of all cases on every grid, finest first.
-    singular : ndarray, shape (cases, k)
-        Their ends at which the pressure has no limit [mm], nan for no such end.
-    peak : ndarray, shape (cases,)
-        Where their largest pressures are [mm].
-    """
-    finest, contact = levels[0], problem.contact
-    y, width = finest.y, finest.width
-    half_width = problem.model.element.hertz_ratio * np.sqrt(finest.m)
-    # The summed strip width overestimates the length of a split contact, but split contacts are rarely wide.
-    wide = 2.0 * half_width.max(axis=1) > 0.25 * np.sum((finest.m > 0.0) * width, axis=1)
-    sharper = sharper_curvature(contact, y.ravel()).reshape(y.shape)
-    flat = np.any(half_width * sharper > MOST_OF_RADIUS, axis=1)
-    areas = np.sum(2.0 * half_width * width, axis=1)
-    softer = min(contact.a.material.modulus, contact.b.material.modulus)
-    hard = finest.scaled_load / problem.contact.compliance > 0.5 * MOST_OF_MODULUS * softer * areas
-    pressed = np.max(
-        finest.rigid[:, :1] + finest.rigid[:, 1:] * y - contact.separation_at(y.ravel()).reshape(y.shape), axis=1
-    )
-    departure = unevenness(
-        contact, np.broadcast_to(y, half_width.shape), half_width, finest.r * finest.m * width, finest.rigid
-    )
-    uneven = departure > 0.9 * MOST_UNEVEN * pressed
-    thin = np.any(problem.model.influence.min_depth(y) < LEAST_DEPTH * half_width, axis=1)
-    region = _searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
-    coarse = may_be_uncertain(problem, levels, singular) | suspects(problem, finest, region)
-    for side in (-1, 1):
-        place = finest.edges[:, -1 if side > 0 else 0]
-        coarse |= reaching(finest, side) & ~np.isin(place, contact.interval)
-    if contact.bends:
-        nearest = np.abs(peak[:, None] - np.array(contact.bends)).min(axis=1)
-        beside = np.abs(y - peak[:, None]).argmin(axis=1)
-        coarse |= nearest <= AT_CORNER * np.broadcast_to(width, finest.m.shape)[np.arange(peak.size), beside]
-    heavy = any(end.requested > HEAVIEST for end in problem.model.influence.ends)
-    found: Flags = wide | flat | hard | uneven | thin | coarse | heavy
-    return found
 
 
 def strains(solution: Solution, problem: Problem, state: States) -> tuple[Finding, ...]:
@@ -157,9 +95,7 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> Itera
 
 def _missed_contact(solution: Solution, problem: Problem, state: States) -> Iterator[Finding]:
     """Yield where the bodies overlap although no strip there is in contact."""
-    region = _searched(solution.contact, float(state.edges[0]), float(state.edges[-1]))
-    if not suspects(problem, state.row(), region)[0]:
-        return
+    region = searched(solution.contact, float(state.edges[0]), float(state.edges[-1]))
     y, overlap = overlapping(problem, state, region)
     overlap = np.where(_next_to_contact(state, y), 0.0, overlap)
     deepest = float(np.max(solution.interference[solution.line_load > 0.0]))
@@ -174,7 +110,7 @@ def _missed_contact(solution: Solution, problem: Problem, state: States) -> Iter
         )
 
 
-def _searched(contact: Contact, low: float, high: float) -> tuple[float, float]:
+def searched(contact: Contact, low: float, high: float) -> tuple[float, float]:
     """Return where contacts that strips between two places may have missed are looked for [mm]."""
     return max(contact.interval[0], 2.0 * low - high), min(contact.interval[1], 2.0 * high - low)
 

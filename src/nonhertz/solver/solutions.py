@@ -26,7 +26,8 @@ from nonhertz.result.outcome import solution_of
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
-from nonhertz.result.validity import singularities, suspected
+from nonhertz.result.suspicion import suspected
+from nonhertz.result.validity import singularities
 from nonhertz.strip.grid import contact_of
 from nonhertz.strip.levels import levels_from
 from nonhertz.strip.overlaps import SAMPLES
@@ -391,8 +392,7 @@ class Block:
         """Yield the numbers of cases that strain the model, each with its first finding."""
         if self.error is not None:
             return
-        asked = self.problem, self.states, self.singular, self.largest[1]
-        for row in np.flatnonzero(suspected(*asked)):
+        for row in np.flatnonzero(suspected(self.problem, self.states, self.singular)):
             solution = self.solution(int(row))
             of_ends = singularities(solution)
             found = [each for each in solution.findings if each not in of_ends]

@@ -358,13 +358,18 @@ def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
 
 @compiled
 def cusps(pressure: Array) -> Array:
-    """Return how high summits may reach that are narrower than their strips, zero for all others; shape (cases, n)."""
-    found = np.zeros(pressure.shape)
-    for case in range(pressure.shape[0]):
-        for i in range(1, pressure.shape[1] - 1):
-            if _is_cusp(pressure[case], i) and _is_summit(pressure[case], i):
-                found[case, i] = pressure[case, i] * (1.0 + CUSP * _sagitta(pressure[case], i))
+    """Return how high summits may reach that are narrower than their strips, zero for all others; shape (n,)."""
+    found = np.zeros(pressure.size)
+    for i in range(1, pressure.size - 1):
+        found[i] = cusp(pressure, i)
     return found
+
+
+@compiled
+def cusp(pressure: Array, at: int) -> float:
+    """Return how high the pressure of a strip may reach that is narrower than its summit, zero if there is none."""
+    narrow = _is_cusp(pressure, at) and _is_summit(pressure, at)
+    return pressure[at] * (1.0 + CUSP * _sagitta(pressure, at)) if narrow else 0.0
 
 
 @compiled

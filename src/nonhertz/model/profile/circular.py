@@ -44,10 +44,9 @@ class Arcs(Formula):
         """Return the relief [mm]; infinite beyond the point where an arc becomes vertical."""
         distance = np.abs(y)
         end = drop_of_circle(self.end_radius, np.maximum(distance, self.junction) - self.end_summit)
-        relief = end - self._end_at_junction
         if math.isfinite(self.radius):
-            relief += drop_of_circle(self.radius, np.minimum(distance, self.junction))
-        return np.asarray(relief)
+            end = drop_of_circle(self.radius, np.minimum(distance, self.junction)) + end
+        return np.asarray(end - self._end_at_junction)
 
     @cached_property
     def _end_at_junction(self) -> float:
