@@ -134,6 +134,11 @@ class Contact:
         return combined
 
 
+def sharper_curvature(contact: Contact, y: Array) -> Array:
+    """Return the larger of the two bodies' curvatures across the contact [1/mm], in magnitude."""
+    return np.maximum(np.abs(contact.a.curvature_at(y)), np.abs(contact.b.curvature_at(y)))
+
+
 def derived(contact: Contact, what: Hashable, make: Callable[[], Derived]) -> Derived:
     """Return what follows from a contact alone, worked out by ``make`` once and kept with it."""
     known = contact._derived

@@ -11,7 +11,7 @@ from nonhertz.amounts import mm, newton
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite
 from nonhertz.inputs.fields import Input, Quantity, described, together
-from nonhertz.model.contact import Contact
+from nonhertz.model.contact import Contact, derived
 
 # Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first, the contact
 # is lost in the rounding of the relief beside it; strips and cells solved 14 contacts of all shapes down to 1e-22. At
@@ -102,6 +102,10 @@ class Prescription(Input):
 
 def loads_between(contact: Contact) -> tuple[float, float]:
     """Return the smallest and the largest load [N] for which bodies of this size and stiffness can be solved."""
+    return derived(contact, "loads between", lambda: _loads_between(contact))
+
+
+def _loads_between(contact: Contact) -> tuple[float, float]:
     low, high = contact.interval
     middle = np.array(0.5 * (low + high) if np.isfinite(high - low) else 0.0)
     curvatures = [abs(float(body.curvature(middle))) for body in (contact.a, contact.b)]

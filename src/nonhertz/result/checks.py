@@ -18,7 +18,7 @@ from nonhertz.bodies.shape import Shape
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import BODIES, Body, BodyName
-from nonhertz.model.contact import Contact
+from nonhertz.model.contact import Contact, sharper_curvature
 from nonhertz.result.solution import Solution
 from nonhertz.strip.resolution import PLACES, departures
 
@@ -78,11 +78,6 @@ def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[ValidityCheck, .
         _long(solution), curved(contact, y, half_width), _even(solution), small_strains(contact, mean),
         *thick(contact, solution.element, y, half_width), *image_weights(freed),
     )  # fmt: skip
-
-
-def sharper_curvature(contact: Contact, y: Array) -> Array:
-    """Return the larger of the two bodies' curvatures across the contact [1/mm], in magnitude."""
-    return np.maximum(np.abs(contact.a.curvature_at(y)), np.abs(contact.b.curvature_at(y)))
 
 
 def _long(solution: Solution) -> ValidityCheck:

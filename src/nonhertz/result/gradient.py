@@ -335,4 +335,4 @@ def _grids(solution: Solution, influence: Influence) -> Grids:
     y, edges = plain_array(solution.y)[None], plain_array(solution.edges)[None]
     nothing = np.zeros_like(y)
     at_depth = influence.at_depth(y, edges) if influence.references else np.zeros((1, 0, 0))
-    return Grids(np.array([solution.strips]), edges, y, nothing, nothing, nothing, at_depth)
+    return Grids(np.array([solution.strips]), edges, y, nothing, nothing, nothing, nothing, at_depth)

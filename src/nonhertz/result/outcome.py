@@ -23,6 +23,7 @@ from nonhertz.result.validity import (
     refuse_wide_series,
     singularities,
     strains,
+    too_wide,
 )
 from nonhertz.strip.acceptance import shortfall, steady
 from nonhertz.strip.grid import MOST_BENDS, contact_of, nearly_touching
@@ -46,12 +47,14 @@ def outcome(problem: Problem, solved: Solved) -> Solution:
     ConvergenceError
         If the Newton loop failed, or if its solution does not meet what was prescribed.
     """
-    solution = solution_of(problem, levels_from(problem, [level.one(0) for level in solved.states]))
-    refuse_wide(solution, problem)
+    grids, finest = solved.grids, solved.states[0]
+    solution = solution_of(problem, levels_from(problem, [level.one(0) for level in solved.states]), grids.at_rest)
+    if not finest.converged[0] or np.any(too_wide(problem, grids, finest)):
+        refuse_wide(solution, problem)
     refuse_wide_series(solution)
     if solution.status is not Status.CONVERGED:
         raise ConvergenceError(f"{solution.status.value} {_WAY_OUT}", solution)
-    unmet = _shortfall(solution, problem, solved.grids)
+    unmet = _shortfall(solution, problem, grids)
     if unmet is not None:
         raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))
     return solution
@@ -65,8 +68,8 @@ def _shortfall(solution: Solution, problem: Problem, grids: Grids) -> str | None
     return shortfall(problem, grids, solution.line_load, solution.element_half_width, solution.gap, motion)
 
 
-def solution_of(problem: Problem, levels: Levels) -> Solution:
-    """Return the solution that the levels hold, unchecked."""
+def solution_of(problem: Problem, levels: Levels, grids: Grids | None = None) -> Solution:
+    """Return the solution that the levels hold, unchecked; ``grids`` are the finest strips, if they are at hand."""
     state, compliance = levels.finest, problem.contact.compliance
     # A loop that failed may leave any values.
     with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
@@ -85,7 +88,7 @@ def solution_of(problem: Problem, levels: Levels) -> Solution:
         element_half_width=np.sqrt(state.m),
         gap=state.gap.copy(),
         iterations=int(state.steps),
-        judgement=Pending(problem, levels),
+        judgement=Pending(problem, levels, grids),
     )
 
 
@@ -95,6 +98,7 @@ class Pending:
 
     problem: Problem
     levels: Levels
+    grids: Grids | None
 
     @cached_property
     def contact_y(self) -> tuple[tuple[float, float], ...]:
@@ -146,14 +150,14 @@ class Pending:
         )  # fmt: skip
 
     def found(self, solution: Solution) -> tuple[Finding, ...]:
-        """Return what strains the model: nothing, without a closer look, on most automatic grids."""
+        """Return what strains the model: nothing, without a closer look, in most cases."""
         if solution.status is not Status.CONVERGED:
             return ()
-        if self.problem.accuracy is not None:
-            rows = [level.row() for level in self.levels.states]
-            singular = singular_places(self.problem, rows[0])
-            if not suspected(self.problem, rows, singular)[0]:
-                return singularities(solution) if np.any(np.isfinite(singular)) else ()
+        rows = [level.row() for level in self.levels.states]
+        grids = self.grids or self.problem.model.grids(rows[0].counts, rows[0].edges)
+        singular = singular_places(self.problem, rows[0])
+        if not suspected(self.problem, grids, rows, singular)[0]:
+            return singularities(solution) if np.any(np.isfinite(singular)) else ()
         return (*strains(solution, self.problem, self.levels.finest), *singularities(solution))
 
 

@@ -16,7 +16,6 @@ from nonhertz.result.checks import (
     MOST_OF_MODULUS,
     MOST_OF_RADIUS,
     MOST_UNEVEN,
-    sharper_curvature,
     unevenness,
 )
 from nonhertz.result.end_pressure import SHARP_END_ERROR
@@ -27,14 +26,16 @@ from nonhertz.strip.grid import reaches
 from nonhertz.strip.levels import LEFT_OF_CHANGE, SAFETY, cusp
 from nonhertz.strip.overlaps import suspects
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import CONVERGED, States
+from nonhertz.strip.records import CONVERGED, Grids, States
 from nonhertz.strip.resolution import departures, within
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
+WIDE_BESIDE = 2.0  # times the last strip in contact: the one beside it may hide that the contact goes on
 
-def suspected(problem: Problem, levels: Sequence[States], singular: Array) -> Flags:
+
+def suspected(problem: Problem, grids: Grids, levels: Sequence[States], singular: Array) -> Flags:
     """Return which of many cases may have findings; `nonhertz.result.validity.strains` decides whether they do.
 
     Those about singular ends are left to the caller.
@@ -43,20 +44,22 @@ def suspected(problem: Problem, levels: Sequence[States], singular: Array) -> Fl
     ----------
     problem : Problem
         What the cases share.
+    grids : Grids
+        The finest strips.
     levels : sequence of States
         The states of all cases on every grid, finest first.
     singular : ndarray, shape (cases, k)
         Their ends at which the pressure has no limit [mm], nan for no such end.
     """
     finest, contact, model = levels[0], problem.contact, problem.model
-    y, half_width = finest.y, model.element.hertz_ratio * np.sqrt(finest.m)
+    half_width = model.element.hertz_ratio * np.sqrt(finest.m)
     loads = finest.r * finest.m * finest.width
     seen = _Seen(
-        model.separation(y.ravel()).reshape(y.shape),
-        model.influence.min_depth(y.ravel()).reshape(y.shape),
-        sharper_curvature(contact, y.ravel()).reshape(y.shape),
+        grids.separation,
+        grids.min_depth,
+        grids.sharper,
         departures(within(problem, finest.edges)[1]),
-        unevenness(contact, np.broadcast_to(y, half_width.shape), half_width, loads, finest.rigid),
+        unevenness(contact, np.broadcast_to(grids.y, half_width.shape), half_width, loads, finest.rigid),
         plain_array(singular),
         np.array(contact.bends),
     )
@@ -162,6 +165,10 @@ def _strained(
             ripple = max(ripple, 0.5 * math.pi * math.sqrt(2.0) * seen.departure[row, i] / width)
         depth = max(depth, rigid[0] + 0.5 * rigid[1] * (edges[i] + edges[i + 1]) - seen.separation[row, i])
         strained |= half * seen.sharper[row, i] > MOST_OF_RADIUS or seen.min_depth[row, i] < LEAST_DEPTH * half
+        if i > 0 and (m > 0.0) != (states.m[case, i - 1] > 0.0):
+            # The contact may go on in a wide strip beside it whose centre is out of contact.
+            before = edges[i] - edges[i - 1]
+            strained |= (before if m > 0.0 else width) > WIDE_BESIDE * (width if m > 0.0 else before)
     # The summed strip width overestimates the length of a split contact, but split contacts are rarely wide.
     strained |= 2.0 * widest > 0.25 * length or load > limits.pressure * area
     strained |= seen.uneven[case] > 0.9 * MOST_UNEVEN * depth

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm, um
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
-from nonhertz.model.contact import Contact
+from nonhertz.model.contact import Contact, sharper_curvature
 from nonhertz.model.side_faces import SERIES
-from nonhertz.result.checks import LEAST_OF_ALL, WAY_OUT, checks, refuse_thin_bodies, sharper_curvature
+from nonhertz.result.checks import LEAST_OF_ALL, WAY_OUT, checks, refuse_thin_bodies
 from nonhertz.result.ends import step_at
 from nonhertz.result.estimate import (
     LARGE_ERROR,
@@ -195,7 +195,7 @@ def refuse_wide(solution: Solution, problem: Problem) -> None:
         return
     name, per = ("load", problem.contact.compliance) if problem.prescribed[0] else ("approach", 1.0)
     pressed = name, float(problem.target[0]) / per
-    wide = np.flatnonzero(wider_than_round(solution.contact, solution.y, half_width))
+    wide = np.flatnonzero(half_width * sharper_curvature(solution.contact, solution.y) > 1.0)
     # Springs under a moment near the ends are wide whatever the load is.
     if wide.size and (converged or not problem.prescribed[1]):
         worst = wide[np.argmax(half_width[wide])]
@@ -209,17 +209,11 @@ def refuse_wide(solution: Solution, problem: Problem) -> None:
     refuse_thin_bodies(solution.contact, solution.element, solution.y, half_width, least, pressed)
 
 
-def wider_than_round(contact: Contact, y: Array, half_width: Array) -> Flags:
-    """Return where the half-width exceeds the radius of the more sharply curved body: its surface ends before."""
-    beyond: Flags = half_width * sharper_curvature(contact, y.ravel()).reshape(y.shape) > 1.0
-    return beyond
-
-
 def too_wide(problem: Problem, grids: Grids, states: States) -> Flags:
     """Return where contacts are wider than their bodies are thick or round, for which each is refused."""
     half_width = problem.model.element.hertz_ratio * np.sqrt(states.m)
-    thick: Flags = half_width <= grids.min_depth
-    return ~thick | wider_than_round(problem.contact, grids.y, half_width)
+    fits: Flags = (half_width <= grids.min_depth) & (half_width * grids.sharper <= 1.0)
+    return ~fits
 
 
 def refuse_wide_series(solution: Solution) -> None:

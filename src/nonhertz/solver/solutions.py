@@ -32,7 +32,7 @@ from nonhertz.strip.grid import contact_of
 from nonhertz.strip.levels import levels_from
 from nonhertz.strip.overlaps import SAMPLES
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import States
+from nonhertz.strip.records import Grids, States
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -368,6 +368,10 @@ class Block:
         pressure[touching] = 2.0 * line_load[touching] / (np.pi * half_width[touching])
         return largest_pressure(states.y, pressure, half_width, self.singular)
 
+    @property
+    def _grids(self) -> Grids:
+        return self.problem.model.grids(self.finest.counts, self.finest.edges)
+
     @cached_property
     def singular(self) -> Array:
         """The ends at which the pressure has no limit [mm], shape (cases, k), nan for no such end."""
@@ -392,7 +396,7 @@ class Block:
         """Yield the numbers of cases that strain the model, each with its first finding."""
         if self.error is not None:
             return
-        for row in np.flatnonzero(suspected(self.problem, self.states, self.singular)):
+        for row in np.flatnonzero(suspected(self.problem, self._grids, self.states, self.singular)):
             solution = self.solution(int(row))
             of_ends = singularities(solution)
             found = [each for each in solution.findings if each not in of_ends]

@@ -9,7 +9,7 @@ import numpy as np
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.strip.grid import uniform
-from nonhertz.strip.problem import Problem, row_of, winkler_state
+from nonhertz.strip.problem import KEPT_STRIPS, Problem, row_of, winkler_state
 from nonhertz.strip.records import Array
 
 LOOKS, CLOSER_LOOKS = 20000, 4
@@ -27,7 +27,8 @@ def feasible(problem: Problem, edges: Array) -> bool:
 
 def refuse_infeasible(problem: Problem, edges: Array, *, chosen: bool = True) -> None:
     """Refuse a prescription that no loads on these strips can meet; ``chosen`` if the user gave the strips."""
-    strips = problem.model.grids(*row_of(edges))
+    kept = chosen and edges.size <= KEPT_STRIPS
+    strips = problem.model.kept_grid(edges) if kept else problem.model.grids(*row_of(edges))
     y, separation = strips.y[0], strips.separation[0]
     usable = y[np.isfinite(separation)]
     refuse_endless_relief(y, separation)

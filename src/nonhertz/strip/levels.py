@@ -146,10 +146,14 @@ def levels_from(problem: Problem, states: list[States]) -> Levels:
 def equal_grids(problem: Problem, count: int) -> list[Array]:
     """Return the edges of ``count`` equal strips where the bodies can touch, and of half as many down to a few."""
     low, high = bounded(problem)
-    counts = [count]
-    while counts[-1] // 2 >= COARSEST_LEVEL or (len(counts) == 1 and count > 1):
-        counts.append(counts[-1] // 2)
-    return [uniform(low, high, level) for level in counts]
+
+    def made() -> list[Array]:
+        counts = [count]
+        while counts[-1] // 2 >= COARSEST_LEVEL or (len(counts) == 1 and count > 1):
+            counts.append(counts[-1] // 2)
+        return [uniform(low, high, level) for level in counts]
+
+    return problem.model.kept(("equal", low, high, count), made)
 
 
 def given_grids(edges: Array) -> list[Array]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from nonhertz.bodies.influence import Influence, influence_of
 from nonhertz.compiled import plain_array
-from nonhertz.model.contact import Contact, derived
+from nonhertz.model.contact import Contact, derived, sharper_curvature
 from nonhertz.strip.element import Element
 from nonhertz.strip.grid import turns_at
 from nonhertz.strip.influence import kernel_of
@@ -113,10 +113,14 @@ class StripModel:
         """
         y = 0.5 * (edges[:, 1:] + edges[:, :-1])
         flat = y.ravel()
-        curvature, separation, min_depth = (
-            at(flat).reshape(y.shape) for at in (self.contact.curvature_at, self.separation, self.influence.min_depth)
-        )
-        return Grids(count, edges, y, curvature, separation, min_depth, np.zeros((len(y), 0, 0)))
+        curvature, separation, min_depth, sharper = (
+            values.reshape(y.shape)
+            for values in (
+                self.contact.curvature_at(flat), self.separation(flat), self.influence.min_depth(flat),
+                sharper_curvature(self.contact, flat),
+            )
+        )  # fmt: skip
+        return Grids(count, edges, y, curvature, separation, min_depth, sharper, np.zeros((len(y), 0, 0)))
 
     def deep(self, grids: Grids) -> Grids:
         """Return grids with what displacement is measured against, a matrix of all by all strips for each."""

@@ -112,8 +112,8 @@ class Grids(NamedTuple):
         Edges [mm]; padded with the last one, so that padding has no width.
     y, curvature, separation : ndarray, shape (grids, n)
         As in `Strips`.
-    min_depth : ndarray, shape (grids, n)
-        The smaller of both bodies' depths [mm].
+    min_depth, sharper : ndarray, shape (grids, n)
+        The smaller of both bodies' depths [mm]; the larger of their curvatures across, in magnitude [1/mm].
     at_depth : ndarray, shape (grids, n, n)
         As in `Strips`.
     """
@@ -124,7 +124,13 @@ class Grids(NamedTuple):
     curvature: Array
     separation: Array
     min_depth: Array
+    sharper: Array
     at_depth: Array
+
+    @property
+    def at_rest(self) -> Grids:
+        """The same without the matrices of what displacement is measured against."""
+        return self._replace(at_depth=np.zeros((len(self.y), 0, 0)))
 
     def only(self, cases: Indices) -> Grids:
         """Return the grids of some cases, whose numbers ascend."""
