@@ -100,6 +100,9 @@ class Pending:
     levels: Levels
     grids: Grids | None
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return Pending, (self.problem, self.levels, None)
+
     @cached_property
     def contact_y(self) -> tuple[tuple[float, float], ...]:
         """The intervals in contact."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
@@ -207,6 +207,10 @@ class ReadOnly:
 
     def __post_init__(self) -> None:
         _freeze(vars(self))
+
+    def __getstate__(self) -> dict[str, object]:
+        # What is worked out from the fields is worked out again.
+        return {each.name: getattr(self, each.name) for each in fields(self)}  # type: ignore[arg-type]
 
     def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)
