@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.measured.outlying import runs
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 
 #: Slope exceeded by every chamfer and by no profile, 3 degrees.
@@ -191,13 +191,7 @@ def _gentle(points: Points, slope: float) -> tuple[float, list[tuple[int, int]]]
     """Return the slope of the whole line, and first and last index of every stretch within the limit of it."""
     steepness = chord_slopes(points)
     level = weighted_median(steepness, points.weights)
-    return level, _runs(np.abs(steepness - level) <= slope)
-
-
-def _runs(inside: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Return first and last index of every stretch of True."""
-    turns = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(np.int8), [0]])))
-    return [(int(first), int(after) - 1) for first, after in turns.reshape(-1, 2)]
+    return level, list(runs((np.abs(steepness - level) <= slope).astype(np.int8)))
 
 
 def _extended(points: Points, runs: list[tuple[int, int]], level: float, slope: float) -> tuple[int, int]:

@@ -50,7 +50,7 @@ def outlying(points: Points, height: Array, limit: float) -> NDArray[np.bool_]:
     side = _suspected(points, height, limit)
     clean = np.flatnonzero(side == 0)
     out = np.zeros(len(points), dtype=bool)
-    for first, last in _runs(side):
+    for first, last in runs(side):
         found = _off_base(points, clean, first, last, float(side[first]) * limit)
         if found is not None:
             out[found] = True
@@ -106,8 +106,8 @@ def _distances(points: Points, y: list[Array], surface: list[Array]) -> Array:
     ])  # fmt: skip
 
 
-def _runs(side: NDArray[np.int8]) -> Iterator[tuple[int, int]]:
-    """Yield first and last index of neighbouring points suspected of lying off on the same side."""
+def runs(side: NDArray[np.int8]) -> Iterator[tuple[int, int]]:
+    """Yield first and last index of every stretch of the same number but 0."""
     turns = np.flatnonzero(np.diff(side, prepend=0, append=0))
     for first, after in pairwise(turns):
         if side[first]:
