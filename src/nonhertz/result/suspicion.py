@@ -19,11 +19,12 @@ from nonhertz.result.checks import (
     unevenness,
 )
 from nonhertz.result.end_pressure import SHARP_END_ERROR
-from nonhertz.result.estimate import FEW_AT_END, LARGE_ERROR, LARGE_PRESSURE_ERROR, wide_among
+from nonhertz.result.estimate import COARSE, FEW_AT_END, LARGE_ERROR, LARGE_PRESSURE_ERROR, wide_among
 from nonhertz.result.maximum import largest_of
 from nonhertz.result.validity import AT_CORNER, searched
 from nonhertz.strip.grid import reaches
-from nonhertz.strip.levels import LEFT_OF_CHANGE, SAFETY, cusp
+from nonhertz.strip.levels import ACCURACY, LEFT_OF_CHANGE, SAFETY, cusp
+from nonhertz.strip.newton import worse
 from nonhertz.strip.overlaps import suspects
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import CONVERGED, Grids, States
@@ -32,6 +33,7 @@ from nonhertz.strip.resolution import departures, within
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
+MARGIN, MORE = 0.9, 1.5  # of limits; and by how much roughness may be more within strips than is seen here
 WIDE_BESIDE = 2.0  # times the last strip in contact: the one beside it may hide that the contact goes on
 
 
@@ -71,7 +73,8 @@ def suspected(problem: Problem, grids: Grids, levels: Sequence[States], singular
         min(LARGE_ERROR, accuracy) if problem.accuracy_given and accuracy else LARGE_ERROR, problem.accuracy_given,
         *contact.interval, *region,
     )  # fmt: skip
-    found = _suspected(levels[0], levels[min(1, len(levels) - 1)], levels[-1], len(levels), seen, limits)
+    coarse, coarser = (levels[min(k, len(levels) - 1)] for k in (1, 2))
+    found = _suspected(finest, coarse, coarser, len(levels), seen, limits)
     heavy = any(end.requested > HEAVIEST for end in model.influence.ends)
     return found | suspects(problem, finest, region) | heavy
 
@@ -113,9 +116,8 @@ def _suspected(finest: States, coarse: States, coarser: States, count: int, seen
         row = 0 if finest.edges.shape[0] == 1 else case
         n = finest.counts[row]
         strained, depth, load, mean, ripple = _strained(finest, case, row, seen, limits)
-        unsure = count == 1 or strained or _beside(finest, case, row, seen, highest[case], ripple)
+        unsure = count == 1 or strained
         edges, whole, stiff = finest.edges[row, : n + 1], finest.m[case, :n], finest.stiffness[case, 0, 0]
-        unsure |= mean > 0.5 * limits.large * abs(depth) or stiff * mean > 0.5 * limits.large * abs(load)
         # How the contact ends.
         last, length, ends, half = 0.0, 0.0, 0.0, 0.0
         for i in range(n):
@@ -132,16 +134,24 @@ def _suspected(finest: States, coarse: States, coarser: States, count: int, seen
             sharp |= math.isfinite(seen.singular[case, k])
         unsure |= sharp and (few or limits.accuracy_given)
         unsure |= SHARP_END_ERROR * ends > 0.5 * limits.large * length
-        # What halving the strips changes.
-        share = LEFT_OF_CHANGE if limits.accuracy > 0.0 and not wide[case] else 2.0 * SAFETY
-        for step in range(min(steps, 1) if limits.accuracy > 0.0 and not wide[case] else steps):
+        # What halving the strips changes, once and twice; see `Levels`.
+        unsure |= coarse.status[case] != CONVERGED or (steps > 1 and coarser.status[case] != CONVERGED)
+        moved = borne = raised = 0.0
+        for step in range(steps):
             fine, half_as_fine = (finest, coarse) if step == 0 else (coarse, coarser)
-            unsure |= half_as_fine.status[case] != CONVERGED
-            moved = abs(fine.rigid[case, 0] - half_as_fine.rigid[case, 0])
-            borne = abs(_load(fine, case) - _load(half_as_fine, case))
-            raised = abs(highest[case] - second[case]) if step == 0 else abs(second[case] - third[case])
-            unsure |= not share * moved <= limits.large * abs(depth) or not share * borne <= limits.large * abs(load)
-            unsure |= not share * raised <= LARGE_PRESSURE_ERROR * highest[case]
+            by = fine.rigid[case, 0] - half_as_fine.rigid[case, 0], _load(fine, case) - _load(half_as_fine, case)
+            more = highest[case] - second[case] if step == 0 else second[case] - third[case]
+            raised = worse(raised, SAFETY / (1 + step) * abs(more))
+            regular = limits.accuracy > 0.0 and not wide[case] and not sharp
+            if step == 0 or not regular:
+                share = LEFT_OF_CHANGE if regular else SAFETY / (1 + step)
+                moved, borne = worse(moved, share * abs(by[0])), worse(borne, share * abs(by[1]))
+        # Sharp ends and roughness add to that.
+        room = (0.5 if sharp else MARGIN) * limits.large
+        unsure |= not moved + MORE * mean <= room * abs(depth) or not borne + MORE * stiff * mean <= room * abs(load)
+        coarseness = COARSE if limits.accuracy > ACCURACY else 1.0
+        room = (0.5 if sharp else MARGIN) * LARGE_PRESSURE_ERROR * highest[case]
+        unsure |= not coarseness * raised + _beside(finest, case, highest[case], ripple) <= room
         found[case] = unsure or _near_a_bend(edges, at[case], seen.bends)
     return found
 
@@ -176,15 +186,15 @@ def _strained(
 
 
 @compiled
-def _beside(states: States, case: int, row: int, seen: _Seen, highest: float, ripple: float) -> bool:
-    """Return whether what strips do not resolve may raise the largest pressure, by ripples or by a narrow summit."""
-    n, summit = states.counts[row], 0.0
+def _beside(states: States, case: int, highest: float, ripple: float) -> float:
+    """Return by how much what strips do not resolve may raise the largest pressure: ripples, and a narrow summit."""
+    n, summit = states.counts[0 if states.edges.shape[0] == 1 else case], highest
     pressure = np.empty(n)
     for i in range(n):
         pressure[i] = states.r[case, i] * math.sqrt(states.m[case, i])
     for i in range(1, n - 1):
         summit = max(summit, cusp(pressure, i))
-    return ripple > 0.5 * LARGE_PRESSURE_ERROR * highest or summit - highest > 0.5 * LARGE_PRESSURE_ERROR * highest
+    return ripple + summit - highest
 
 
 @compiled
