@@ -53,7 +53,8 @@ class Compiled:
 
     def __call__(self, *arguments: Any) -> Any:
         """Run the machine code."""
-        return self.dispatcher("Python")(*arguments)
+        made = self._made.get("Python")
+        return (made or self.dispatcher("Python"))(*arguments)
 
     def dispatcher(self, caller: str) -> Any:
         """Return Numba's function for calls from Python, or from compiled functions."""
