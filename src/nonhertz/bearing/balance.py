@@ -277,9 +277,9 @@ class States(NamedTuple):
 def balance_all(
     parts: Parts, search: Search, conditions: Conditions, target: Array, start: Array, motion: Array, found: States
 ) -> None:
-    """Find states whose contacts all have laws in the book; arrays have a row for each, or ``motion`` none at all."""
+    """Find states whose contacts all have laws in the book; arrays have a row for each."""
     for k in range(target.shape[0]):
-        begin(parts, search, start[k], motion[k] if motion.shape[0] else search.rollers.motion[:0])
+        begin(parts, search, start[k], motion[k])
         for _ in range(MOST_ROUNDS):
             ask_book(parts, search.rollers)
             if not go_on(parts, search, conditions, target[k]):

@@ -179,17 +179,16 @@ def balanced(
         How many may work on many states at once, where all laws are tables.
     """
     ring = np.where(by_force, start, target)
-    at_first = np.zeros((0, system.rollers, 3)) if motion is None else plain_array(motion)
+    begins = plain_array(target), ring, np.full((len(ring), system.rollers, 3), np.nan if motion is None else motion)
     conditions = Conditions(by_force, float(depth), float(tolerance), STEPS)
     found = States.blank(len(ring), system.rollers, system.columns)
-    begins = plain_array(target), ring, at_first
     if system.outside:
         _asked_in_turn(system, conditions, *begins, found)
         return found
     borders = np.linspace(0, len(ring), min(threads, 1 + len(ring) // _PORTION) + 1).astype(int).tolist()
 
     def in_machine_code(first: int, last: int) -> None:
-        target, ring, motion = (each[first:last] if len(each) else each for each in begins)
+        target, ring, motion = (each[first:last] for each in begins)
         search = Search.blank(system.rollers, system.columns)
         balance_all(system.parts, search, conditions, target, ring, motion, found.portion(first, last))
 
@@ -240,7 +239,7 @@ def _asked_in_turn(
     parts, search = system.parts, Search.blank(system.rollers, system.columns)
     rollers = search.rollers
     for k in range(len(target)):
-        begin(parts, search, start[k], motion[k] if len(motion) else motion.reshape(0, 3))
+        begin(parts, search, start[k], motion[k])
         times = np.zeros(system.rollers, dtype=np.int64)
         while times.max() < MOST_ASKED:
             times += rollers.asked
