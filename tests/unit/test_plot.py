@@ -32,7 +32,8 @@ from nonhertz.plot.axial import mark_unlimited
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.overlay import compared_contacts
 from nonhertz.plot.style import INK, SIZE
-from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, Judgement, SingularEnd, Solution, Status
+from nonhertz.result.outcome import Judgement
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.solver.one import solve as solve_one
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 
@@ -113,7 +114,7 @@ def springs(
         element_half_width=half_width / element.hertz_ratio,
         gap=np.where(touching, 0.0, -0.8 * interference),
         iterations=7,
-        judgement=Judgement(
+        judgement=Judgement.of(
             contact_y=runs(edges, touching),
             edge_pressure=ends,  # type: ignore[arg-type]
             singular_ends=singular_among(ends),
@@ -133,7 +134,7 @@ def with_ends(solution: Solution, *ends: EdgePressure) -> Solution:
 
 
 def judged(solution: Solution, **changed: object) -> Solution:
-    return replace(solution, judgement=replace(solution.judgement, **changed))
+    return replace(solution, judgement=Judgement.of(**{**vars(solution.judgement), **changed}))
 
 
 def run_out(y: float) -> EdgePressure:

@@ -23,7 +23,8 @@ from nonhertz.files.folder import write_files
 from nonhertz.files.held import meant_as
 from nonhertz.findings import said
 from nonhertz.inputs.files import content
-from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, Judgement, SingularEnd, Solution, Status
+from nonhertz.result.outcome import Judgement
+from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.strip.element import ELEMENTS
 
 LARGEST_RESULT = 200_000_000  # bytes
@@ -201,7 +202,7 @@ def _solution(found: dict[str, Any], case: Case) -> Solution:
         element_half_width=_array(found["element_half_width"]),
         gap=_array(found["gap"]),
         iterations=int(found["iterations"]),
-        judgement=Judgement(
+        judgement=Judgement.of(
             contact_y=tuple((float(first), float(last)) for first, last in found["contact_y"]),
             edge_pressure=(_edge(low), _edge(high)),
             singular_ends=tuple(SingularEnd(each["y"], EdgeKind[_member(each["kind"])]) for each in ends),

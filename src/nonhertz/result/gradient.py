@@ -24,7 +24,8 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
 from nonhertz.model.contact import Contact
 from nonhertz.result.measures import Measure, measure_of
-from nonhertz.result.solution import Judgement, ReadOnly, Solution, Status
+from nonhertz.result.outcome import Judgement
+from nonhertz.result.solution import ReadOnly, Solution, Status
 from nonhertz.strip.adjoint import Linearised, linearised
 from nonhertz.strip.influence import kernel_of
 from nonhertz.strip.records import Grids
@@ -190,7 +191,7 @@ class _Linear:
             edges=edges,
             load=float(forces.sum()),
             moment=float(forces @ (0.5 * (edges[1:] + edges[:-1]))),
-            judgement=Judgement(
+            judgement=Judgement.of(
                 contact_y=tuple((to(start), to(end)) for start, end in solution.contact_y),
                 edge_pressure=solution.edge_pressure,
                 singular_ends=tuple(dataclasses.replace(end, y=to(end.y)) for end in solution.singular_ends),

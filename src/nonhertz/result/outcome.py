@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import contextlib
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,20 +89,37 @@ def solution_of(problem: Problem, levels: Levels, grids: Grids | None = None) ->
         element_half_width=np.sqrt(state.m),
         gap=state.gap.copy(),
         iterations=int(state.steps),
-        judgement=Pending(problem, levels, grids),
+        judgement=Judgement(problem, levels, grids),
     )
 
 
-@dataclass(frozen=True, eq=False)
-class Pending:
-    """The judgement of a solution, each part of it made when it is first asked for; see `Judgement`."""
+class Judgement:
+    """What follows from the strips of a solution, each part worked out when it is first read; see `Solution`.
 
-    problem: Problem
-    levels: Levels
-    grids: Grids | None
+    Parameters
+    ----------
+    problem : Problem
+        What was solved.
+    levels : Levels
+        The states of the strips.
+    grids : Grids, optional
+        The finest strips, if they are at hand.
+    """
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return Pending, (self.problem, self.levels, None)
+    def __init__(self, problem: Problem, levels: Levels, grids: Grids | None = None) -> None:
+        self.problem, self.levels, self._grids = problem, levels, grids
+
+    @classmethod
+    def of(cls, **known: Any) -> Judgement:
+        """Return a judgement all of which is known: each attribute, and ``findings``."""
+        made = object.__new__(cls)
+        vars(made).update(known)
+        return made
+
+    def __getstate__(self) -> dict[str, object]:
+        return (
+            {"problem": self.problem, "levels": self.levels, "_grids": None} if "levels" in vars(self) else vars(self)
+        )
 
     @cached_property
     def contact_y(self) -> tuple[tuple[float, float], ...]:
@@ -154,10 +172,10 @@ class Pending:
 
     def found(self, solution: Solution) -> tuple[Finding, ...]:
         """Return what strains the model: nothing, without a closer look, in most cases."""
-        if solution.status is not Status.CONVERGED:
-            return ()
+        if "findings" in vars(self) or solution.status is not Status.CONVERGED:
+            return tuple(vars(self).get("findings", ()))
         rows = [level.row() for level in self.levels.states]
-        grids = self.grids or self.problem.model.grids(rows[0].counts, rows[0].edges)
+        grids = self._grids or self.problem.model.grids(rows[0].counts, rows[0].edges)
         singular = singular_places(self.problem, rows[0])
         if not suspected(self.problem, grids, rows, singular)[0]:
             return singularities(solution) if np.any(np.isfinite(singular)) else ()

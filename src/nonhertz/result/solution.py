@@ -7,7 +7,7 @@ import math
 import os
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from nonhertz.result.gradient import Gradient
     from nonhertz.result.measures import Measure
     from nonhertz.result.nodes import NodalLoads
+    from nonhertz.result.outcome import Judgement
 
 Array = NDArray[np.float64]
 Values = TypeVar("Values", bound=NDArray[Any])
@@ -353,38 +354,6 @@ class Solved(HasFindings, ReadOnly, _Derived):
         return math.fsum(high - low for low, high in self.contact_y)
 
 
-@dataclass(frozen=True)
-class Judgement:
-    """What follows from the strips of a solution; see the attributes of `Solution` of the same names."""
-
-    contact_y: tuple[tuple[float, float], ...]
-    edge_pressure: tuple[EdgePressure, EdgePressure]
-    singular_ends: tuple[SingularEnd, ...]
-    peaks_at_corner: bool
-    error_estimate: ErrorEstimate
-    findings: tuple[Finding, ...]
-
-    def found(self, solution: Solution) -> tuple[Finding, ...]:
-        """Return what strains the model in the solution that is judged."""
-        return self.findings
-
-
-class _Judge(Protocol):
-    """A `Judgement`, or what comes to one when it is asked: most solves are not asked how their contact ends."""
-
-    @property
-    def contact_y(self) -> tuple[tuple[float, float], ...]: ...
-    @property
-    def edge_pressure(self) -> tuple[EdgePressure, EdgePressure]: ...
-    @property
-    def singular_ends(self) -> tuple[SingularEnd, ...]: ...
-    @property
-    def peaks_at_corner(self) -> bool: ...
-    @property
-    def error_estimate(self) -> ErrorEstimate: ...
-    def found(self, solution: Solution) -> tuple[Finding, ...]: ...
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution(Solved):
     """A solved contact.
@@ -447,7 +416,7 @@ class Solution(Solved):
     element_half_width: Array
     gap: Array
     iterations: int
-    judgement: _Judge
+    judgement: Judgement
 
     @property
     def contact_y(self) -> tuple[tuple[float, float], ...]:
