@@ -83,7 +83,7 @@ REFUSED = [
     ("map case.toml --load 0:1kN:many", "must have a whole number from 2"),
     ("map case.toml --load 0:1kN --tilt 2", "--tilt = '2' must have a unit"),
     ("map case.toml --load 0:1kN --tilt 2rad", "--tilt = 2.0 must hold small angles"),
-    ("map case.toml --load 0:1kN --accuracy 0", "--accuracy = 0.0 must be positive"),
+    ("map case.toml --load 0:1kN --accuracy 0", "--accuracy = 0.0 must lie between"),
     ("map case.toml --load 0:1kN --out k.txt", "--out = 'k.txt' must be a file ending in .csv, "),
     ("map case.toml --load 0:1kN --out case.toml/k.csv", "--out = 'case.toml' must be a directory, not a file"),
     ("map case.toml --approach -9um:-5um", "--approach = -0.005 must exceed"),

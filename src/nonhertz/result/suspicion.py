@@ -71,7 +71,7 @@ def suspected(problem: Problem, grids: Grids, levels: Sequence[States], singular
     limits = _Limits(
         model.element.hertz_ratio, 0.5 * MOST_OF_MODULUS * softer * contact.compliance, accuracy,
         min(LARGE_ERROR, accuracy) if problem.accuracy_given and accuracy else LARGE_ERROR, problem.accuracy_given,
-        *contact.interval, *region,
+        *contact.interval,
     )  # fmt: skip
     coarse, coarser = (levels[min(k, len(levels) - 1)] for k in (1, 2))
     found = _suspected(finest, coarse, coarser, len(levels), seen, limits)
@@ -80,7 +80,7 @@ def suspected(problem: Problem, grids: Grids, levels: Sequence[States], singular
 
 
 class _Seen(NamedTuple):
-    """What is known of the strips: on every strip, then departures from parabolas of cases, ends and bends."""
+    """What is known of all strips, of all cases, and of the bodies."""
 
     separation: Array
     min_depth: Array
@@ -101,8 +101,6 @@ class _Limits(NamedTuple):
     accuracy_given: bool
     first: float
     last: float
-    low: float
-    high: float
 
 
 @compiled
