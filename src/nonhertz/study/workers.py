@@ -162,12 +162,25 @@ def _without_the_script() -> Iterator[None]:
 
 def _submitted(executor: Executor, solve: Callable[[Given], Found], given: Given) -> Future[Found]:
     try:
-        with _without_the_script():
+        with _without_the_script(), _interrupts_ignored():
             return executor.submit(solve, given)
     except BrokenProcessPool as error:
         refused: Future[Found] = Future()
         refused.set_exception(error)
         return refused
+
+
+@contextlib.contextmanager
+def _interrupts_ignored() -> Iterator[None]:
+    """Let processes that are started ignore Ctrl-C from the beginning: it would end them while they import."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before or signal.SIG_DFL)
 
 
 def _alone(solve: Callable[[Given], Found], given: Given) -> Found | LostError:
@@ -196,7 +209,7 @@ def _pool(workers: int) -> Iterator[ProcessPoolExecutor]:
 
 
 def _end_with_the_parent() -> None:
-    """Leave Ctrl-C to the parent, and end when it ends: processes of a killed one would wait for work for ever."""
+    """End when the parent ends, and leave Ctrl-C to it: processes of a killed one would wait for work for ever."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
 
