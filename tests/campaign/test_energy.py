@@ -48,7 +48,7 @@ class Energy:
                         continue  # slices know no ribs of tapered rows
                     rows = self._of_motion(row, axis, radial, rib.motion[0], rib.ring == "inner", first + j)
                     overlaps.append((rows, gap[j]))
-                    stiffness.append(rib.law.factor)
+                    stiffness.append(rib.law.stiffness)
                     power.append(1.5)
                     self.contact.append(-1)
                 normal = np.array([np.sin(row.bearing.nominal_angle), np.cos(row.bearing.nominal_angle)])
