@@ -160,7 +160,7 @@ class BearingSolution(ReadOnly):
         rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
         force = without_rounding(self.force, 1.0 / lever)
         moved = without_rounding(self.displacement, lever)
-        loaded = np.count_nonzero(self.load.max(axis=1) > 0.0)
+        loaded = np.count_nonzero(self.load.min(axis=1) > 0.0)  # those that both rings press
         said = [
             f"{' and '.join(rows)}, by {self.method}",
             f"force {newton(*force[:3])} along x, y, z; moment {newton_mm(*force[3:])} about y, z",
