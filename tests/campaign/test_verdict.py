@@ -13,6 +13,7 @@ from scipy.integrate import quad
 from verdict import sentence_faults, solution_faults, stiffness_faults, twin_faults
 
 import nonhertz as nh
+from nonhertz.result.outcome import Judgement
 
 pytestmark = pytest.mark.campaign
 
@@ -46,6 +47,13 @@ def test_right_answers_pass(case):
     assert [kind for kind, _ in solution_faults(answer(case), case) if "without a word" not in kind] == []
 
 
+def estimated(solution, **errors):
+    """The judgement of a solution with other errors in its estimate."""
+    names = ("contact_y", "edge_pressure", "singular_ends", "peaks_at_corner", "findings")
+    known = {name: getattr(solution, name) for name in names}
+    return {"judgement": Judgement.of(error_estimate=replace(solution.error_estimate, **errors), **known)}
+
+
 WRONG_ARRAYS = {
     "all loads 0.1 % up": (lambda s: {"line_load": 1.001 * s.line_load, "load": 1.001 * s.load}, "other load"),
     "another share of the load": (
@@ -70,8 +78,8 @@ WRONG_ARRAYS = {
     "a load of NaN": (lambda s: {"load": math.nan}, "not finite"),
     "a NaN among the loads": (lambda s: {"line_load": s.line_load * np.where(np.arange(s.strips) == 4, np.nan, 1)}, ""),
     "a stiffness without end": (lambda s: {"stiffness": np.full((2, 2), np.inf)}, "not finite"),
-    "an estimate of NaN": (lambda s: {"error_estimate": replace(s.error_estimate, max_pressure=math.nan)}, "estimate"),
-    "a large estimate": (lambda s: {"error_estimate": replace(s.error_estimate, approach=0.5)}, "large estimate"),
+    "an estimate of NaN": (lambda s: estimated(s, max_pressure=math.nan), "estimate"),
+    "a large estimate": (lambda s: estimated(s, approach=0.5), "large estimate"),
     "a doubled edge": (lambda s: {"edges": np.where(np.arange(s.strips + 1) == 5, s.edges[4], s.edges)}, "ascend"),
 }
 
