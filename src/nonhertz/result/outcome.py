@@ -177,8 +177,10 @@ class Judgement:
         rows = [level.row() for level in self.levels.states]
         grids = self._grids or self.problem.model.grids(rows[0].counts, rows[0].edges)
         singular = singular_places(self.problem, rows[0])
-        if not suspected(self.problem, grids, rows, singular)[0]:
-            return singularities(solution) if np.any(np.isfinite(singular)) else ()
+        sharp = bool(np.any(np.isfinite(singular)))
+        # Given strips are hardly ever narrow enough for a sharp end.
+        if not (sharp and self.problem.accuracy is None) and not suspected(self.problem, grids, rows, singular)[0]:
+            return singularities(solution) if sharp else ()
         return (*strains(solution, self.problem, self.levels.finest), *singularities(solution))
 
 
