@@ -28,7 +28,7 @@ from nonhertz.strip.newton import worse
 from nonhertz.strip.overlaps import suspects
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import CONVERGED, Grids, States
-from nonhertz.strip.resolution import departures, within
+from nonhertz.strip.resolution import RIPPLE, departures, within
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -113,14 +113,11 @@ def _suspected(finest: States, coarse: States, coarser: States, count: int, seen
     for case in range(found.size):
         row = 0 if finest.edges.shape[0] == 1 else case
         n = finest.counts[row]
-        strained, depth, load, mean, ripple = _strained(finest, case, row, seen, limits)
+        strained, depth, load, mean, ripple, half, length = _strained(finest, case, row, seen, limits)
         unsure = count == 1 or strained
         edges, whole, stiff = finest.edges[row, : n + 1], finest.m[case, :n], finest.stiffness[case, 0, 0]
         # How the contact ends.
-        last, length, ends, half = 0.0, 0.0, 0.0, 0.0
-        for i in range(n):
-            half = max(half, limits.hertz_ratio * math.sqrt(whole[i]))
-            length += edges[i + 1] - edges[i] if whole[i] > 0.0 else 0.0
+        last = ends = 0.0
         for side in (-1, 1):
             width = edges[1] - edges[0] if side < 0 else edges[n] - edges[n - 1]
             place, last = edges[0] if side < 0 else edges[n], max(last, width)
@@ -157,8 +154,11 @@ def _suspected(finest: States, coarse: States, coarser: States, count: int, seen
 @compiled
 def _strained(
     states: States, case: int, row: int, seen: _Seen, limits: _Limits
-) -> tuple[bool, float, float, float, float]:
-    """Return whether the model may be strained; depth of the bodies, K Q, mean roughness and largest ripple."""
+) -> tuple[bool, float, float, float, float, float, float]:
+    """Return whether the model may be strained, and what the strips add up to.
+
+    Depth of the bodies, K Q, mean roughness, and the largest ripple; the largest half-width, and the length in contact.
+    """
     edges, rigid = states.edges[row], states.rigid[case]
     widest = length = area = load = rough = ripple = 0.0
     strained, depth = False, -np.inf
@@ -169,8 +169,7 @@ def _strained(
         rough += borne * seen.departure[row, i]
         if m > 0.0:
             length += width
-            # q / a is pi / 2 times the pressure; see `roughness`.
-            ripple = max(ripple, 0.5 * math.pi * math.sqrt(2.0) * seen.departure[row, i] / width)
+            ripple = max(ripple, RIPPLE * seen.departure[row, i] / width)
         depth = max(depth, rigid[0] + 0.5 * rigid[1] * (edges[i] + edges[i + 1]) - seen.separation[row, i])
         strained |= half * seen.sharper[row, i] > MOST_OF_RADIUS or seen.min_depth[row, i] < LEAST_DEPTH * half
         if i > 0 and (m > 0.0) != (states.m[case, i - 1] > 0.0):
@@ -180,7 +179,7 @@ def _strained(
     # The summed strip width overestimates the length of a split contact, but split contacts are rarely wide.
     strained |= 2.0 * widest > 0.25 * length or load > limits.pressure * area
     strained |= seen.uneven[case] > 0.9 * MOST_UNEVEN * depth
-    return strained, depth, load, rough / load, ripple
+    return strained, depth, load, rough / load, ripple, widest, length
 
 
 @compiled

@@ -9,12 +9,17 @@ where no strip is in contact.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Array
 
 WITHIN = 9  # places in a strip
+# K q / a that flattens a departure, over departure / width: a wave of amplitude A, sqrt(2) times its root mean square,
+# takes a pressure of A / (K l), and q / a is pi / 2 times the pressure.
+RIPPLE = 0.5 * math.pi * math.sqrt(2.0)
 PLACES = (np.arange(WITHIN) + 0.5) / WITHIN - 0.5
 _PARABOLA = np.linalg.qr(np.vander(PLACES, 3))[0]
 
@@ -56,5 +61,4 @@ def roughness(departure: Array, width: Array, load: Array) -> tuple[Array, Array
     """
     mean = np.sum(load * departure, axis=-1) / np.sum(load, axis=-1)
     steepness = np.divide(departure, width, out=np.zeros_like(departure), where=width > 0.0)
-    # q / a is pi / 2 times the pressure.
-    return mean, 0.5 * np.pi * np.sqrt(2.0) * steepness
+    return mean, RIPPLE * steepness
