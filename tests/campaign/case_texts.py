@@ -1,4 +1,4 @@
-"""Texts of case files, sound ones changed at random, each reproducible from its number; and what is said of them."""
+"""Texts of case and bearing files, sound ones changed at random, each with a number; and what is said of them."""
 
 import contextlib
 import random
@@ -6,13 +6,14 @@ import re
 import time
 import warnings
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from peak import peak_memory
 
 from nonhertz.errors import CaseError
+from nonhertz.files.bearingfile import read_bearing, starting_bearing
 from nonhertz.files.bounds import MISTAKES
 from nonhertz.files.casefile import Case, read_case, starting_case
 from nonhertz.files.held import parsed
@@ -81,6 +82,42 @@ tilt = -1e-3
 load = 5000
 share = 0.75
 """
+BARRELS = """
+[bearing]
+kind = "spherical"
+rollers = 17
+contact_angle = "10 deg"
+profile_radius = 60
+inner_groove = 61.5
+outer_groove = 61.5
+[roller]
+diameter = 12
+length = 14
+[inner]
+diameter = 60
+[outer]
+diameter = -84.35
+[load]
+radial = ["20 kN", "5 kN"]
+axial = 6e3
+"""
+THRUST = """
+[bearing]
+kind = "thrust"
+rollers = 20
+pitch_diameter = 60
+density = "7.85 g/cm^3"
+[roller]
+diameter = 8
+length = 8
+profile = { kind = "tabulated", file = "points.csv" }
+[inner]
+depth = 4
+[outer]
+[load]
+axial_displacement = "5 um"
+moment = "10 N m"
+"""
 FILES = {
     "points.csv": "y, relief\n-10, 0.01\n-3, 0\n3, 0\n10, 0.01\n",
     "trace.txt": "y [mm]; z [um]\n" + "".join(f"{y / 20}; {-(y**2) / 1000}\n" for y in range(-200, 201, 10)),
@@ -130,10 +167,17 @@ _VALUE = re.compile(r"(?<== )[^\n]+")
 
 def sound_texts() -> list[str]:
     """Return case files that nothing is wrong with, in a folder that holds `FILES`."""
-    return [starting_case(), WHOLE, (EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8")] + [
-        (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
-        for name in ("cylindrical-roller-bearing", "elliptical-point-contact")
-    ]
+    names = ("crowned-roller", "cylindrical-roller-bearing", "elliptical-point-contact")
+    return [starting_case(), WHOLE, *map(_example, names)]
+
+
+def sound_bearings() -> list[str]:
+    """Return the same of bearing files."""
+    return [starting_bearing(), *map(_example, ("nu206", "tapered-pair")), BARRELS, THRUST]
+
+
+def _example(name: str) -> str:
+    return (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
 
 
 class Mutator:
@@ -240,21 +284,62 @@ class Outcome:
     memory: float = 0.0
 
 
-def read_all(numbers: range, folder: str) -> Outcome:
-    """Read the case files of these numbers in a folder of their own, and return what came of them."""
+def case_complaints(file: Path | bytes) -> tuple[str, ...]:
+    """Return what is said of a case file or of the bytes in one."""
+    with _said() as said:
+        if isinstance(file, Path):
+            read_case(file)
+        else:
+            Case.of(parsed(file.decode("utf-8-sig", "replace"), "case.toml"), Path("case.toml"))
+    return tuple(said)
+
+
+def bearing_complaints(file: Path | bytes) -> tuple[str, ...]:
+    """Return what is said of a bearing file, or what is wrong with the file that a sound one is written to."""
+    path, again = Path("bearing.toml"), Path("again.toml")
+    if isinstance(file, bytes):
+        path.write_bytes(file)
+    with _said() as said:
+        case = read_bearing(path)
+        case.write(again)
+        same = read_bearing(again)
+        if (same.bearing, same.prescribed) != (case.bearing, case.prescribed):
+            said.append("Error: written, it is not the same again")
+    return tuple(said)
+
+
+@contextlib.contextmanager
+def _said() -> Iterator[list[str]]:
+    """Gather mistakes; an error of another kind goes by its name."""
+    said: list[str] = []
+    try:
+        yield said
+    except CaseError as error:
+        said += error.mistakes or ("no mistake is named",)
+    except Exception as error:  # noqa: BLE001  (whatever it is, it is what is looked for)
+        said.append(f"{type(error).__name__}: {error}")
+
+
+KINDS = {"case": (sound_texts, case_complaints), "bearing": (sound_bearings, bearing_complaints)}
+
+
+def read_all(numbers: range, folder: str, kind: str) -> Outcome:
+    """Read the files of a kind of these numbers in a folder of their own, and return what came of them."""
     home = Path(folder, f"{numbers.start}")
     home.mkdir()
     for name, content in FILES.items():
         (home / name).write_text(content, encoding="utf-8")
-    outcome, texts, path = Outcome(), sound_texts(), home / "case.toml"
+    sound, complaints = KINDS[kind]
+    outcome, texts, path = Outcome(), sound(), home / "changed.toml"
     with contextlib.chdir(home), warnings.catch_warnings():
         warnings.simplefilter("ignore")
         # What goes on to a person as a warning must have been meant for one.
         warnings.simplefilter("error", RuntimeWarning)
+        outcome.amiss += (f"sound: {each}" for text in texts for each in complaints(text.encode()))
         for number in numbers:
             mutator = Mutator(number, texts)
             text = mutator.text().encode("utf-8", "surrogatepass")
-            on_disk = mutator.random.random() < ON_DISK
+            on_disk = kind == "case" and mutator.random.random() < ON_DISK
             if on_disk:
                 path.write_bytes(text)
             begun = time.process_time()
@@ -266,20 +351,6 @@ def read_all(numbers: range, folder: str) -> Outcome:
                 outcome.amiss.append(f"{number}: {len(found)} mistakes")
     outcome.memory = peak_memory()
     return outcome
-
-
-def complaints(file: Path | bytes) -> tuple[str, ...]:
-    """Return what is said of a case file or of the bytes in one; an error of another kind by its name."""
-    try:
-        if isinstance(file, Path):
-            read_case(file)
-        else:
-            Case.of(parsed(file.decode("utf-8-sig", "replace"), "case.toml"), Path("case.toml"))
-    except CaseError as error:
-        return error.mistakes or ("no mistake is named",)
-    except Exception as error:  # noqa: BLE001  (whatever it is, it is what is looked for)
-        return (f"{type(error).__name__}: {error}",)
-    return ()
 
 
 def is_sentence(text: str) -> bool:

@@ -12,12 +12,12 @@ from extent import extent
 
 import nonhertz as nh
 
-CASES, SOME = 50_000, 100
+CASES, SOME = 50_000, {"extreme_cases": 300, "practice_cases": 100}
 MOST_UNCONVERGED = 1e-3  # of cases near practice
 
 
 def chosen_records(campaign):
-    count = extent(CASES, SOME)
+    count = extent(CASES, SOME[campaign])
     every = count == CASES
     found = list(records(campaign, range(count), "all" if every else "one", os.cpu_count() or 1))
     print("\n" + grouped(found))
