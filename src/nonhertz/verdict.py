@@ -12,6 +12,7 @@ import numpy as np
 
 from nonhertz.amounts import mpa
 from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.clearance import OperatingClearance
 from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.findings import Finding, finding
@@ -101,9 +102,21 @@ def of_contact(solution: Solution, strengths: Iterable[Strength] = ()) -> Verdic
     return _worst([*found, *_strained(solution.findings)])
 
 
-def of_bearing(solution: BearingSolution, life: BearingLife | None) -> Verdict | None:
-    """Return the verdict on a loaded bearing; None where nothing is known of it."""
-    found = []
+def of_bearing(
+    solution: BearingSolution, life: BearingLife | None, clearance: OperatingClearance | None
+) -> Verdict | None:
+    """Return the verdict on a loaded bearing; None where nothing is known of it.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        The loaded bearing.
+    life : BearingLife or None
+        How long it lasts, if it is rated.
+    clearance : OperatingClearance or None
+        What is left of its clearance, if its fits are known.
+    """
+    found = [] if clearance is None else list(_loosened(clearance))
     if solution.method == "strips" and solution.load.any():
         pressure = solution.max_pressure
         j, k = np.unravel_index(int(np.argmax(pressure)), pressure.shape)
@@ -115,7 +128,19 @@ def of_bearing(solution: BearingSolution, life: BearingLife | None) -> Verdict |
         found.append(
             (Level.MET if enough else Level.NOT_MET, finding("static-safety", words, safety=life.static_safety))
         )
-    return _worst([*found, *_strained(solution.findings)]) if found else None
+    return _worst([*found, *_strained(findings_of(solution, life))]) if found else None
+
+
+def findings_of(solution: BearingSolution, life: BearingLife | None) -> tuple[Finding, ...]:
+    """Return what is found about a loaded bearing and its life."""
+    return (*solution.findings, *(life.findings if life is not None else ()))
+
+
+def _loosened(clearance: OperatingClearance) -> Iterator[tuple[Level, Finding]]:
+    for ring, fit, seat in (("inner", clearance.inner, "on its shaft"), ("outer", clearance.outer, "in its housing")):
+        if fit.loosened:
+            words = "The {ring} ring has come loose {seat}: {mounted:4} between them when mounted, none in operation."
+            yield Level.NOT_MET, finding("loosened-fit", words, ring=ring, seat=seat, mounted=mpa(fit.mounted_pressure))
 
 
 def _pressed(pressure: float, limit: float, body: str, where: str) -> tuple[Level, Finding]:

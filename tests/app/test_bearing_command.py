@@ -436,6 +436,38 @@ def test_the_summary_and_the_file_say_what_takes_the_clearance(folder, capsys):
     assert parsed(capsys.readouterr().out)["operating_clearance"] is None
 
 
+@pytest.mark.parametrize(("temperature", "met"), [(20, True), (120, False)])
+def test_a_ring_that_came_loose_is_a_limit_not_met(folder, capsys, temperature, met):
+    text = FEW + SLICES + FIT.replace("inner_temperature = 40", f"inner_temperature = {temperature}")
+    Path("loose.toml").write_text(text, encoding="utf-8")
+    assert main(["bearing", "loose.toml"]) == 0
+    printed = capsys.readouterr().out
+    assert ("Limits met" in printed, "Limits not met" in printed) == (met, not met)
+    assert main(["bearing", "loose.toml", "--json"]) == 0
+    verdict = parsed(capsys.readouterr().out)["verdict"]
+    assert verdict["level"] == ("met" if met else "not-met")
+    sentence = re.compile(
+        "The inner ring has come loose on its shaft: .* MPa between them when mounted, none in operation."
+    )
+    assert (
+        sentence.search(" ".join(printed.split())) is None
+        if met
+        else sentence.fullmatch(verdict["findings"][0]["sentence"])
+    )
+
+
+def test_a_load_beyond_half_of_c_is_said(folder, capsys):
+    Path("heavy.toml").write_text((FEW + SLICES).replace('radial = "5 kN"', 'radial = "15 kN"'), encoding="utf-8")
+    assert main(["bearing", "heavy.toml"]) == 0
+    words = "exceeds half the rating C of 23.76 kN: contacts may yield"
+    assert words in " ".join(capsys.readouterr().out.split())
+    assert main(["bearing", "heavy.toml", "--json"]) == 0
+    found = parsed(capsys.readouterr().out)
+    assert words in " ".join(found["warnings"])
+    assert "heavy-load" in [each["kind"] for each in found["findings"]]
+    assert "heavy-load" in [each["kind"] for each in found["verdict"]["findings"]]
+
+
 def test_a_contact_is_printed_as_a_case_file(tmp_path, capsys):
     path, contact = tmp_path / "six.toml", tmp_path / "contact.toml"
     path.write_text(FEW, encoding="utf-8")

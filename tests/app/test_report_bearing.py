@@ -333,6 +333,15 @@ def test_why_a_bearing_is_not_rated_is_said(undrawn):
     assert "Ratings and life" not in Page(rendered([unrated])).text
 
 
+def test_a_load_beyond_half_of_c_and_a_loose_ring_are_told(undrawn):
+    seats = '[fit.shaft]\ndiameter = 30\ninterference = "10 um"\n[fit.housing]\ndiameter = 62\n'
+    fit = f"[fit]\ninner_temperature = 120\n{seats}"
+    text = Page(rendered([found_in(PLAIN.replace('"5 kN"', '"15 kN"') + SLICES + fit)])).text
+    assert "exceeds half the rating C of" in text
+    assert "Limits not met" in text
+    assert "The inner ring has come loose on its shaft" in text
+
+
 def test_a_life_under_a_spectrum_has_no_hours(undrawn):
     spectrum = '[[life.spectrum]]\nradial = "4 kN"\nshare = 0.5\n[[life.spectrum]]\nradial = "6 kN"\nshare = 0.5\n'
     found = found_in(PLAIN + SLICES + spectrum)

@@ -157,6 +157,14 @@ def test_a_bearing_without_load_is_drawn():
     assert found["key"]["max_pressure"] is None
 
 
+def test_a_load_beyond_half_of_c_and_a_loose_ring_are_told():
+    fit = {"inner_temperature": 120, "shaft": {"diameter": 30, "interference": "10 um"}, "housing": {"diameter": 62}}
+    found = answer(changed(changed(FEW, "load.radial", "15 kN"), "fit", fit))
+    assert any("exceeds half the rating C of" in each for each in found["warnings"])
+    assert found["verdict"]["level"] == "not_met"
+    assert found["verdict"]["sentence"].startswith("The inner ring has come loose on its shaft")
+
+
 # The form
 
 

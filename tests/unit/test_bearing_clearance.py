@@ -317,6 +317,11 @@ def test_it_prints_in_um():
         ),
         (lambda: found(ROW.roller), "must be a radial roller bearing"),
         (lambda: found(outer_temperature=2000.0), "outer_temperature = 2000.0 must lie between"),
+        (
+            lambda: nh.bearing.Mounting(shaft=on_shaft(0.01)),
+            "housing = None must be given: make one with nonhertz.bearing.Housing.",
+        ),
+        (nh.bearing.Shaft, "diameter = None must be given: give that of the seat in mm."),
         (lambda: found().axial(2.0), "contact_angle = 2.0 must be less than a right angle"),
     ],
 )

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import re
 
 import numpy as np
 import pytest
@@ -135,6 +136,31 @@ def test_pressures_of_strips_shorten_the_life_where_a_tilt_loads_an_end():
     assert B.assess(upright, edge_stress="none").reference == pytest.approx(lives[0], rel=0.05)
 
 
+def test_the_life_equation_holds_up_to_half_of_c():
+    light, heavy = (B.solve(row(), radial=share * B.rating(row()).dynamic, method="slices") for share in (0.49, 0.51))
+    assert B.assess(light).findings == ()
+    (found,) = B.assess(heavy).findings
+    assert found.kind == "heavy-load"
+    assert re.match(
+        r"The equivalent load P of 2\d\.\d+ kN exceeds half the rating C of 4\d\.\d+ kN: .*hold\.$", str(found)
+    )
+    assert str(found) in repr(B.assess(heavy))
+    # Half of the revolutions under nothing: P as such is below half of C, but not the load that is borne.
+    spectrum = B.assess([(heavy, 0.5)])
+    assert spectrum.equivalent_load < 0.5 * spectrum.rating.dynamic
+    assert [each.kind for each in spectrum.findings] == ["heavy-load"]
+    # A larger rating of a catalogue is another bearing.
+    assert B.assess(heavy, dynamic=2.0 * B.rating(row()).dynamic).findings == ()
+
+
+def test_rollers_may_be_loaded_too_much_without_an_equivalent_load():
+    life = B.assess(B.solve(dataclasses.replace(row(), clearance=-0.12), method="slices"))
+    assert life.equivalent_load == 0.0
+    assert life.reference_load == pytest.approx(life.rating.dynamic * life.reference**-0.3)
+    (found,) = life.findings
+    assert str(found).startswith("Rollers are loaded as by a P of ")
+
+
 @pytest.mark.parametrize("moment", [0.0, 20e3])
 def test_of_preload_and_moments_alone_there_is_no_equivalent_load(moment):
     """Sum of forces: zero. What rounding left of it was a P of 4e-13 N, for an S0 of 5.6e16 and an L10 of 7e55."""
@@ -148,8 +174,10 @@ def test_of_preload_and_moments_alone_there_is_no_equivalent_load(moment):
     assert "no S0 and no L10: P knows neither preload nor moment" in repr(life)
 
 
-def test_an_unloaded_bearing_lasts():
-    found = B.assess(B.solve(row(clearance=0.02)), speed=1000.0, viscosity=20.0)
+@pytest.mark.parametrize("speed", [0.0, 3000.0])
+def test_an_unloaded_bearing_lasts(speed):
+    """Rollers that speed alone presses on the outer ring are no load: they had a modified life of 6e14."""
+    found = B.assess(B.solve(row(clearance=0.02), speed=speed, method="slices"), speed=1000.0, viscosity=20.0)
     assert found.basic == found.reference == found.modified == math.inf
     assert found.static_safety == math.inf
 

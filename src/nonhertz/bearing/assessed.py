@@ -4,6 +4,9 @@
 
 in millions of revolutions, L10r being that of `nonhertz.bearing.laminae`. Under a spectrum with the share u of the
 revolutions under each load, 1 / L = sum u / L (Palmgren, Miner). The static safety is C_0 over P_0.
+
+ISO 281 leaves it to the maker of a bearing whether the life equation holds for P above C / 2, where contacts may yield.
+Preload and moments are not in P, but in the load that has L10r, P_ref = C L10r^(-3/10) of ISO/TS 16281 (both recalled).
 """
 
 from __future__ import annotations
@@ -11,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Annotated
 
 import numpy as np
@@ -31,6 +35,7 @@ from nonhertz.bearing.ratings import Rating, equivalent_loads, rating
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import number_that, numbers, positive
 from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, together
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
@@ -43,12 +48,13 @@ from nonhertz.result.solution import SingularEnd
 Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]
 
 _LIFE_EXPONENT = 10.0 / 3.0
+_HEAVY = 0.5  # of C: the largest P for which ISO 281 has its life equation hold without asking the maker
 _ROUNDED = "give corners, or a profile with more relief there, or edge_stress = 'standard'"
 _PAIRS = "pairs of a loaded bearing and its share of the revolutions"
 
 
 @dataclass(frozen=True, repr=False)
-class BearingLife:
+class BearingLife(HasFindings):
     """How long a bearing lasts under one load or a spectrum of loads, in 10^6 revolutions.
 
     Attributes
@@ -61,7 +67,8 @@ class BearingLife:
     basic : float
         L10, of ISO 281; infinite without P, whatever preload or moment do.
     reference : float
-        L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum.
+        L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum, and
+        infinite, as L10 is, where rollers are pressed by speed alone.
     viscosity_ratio, contamination, life_factor : float or None
         kappa, e_C and by how much they change the life, a_ISO [-]; None without a viscosity. Of a spectrum, the
         smallest kappa and e_C.
@@ -98,6 +105,31 @@ class BearingLife:
         return f"the damage has no limit towards {ends_in_words(ends)}; {_ROUNDED}" if ends else ""
 
     @property
+    def reference_load(self) -> float:
+        """P_ref of ISO/TS 16281 [N], with which L10 would be L10r; NaN where there is no L10r."""
+        return float(self.rating.dynamic * self.reference ** (-1.0 / _LIFE_EXPONENT))
+
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
+        """What limits the validity: a load under which the equations need not hold, of a spectrum the heaviest."""
+        lives = [life for life, _ in self.parts] or [self]
+        heaviest = max(each.equivalent_load for each in lives)
+        by_rollers = max((each.reference_load for each in lives if not math.isnan(each.reference)), default=0.0)
+        if max(heaviest, by_rollers) <= _HEAVY * self.rating.dynamic:
+            return ()
+        by_force = heaviest > _HEAVY * self.rating.dynamic
+        load = (
+            "The equivalent load P of {load:4} exceeds"
+            if by_force
+            else "Rollers are loaded as by a P of {load:4}, over"
+        )
+        words = (
+            f"{load} half the rating C of {{rating:4}}: contacts may yield, and the equations of life need not hold."
+        )
+        numbers = {"load": newton(heaviest if by_force else by_rollers), "rating": newton(self.rating.dynamic)}
+        return (finding("heavy-load", words, **numbers),)
+
+    @property
     def internally_loaded(self) -> bool:
         """Whether rollers bear loads though P is zero: those of preload and moments, of which P knows nothing."""
         return self.equivalent_load == 0.0 and not math.isinf(self.reference)
@@ -117,7 +149,7 @@ class BearingLife:
             said[1:3] = [f"L10 = {digits(self.basic, 4)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
             said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
-        return plain_text("BearingLife", said)
+        return plain_text("BearingLife", [*said, *self.warnings])
 
     def _lubricated(self) -> str:
         if self.life_factor is None or self.viscosity_ratio is None or self.contamination is None:
@@ -331,8 +363,9 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
     rated = rating(solution.bearing, dynamic=asked.dynamic, static=asked.static)
     load, still = equivalent_loads(solution)
     means = lamina_means(solution, asked.laminae, stress, asked.turning)
-    ends = singular_ends(solution) if stress == "pressure" else set()
-    reference = math.nan if ends else lamina_life(rated, means)
+    idle = load == 0.0 and not np.any(solution.load[:, 0])
+    ends = singular_ends(solution) if stress == "pressure" and not idle else set()
+    reference = math.inf if idle else math.nan if ends else lamina_life(rated, means)
     kappa = clean = factor = None
     if asked.viscosity is not None and speed is not None:
         pitch = solution.bearing.rows[0].bearing.pitch

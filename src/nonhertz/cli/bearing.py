@@ -16,7 +16,7 @@ from nonhertz.files.changes import changes_in
 from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
 from nonhertz.show.bearing import compared_sections, sections
-from nonhertz.verdict import of_bearing
+from nonhertz.verdict import findings_of, of_bearing
 
 WIDTH = 120  # of piped output
 
@@ -73,8 +73,8 @@ def bearing(
     print_result(
         case.title,
         sections(case, solution, life, reason),
-        verdict=of_bearing(solution, life),
-        warnings=solution.findings,
+        verdict=of_bearing(solution, life, case.operating_clearance),
+        warnings=findings_of(solution, life),
         written=made,
         piped=WIDTH,
     )

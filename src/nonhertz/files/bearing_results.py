@@ -17,7 +17,7 @@ from nonhertz.files.bounds import FORMAT
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.findings import as_warnings
 from nonhertz.result.tables import csv_text
-from nonhertz.verdict import given_verdict, of_bearing
+from nonhertz.verdict import findings_of, given_verdict, of_bearing
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
@@ -84,8 +84,8 @@ def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | 
         "steps": solution.steps,
         "life": None if life is None else _life(life),
         "life_reason": reason,
-        "verdict": given_verdict(of_bearing(solution, life)),
-        **as_warnings(solution.findings),
+        "verdict": given_verdict(of_bearing(solution, life, case.operating_clearance)),
+        **as_warnings(findings_of(solution, life)),
         "units": UNITS,
         "case": case.own_document,
     }

@@ -616,6 +616,11 @@ def _with_parameters(cls: type[Any]) -> str:
     return "\n".join([before, "", *lines]) + after
 
 
+def _remedy(each: Any) -> str:
+    """Return what to do about a field."""
+    return str(getattr(each, "remedy", "") or (_remedy(each.each) if hasattr(each, "each") else "give it"))
+
+
 def _words_of(kind: Any) -> str:
     """Return a type as docstrings name it."""
     kinds = get_args(kind) if isinstance(kind, types.UnionType) or get_origin(kind) is Union else (kind,)
@@ -642,7 +647,7 @@ def plain_signature(function: Callable[..., Any], hints: Mapping[str, Any]) -> i
 
 
 def _naming_the_nearest(cls: type[Any]) -> Callable[..., None]:
-    """Return the constructor of an input that says which field an unknown one may be."""
+    """Return the constructor of an input that says which field an unknown one may be, and which are missing."""
     plain = cls.__init__
     names = [each.name for each in dataclasses.fields(cls) if each.init]
 
@@ -652,6 +657,9 @@ def _naming_the_nearest(cls: type[Any]) -> Callable[..., None]:
             if name not in names:
                 error = unknown(name, value, f"field of {cls.__name__}", name, names)
                 raise TypeError(str(error))
+        missing = [name for name in names[len(values) :] if name in cls.required and name not in given]
+        if missing:
+            raise InputsError(InputError(name, None, "be given", _remedy(cls.descriptions[name])) for name in missing)
         plain(self, *values, **given)
 
     return constructor

@@ -33,7 +33,7 @@ from nonhertz.show.analysis import (
 )
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
-from nonhertz.verdict import Verdict, of_bearing, of_contact
+from nonhertz.verdict import Verdict, findings_of, of_bearing, of_contact
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
@@ -116,12 +116,14 @@ class BearingResults:
     @property
     def verdict(self) -> Verdict | None:
         """Whether it bears its load."""
-        return None if self.solution is None else of_bearing(self.solution, self.life)
+        if self.solution is None:
+            return None
+        return of_bearing(self.solution, self.life, self.case.operating_clearance)
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """All warnings, without repeats."""
-        found = () if self.solution is None else self.solution.warnings
+        found = () if self.solution is None else sentences(findings_of(self.solution, self.life))
         return tuple(dict.fromkeys((*self.case.notes, *found)))
 
 

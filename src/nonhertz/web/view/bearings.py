@@ -16,6 +16,7 @@ from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
+from nonhertz.findings import sentences
 from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import (
     life_rows,
@@ -23,7 +24,7 @@ from nonhertz.show.bearing import (
     roller_table,
     summary_rows,
 )
-from nonhertz.verdict import of_bearing
+from nonhertz.verdict import findings_of, of_bearing
 from nonhertz.web.view.answers import lines, profiles, relief_between
 from nonhertz.web.view.replies import numbers, verdict_seen
 
@@ -65,11 +66,11 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "force": numbers(solution.force),
         "most": most_loaded(solution),
         "contacts": contacts,
-        "verdict": verdict_seen(of_bearing(solution, life)),
+        "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
         "summary": [list(row) for row in rows],
         "columns": list(rollers.heads),
         "rollers": [list(row) for row in rollers.rows],
-        "warnings": list(solution.warnings),
+        "warnings": list(sentences(findings_of(solution, life))),
     }
 
 
