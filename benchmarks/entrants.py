@@ -20,6 +20,7 @@ import nonhertz as nh
 
 BATCH, LOAD_RANGE = 256, 0.1
 # Grids by their accuracy: an automatic grid for each case, or that of the first of many, used for all.
+DEAREST = 1.5  # s, a solve expected to take longer is left out
 AUTOMATIC, LEARNT, TO = "automatic", "learnt", " to "
 Cells = tuple[int, int]
 

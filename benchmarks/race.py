@@ -1,6 +1,6 @@
 """The race: strips, the plane grid and other programs on the same contacts. Writes docs/benchmarks/race.{json,md,svg}.
 
-    python benchmarks/race.py [--threads N] [--quick]
+    python benchmarks/race.py [--threads N] [--quick] [--page]
 
 Everything in one run on the same number of threads; every program is stopped at the same distance from the solution
 of its own equations. Takes some six minutes; leave the machine alone meanwhile.
@@ -47,7 +47,6 @@ QUICK_CELLS, QUICK_STRIPS, QUICK_FULL = [(16, 64)], (ON_AUTOMATIC[-2], 21), (16,
 PLAYOFF_CELLS = (64, 256)
 JUDGES = ("ContactMechanics: with restart", "tamaas", "patch")
 LONGEST = 1.0  # s, for the repeats of a run
-DEAREST = 1.5  # s, a solve expected to take longer is left out
 MARGIN = 1.4  # iterations grow with the grid
 THREADS = ("OMP", "OPENBLAS", "MKL", "NUMBA", "VECLIB_MAXIMUM", "NUMEXPR")
 
@@ -57,15 +56,24 @@ def main() -> None:
     asked = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     asked.add_argument("--threads", type=int, default=1)
     asked.add_argument("--quick", action="store_true", help="coarse grids only, to see that everything runs")
+    asked.add_argument("--page", action="store_true", help="write the page again from what race.json holds")
     options = asked.parse_args()
+    if options.page:
+        write_page(FOLDER, json.loads((FOLDER / "race.json").read_text(encoding="utf-8")))
+        return
     results = raced(options.threads, options.quick)
     folder = ROOT / "out" / "race" if options.quick else FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "race.json").write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     for name, figure in race_figures.figures(results).items():
         save(figure, folder / name)
-    (folder / "race.md").write_text("\n".join(race_page.page(results)), encoding="utf-8")
+    write_page(folder, results)
     print(f"wrote {folder.relative_to(ROOT)} in {results['seconds']:.0f} s")
+
+
+def write_page(folder: Path, results: dict[str, Any]) -> None:
+    """Write the page on results that were measured now or before."""
+    (folder / "race.md").write_text("\n".join(race_page.page(results)), encoding="utf-8")
 
 
 def raced(threads: int, quick: bool) -> dict[str, Any]:
@@ -158,7 +166,7 @@ class Track:
         size = cells[0] * cells[1]
         before = [entry for entry in entries if entry and entry["entrant"] == entrant]
         expected = max((MARGIN * e["time"] * size / (e["grid"][0] * e["grid"][1]) for e in before[-2:]), default=0.0)
-        return None if expected > DEAREST else self.run_of(entrant, name, cells)
+        return None if expected > entrants.DEAREST else self.run_of(entrant, name, cells)
 
     def full_size(self, name: str) -> list[dict[str, Any]]:
         """Return one large grid with every plane-grid program."""
