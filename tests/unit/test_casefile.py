@@ -498,13 +498,8 @@ def test_any_value_anywhere_is_read_or_refused_in_words(place: tuple[Any, ...], 
 DOCS = Path(__file__).parents[2] / "docs" / "reference"
 
 
-def test_the_reference_names_every_key_and_only_those() -> None:
+def test_the_reference_names_the_parameters_of_every_profile() -> None:
     page = (DOCS / "case-file.md").read_text(encoding="utf-8")
-    tables = schema_of("case")["$defs"]
-    spectrum = tables["LoadCase"]
-    for table in (*(tables[name] for name in ("Body", "Prescription", "Solver", "Life")), spectrum):
-        for key in table["properties"]:
-            assert f"| `{key}` |" in page, key
     for kind, function in CATALOGUE.items():
         row = [line for line in page.splitlines() if line.startswith(f"| `{kind}` |")][-1]  # `chamfer` is a key, too
         named = set(re.findall(r"`(\w+)`", row.split("|")[2]))
