@@ -182,21 +182,32 @@ def balanced(
     begins = plain_array(target), ring, np.full((len(ring), system.rollers, 3), np.nan if motion is None else motion)
     conditions = Conditions(by_force, float(depth), float(tolerance), STEPS)
     found = States.blank(len(ring), system.rollers, system.columns)
-    if system.outside:
-        _asked_in_turn(system, conditions, *begins, found)
-        return found
-    borders = np.linspace(0, len(ring), min(threads, 1 + len(ring) // _PORTION) + 1).astype(int).tolist()
+    if not system.outside:
+        borders = np.linspace(0, len(ring), min(threads, 1 + len(ring) // _PORTION) + 1).astype(int).tolist()
 
-    def in_machine_code(first: int, last: int) -> None:
-        target, ring, motion = (each[first:last] for each in begins)
-        search = Search.blank(system.rollers, system.columns)
-        balance_all(system.parts, search, conditions, target, ring, motion, found.portion(first, last))
+        def in_machine_code(first: int, last: int) -> None:
+            search = Search.blank(system.rollers, system.columns)
+            target, at, motion = (each[first:last] for each in begins)
+            balance_all(system.parts, search, conditions, target, at, motion, found.portion(first, last))
 
-    if len(borders) == 2:
-        in_machine_code(*borders)
+        with ThreadPoolExecutor(len(borders) - 1) as pool:
+            list(pool.map(in_machine_code, borders[:-1], borders[1:]))
         return found
-    with ThreadPoolExecutor(len(borders) - 1) as pool:
-        list(pool.map(in_machine_code, borders[:-1], borders[1:]))
+    search = Search.blank(system.rollers, system.columns)
+    rollers = search.rollers
+    for k, (target_of_one, *begin_with) in enumerate(zip(*begins, strict=True)):
+        begin(system.parts, search, *begin_with)
+        times = np.zeros(system.rollers, dtype=np.int64)
+        while times.max() < MOST_ASKED:
+            times += rollers.asked
+            ask_book(system.parts, rollers)
+            for law, these, columns in system.outside:
+                asked = these.start + np.flatnonzero(rollers.asked[these])
+                at = np.ix_(asked, columns)
+                rollers.answer[at] = law.answer(k * system.rollers + asked, rollers.pose[at])
+            if not go_on(system.parts, search, conditions, target_of_one):
+                break
+        keep(search, found, k)
     return found
 
 
@@ -230,24 +241,3 @@ def at_edge(system: System, state: States) -> tuple[Indices, Array]:
         return ready, np.full(3, np.nan)
     change = np.array([each.force[0, :3] - state.force[0, :3] for each in found]).reshape(2, 3, 3)
     return ready, np.abs(change.diagonal(axis1=1, axis2=2)).max(axis=0) / EDGE
-
-
-def _asked_in_turn(
-    system: System, conditions: Conditions, target: Array, start: Array, motion: Array, found: States
-) -> None:
-    """Find states one after the other, asking the laws that answer from outside whenever contacts are asked."""
-    parts, search = system.parts, Search.blank(system.rollers, system.columns)
-    rollers = search.rollers
-    for k in range(len(target)):
-        begin(parts, search, start[k], motion[k])
-        times = np.zeros(system.rollers, dtype=np.int64)
-        while times.max() < MOST_ASKED:
-            times += rollers.asked
-            ask_book(parts, rollers)
-            for law, these, columns in system.outside:
-                asked = these.start + np.flatnonzero(rollers.asked[these])
-                at = np.ix_(asked, columns)
-                rollers.answer[at] = law.answer(k * system.rollers + asked, rollers.pose[at])
-            if not go_on(parts, search, conditions, target[k]):
-                break
-        keep(search, found, k)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -37,7 +37,7 @@ DEEPER, SHALLOWER = 0.02, 0.12
 LIGHT = 0.1  # of the deepest contact of all rollers: what is less deep bears too little to be judged by itself
 # Of the deepest contact: an overlap with a load that the balance does not resolve.
 UNRESOLVED = 1e-10
-KEPT_REMOTE = 64  # each of them takes about half a megabyte
+KEPT_REMOTE = 32  # for each contact; each of them takes about half a megabyte
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +84,8 @@ class StrippedContact:
         low, *_, high = equal_grids(self.problem, SAMPLES)[0].tolist()
         self.low, self.high, self.half = low, high, 0.5 * (high - low)
         self.y, self.h = self.model.surveyed(low, high, SAMPLES)
+        # What strips do far away, by the identity of their grids, which are beside it.
+        self._remotes: dict[int, tuple[Grids, Remote, Array]] = {}
 
     def penetration(self, pose: Array) -> Array:
         """Return how deep the undeformed bodies overlap where they do most [mm], at poses of shape (n, 2)."""
@@ -112,8 +114,8 @@ class StrippedContact:
     def _grids(self, count: Indices, edges: Array) -> Grids:
         return self.model.deep(self.model.grids(count, edges))
 
-    def laid(self, poses: Sequence[Pose]) -> list[LaidContact]:
-        """Return contacts at poses, each solved on strips of the automatic grid.
+    def laid(self, poses: Mapping[int, Pose]) -> dict[int, LaidContact]:
+        """Return contacts of rollers at poses, each solved on strips of the automatic grid.
 
         Raises
         ------
@@ -121,17 +123,17 @@ class StrippedContact:
             If one of them has no solution.
         """
         found: dict[int, LaidContact] = {}
-        targets = np.array(poses).reshape(-1, 2)
+        rows, targets = list(poses), np.array(list(poses.values())).reshape(-1, 2)
         depths = self.penetration(targets).tolist()
         for solved in on_automatic_strips(self.problem, targets) if poses else ():
             for k, case in enumerate(solved.cases.tolist()):
-                states, pose = solved.states[0].one(k).row(), poses[case]
+                states, pose = solved.states[0].one(k).row(), poses[rows[case]]
                 if states.status[0] != CONVERGED:
                     at = f"an approach of {um(pose[0]):.6g} and a tilt of {mrad(pose[1]):.6g}"
                     raise ConvergenceError(f"The contact of a roller at {at} has no solution.", None)
                 grids = self._grids(states.counts, states.edges)
-                found[case] = LaidContact(grids, pose, depths[case], pose, states, _answer(states))
-        return [found[case] for case in range(len(poses))]
+                found[rows[case]] = LaidContact(grids, pose, depths[case], pose, states, _answer(states))
+        return found
 
     def solved(self, laid: LaidContact, pose: Pose) -> LaidContact | None:
         """Return a contact solved elsewhere on its strips, beginning with what it was; None if it has no solution."""
@@ -140,12 +142,18 @@ class StrippedContact:
         solve_on_strips(laid.grids, given, self.model.kernel, laid.states, states, TOLERANCE, False)
         return replace(laid, pose=pose, states=states, answer=_answer(states)) if states.converged[0] else None
 
-    def followed(self, laid: LaidContact, pose: Pose, remote: tuple[Remote, Array]) -> LaidContact | None:
+    def followed(self, laid: LaidContact, pose: Pose) -> LaidContact | None:
         """Return a contact led elsewhere on its strips; None if it got lost. It is quicker than `solved`."""
+        if id(laid.grids) not in self._remotes:
+            if len(self._remotes) >= KEPT_REMOTE:
+                self._remotes.clear()
+            blank = blank_remote(int(laid.grids.counts[0]), self.model.kernel)
+            self._remotes[id(laid.grids)] = laid.grids, blank, np.zeros(1)
+        _, remote, widest = self._remotes[id(laid.grids)]
         states, given = laid.states, BoundaryConditions(self.problem.prescribed, np.array([pose]))
         copies = {name: getattr(states, name).copy() for name in ("r", "m", "rigid", "gap", "stiffness")}
         states, answer = states._replace(**copies), np.zeros(OVERLAP)
-        done = follow(laid.grids, given, self.model.kernel, *remote, states, answer)
+        done = follow(laid.grids, given, self.model.kernel, remote, widest, states, answer)
         return replace(laid, pose=pose, states=states, answer=answer) if done else None
 
     def on_strips_of(self, other: LaidContact) -> LaidContact:
@@ -175,10 +183,9 @@ class StripLaw:
         one, other = contacts[0], contacts[-1]
         alike = np.array_equal(one.y, other.y) and np.allclose(one.h, other.h, rtol=1e-9, atol=0.0)
         self._alike = strips is None and len(contacts) == 2 and alike
-        # By contact and roller, but for what strips do far away: by the identity of their grids, which are beside it.
-        self._laid: dict[tuple[int, int], LaidContact] = {}
+        # Of each contact, by roller.
+        self._laid: tuple[dict[int, LaidContact], ...] = tuple({} for _ in contacts)
         self._depths: tuple[dict[int, float], ...] = tuple({} for _ in contacts)
-        self._remotes: dict[int, tuple[Grids, Remote, Array]] = {}
 
     def lay_anew(self) -> None:
         """From now on lay strips anew for contacts that are not nearly those which they were laid for."""
@@ -193,64 +200,58 @@ class StripLaw:
             If one of them has no solution.
         """
         answers = np.zeros((*pose.shape[:2], ANSWER))
-        poses = [dict(zip(rows.tolist(), map(tuple, each.tolist()), strict=True)) for each in pose.swapaxes(0, 1)]
+        numbers = rows.tolist()
+        poses = [dict(zip(numbers, map(tuple, each), strict=True)) for each in pose.swapaxes(0, 1).tolist()]
         for c, contact in enumerate(self._contacts):
-            depth = contact.penetration(pose[:, c])
-            self._depths[c].update(zip(rows.tolist(), depth.tolist(), strict=True))
-            digits = SAME - int(np.floor(np.log10(np.max(np.abs(pose[:, c, 0]), initial=1e-300))))
-            first: dict[Pose, int] = {}
-            twins: dict[int, int] = {}
-            for at in np.flatnonzero(depth > UNRESOLVED * max(self._depths[c].values())).tolist():
-                approach, tilt = poses[c][int(rows[at])]
-                twins[at] = first.setdefault((round(approach, digits), round(tilt, digits)), int(rows[at]))
-            self._find(c, {row: poses[c][row] for row in first.values()}, poses[1 - c] if self._alike else {})
-            for at, row in twins.items():
-                laid = self._laid[c, int(rows[at])] = self._laid[c, row]
-                answers[at, c, :OVERLAP] = laid.answer / contact.contact.compliance
+            depth, depths = contact.penetration(pose[:, c]), self._depths[c]
+            depths.update(zip(numbers, depth.tolist(), strict=True))
             answers[:, c, OVERLAP] = depth
+            digits = SAME - int(np.floor(np.log10(np.max(np.abs(pose[:, c, 0]), initial=1e-300))))
+            alike: dict[Pose, list[int]] = {}
+            for at in np.flatnonzero(depth > UNRESOLVED * max(depths.values())).tolist():
+                approach, tilt = poses[c][numbers[at]]
+                alike.setdefault((round(approach, digits), round(tilt, digits)), []).append(at)
+            asked = [numbers[at] for at, *_ in alike.values()]
+            missing = [row for row in asked if not self._moves(c, row, poses[c][row], depths[row])]
+            if self._alike:
+                # The contact that is deeper has strips laid: they suit both.
+                other = poses[1 - c]
+                deep = self._contacts[1 - c].penetration(np.array([other[row] for row in missing]).reshape(-1, 2))
+                there = dict(zip(missing, deep.tolist(), strict=True))
+                deeper = [row for row in missing if there[row] > depths[row]]
+                met = {r: other[r] for r in deeper if not self._moves(1 - c, r, other[r], there[r])}
+                self._laid[1 - c].update(self._contacts[1 - c].laid(met))
+            left = {row: poses[c][row] for row in missing if not self._takes(c, row, poses[c][row], depths[row])}
+            self._laid[c].update(contact.laid(left))
+            for places in alike.values():
+                laid = self._laid[c][numbers[places[0]]]
+                self._laid[c].update((numbers[at], laid) for at in places)
+                answers[places, c, :OVERLAP] = laid.answer / contact.contact.compliance
         return answers
 
     def edges(self, row: int, contact: int = 0) -> Array:
         """Return the edges of the strips on which a contact was solved last [mm], shape (strips + 1,)."""
-        grids = self._laid[contact, row].grids
+        grids = self._laid[contact][row].grids
         return grids.edges[0, : grids.counts[0] + 1]
-
-    def _find(self, c: int, asked: dict[int, Pose], others: dict[int, Pose]) -> None:
-        """Solve the contacts of rollers with one ring, of which those with the other are asked at other poses."""
-        depth = self._depths[c]
-        missing = {row: pose for row, pose in asked.items() if not self._moves(c, row, pose, depth[row])}
-        if others:
-            # The contact that is deeper has strips laid: they suit both.
-            deeper = {}
-            for row in missing:
-                there = float(self._contacts[1 - c].penetration(np.array([others[row]]))[0])
-                if there > depth[row] and not self._moves(1 - c, row, others[row], there):
-                    deeper[row] = others[row]
-            self._lay(1 - c, deeper)
-        self._lay(c, {row: pose for row, pose in missing.items() if not self._takes(c, row, pose, depth[row])})
-
-    def _lay(self, c: int, poses: dict[int, Pose]) -> None:
-        found = self._contacts[c].laid(list(poses.values()))
-        self._laid.update(((c, row), laid) for row, laid in zip(poses, found, strict=True))
 
     def _moves(self, c: int, row: int, pose: Pose, depth: float) -> bool:
         """Bring a contact to where it is asked, on the strips that it has; return whether that can be done."""
-        laid = self._laid.get((c, row))
+        laid, contact = self._laid[c].get(row), self._contacts[c]
         if laid is None or not (self._few or self._suits(c, laid, pose, depth, self._near)):
             return False
-        if laid.pose == pose:
-            return True
-        return self._keeps(c, row, self._followed(c, laid, pose) or self._contacts[c].solved(laid, pose))
+        same = laid.pose == pose
+        return self._keeps(c, row, laid if same else contact.followed(laid, pose) or contact.solved(laid, pose))
 
     def _takes(self, c: int, row: int, pose: Pose, depth: float) -> bool:
         """Solve a contact on few strips, or on those of the other one of the same roller if they suit it."""
+        contact = self._contacts[c]
         if self._few:
             unsolved = LaidContact(self._few[c], pose, depth, pose, States.none(), np.zeros(OVERLAP))
-            return self._keeps(c, row, self._contacts[c].solved(unsolved, pose))
-        laid = self._laid.get((1 - c, row)) if self._alike else None
+            return self._keeps(c, row, contact.solved(unsolved, pose))
+        laid = self._laid[1 - c].get(row) if self._alike else None
         if laid is None or not self._suits(c, laid, pose, depth, near=True):
             return False
-        return self._keeps(c, row, self._followed(c, self._contacts[c].on_strips_of(laid), pose))
+        return self._keeps(c, row, contact.followed(contact.on_strips_of(laid), pose))
 
     def _suits(self, c: int, laid: LaidContact, pose: Pose, depth: float, near: bool) -> bool:
         """Return whether strips still suit a contact, on the way to the balance or near it."""
@@ -262,17 +263,8 @@ class StripLaw:
 
     def _keeps(self, c: int, row: int, found: LaidContact | None) -> bool:
         if found is not None:
-            self._laid[c, row] = found
+            self._laid[c][row] = found
         return found is not None
-
-    def _followed(self, c: int, laid: LaidContact, pose: Pose) -> LaidContact | None:
-        """Let a contact follow, with what its strips do far away, as it was left."""
-        if id(laid.grids) not in self._remotes:
-            if len(self._remotes) >= KEPT_REMOTE:
-                self._remotes.clear()
-            blank = blank_remote(int(laid.grids.counts[0]), self._contacts[c].model.kernel)
-            self._remotes[id(laid.grids)] = laid.grids, blank, np.zeros(1)
-        return self._contacts[c].followed(laid, pose, self._remotes[id(laid.grids)][1:])
 
 
 def _answer(states: States) -> Array:
