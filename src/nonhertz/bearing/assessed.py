@@ -64,8 +64,6 @@ class BearingLife(HasFindings):
     equivalent_load, static_load : float
         P and P_0 [N], which know neither preload nor moment; of a spectrum, the constant load with the same L10, and
         the largest P_0.
-    basic : float
-        L10, of ISO 281; infinite without P, whatever preload or moment do.
     reference : float
         L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum, and
         infinite, as L10 is, where rollers are pressed by speed alone.
@@ -74,10 +72,6 @@ class BearingLife(HasFindings):
         smallest kappa and e_C.
     reliability_factor : float
         a_1 [-].
-    modified : float
-        L_nmr: L10r times a_1, and times a_ISO if there is one.
-    static_safety : float
-        S_0 [-]; infinite without P_0.
     singular_ends : tuple of SingularEnd
         Those towards which the damage has no limit, so that there is no L10r; empty if there are none.
     parts : tuple of (BearingLife, float)
@@ -87,16 +81,28 @@ class BearingLife(HasFindings):
     rating: Rating
     equivalent_load: float
     static_load: float
-    basic: float
     reference: float
     viscosity_ratio: float | None
     contamination: float | None
     life_factor: float | None
     reliability_factor: float
-    modified: float
-    static_safety: float
     singular_ends: tuple[SingularEnd, ...] = ()
     parts: tuple[tuple[BearingLife, float], ...] = ()
+
+    @property
+    def basic(self) -> float:
+        """L10 of ISO 281; infinite without P, whatever preload or moment do."""
+        return (self.rating.dynamic / self.equivalent_load) ** _LIFE_EXPONENT if self.equivalent_load else math.inf
+
+    @property
+    def modified(self) -> float:
+        """L_nmr: L10r times a_1, and times a_ISO if there is one."""
+        return self.reliability_factor * self.reference * (1.0 if self.life_factor is None else self.life_factor)
+
+    @property
+    def static_safety(self) -> float:
+        """S_0 [-]; infinite without P_0."""
+        return self.rating.static / self.static_load if self.static_load else math.inf
 
     @property
     def no_reference(self) -> str:
@@ -118,14 +124,12 @@ class BearingLife(HasFindings):
         if max(heaviest, by_rollers) <= _HEAVY * self.rating.dynamic:
             return ()
         by_force = heaviest > _HEAVY * self.rating.dynamic
-        load = (
+        words = (
             "The equivalent load P of {load:4} exceeds"
             if by_force
             else "Rollers are loaded as by a P of {load:4}, over"
         )
-        words = (
-            f"{load} half the rating C of {{rating:4}}: contacts may yield, and the equations of life need not hold."
-        )
+        words += " half the rating C of {rating:4}: contacts may yield, and the equations of life need not hold."
         numbers = {"load": newton(heaviest if by_force else by_rollers), "rating": newton(self.rating.dynamic)}
         return (finding("heavy-load", words, **numbers),)
 
@@ -379,14 +383,11 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
         rating=rated,
         equivalent_load=load,
         static_load=still,
-        basic=(rated.dynamic / load) ** _LIFE_EXPONENT if load > 0.0 else math.inf,
         reference=reference,
         viscosity_ratio=kappa,
         contamination=clean,
         life_factor=factor,
         reliability_factor=asked.reliability_factor,
-        modified=asked.reliability_factor * reference * (1.0 if factor is None else factor),
-        static_safety=rated.static / still if still > 0.0 else math.inf,
         singular_ends=tuple(ends),
     )
 
@@ -396,20 +397,16 @@ def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeCondition
     basic, reference, modified = (
         miner([getattr(each, name) for each in lives], shares) for name in ("basic", "reference", "modified")
     )
-    first, still = lives[0], max(each.static_load for each in lives)
-    oiled = asked.viscosity is not None
+    first, oiled = lives[0], asked.viscosity is not None
     of_oil = MOST_FACTOR if math.isinf(reference) else modified / (asked.reliability_factor * reference)
     return replace(
         first,
         equivalent_load=first.rating.dynamic / basic ** (1.0 / _LIFE_EXPONENT),
-        static_load=still,
-        basic=basic,
+        static_load=max(each.static_load for each in lives),
         reference=reference,
         viscosity_ratio=min(each.viscosity_ratio or 0.0 for each in lives) if oiled else None,
         contamination=min(each.contamination or 0.0 for each in lives) if oiled else None,
         life_factor=of_oil if oiled else None,
-        modified=modified,
-        static_safety=first.rating.static / still if still > 0.0 else math.inf,
         singular_ends=next((each.singular_ends for each in lives if each.singular_ends), ()),
         parts=parts,
     )

@@ -56,6 +56,10 @@ UNITS: dict[str, Any] = {
 _OF_CLEARANCE = ("unmounted", "inner_fit", "outer_fit", "temperatures", "speed", "clearance")
 _OF_RING = ("roller_load", "displacement", "force", "stiffness", "edge_rollers", "edge_stiffness", "residual")
 _OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
+_OF_LIFE = (
+    *("equivalent_load", "static_load", "basic", "reference", "viscosity_ratio", "contamination", "life_factor"),
+    *("reliability_factor", "modified", "static_safety"),
+)
 
 
 @read_in("si")
@@ -105,9 +109,8 @@ def _clearance(case: BearingCase) -> dict[str, Any] | None:
 
 def _life(found: BearingLife) -> dict[str, Any]:
     rating = plain(dataclasses.asdict(found.rating))
-    names = [each.name for each in dataclasses.fields(found) if each.name not in {"rating", "singular_ends", "parts"}]
     parts = [{"share": plain(share)} | _life(part) for part, share in found.parts]
-    numbers = {name: plain(getattr(found, name)) for name in names}
+    numbers = {name: plain(getattr(found, name)) for name in _OF_LIFE}
     return {"rating": rating, **numbers, "no_reference": found.no_reference, "parts": parts}
 
 
