@@ -13,7 +13,7 @@ import numpy as np
 from nonhertz.amounts import mpa
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.clearance import OperatingClearance
-from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.findings import Finding, finding
 from nonhertz.result.ends import ends_in_words

@@ -22,7 +22,6 @@ from numpy.typing import ArrayLike
 
 from nonhertz.amounts import digits, newton
 from nonhertz.bearing.bearings import CylindricalThrustBearing
-from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.laminae import lamina_life, lamina_means, life_factors, singular_ends
 from nonhertz.bearing.lubrication import (
     CLEANLINESS,
@@ -32,6 +31,7 @@ from nonhertz.bearing.lubrication import (
     reliability_factor,
 )
 from nonhertz.bearing.ratings import Rating, equivalent_loads, rating
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError

@@ -229,7 +229,6 @@ class Mounting(Input):
             density is neither given nor known.
         """
         angle, unmounted = _check_bearing(bearing)
-        _check_rings(bearing, self.shaft, self.housing)
         not_negative("speed", speed, "give that of the inner ring in 1/min")
         of_shaft = _density("shaft.density", self.shaft.density, self.shaft.material, speed)
         of_ring = _density("ring_density", self.ring_density, bearing.inner.material, speed)
@@ -451,6 +450,9 @@ class _Grown:
     speed: float = 0.0
 
 
+_AS_MOUNTED = _Grown()
+
+
 @dataclass(frozen=True)
 class _Joint:
     """Two rings, one in the other, of which one is the bearing's."""
@@ -465,24 +467,19 @@ class _Joint:
         """Where they meet [mm]."""
         return self.inside.outer
 
-    @property
-    def compliance(self) -> float:
-        """By how much the parts give way on the radius per pressure [mm/MPa]."""
-        return self.outside.growth(self.radius, inside=1.0) - self.inside.growth(self.radius, outside=1.0)
+    def parting(self, *, pressure: float = 0.0, speed: float = 0.0) -> float:
+        """Return how far the faces of both parts move apart on the radius under a pressure [MPa] or a speed [rad/s]."""
+        outside = self.outside.growth(self.radius, inside=pressure, speed=speed)
+        return outside - self.inside.growth(self.radius, outside=pressure, speed=speed)
 
     def overlap(self, grown: _Grown) -> float:
         """Return by how much the parts would overlap on the radius, each by itself [mm]."""
         warm = self.radius * (grown.inside - grown.outside)
-        return 0.5 * self.interference + warm - grown.speed**2 * self.parting
-
-    @property
-    def parting(self) -> float:
-        """By how much the outer part grows more than the inner one by speed [mm s^2]."""
-        return self.outside.growth(self.radius, speed=1.0) - self.inside.growth(self.radius, speed=1.0)
+        return 0.5 * self.interference + warm - grown.speed**2 * self.parting(speed=1.0)
 
     def pressure(self, grown: _Grown) -> float:
         """Return the pressure between the parts [MPa]."""
-        return max(0.0, self.overlap(grown) / self.compliance)
+        return max(0.0, self.overlap(grown) / self.parting(pressure=1.0))
 
     @property
     def ring(self) -> ThickRing:
@@ -494,50 +491,56 @@ class _Joint:
         side = "inside" if self.on_shaft else "outside"
         return {side: self.pressure(grown), "speed": grown.speed}
 
-    def raceway(self, grown: _Grown | None = None) -> float:
+    @property
+    def raceway_radius(self) -> float:
+        """Radius of the bearing's raceway [mm]."""
+        return self.ring.outer if self.on_shaft else self.ring.inner
+
+    def raceway(self, grown: _Grown = _AS_MOUNTED) -> float:
         """Return by how much the diameter of the bearing's raceway has grown [mm]."""
-        grown = _Grown() if grown is None else grown
-        radius = self.ring.outer if self.on_shaft else self.ring.inner
         strain = grown.outside if self.on_shaft else grown.inside
+        radius = self.raceway_radius
         return 2.0 * (self.ring.growth(radius, **self.loads(grown)) + strain * radius)
 
     def described(self, grown: _Grown) -> Fit:
         """Return pressures and stresses."""
-        raceway = self.ring.outer if self.on_shaft else self.ring.inner
-        loads = self.loads(grown)
+        loads, parting = self.loads(grown), self.parting(speed=1.0)
+        at_rest = self.overlap(replace(grown, speed=0.0))
+        loosening = 0.0 if at_rest <= 0.0 else math.inf
+        if at_rest > 0.0 and self.on_shaft and parting > 0.0:
+            loosening = math.sqrt(at_rest / parting) / _PER_MINUTE
         return Fit(
-            mounted_pressure=self.pressure(_Grown()),
+            mounted_pressure=self.pressure(_AS_MOUNTED),
             pressure=self.pressure(grown),
             seat_stress=self.ring.hoop_stress(self.radius, **loads),
-            raceway_stress=self.ring.hoop_stress(raceway, **loads),
-            loosening_speed=self._loosening(replace(grown, speed=0.0)),
+            raceway_stress=self.ring.hoop_stress(self.raceway_radius, **loads),
+            loosening_speed=loosening,
         )
-
-    def _loosening(self, at_rest: _Grown) -> float:
-        overlap = self.overlap(at_rest)
-        if overlap <= 0.0:
-            return 0.0
-        return math.sqrt(overlap / self.parting) / _PER_MINUTE if self.on_shaft and self.parting > 0.0 else math.inf
 
 
 def _fits(
     bearing: RollerBearing, shaft: Shaft, housing: Housing, densities: tuple[float, float]
 ) -> tuple[_Joint, _Joint]:
-    inner, outer = (0.5 * abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
+    inner, outer = (abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
+    if shaft.diameter >= inner:
+        condition = f"be less than that of the inner raceway of {mm(inner):g}"
+        raise InputError("shaft.diameter", shaft.diameter, condition, "give the bore of the inner ring in mm")
+    if housing.diameter <= outer:
+        condition = f"exceed that of the outer raceway of {mm(outer):g}"
+        raise InputError("housing.diameter", housing.diameter, condition, "give that around the outer ring in mm")
     seat, bore = 0.5 * shaft.diameter, 0.5 * housing.diameter
-    on_shaft = _Joint(
+    on_shaft = (
         ThickRing(0.5 * shaft.bore, seat, shaft.material, densities[0]),
-        ThickRing(seat, inner, bearing.inner.material, densities[1]),
-        shaft.effective_interference,
-        True,
+        ThickRing(seat, 0.5 * inner, bearing.inner.material, densities[1]),
     )
-    in_housing = _Joint(
-        ThickRing(outer, bore, bearing.outer.material, 0.0),
+    in_housing = (
+        ThickRing(0.5 * outer, bore, bearing.outer.material, 0.0),
         ThickRing(bore, 0.5 * housing.outside_diameter, housing.material, 0.0),
-        housing.effective_interference,
-        False,
     )
-    return on_shaft, in_housing
+    return (
+        _Joint(*on_shaft, shaft.effective_interference, True),
+        _Joint(*in_housing, housing.effective_interference, False),
+    )
 
 
 def _check_bearing(bearing: RollerBearing) -> tuple[float, float]:
@@ -548,13 +551,3 @@ def _check_bearing(bearing: RollerBearing) -> tuple[float, float]:
         return bearing.nominal_angle, bearing.clearance
     remedy = "give a cylindrical, needle, tapered or spherical one of one row"
     raise InputError("bearing", bearing, "be a radial roller bearing", remedy)
-
-
-def _check_rings(bearing: RollerBearing, shaft: Shaft, housing: Housing) -> None:
-    raceway, around = (abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
-    if shaft.diameter >= raceway:
-        condition = f"be less than that of the inner raceway of {mm(raceway):g}"
-        raise InputError("shaft.diameter", shaft.diameter, condition, "give the bore of the inner ring in mm")
-    if housing.diameter <= around:
-        condition = f"exceed that of the outer raceway of {mm(around):g}"
-        raise InputError("housing.diameter", housing.diameter, condition, "give that around the outer ring in mm")

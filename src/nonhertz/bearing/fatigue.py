@@ -36,9 +36,9 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import digits
 from nonhertz.bearing.bearings import RollerBearing
-from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.laminae import singular_ends
 from nonhertz.bearing.ratings import Rating, rating
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding

@@ -23,9 +23,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.lubrication import MOST_FACTOR, life_factor
 from nonhertz.bearing.ratings import Rating
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import standard_slices
 from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of

@@ -15,7 +15,7 @@ from typing import Final, Protocol
 import numpy as np
 
 from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import NonhertzError
 from nonhertz.result.quantities import Quantity

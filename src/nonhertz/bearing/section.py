@@ -27,6 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+RINGS = ("inner", "outer")
 #: Motions of the inner ring: along x, y and z [mm], and about y and z [rad].
 MOTIONS = ("x", "y", "z", "about_y", "about_z")
 

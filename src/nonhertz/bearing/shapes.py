@@ -87,11 +87,6 @@ class Waves(Input):
         """Return the same turned [rad] and multiplied."""
         return Waves(tuple(Wave(each.waves, factor * each.amplitude, each.phase + turn) for each in self.terms))
 
-    @property
-    def given(self) -> Waves:
-        """What makes it."""
-        return self
-
 
 @described()
 class Deviations(Input):
@@ -142,36 +137,25 @@ class Deviations(Input):
             raise InputError("deviation", float(values[-1]), condition, remedy)
         return places[:-1], values[:-1]
 
-
-@dataclass(frozen=True)
-class _Table:
-    """Deviations at angles, turned by so much [rad]."""
-
-    of: Deviations
-    offset: float = 0.0
-
-    @property
-    def given(self) -> Deviations:
-        return replace(self.of, angle=tuple(each + self.offset for each in self.of.angle))
-
     def at(self, angle: Array) -> Array:
-        return np.asarray(self._curve(np.mod(angle - self.offset - self.of.angle[0], _TURN)))
+        """Return the deviation [mm] at angles [rad]."""
+        return np.asarray(self._curve(np.mod(angle - self.angle[0], _TURN)))
 
     @cached_property
     def _curve(self) -> Callable[[Array], Array]:
-        angle, deviation = self.of.angle, self.of.deviation
-        places = np.append(angle, angle[0] + _TURN) - angle[0]
-        values = np.append(deviation, deviation[0])
-        if self.of.curve == "linear" or len(angle) < 3:
+        places = np.append(self.angle, self.angle[0] + _TURN) - self.angle[0]
+        values = np.append(self.deviation, self.deviation[0])
+        if self.curve == "linear" or len(self.angle) < 3:
             return lambda angle: np.interp(angle, places, values)
         from scipy.interpolate import CubicSpline
 
         curve: Callable[[Array], Array] = CubicSpline(places, values, bc_type="periodic")
         return curve
 
-    def changed(self, turn: float, factor: float) -> _Table:
-        scaled = tuple(factor * each for each in self.of.deviation)
-        return _Table(replace(self.of, deviation=scaled), self.offset + turn)
+    def changed(self, turn: float, factor: float) -> Deviations:
+        """Return the same turned [rad] and multiplied."""
+        angle, deviation = (each + turn for each in self.angle), (factor * each for each in self.deviation)
+        return replace(self, angle=tuple(angle), deviation=tuple(deviation))
 
 
 @dataclass(frozen=True)
@@ -179,14 +163,14 @@ class RingShape:
     """How far a raceway is from a circle; called with angles [rad], it returns lengths [mm].
 
     Made with `fourier_shape`, `tabulated_shape` and ``+``.
+
+    Attributes
+    ----------
+    parts : tuple
+        What it is the sum of.
     """
 
-    _parts: tuple[Waves | _Table, ...]
-
-    @classmethod
-    def of(cls, given: Waves | Deviations) -> RingShape:
-        """Return the shape of waves or of deviations."""
-        return cls((_Table(given) if isinstance(given, Deviations) else given,))
+    parts: tuple[Waves | Deviations, ...]
 
     def __call__(self, angle: ArrayLike) -> Array:
         """Return how much less room there is at angles than a circle leaves.
@@ -202,7 +186,7 @@ class RingShape:
             [mm].
         """
         places = numbers("angle", angle, "give angles in rad")
-        return np.asarray(np.sum([part.at(places) for part in self._parts], axis=0))
+        return np.asarray(np.sum([part.at(places) for part in self.parts], axis=0))
 
     def turned(self, by: float) -> RingShape:
         """Return the shape of the ring when it has turned.
@@ -213,7 +197,7 @@ class RingShape:
             From y towards z [rad].
         """
         finite("by", by, "give the angle in rad")
-        return RingShape(tuple(part.changed(float(by), 1.0) for part in self._parts))
+        return RingShape(tuple(part.changed(float(by), 1.0) for part in self.parts))
 
     def scaled(self, by: float) -> RingShape:
         """Return the shape with all deviations multiplied.
@@ -224,15 +208,10 @@ class RingShape:
             -1 where they are positive for more room.
         """
         finite("by", by, "give a number")
-        return RingShape(tuple(part.changed(0.0, float(by)) for part in self._parts))
-
-    @property
-    def parts(self) -> tuple[Waves | Deviations, ...]:
-        """What it is the sum of."""
-        return tuple(part.given for part in self._parts)
+        return RingShape(tuple(part.changed(0.0, float(by)) for part in self.parts))
 
     def __add__(self, other: RingShape) -> RingShape:
-        return RingShape(self._parts + other._parts) if isinstance(other, RingShape) else NotImplemented
+        return RingShape(self.parts + other.parts) if isinstance(other, RingShape) else NotImplemented
 
 
 def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape:
@@ -272,7 +251,7 @@ def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape
         if row.size not in (1, 2):
             raise InputError(place, wave, "be an amplitude, or an amplitude and an angle", _TERMS)
         found.append(Wave(number, *row.tolist()))
-    return RingShape.of(Waves(tuple(found)))
+    return RingShape((Waves(tuple(found)),))
 
 
 def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubic") -> RingShape:
@@ -306,4 +285,4 @@ def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubi
     [0.005, -0.005, 0.0]
     """
     given: dict[str, Any] = {"angle": angle, "deviation": deviation, "curve": curve}
-    return RingShape.of(Deviations(**given))
+    return RingShape((Deviations(**given),))

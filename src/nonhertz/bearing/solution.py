@@ -14,14 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm, mrad, newton, newton_mm, um
 from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.frames import RINGS, contact_frame
 from nonhertz.bearing.ribs import RibContact
+from nonhertz.bearing.section import RINGS
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, finding, sentences
 from nonhertz.hertz import PointContact
 from nonhertz.inputs.checks import numbers, one_of, whole
 from nonhertz.life.capacity import is_hollow
 from nonhertz.result.brief import plain_text
+from nonhertz.result.data import library
 from nonhertz.result.solution import ReadOnly, Solution
 from nonhertz.solver.one import solve
 
@@ -31,6 +32,11 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 POINTS = 401  # along a roller
+#: Of the numbers of contacts.
+CONTACT_UNITS = {
+    "angle": "rad", "load": "N", "moment": "N mm", "approach": "mm", "tilt": "rad", "contact_angle": "rad",
+    "max_pressure": "MPa", "max_pressure_y": "mm", "rib_load": "N",
+}  # fmt: skip
 _SAME = 1e-9  # of the largest approach
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
@@ -438,7 +444,20 @@ class BearingSolution(ReadOnly):
         ImportError
             If pandas is not installed.
         """
-        return contact_frame(self)
+        pandas = library("pandas", "to_dataframe")
+        counts = np.array([row.bearing.rollers for row in self.bearing.rows])
+        columns: dict[str, Any] = {
+            "row": np.repeat(np.arange(counts.size), 2 * counts),
+            "roller": np.repeat(np.concatenate([np.arange(count) for count in counts]), 2),
+            "angle": np.repeat(self.angle, 2),
+            "ring": list(RINGS) * self.angle.size,
+        }
+        unknown = ("max_pressure", "max_pressure_y") if self.method != "strips" else ()
+        for name in list(CONTACT_UNITS)[1:]:
+            columns[name] = np.full(self.load.size, np.nan) if name in unknown else getattr(self, name).ravel()
+        frame = pandas.DataFrame(columns)
+        frame.attrs["units"] = dict(CONTACT_UNITS)
+        return frame
 
     def _of_contacts(self, name: str) -> Array:
         found = np.zeros(self.load.shape)

@@ -11,15 +11,21 @@ from numpy.typing import NDArray
 from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
-from nonhertz.bearing.frames import state_frame
 from nonhertz.bearing.solution import BearingSolution, loaded_shares
 from nonhertz.errors import ConvergenceError
+from nonhertz.result.data import library
 from nonhertz.result.solution import ReadOnly
 
 if TYPE_CHECKING:
     import pandas as pd
 
 Array = NDArray[np.float64]
+#: Of the numbers of a state: forces and motions of the inner ring, and the largest loads at both rings.
+STATE_UNITS = {
+    "force_x": "N", "force_y": "N", "force_z": "N", "moment_about_y": "N mm", "moment_about_z": "N mm",
+    "displacement_x": "mm", "displacement_y": "mm", "displacement_z": "mm", "rotation_about_y": "rad",
+    "rotation_about_z": "rad", "max_load_inner": "N", "max_load_outer": "N",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -105,4 +111,15 @@ class BearingSolutions(ReadOnly):
         ImportError
             If pandas is not installed.
         """
-        return state_frame(self)
+        pandas = library("pandas", "to_dataframe")
+        numbers = np.concatenate([self.force, self.displacement, self.load.max(axis=-2), self.loaded_share], axis=-1)
+        # What a state without a balance ended with is no result.
+        rows = np.where(self.converged[..., None], numbers, np.nan).reshape(self.converged.size, -1)
+        names = [*STATE_UNITS, *(f"loaded_share_{row}" for row in range(self.loaded_share.shape[-1]))]
+        index = pandas.RangeIndex(self.converged.size, name="state")
+        if self.converged.ndim > 1:
+            axes = [f"axis_{number}" for number in range(self.converged.ndim)]
+            index = pandas.MultiIndex.from_product(map(range, self.converged.shape), names=axes)
+        frame = pandas.DataFrame(rows, index=index, columns=names).assign(converged=self.converged.ravel())
+        frame.attrs["units"] = dict(STATE_UNITS)
+        return frame

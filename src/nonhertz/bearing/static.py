@@ -12,8 +12,8 @@ import math
 
 import numpy as np
 
-from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.laminae import singular_ends
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.inputs.checks import positive

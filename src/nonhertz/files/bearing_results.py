@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
-from nonhertz.bearing.frames import CONTACT_UNITS, RINGS
 from nonhertz.bearing.quantities import SolvedBearing, further
-from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.section import RINGS
+from nonhertz.bearing.solution import CONTACT_UNITS, BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.results import key_by_key, plain

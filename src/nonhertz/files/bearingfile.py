@@ -277,7 +277,7 @@ class BearingCase(HeldCase):
         >>> case.title, round(case.prescribed["load"], -1)
         ('NU 206, roller 0 on the outer ring, by slices', 3720.0)
         """
-        from nonhertz.bearing.frames import RINGS
+        from nonhertz.bearing.section import RINGS
         from nonhertz.bearing.solution import BearingSolution
 
         if not isinstance(solution, BearingSolution):

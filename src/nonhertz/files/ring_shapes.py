@@ -146,10 +146,10 @@ def _read_one(value: Any, file: Surroundings, place: Place) -> RingShape:
     if "file" in value:
         return _from_file(read(ShapeFile, value, file, place), file.folder)
     if {"angle", "deviation"} & set(value):
-        return RingShape.of(read(Deviations, value, file, place))
+        return RingShape((read(Deviations, value, file, place),))
     if value and "terms" not in value:
         raise InputError("", value, "have terms, or angle and deviation, or a file", _SHAPES)
-    return RingShape.of(read(Waves, value, file, place))
+    return RingShape((read(Waves, value, file, place),))
 
 
 def _from_file(table: ShapeFile, folder: Path | None) -> RingShape:

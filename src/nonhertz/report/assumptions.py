@@ -18,7 +18,7 @@ import numpy as np
 from nonhertz.amounts import digits, given, mm, mpa, mrad, newton
 from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
-from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bodies.depths import depth_below
 from nonhertz.bodies.ends import ends

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, amount, given, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
-from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.section import RINGS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.materials import MATERIALS

@@ -13,8 +13,8 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
-from nonhertz.bearing.frames import RINGS
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity

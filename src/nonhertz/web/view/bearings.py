@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import RollerBearing
-from nonhertz.bearing.frames import RINGS
+from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.files.bearing_document import PARTS
