@@ -316,268 +316,102 @@ def test_what_no_file_can_hold_is_refused_and_nothing_is_written(bearing, field,
 
 # Mistakes
 
-ANGLE = (
-    "the angle between the normal of the outer raceway and the radial plane, of tapered and spherical bearings [rad]"
-)
-MISTAKES = {
-    "no rollers": (
-        changed(PLAIN, ("rollers = 13", "rollers = 0")),
-        ["bearing.rollers = 0 must be a whole number from 1 to 1000: give the number of rollers of the row."],
-    ),
-    "too many rollers": (
+MISTAKES = [
+    (
         changed(PLAIN, ("rollers = 13", "rollers = 30")),
-        [
-            "bearing.rollers = 30 must fit on a pitch circle of 46.5 mm with a diameter of 9 mm: 16 fit side by side: "
-            "give fewer or thinner ones."
-        ],
+        "bearing.rollers = 30 must fit on a pitch circle of 46.5 mm with a diameter of 9 mm",
     ),
-    "preload beyond any": (
+    (
         changed(PLAIN, ("rollers = 13", 'rollers = 13\nclearance = "-5 mm"')),
-        [
-            "bearing.clearance = '-5 mm' must be less than 2 % of the roller's diameter of 9 mm: "
-            "give it in mm: 20 um are 0.02."
-        ],
+        "bearing.clearance = '-5 mm' must be less than 2 % of the roller's diameter of 9 mm",
     ),
-    "a rib that is not there": (
+    (
         changed(PLAIN, ("rollers = 13", "rollers = 13\nrib = { end_radius = 100, height = 3 }")),
-        [
-            "bearing.design = 'NU' must have ribs that bear loads, since a rib is given: use NJ, NF or NUP, or leave "
-            "out the rib."
-        ],
+        "bearing.design = 'NU' must have ribs that bear loads, since a rib is given",
     ),
-    "half a rib": (
+    (
         changed(TAPERED, ("rollers = 14", "rollers = 14\nrib = { end_radius = 100 }")),
-        ["bearing.rib.height must be given: give the distance of the contact from the roller's axis [mm]."],
+        "bearing.rib.height must be given",
     ),
-    "a rib beside its end": (
+    (
         changed(TAPERED, ("rollers = 14", "rollers = 14\nrib = { end_radius = 10, height = 20 }")),
-        [
-            "bearing.rib.height = 20.0 must be less than the radius of the end, 10 mm: give how far from the roller's "
-            "axis the rib touches."
-        ],
+        "bearing.rib.height = 20.0 must be less than the radius of the end, 10 mm",
     ),
-    "a thrust load on an NU bearing": (
+    (
         f"{PLAIN}axial = 500\n",
-        [
-            "load.axial = 500.0 must be zero for a bearing whose inner ring is free to move along the axis: use one "
-            "that bears axial loads."
-        ],
+        "load.axial = 500.0 must be zero for a bearing whose inner ring is free to move along the axis",
     ),
-    "a radial load on a thrust bearing": (
+    (
         f"{THRUST}radial = 500\n",
-        [
-            "load.radial = 500.0 must be zero for a bearing whose inner ring is free to move across the axis: use one "
-            "that bears radial loads."
-        ],
+        "load.radial = 500.0 must be zero for a bearing whose inner ring is free to move across the axis",
     ),
-    "a tapered row without enough axial load": (
+    (
         changed(TAPERED, ("9 kN", "500 N")),
-        [
-            "load.axial = 500.0 must exceed 6.3 kN along +x, the tangent of the contact angle times the radial force: "
-            "without that rows that bear it one way alone fall apart; or give axial_displacement."
-        ],
+        "load.axial = 500.0 must exceed 6.3 kN along +x, the tangent of the contact angle times the radial force",
     ),
-    "an unknown kind": (
-        changed(PLAIN, ('"cylindrical"', '"cylindric"')),
-        ["bearing.kind = 'cylindric' must be a known kind of bearing: the nearest is 'cylindrical'."],
-    ),
-    "a kind that is none": (
-        changed(PLAIN, ('"cylindrical"', '"NU"')),
-        [
-            "bearing.kind = 'NU' must be a known kind of bearing: choose from 'cylindrical', 'needle', 'tapered', "
-            "'spherical', 'thrust'."
-        ],
-    ),
-    "a kind that is a list": (
-        changed(PLAIN, ('"cylindrical"', "[]")),
-        [
-            "bearing.kind = [] must be a known kind of bearing: choose from 'cylindrical', 'needle', 'tapered', "
-            "'spherical', 'thrust'."
-        ],
-    ),
-    "a misspelled key": (
-        changed(PLAIN, ("rollers = 13", "rolers = 13")),
-        ["bearing.rolers = 13 must be a known key: the nearest is 'rollers'."],
-    ),
-    "a misspelled table": (
-        changed(PLAIN, ("[outer]", "[outr]")),
-        ["outr must be a known key: the nearest is 'outer'."],
-    ),
-    "a wrong unit": (
-        changed(PLAIN, ("10 kN", "10 mm")),
-        [
-            "load.radial = '10 mm' must have a unit of force: write a number in N, or text with a unit of force such "
-            "as '20 kN'."
-        ],
-    ),
-    "a wrong unit of speed": (
-        f'{PLAIN}speed = "3000 m/s"\n',
-        [
-            "load.speed = '3000 m/s' must have a unit of speed: write a number in 1/min, or text with a unit of speed "
-            "such as '1500 1/min' or '1500 rpm'."
-        ],
-    ),
-    "speed backwards": (
-        f"{PLAIN}speed = -1\n",
-        ["load.speed = -1.0 must not be negative: give the speed of the ring that turns in 1/min."],
-    ),
-    "three components": (
-        changed(PLAIN, ('"10 kN"', "[1, 2, 3]")),
-        ["load.radial = [1, 2, 3] must be one value or two: give it in N."],
-    ),
-    "not a number": (
-        changed(PLAIN, ('"10 kN"', "nan")),
-        ["load.radial = nan must be a finite number: give it in N."],
-    ),
-    "force and displacement": (
-        f"{PLAIN}radial_displacement = 0.01\n",
-        ["load.radial_displacement = 0.01 must not be given together with radial: leave one out."],
-    ),
-    "tilted by degrees": (
-        f"{PLAIN}tilt = 3\n",
-        [
-            "load.tilt = 3.0 must be a small angle, of at most 0.3 rad: "
-            "give it in rad: 1 mrad is 0.001, 1 degree 0.01745."
-        ],
-    ),
-    "a convex outer ring": (
-        changed(PLAIN, ("-55.5", "55.5")),
-        ["outer.diameter = 55.5 must be negative: it is concave: give that of the raceway in mm."],
-    ),
-    "an outer ring of several diameters": (
-        changed(PLAIN, ("-55.5", "{ y = [-9, 9], diameter = [-55, -56] }")),
-        ["outer.diameter must be one number, negative: it is concave: give that of the raceway in mm."],
-    ),
-    "a raceway without a diameter": (
-        changed(PLAIN, (RING, "[inner]\n")),
-        ["inner.diameter must be given: give that of the raceway in mm."],
-    ),
-    "a washer with one": (
-        changed(THRUST, ("[inner]", "[inner]\ndiameter = 40")),
-        ["inner.diameter = 40.0 must be left out: washers are flat: make the washer as a Plate, or leave out the key."],
-    ),
-    "rollers too thick": (
+    (changed(PLAIN, ('"cylindrical"', '"cylindric"')), "bearing.kind = 'cylindric' must be a known kind of bearing"),
+    (changed(PLAIN, ('"cylindrical"', "[]")), "bearing.kind = [] must be a known kind of bearing"),
+    (changed(PLAIN, ("[outer]", "[outr]")), "outr must be a known key"),
+    (f'{PLAIN}speed = "3000 m/s"\n', "load.speed = '3000 m/s' must have a unit of speed"),
+    (changed(PLAIN, ('"10 kN"', "[1, 2, 3]")), "load.radial = [1, 2, 3] must be one value or two"),
+    (f"{PLAIN}radial_displacement = 0.01\n", "load.radial_displacement = 0.01 must not be given together with radial"),
+    (f"{PLAIN}tilt = 3\n", "load.tilt = 3.0 must be a small angle, of at most 0.3 rad"),
+    (changed(PLAIN, ("-55.5", "55.5")), "outer.diameter = 55.5 must be negative"),
+    (changed(THRUST, ("[inner]", "[inner]\ndiameter = 40")), "inner.diameter = 40.0 must be left out"),
+    (
         changed(PLAIN, ("diameter = 9.0", "diameter = 9.5")),
-        [
-            "roller.diameter = 9.5 must fill the 9 mm between raceways of 37.5 and 55.5 mm to within 2 %: give the "
-            "diameters of raceways and rollers in mm."
-        ],
+        "roller.diameter = 9.5 must fill the 9 mm between raceways of 37.5 and 55.5 mm to within 2 %",
     ),
-    "rollers without a length": (
-        changed(PLAIN, ("length = 10.0", "")),
-        ["roller.length must be given: give the roller's length in mm."],
-    ),
-    "cylinders in a tapered bearing": (
+    (
         changed(TAPERED, ("{ y = [-5.825, 5.825], diameter = [10.94, 10.12] }", "10.5")),
-        [
-            "roller.diameter = 10.5 must be a table of y and diameter that is larger at negative y: give "
-            "TabulatedDiameter((-5, 5), (11, 10)), or { y = [-5, 5], diameter = [11, 10] } in a file, say: the large "
-            "ends are at low x."
-        ],
+        "roller.diameter = 10.5 must be a table of y and diameter that is larger at negative y",
     ),
-    "cones the wrong way round": (
+    (
         changed(TAPERED, ("[10.94, 10.12]", "[10.12, 10.94]")),
-        [
-            "roller.diameter must be a table of y and diameter that is larger at negative y: give "
-            "TabulatedDiameter((-5, 5), (11, 10)), or { y = [-5, 5], diameter = [11, 10] } in a file, say: the large "
-            "ends are at low x."
-        ],
+        "roller.diameter must be a table of y and diameter that is larger at negative y",
     ),
-    "no contact angle": (
-        changed(TAPERED, ('contact_angle = "11.859 deg"', "")),
-        [f"bearing.contact_angle must be given: give {ANGLE}."],
-    ),
-    "a misspelled contact angle": (
-        changed(TAPERED, ("contact_angle", "contact_angel")),
-        ["bearing.contact_angel = '11.859 deg' must be a known key: the nearest is 'contact_angle'."],
-    ),
-    "an angle too steep": (
+    (changed(TAPERED, ('contact_angle = "11.859 deg"', "")), "bearing.contact_angle must be given"),
+    (
         changed(TAPERED, ("11.859 deg", "60 deg")),
-        [
-            "bearing.contact_angle = '60 deg' must not exceed 0.7854 rad, 45 degrees: give it in rad: 12 degrees are "
-            "0.21."
-        ],
+        "bearing.contact_angle = '60 deg' must not exceed 0.7854 rad, 45 degrees",
     ),
-    "a groove tighter than the barrel": (
+    (
         changed(SPHERICAL, ("inner_groove = 61.5", "inner_groove = 59")),
-        [
-            "bearing.inner_groove = 59.0 must exceed the radius of the barrels, 60 mm: give that of the groove along "
-            "the rollers in mm."
-        ],
+        "bearing.inner_groove = 59.0 must exceed the radius of the barrels, 60 mm",
     ),
-    "an arrangement that is none": (
-        changed(SPHERICAL, ('"X"', '"Y"')),
-        ["bearing.pair.arrangement = 'Y' must be one of 'X', 'O', 'tandem': write 'X', 'O' or 'tandem'."],
-    ),
-    "a pair that is a word": (
-        changed(SPHERICAL, ('{ arrangement = "X", distance = 20 }', '"X"')),
-        ["bearing.pair = 'X' must be a section: write it under a heading [bearing.pair]."],
-    ),
-    "an unknown method": (
-        f'{PLAIN}[solver]\nmethod = "maps"\n',
-        ["solver.method = 'maps' must be one of 'strips', 'slices': use 'strips', or 'slices' for comparison."],
-    ),
-    "few slices": (
-        f"{PLAIN}[solver]\nlaminae = 3\n",
-        ["solver.laminae = 3 must be a whole number from 30 to 2000: give the number of slices, 41 say."],
-    ),
-    "oil without speed": (
-        f"{PLAIN}[life]\nviscosity = 20\n",
-        ["life.viscosity = 20.0 must be given with a speed above zero: give load.speed too, in 1/min."],
-    ),
-    "water": (
+    (changed(SPHERICAL, ('"X"', '"Y"')), "bearing.pair.arrangement = 'Y' must be one of 'X', 'O', 'tandem'"),
+    (f'{PLAIN}[solver]\nmethod = "maps"\n', "solver.method = 'maps' must be one of 'strips', 'slices'"),
+    (f"{PLAIN}[life]\nviscosity = 20\n", "life.viscosity = 20.0 must be given with a speed above zero"),
+    (
         f"{PLAIN}speed = 3000\n[life]\nviscosity = 1\n",
-        [
-            "life.viscosity = 1.0 must be at least 1.2 mm^2/s at this speed, below which ISO 281 has no factor: use a "
-            "thicker oil, or leave it out."
-        ],
+        "life.viscosity = 1.0 must be at least 1.2 mm^2/s at this speed, below which ISO 281 has no factor",
     ),
-    "dirt without oil": (
-        f"{PLAIN}[life]\ncontamination = 0.5\n",
-        ["life.contamination = 0.5 must be given with a viscosity: give the viscosity too, or leave it out."],
-    ),
-    "cleaner than clean": (
+    (f"{PLAIN}[life]\ncontamination = 0.5\n", "life.contamination = 0.5 must be given with a viscosity"),
+    (
         f"{PLAIN}speed = 3000\n[life]\nviscosity = 20\ncontamination = 1.5\n",
-        ["life.contamination = 1.5 must not exceed 1: give e_C, above 0 and at most 1."],
+        "life.contamination = 1.5 must not exceed 1",
     ),
-    "unreliable": (
-        f"{PLAIN}[life]\nreliability = 0.5\n",
-        ["life.reliability = 0.5 must lie between 0.9 and 0.9995: give 0.95 for 95 %."],
-    ),
-    "pressures of slices": (
+    (f"{PLAIN}[life]\nreliability = 0.5\n", "life.reliability = 0.5 must lie between 0.9 and 0.9995"),
+    (
         f'{PLAIN}[solver]\nmethod = "slices"\n[life]\nedge_stress = "pressure"\n',
-        ["life.edge_stress = 'pressure' must be 'standard' or 'none' for slices: solve by strips for pressures."],
+        "life.edge_stress = 'pressure' must be 'standard' or 'none' for slices",
     ),
-    "several lines in the title": (
-        'title = "a\\nb"\n' + PLAIN,
-        ["title = 'a\\nb' must be one line of text without control characters: write a short name."],
-    ),
-    "a later format": (
-        "format = 7\n" + PLAIN,
-        [
-            "format = 7 must be 1, the newest format this release reads: use the release of nonhertz that wrote it, or "
-            "a later one."
-        ],
-    ),
-    "a heading alone": (
+    ("format = 7\n" + PLAIN, "format = 7 must be 1, the newest format this release reads"),
+    (
         "[bearing]\nkind = 'thrust'\n",
-        [
-            "bearing.rollers must be given: give the number of rollers in a row.",
-            "bearing.pitch_diameter must be given: give the diameter of the circle of the rollers' middles [mm].",
-            *(
-                f"{name} must be given: write it under a heading [{name}]."
-                for name in ("roller", "inner", "outer", "load")
-            ),
-        ],
+        "bearing.rollers must be given",
+        "bearing.pitch_diameter must be given",
+        "roller must be given",
+        "inner must be given",
+        "outer must be given",
+        "load must be given",
     ),
-    "no tables": (
+    (
         "bearing = 3\nroller = 'x'\n[inner]\n[outer]\n[load]\n",
-        [
-            "bearing = 3 must be a section: write it under a heading [bearing].",
-            "roller = 'x' must be a section: write it under a heading [roller].",
-        ],
+        "bearing = 3 must be a section",
+        "roller = 'x' must be a section",
     ),
-    "mistakes everywhere": (
+    (
         changed(
             PLAIN,
             ("rollers = 13", "rollers = 0\nclearance = '1 N'\nbore = 3"),
@@ -586,56 +420,41 @@ MISTAKES = {
             ("10 kN", "10"),
         )
         + "[solver]\nmethod = 3\n[life]\nspeed = 3\n",
-        [
-            "bearing.rollers = 0 must be a whole number from 1 to 1000: give the number of rollers of the row.",
-            "bearing.clearance = '1 N' must have a unit of length: write a number in mm, or text with a unit of length "
-            "such as '20 mm'.",
-            "bearing.bore = 3 must be a known key: choose from 'kind', 'rollers', 'pitch_diameter', 'inner_shape', "
-            "'outer_shape', 'density', 'clearance', 'design', 'rib', 'axial_clearance', 'contact_angle', "
-            "'profile_radius', 'inner_groove', 'outer_groove', 'pair'.",
-            "roller.length = -1.0 must be positive: give the distance between the side faces in mm, or leave it out "
-            "for an unbounded body.",
-            "outer.diameter = nan must be a finite number: give the diameter in mm, negative for a concave surface, or "
-            "leave it out for a flat one.",
-            "load.radial = '10' must have a unit: write 10 without quotes if it is in N.",
-            "solver.method = 3 must be one of 'strips', 'slices': use 'strips', or 'slices' for comparison.",
-            "life.speed = 3 must be a known key: choose from 'viscosity', 'contamination', 'cleanliness', "
-            "'reliability', 'edge_stress', 'laminae', 'turning', 'dynamic', 'static', 'spectrum'.",
-        ],
+        "bearing.rollers = 0 must be a whole number from 1 to 1000",
+        "bearing.clearance = '1 N' must have a unit of length",
+        "bearing.bore = 3 must be a known key",
+        "roller.length = -1.0 must be positive",
+        "outer.diameter = nan must be a finite number",
+        "load.radial = '10' must have a unit",
+        "solver.method = 3 must be one of 'strips', 'slices'",
+        "life.speed = 3 must be a known key",
     ),
-    "the whole beside a detail": (
+    (
         changed(PLAIN, ("rollers = 13", "rollers = 30")) + "tilt = '1 m'\n",
-        [
-            "bearing.rollers = 30 must fit on a pitch circle of 46.5 mm with a diameter of 9 mm: 16 fit side by side: "
-            "give fewer or thinner ones.",
-            "load.tilt = '1 m' must have a unit of angle: write a number in rad, or text with a unit of angle such as "
-            "'0.5 mrad' or '8 um/25 mm'.",
-        ],
+        "bearing.rollers = 30 must fit on a pitch circle of 46.5 mm with a diameter of 9 mm",
+        "load.tilt = '1 m' must have a unit of angle",
     ),
-    "the load beside life": (
+    (
         f"{PLAIN}axial = 500\n[life]\nreliability = 2\n",
-        [
-            "load.axial = 500.0 must be zero for a bearing whose inner ring is free to move along the axis: use one "
-            "that bears axial loads.",
-            "life.reliability = 2.0 must lie between 0.9 and 0.9995: give 0.95 for 95 %.",
-        ],
+        "load.axial = 500.0 must be zero for a bearing whose inner ring is free to move along the axis",
+        "life.reliability = 2.0 must lie between 0.9 and 0.9995",
     ),
-    "bodies side by side": (
+    (
         changed(PLAIN, (RING, RING + "length = 5\nposition = 100\n")),
-        ["inner.position = 100.0 must let the bodies overlap along y: move one body or lengthen it."],
+        "inner.position = 100.0 must let the bodies overlap along y",
     ),
-}
+]
 
 
-@pytest.mark.parametrize("name", MISTAKES)
-def test_every_mistake_is_one_sentence_at_its_key(name):
-    text, sentences = MISTAKES[name]
+@pytest.mark.parametrize("case", MISTAKES)
+def test_every_mistake_is_one_sentence_at_its_key(case):
+    text, *beginnings = case
     with pytest.raises(nh.CaseError) as caught:
         read(text)
-    assert list(caught.value.mistakes) == sentences
-    for sentence, place in zip(caught.value.mistakes, caught.value.places, strict=True):
-        assert sentence.startswith(place)
-        assert "no tables" in name or place.partition(".")[0] in {*schema_of("bearing")["properties"], "outr"}
+    for said, place, beginning in zip(caught.value.mistakes, caught.value.places, beginnings, strict=True):
+        assert said.startswith(place)
+        assert said.startswith(beginning)
+        assert ": " in said
 
 
 def test_a_case_file_and_a_bearing_file_are_told_apart(tmp_path):
