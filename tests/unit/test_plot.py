@@ -259,24 +259,24 @@ class TestPressure:
 
     @pytest.mark.slow
     @pytest.mark.parametrize(("load", "largest"), [(20e3, False), (60e3, True)])
-    def test_a_pressure_that_rises_again_at_a_corner_says_so(self, load: float, largest: bool, ax: Axes) -> None:
+    def test_a_pressure_that_rises_again_at_a_land_end_says_so(self, load: float, largest: bool, ax: Axes) -> None:
         roller = Roller(diameter=20.0, length=20.0, profile=nh.profile.crown(1500.0), corner_radius=0.8)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", nh.AccuracyWarning)
             solution = solve_one(Contact(roller, Plate()), load=load)
         plot.pressure(solution, ax)
-        shown = [text for text in ax.texts if "corner" in text.get_text()]
-        assert [text.get_text().endswith(" mm (corner)") for text in shown] == ([True] if largest else [False, False])
+        shown = [text for text in ax.texts if "land end" in text.get_text()]
+        assert [text.get_text().endswith(" mm (land end)") for text in shown] == ([True] if largest else [False, False])
         for text in shown if not largest else ():
             y, pressure = text.xy  # type: ignore[attr-defined]
             at = np.abs(solution.y - y).argmin()
-            assert text.get_text() == f"corner, {pressure:.0f} MPa"
+            assert text.get_text() == f"land end, {pressure:.0f} MPa"
             assert pressure == solution.centre_pressure[at]
             assert abs(y) == pytest.approx(9.2, abs=0.05)
             inner = np.abs(solution.y) < 9.1
             assert pressure > 1.05 * solution.centre_pressure[inner].min()
         beside = [text.get_text() for text in compared_contacts({"one": solution, "other": solution}).axes[0].texts]
-        assert sum(text.startswith("corner, ") for text in beside) == 4
+        assert sum(text.startswith("land end, ") for text in beside) == 4
         assert solution.max_pressure > 1500.0
 
     @pytest.mark.parametrize("singular", [False, True])

@@ -21,7 +21,7 @@ LETTER = 0.55 * SMALL_SIZE / 72.0
 """Mean width of a small letter [inch]."""
 
 RISE = 1.05
-"""Of the pressure at a corner over the least before it, from which on it is said."""
+"""Of the pressure at the end of a land over the least before it, from which on it is said."""
 
 MARGIN = 0.06
 """Fraction of the drawn range left free at each side, for the names of the bodies' ends."""
@@ -79,11 +79,11 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
             note(ax, name, at, aligned, 3.0, across=True, rotation=90.0, va="center", color=FAINT_INK)
 
 
-def corner_peaks(solution: Solution) -> list[tuple[float, float]]:
-    """Return place [mm] and pressure [MPa] where it rises again by 5 % towards an end, at a corner of a body.
+def land_end_peaks(solution: Solution) -> list[tuple[float, float]]:
+    """Return place [mm] and pressure [MPa] where it rises again by 5 % towards an end, where the land of a body ends.
 
-    That is the first peak from an end, within half a half-width of where the land of a body ends. There is none at ends
-    where the pressure has no limit.
+    That is the first peak from an end, within half a half-width of there. There is none at ends where the pressure has
+    no limit.
     """
     pressed = solution.line_load > 0.0
     if not pressed.any():
@@ -98,18 +98,18 @@ def corner_peaks(solution: Solution) -> list[tuple[float, float]]:
         valley = peak + int(np.argmax(np.append(rises[peak:], True)))
         place, top, near = (float(each[inwards][peak]) for each in (y, pressure, reach))
         is_one = valley < rises.size and top > RISE * float(pressure[inwards][valley])
-        at_corner = any(abs(place - end) < near for end in lands)
-        if is_one and at_corner and all(abs(place - end) > 2.0 * near for end in unlimited):
+        at_land_end = any(abs(place - end) < near for end in lands)
+        if is_one and at_land_end and all(abs(place - end) > 2.0 * near for end in unlimited):
             found.append((place, top))
     return found
 
 
-def mark_corners(solution: Solution, ax: Axes, colour: str = INK) -> None:
-    """Write "corner" and the pressure where it rises again towards an end, on the side of the contact."""
+def mark_land_ends(solution: Solution, ax: Axes, colour: str = INK) -> None:
+    """Write "land end" and the pressure where it rises again towards an end, on the side of the contact."""
     middle = 0.5 * sum(axial_range(solution))
-    for y, pressure in corner_peaks(solution):
+    for y, pressure in land_end_peaks(solution):
         at = float(measure("mm")(y)), float(measure("MPa")(pressure))
-        words = f"corner, {written(mpa(pressure))}"
+        words = f"land end, {written(mpa(pressure))}"
         note(ax, words, at, _side(y < middle), 3.0, 4.0, va="bottom", color=colour, bbox=BACKING)
 
 

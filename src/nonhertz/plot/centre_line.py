@@ -12,10 +12,10 @@ from nonhertz.plot.axial import (
     alignment,
     axial_range,
     body_ends,
-    corner_peaks,
     draw_body_ends,
     head,
-    mark_corners,
+    land_end_peaks,
+    mark_land_ends,
     number,
     place,
     unlimited_ends,
@@ -104,12 +104,12 @@ def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
     if not marked:
         return
     words = f"{written(mpa(largest))} at $y$ = {place(span, *marked)}"
-    corners = corner_peaks(solution)
-    at_corner = any(abs(y - place) < solution.max_half_width for y, _ in corners for place in marked)
+    corners = land_end_peaks(solution)
+    at_land_end = any(abs(y - place) < solution.max_half_width for y, _ in corners for place in marked)
     if solution.peaks_at_corner:
         words += " (corner: rises with refinement)"
-    elif at_corner:
-        words += " (corner)"
+    elif at_land_end:
+        words += " (land end)"
     length, top = measure("mm"), float(measure("MPa")(largest))
     ax.plot(length(marked), [top] * len(marked), "o", markersize=4.0, color=FIRST, markerfacecolor="white")
     y = sum(marked) / len(marked)
@@ -118,8 +118,8 @@ def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
         # Further out the climbing curve would run through the text.
         side = "left" if y < 0.5 * sum(span) else "right"
     note(ax, words, (float(length(y)), top), side, 3.0, 6.0, **OVER_LINES)
-    if not at_corner:
-        mark_corners(solution, ax)
+    if not at_land_end:
+        mark_land_ends(solution, ax)
 
 
 def _mark_singular(solution: Solution, ax: Axes, edge: EdgePressure) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonhertz.plot.axes import Measure, along, measure, open_frame
-from nonhertz.plot.axial import axial_range, mark_corners, mark_unlimited
+from nonhertz.plot.axial import axial_range, mark_land_ends, mark_unlimited
 from nonhertz.plot.sheets import stacked
 from nonhertz.plot.style import FAINT_INK, HAIR, LINE, PALETTE, SMALL_SIZE, sheet_style
 from nonhertz.result.solution import Solution
@@ -38,7 +38,7 @@ def compared_contacts(found: Mapping[str, Solution]) -> Figure:
             pressure, half_width = stress(solution.centre_pressure), length(solution.half_width)
             for axes, values in ((upper, pressure), (middle, half_width), (lower, separation)):
                 axes.plot(length(solution.y), values, **drawn)
-            mark_corners(solution, upper, colour)
+            mark_land_ends(solution, upper, colour)
         sharp = any(each.singular_ends for each in found.values())
         highest = stress.factor * max(each.max_pressure for each in found.values())
         widest = length.factor * max(float(each.half_width.max()) for each in found.values())

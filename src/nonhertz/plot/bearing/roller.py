@@ -10,7 +10,7 @@ import numpy as np
 from nonhertz.amounts import mpa, mrad, newton
 from nonhertz.errors import InputError
 from nonhertz.plot.axes import OWN, along, drawing, key_above, measure, open_frame
-from nonhertz.plot.axial import mark_corners, number, written
+from nonhertz.plot.axial import mark_land_ends, number, written
 from nonhertz.plot.bearing.pressure import RINGS
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, SECOND, SMALL_SIZE, THIN
 from nonhertz.result.maximum import places_of_largest
@@ -73,7 +73,7 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
         places = places_of_largest(contact)
         tops = stress([contact.max_pressure] * len(places))
         ax.plot(length(places), tops, "o", markersize=4.0, color=colour, markerfacecolor="white")
-        mark_corners(contact, ax, colour)
+        mark_land_ends(contact, ax, colour)
     if not largest:
         raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
     _lay(solution, ax, row, labelled=False)

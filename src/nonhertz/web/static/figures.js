@@ -69,7 +69,7 @@ function drawPressure(answer, pinned, span) {
         line(y, clamped(pressure), { stroke: FIRST, clip: true }),
         ...largestMark(answer, top[1]),
         ...singularMarks(answer, top[1], span),
-        ...cornerMarks(answer),
+        ...landEndMarks(answer),
         ...reading(y, clamped(pressure), (place) => `y  ${amount(y[place], "mm")}\np₀ ${amount(pressure[place], "MPa")}`),
       ],
     },
@@ -92,12 +92,12 @@ function largestMark(answer, top) {
   ];
 }
 
-/** Where the pressure rises again at the corner of a body; the largest has its number already. */
-function cornerMarks({ corners, key, span }) {
+/** Where the pressure rises again where the land of a body ends; the largest has its number already. */
+function landEndMarks({ land_ends, key, span }) {
   const middle = (span[0] + span[1]) / 2;
-  return corners.map(({ y, pressure }) =>
+  return land_ends.map(({ y, pressure }) =>
     Plot.text([[y, pressure]], {
-      text: [pressure < 0.999 * key.max_pressure ? `corner, ${amount(pressure, "MPa")}` : "corner"],
+      text: [pressure < 0.999 * key.max_pressure ? `land end, ${amount(pressure, "MPa")}` : "land end"],
       dy: pressure < 0.999 * key.max_pressure ? -8 : 10,
       dx: y < middle ? 8 : -8,
       textAnchor: y < middle ? "start" : "end",

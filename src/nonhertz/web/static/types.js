@@ -19,7 +19,7 @@
  *   footprint: {y: (number | null)[], half_width: (number | null)[], pressure: (number | null)[]},
  *   gap: {y: number[], before: (number | null)[], after: (number | null)[], range: [number, number] | null},
  *   life: {relative: number | null, million_revolutions: number | null, body: string, ends_counted: boolean} | null,
- *   contact: [number, number][], corners: {y: number, pressure: number}[], singular: Singular[],
+ *   contact: [number, number][], land_ends: {y: number, pressure: number}[], singular: Singular[],
  *   stress_note?: string,
  *   body?: "a" | "b",
  *   axial?: {y: number[], z: number[], von_mises: (number | null)[][]},

@@ -16,7 +16,7 @@ from nonhertz.files.reading import read
 from nonhertz.files.results import plain
 from nonhertz.files.sections import surroundings
 from nonhertz.model.body import Body
-from nonhertz.plot.axial import corner_peaks
+from nonhertz.plot.axial import land_end_peaks
 from nonhertz.plot.contact_area import outlines
 from nonhertz.plot.surfaces import distances, drawn_range
 from nonhertz.result.brief import where_largest
@@ -64,7 +64,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "interval": plain(case.contact.interval),
         "span": _span(solution),
         "contact": plain(solution.contact_y),
-        "corners": [{"y": y, "pressure": pressure} for y, pressure in corner_peaks(solution)],
+        "land_ends": [{"y": y, "pressure": pressure} for y, pressure in land_end_peaks(solution)],
         "singular": [
             {"y": edge.y, "exponent": edge.exponent, "strength": plain(edge.strength), "corner": not edge.law}
             for edge in solution.edge_pressure
