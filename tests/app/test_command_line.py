@@ -30,6 +30,7 @@ import nonhertz.solver.one
 from nonhertz.cli import main
 from nonhertz.cli.commands import COMMANDS, app
 from nonhertz.cli.printing import print_result
+from nonhertz.files.bearingfile import BEARING_TEMPLATES
 from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.result.solution import Solution
 from nonhertz.show.sections import Section, Table
@@ -270,6 +271,20 @@ def test_a_plan_to_start_from_is_fine(
     assert main(["new", "--plan", "plan.toml"]) == 0
     assert "nonhertz design plan.toml" in capsys.readouterr().out
     assert main(["check", "plan.toml"]) == 0
+
+
+@pytest.mark.parametrize("kind", ["", *TEMPLATES, *(f"--bearing --template {name}" for name in BEARING_TEMPLATES)])
+def test_a_plan_for_a_case_varies_what_that_has(
+    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    words = kind.split() if kind.startswith("--") or not kind else ["--template", kind]
+    assert main(["new", "own.toml", *words]) == 0
+    assert main(["new", "plan.toml", "--plan", "--case", "own.toml"]) == 0
+    assert main(["check", "plan.toml"]) == 0
+    said = capsys.readouterr().out
+    assert "a sweep of" in said
+    assert "a tolerance study" in said
 
 
 def test_a_plan_names_the_file_that_it_is_for(

@@ -173,6 +173,13 @@ def test_a_plan_that_has_changed_is_refused_with_what_differs(tmp_path, change, 
         nh.sweep(**given | change)
 
 
+def test_of_long_lists_no_digests_are_told(tmp_path):
+    values = [5e3 + k for k in range(9)]
+    nh.sweep(CASE, over={"load.load": values}, quantities=("approach",), out=tmp_path)
+    with pytest.raises(nh.InputError, match=r"same plan, but over\.load\.load has other contents: choose"):
+        nh.sweep(CASE, over={"load.load": [*values[:4], 5003.5, *values[5:]]}, quantities=("approach",), out=tmp_path)
+
+
 @pytest.mark.slow
 def test_a_directory_in_use_is_refused(tmp_path):
     tried = []

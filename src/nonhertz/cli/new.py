@@ -13,7 +13,6 @@ from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import starting_case
 from nonhertz.files.held import write_new
 from nonhertz.files.planfile import read_any, starting_plan
-from nonhertz.inputs.files import seen_from
 
 
 def new(
@@ -52,8 +51,7 @@ def new(
     file = folder / "case.toml" if case is None else case
     with named_as(template="--template"):
         if case is not None:
-            read_any(case)
-            text = starting_plan(seen_from(folder, case).as_posix())
+            text = starting_plan(read_any(case), folder)
         else:
             text = starting_bearing(template) if bearing else starting_plan() if plan else starting_case(template)
     if path is None:

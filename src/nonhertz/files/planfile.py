@@ -13,7 +13,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, ClassVar
 
-from nonhertz.amounts import amount
+from nonhertz.amounts import amount, of_dimension
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -25,11 +25,14 @@ from nonhertz.files.reading import read
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution, Spread, spread_in
 from nonhertz.files.writing import document_of
-from nonhertz.inputs.checks import listed, one_of
+from nonhertz.inputs.checks import is_number, listed, one_of
 from nonhertz.inputs.files import legible, seen_from
+from nonhertz.inputs.units import begins_with_digits, in_unit
 
 #: The tables of a plan that say what is varied: in a sweep, and within tolerances.
 LOAD = "load.load"
+_DESIGN = "# nonhertz design: what may be chosen"
+_LOADS = (LOAD, "load.approach", "load.radial", "load.axial")
 TABLES = ("over", "tolerance")
 DESIGN = "vary"
 _WAY_OUT = "change these values, or what the case holds beside them"
@@ -342,12 +345,63 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
     return Plan.of(*opened(path, "plan"), table=table)
 
 
-def starting_plan(case: str = "") -> str:
-    """Return a commented plan to start from, with a table for each command, of a file that is seen from it."""
+def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path()) -> str:
+    """Return a commented plan to start from, with a table for each command.
+
+    Of a case it varies what that has: around its load, a diameter and a number of its profile. A folder is where the
+    plan will be.
+    """
     text = starting_text("starting_plan.toml")
-    made_for = text[text.index("case = ") : text.index("# quantities")]
-    comment = "a case file or a bearing file, seen from this one"
-    return text.replace(made_for, f"case = {json.dumps(case, ensure_ascii=False)}  # {comment}\n") if case else text
+    if case is None:
+        return text
+    template = Template(case.document, case.path, isinstance(case, BearingCase))
+    numbers = dict(_numbers_in(template))
+    load = next(path for path in (*_LOADS, *numbers) if path in numbers)
+    diameter = next((path for path in numbers if path.endswith(".diameter")), "")
+    profile = next((path for path in numbers if ".profile" in path and template.known[path].unit == "mm"), "")
+    turned = not template.is_bearing and "moment" not in case.prescribed
+    name = seen_from(folder, case.path).as_posix()
+    around_load = _around(template, load, numbers[load], 0.25, 2.0)
+    # What stands in place of a line of the text, up to its comment; None for nothing.
+    own: dict[str, str | None] = {
+        "title": f"title = {json.dumps(case.title, ensure_ascii=False)}",
+        "case": f"case = {json.dumps(name, ensure_ascii=False)}",
+        '"load.load"': f'"{load}" = "{around_load} : 8"',
+        '"body.a.diameter"': f'"{diameter}" = "normal(nominal, 5 um)"'
+        if diameter
+        else f'"{load}" = "uniform({around_load.replace(" :", ",")})"',
+        "loads": None,
+    }
+    if profile:
+        own['"body.a.profile.amplitude"'] = f'"{profile}" = "{_around(template, profile, numbers[profile], 0.8, 1.2)}"'
+    own |= {} if turned else {'"load.tilt"': None}
+    found = []
+    for line in text.splitlines():
+        written, _, comment = line.partition("#")
+        key = written.partition(" = ")[0]
+        there = own.get(key, line)
+        if key in own and there is not None and comment:
+            there = f"{there:<45} #{comment.partition('; here')[0]}"
+        found += [] if there is None else [there]
+    whole = "\n".join(found)
+    designed = bool(profile) and turned and "load" in case.prescribed
+    return (whole if designed else whole.partition(_DESIGN)[0]).rstrip() + "\n"
+
+
+def _numbers_in(template: Template) -> Iterator[tuple[str, float]]:
+    """Yield path and value of the numbers with a unit that a document gives, none of them zero."""
+    for path, each in template.known.items():
+        value = each.value_in(template.document)
+        if each.unit and (is_number(value) or (isinstance(value, str) and begins_with_digits(value))):
+            number = in_unit(path, value, each.unit)
+            if number:
+                yield path, number
+
+
+def _around(template: Template, path: str, value: float, low: float, high: float) -> str:
+    """Return a range around a number, from the lower to the higher value."""
+    unit = template.known[path].unit or ""
+    return " : ".join(f"{of_dimension((end,), unit):g}" for end in sorted((low * value, high * value)))
 
 
 def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> tuple[Case, dict[str, Any]]:

@@ -11,6 +11,7 @@ import contextlib
 import csv
 import json
 import math
+import re
 import sqlite3
 import weakref
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -25,6 +26,7 @@ from nonhertz.result.brief import shortened
 from nonhertz.study.rows import Row
 
 FILE = "rows.sqlite3"
+_DIGEST = re.compile('"[0-9a-f]{64}"')
 # What SQLite reports of a place that cannot be written to; anything else that it reports is damage.
 _PLACE = ("SQLITE_IOERR", "SQLITE_READONLY", "SQLITE_CANTOPEN", "SQLITE_PERM", "SQLITE_AUTH")
 _TABLES = """
@@ -93,10 +95,12 @@ class Store:
             return self._rows.execute(statement, values).fetchall()
 
     def _changed(self, places: Sequence[str], before: Mapping[str, str], now: Mapping[str, str]) -> InputError:
-        said = [
-            f"{place} was {shortened(before.get(place, 'not given'))}, is {shortened(now.get(place, 'not given'))}"
-            for place in places[:3]
-        ]
+        said = []
+        for place in places[:3]:
+            was, is_now = (shortened(each.get(place, "not given")) for each in (before, now))
+            same_kind = all(_DIGEST.fullmatch(each.get(place, "")) for each in (before, now))
+            change = "has other contents" if same_kind else f"was {was}, is {is_now}"
+            said.append(f"{place.removesuffix('.digest')} {change}")
         more = f"; and {len(places) - 3} more" if len(places) > 3 else ""
         condition = f"hold rows of the same plan, but {'; '.join(said)}{more}"
         remedy = "choose another directory, or put the plan back as it was"
