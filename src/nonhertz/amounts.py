@@ -284,6 +284,17 @@ class EndStrength:
         return f"{digits(value, 4)} {pressure} {length}^{self.exponent:.3g}"
 
 
+def loaded(load: float, tilt: float) -> str:
+    """Return a load [N] and a tilt [rad] in words.
+
+    Examples
+    --------
+    >>> loaded(20000.0, 0.0), loaded(500.0, 5e-4)
+    ('20 kN without tilt', '500 N at 0.5 mrad')
+    """
+    return f"{newton(load):.5g} {f'at {mrad(tilt):.4g}' if tilt else 'without tilt'}"
+
+
 def of_dimension(values: Iterable[float], unit: str, between: str = " to ") -> Amount:
     """Return dimensions, angles or loads in the units in which people write them, micrometres where they are small.
 
@@ -384,4 +395,15 @@ def error_words(relative: float) -> str:
         return "error unknown"
     if relative >= 1.0:
         return "error as large as the number"
-    return f"error about {given(float(f'{100.0 * relative:.1g}'), 1)} %" if relative > _ROUNDING else ""
+    return f"error {about(relative)}" if relative > _ROUNDING else ""
+
+
+def about(relative: float) -> str:
+    """Return an estimated relative error in per cent: of an estimate, one digit is worth reading.
+
+    Examples
+    --------
+    >>> about(0.112), about(0.0042)
+    ('about 10 %', 'about 0.4 %')
+    """
+    return f"about {given(float(f'{100.0 * relative:.1g}'), 1)} %"

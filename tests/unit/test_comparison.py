@@ -174,7 +174,11 @@ def test_stations_are_three_places_in_contact(found, name):
     places = [station.y for station in one.stations]
     assert all(low < y < high for y in places)
     assert len(set(places)) == 3
-    assert [station.reason for station in one.stations] == ["middle", "largest difference", "near the more loaded end"]
+    assert [station.reason for station in one.stations] == [
+        "middle",
+        "largest difference in MPa",
+        "near the more loaded end",
+    ]
     for y in places:
         assert one.patch.across(y)[1].max() > 0.0
 

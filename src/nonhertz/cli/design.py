@@ -26,6 +26,7 @@ from nonhertz.show.studies import design_sections
 from nonhertz.study.design import Design, Front, best
 from nonhertz.study.design import front as front_of
 from nonhertz.study.pictures import design_figures, front_figure
+from nonhertz.verdict import given_verdict
 
 #: Of the loads of a front.
 GROUPS = ("without tilt", "with tilt")
@@ -64,18 +65,18 @@ def design(
     if front is not None:
         points = _searched_front(plan, changes_in(changes), front, starts, workers)
         made = _written_front(points, directory)
-        text, title, shown = _front_json(points, made), "", _front_sections(points)
+        text, title, shown, verdict = _front_json(points, made), "", _front_sections(points), points.verdict
     else:
         case, given = read_design(plan, changes_in(changes))
         given |= {} if starts is None else {"starts": starts}
         with bar("searches") as update, named_as(threads="--workers", starts="--starts"):
             found = best(case, **given, workers=workers, announce=update)
         made = written(directory, lambda: _texts(found, directory), lambda: design_figures(found))
-        text, title, shown = _as_json(found, made), found.was.title, design_sections(found)
+        text, title, shown, verdict = _as_json(found, made), found.was.title, design_sections(found), found.verdict
     if as_json:
         print(text)
     else:
-        print_result(title, shown, written=made)
+        print_result(title, shown, verdict=verdict, written=made)
 
 
 def _texts(found: Design, out: Path) -> dict[str, str]:
@@ -96,6 +97,7 @@ def _as_json(found: Design, files: Sequence[Path]) -> str:
         "value": plain(found.value),
         "before": plain(found.before),
         "worst": found.worst,
+        "verdict": given_verdict(found.verdict),
         "agreeing_starts": found.agreeing,
         "starts": [
             vars(start) | {"value": plain(start.value), "history": plain(start.history)} for start in found.starts
@@ -164,7 +166,12 @@ def _front_json(found: Front, files: Sequence[Path]) -> str:
         {"values": values, "max_pressure_without_tilt": first, "max_pressure_with_tilt": second}
         for values, first, second in zip(found.values, found.first, found.second, strict=True)
     ]
-    content: dict[str, Any] = {"points": points, "units": found.units, "files": [str(path) for path in files]}
+    content: dict[str, Any] = {
+        "points": points,
+        "verdict": given_verdict(found.verdict),
+        "units": found.units,
+        "files": [str(path) for path in files],
+    }
     return json.dumps(content, indent=2, allow_nan=False)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,11 +17,13 @@ from nonhertz.files.changes import changes_in
 from nonhertz.files.held import named
 from nonhertz.files.lives import Assessment, as_object, files
 from nonhertz.files.results import key_by_key
+from nonhertz.inputs.files import legible
 from nonhertz.life import MODELS
 from nonhertz.plot import dent_figure, life_figure
 from nonhertz.show.analysis import assessed, models_for, spectrum_solved
 from nonhertz.show.lives import compared_sections, sections
 from nonhertz.show.sections import Said, Section
+from nonhertz.verdict import worst_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -80,7 +82,11 @@ def life(
     if as_json:
         print(key_by_key(as_object(first, other)))
     else:
-        print_result(first.title, _shown(first, other), written=made, piped=WIDTH)
+        verdict = worst_of(
+            {f"in {legible(str(case.path))}": each.verdict for case, each in zip(cases, found, strict=True)}
+        )
+        shown = _shown([each.path for each in cases], first, other)
+        print_result(first.title, shown, verdict=verdict, written=made, piped=WIDTH)
 
 
 def _figures(found: Assessment, other: Assessment | None) -> Mapping[str, Figure]:
@@ -91,8 +97,17 @@ def _figures(found: Assessment, other: Assessment | None) -> Mapping[str, Figure
     return drawn
 
 
-def _shown(found: Assessment, other: Assessment | None) -> list[Section]:
-    """Return the lives by all models, what they are relative to, those of another case, and warnings of both."""
+def _shown(files: Sequence[Path], found: Assessment, other: Assessment | None) -> list[Section]:
+    """Return the lives by all models, what they are relative to, those of another case, and warnings of both.
+
+    Of two cases each has a heading: its file and its title.
+    """
     parts = [(found, sections(found))] + ([] if other is None else [(other, compared_sections(found, other))])
-    warned = ((shown, Said([f"warning: {each}" for each in of.warnings], "warning")) for of, shown in parts)
-    return [Section(each.title, [*each.blocks, words]) for shown, words in warned for each in shown]
+    shown = []
+    for file, (each, (section,)) in zip(files, parts, strict=True):
+        head = Said(
+            [f"{'compared with ' * (each is other)}{legible(str(file))}: {each.title}"] * len(files[1:]), "head"
+        )
+        warned = Said([f"warning: {one}" for one in each.warnings], "warning")
+        shown.append(Section(section.title, [head, *section.blocks, warned]))
+    return shown

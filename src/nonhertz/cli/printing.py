@@ -53,7 +53,7 @@ def print_result(
         console.print(Text(title, style="bold"))
     if verdict is not None:
         colour = {Level.MET: "green", Level.NOT_MET: "bold red"}.get(verdict.level, "yellow")
-        say(f"{verdict.level.value.capitalize()}. {verdict.sentence}", colour)
+        say(f"{verdict.words} {verdict.sentence}", colour)
     for number, blocks in enumerate(_grouped(sections)):
         if number:
             console.print()

@@ -22,7 +22,7 @@ from nonhertz.result.tables import csv_text
 from nonhertz.show.analysis import attempted
 from nonhertz.show.sections import Section
 from nonhertz.show.summary import overview_table, sections
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import of_contact, worst_of
 
 TABLE = "cases.csv"
 TABLES = (".csv", ".xlsx")
@@ -80,7 +80,8 @@ def _solve_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
         print(json.dumps(objects(found), allow_nan=False))
     else:
         warnings = [f"{each.name}: {one}" for each in found if each.solution for one in each.solution.warnings]
-        print_result("", [Section("", [overview_table(found)])], warnings=warnings, written=made, piped=WIDTH)
+        verdict, table = worst_of({f"in {each.name}": each.verdict for each in found}), overview_table(found)
+        print_result("", [Section("", [table])], verdict=verdict, warnings=warnings, written=made, piped=WIDTH)
     sys.stdout.flush()
     for each in found:
         for sentence in each.complaints:

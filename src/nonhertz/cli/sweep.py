@@ -18,6 +18,7 @@ from nonhertz.inputs.files import legible
 from nonhertz.show.studies import sweep_sections
 from nonhertz.study.pictures import sweep_figures
 from nonhertz.study.sweeps import Progress, Sweep, sweep
+from nonhertz.verdict import given_verdict
 
 
 def sweep_plan(
@@ -62,7 +63,7 @@ def sweep_plan(
     if as_json:
         print(_as_json(found, made))
     else:
-        print_result(found.plan.title, sweep_sections(found), written=made)
+        print_result(found.plan.title, sweep_sections(found), verdict=found.verdict, written=made)
 
 
 def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]) -> Plan:
@@ -114,6 +115,7 @@ def as_text(sweep: Sweep, files: Sequence[Path], **more: Any) -> str:
         "title": sweep.plan.title,
         "rows": len(sweep),
         "failed": sweep.failed,
+        "verdict": given_verdict(sweep.verdict),
         **more,
         "failures": [{"sentence": why, "rows": times, "first": first} for why, times, first in sweep.reasons()],
         "files": [str(path) for path in files],

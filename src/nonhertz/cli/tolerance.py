@@ -72,7 +72,8 @@ def study_tolerance(
     if as_json:
         print(_as_json(found, made))
     else:
-        print_result(found.sweep.plan.title, tolerance_sections(found), written=made)
+        title, shown = found.sweep.plan.title, tolerance_sections(found)
+        print_result(title, shown, verdict=found.sweep.verdict, written=made)
 
 
 def _as_json(found: Tolerance, files: Sequence[Path]) -> str:

@@ -17,6 +17,8 @@ from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 
+LARGEST = "largest difference in MPa"
+"""Why the second station was chosen."""
 ROUNDING = 1e-5  # of the load times the farthest strip: a smaller moment counts as zero by symmetry
 SAME = 1e-3  # of a pressure: equal up to this, since neither strips nor cells lie symmetrically
 NEAREST = 4  # values that a cubic goes through
@@ -143,7 +145,7 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
         between = float(semi.y[np.where(free, np.abs(semi.centre_pressure - expected), -1.0).argmax()])
     return (
         Station(middle, "middle"),
-        Station(between, "largest difference"),
+        Station(between, LARGEST),
         Station(end, "near the more loaded end"),
     )
 

@@ -13,6 +13,7 @@ from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
+from nonhertz.verdict import Verdict, given_verdict, of_loads
 
 #: Units of the numbers; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
@@ -78,6 +79,11 @@ class Assessment:
         """The body that a roller rolls on, whose life is given in revolutions; None if there is none."""
         ring = self.lives["b"][0].raceway
         return None if ring is None else ring.body
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """Whether the bodies bear their loads: the worst of all."""
+        return of_loads(self.spectrum)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -167,5 +173,6 @@ def _own(found: Assessment, against: Assessment | None = None) -> dict[str, Any]
         "raceway": found.raceway,
         "models": models,
         "spectrum": spectrum,
+        "verdict": given_verdict(found.verdict),
         **as_warnings(found.findings, found.notes),
     }

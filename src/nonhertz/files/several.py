@@ -11,6 +11,7 @@ from nonhertz.amounts import read_in
 from nonhertz.files.results import as_object, plain
 from nonhertz.inputs.files import legible
 from nonhertz.result.quantities import QUANTITIES
+from nonhertz.verdict import Verdict, of_contact
 
 if TYPE_CHECKING:
     from nonhertz.files.casefile import Case
@@ -55,6 +56,11 @@ class Attempt:
     def title(self) -> str:
         """The title of the case; empty if its file could not be read."""
         return "" if self.case is None else self.case.title
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """Whether the contact bears its load; None if it was not solved."""
+        return None if self.solution is None or self.complaints else of_contact(self.solution)
 
     @property
     def status(self) -> str:

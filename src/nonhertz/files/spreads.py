@@ -97,7 +97,7 @@ class Distribution:
             finite("within", number, "give lowest and highest")
         low, high = self.within
         if self.kind != "normal":
-            raise InputError("within", self.within, "be given only of a normal distribution", "leave it out")
+            raise InputError("within", self.within, "stand beside a normal distribution", "leave it out")
         mean, deviation = self.numbers
         if not (low < high and low < mean + FARTHEST * deviation and high > mean - FARTHEST * deviation):
             remedy = "give lowest and highest within a few standard deviations of the mean"
@@ -346,8 +346,8 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
     try:
         return Distribution(kind, given_numbers, within)
     except InputError as error:
-        named = "have numbers that" if error.field == "numbers" else f"have a {error.field} that must"
-        raise InputError(parameter.path, text, f"{named} {error.condition}", error.remedy) from None
+        named = {"numbers": "have numbers that", "within": "have limits that"}.get(error.field, f"have a {error.field}")
+        raise InputError(parameter.path, text, f"{named} {error.condition.removeprefix('be ')}", error.remedy) from None
 
 
 def _number(parameter: Parameter, text: str, document: Mapping[str, Any]) -> float:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nonhertz.amounts import digits, given, mm, mpa, mrad, newton
+from nonhertz.amounts import about, digits, mm, mpa, mrad, newton
 from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
 from nonhertz.bearing.section import RINGS
@@ -281,7 +281,7 @@ def _fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumpt
         return Assumption(name, criterion, "no limit", Verdict.NOT_MET, remark)
     if not math.isfinite(error):
         return Assumption(name, criterion, "unknown")
-    number = f"about {given(100.0 * error, 1)} %" if error > NO_ERROR else "none"
+    number = about(error) if error > NO_ERROR else "none"
     return Assumption(name, criterion, number, strained_if(error > NOTABLE))
 
 

@@ -33,7 +33,7 @@ from nonhertz.show.analysis import (
 )
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
-from nonhertz.verdict import Verdict, findings_of, of_bearing, of_contact
+from nonhertz.verdict import Verdict, findings_of, of_bearing, of_contact, worst_of
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
@@ -73,7 +73,11 @@ class CaseResults:
     @property
     def verdict(self) -> Verdict | None:
         """Whether it bears its load."""
-        return None if self.complaint else of_contact(self.solution, self.strengths)
+        if self.complaint:
+            return None
+        own = of_contact(self.solution, self.strengths)
+        several = self.lives is not None and len(self.lives.spectrum) > 1
+        return worst_of({"": own, "in the spectrum": self.lives.verdict if several and self.lives else None})
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import mm, um
+from nonhertz.amounts import about, mm, um
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact, sharper_curvature
@@ -89,7 +89,7 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> Itera
             "The {quantity} is uncertain: its discretisation error is estimated at {size}; give more strips.",
             quantity=quantity,
             error=error,
-            size=f"{100.0 * error:.2g} %" if error < 1.0 else "more than its own size",
+            size=about(error) if error < 1.0 else "more than its own size",
         )
 
 

@@ -6,6 +6,7 @@ import math
 
 from nonhertz.amounts import amount, digits, mm, percent
 from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
+from nonhertz.comparison.quantities import LARGEST
 from nonhertz.show.sections import Said, Section, Table
 
 COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
@@ -38,9 +39,10 @@ def _sentences(found: Comparison) -> list[str]:
     lines += [f"{' and '.join(names)}: {remark}." for remark, names in remarks.items()]
     if not found.stretches:
         return [*lines, "Along the line, strips and plane grid differ by less than 1 % everywhere."]
-    lines.append("Along the line, they differ by more than 1 % of the pressure there:")
+    lines.append("Along the line, they differ by more than 1 % of the pressure there, most where it says in brackets:")
     lines += [f"- {_sentence(each)}" for each in found.stretches]
-    return lines
+    (most,) = (each.y for each in found.stations if each.reason == LARGEST)
+    return [*lines, f"In MPa and away from the ends they differ most at y = {mm(most):.5g}."]
 
 
 def _row(each: ComparedQuantity) -> tuple[str, ...]:

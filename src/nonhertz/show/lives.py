@@ -9,6 +9,7 @@ from nonhertz.files.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.model.body import BODIES
 from nonhertz.show.sections import Said, Section, Table
+from nonhertz.verdict import of_contact
 
 _IDEAL = (
     "1 is the life of the same bodies under Hertz's line pressure, the load spread evenly over the length on which "
@@ -25,7 +26,7 @@ _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sig
 
 def sections(found: Assessment) -> list[Section]:
     """Return what is shown of the lives of a case."""
-    blocks = [Table(life_rows(found), LIFE_COLUMNS, (0, 4)), Said(sentences(found)), *_spectrum(found)]
+    blocks = [loads_table(found), Table(life_rows(found), LIFE_COLUMNS, (0, 4)), Said(sentences(found))]
     return [Section("Life", blocks)]
 
 
@@ -33,8 +34,7 @@ def compared_sections(found: Assessment, other: Assessment) -> list[Section]:
     """Return what is shown of the lives of another case, with the ratios of those of the first case to them."""
     heads = (*LIFE_COLUMNS[:4], "lives, first / this: a", "b")
     notes = [RATIO, *without_ratio(found, other), *sentences(other)[1:]]
-    blocks = [Table(ratio_rows(found, other), heads, (0,)), Said(notes), *_spectrum(other)]
-    return [Section("", [Said([f"Compared with: {other.title}"], "head"), *blocks])]
+    return [Section("", [loads_table(other), Table(ratio_rows(found, other), heads, (0,)), Said(notes)])]
 
 
 def life_rows(found: Assessment) -> list[tuple[str, ...]]:
@@ -102,20 +102,18 @@ def without_ratio(found: Assessment, other: Assessment) -> list[str]:
     return []
 
 
-def _spectrum(found: Assessment) -> list[Table]:
-    """Return share, load, tilt and largest pressure of every load, if there are several."""
-    if len(found.spectrum) < 2:
-        return []
+def loads_table(found: Assessment) -> Table:
+    """Return share, load, tilt, largest pressure and verdict of every load."""
     solutions = [solution for solution, _ in found.spectrum]
     loads, pressures = newton(*(each.load for each in solutions)), mpa(*(each.max_pressure for each in solutions))
     tilts = mrad(*(each.tilt for each in solutions))
-    heads = ("share", f"load [{loads.scale[1]}]", "tilt [mrad]", f"largest p0 [{pressures.scale[1]}]")
+    heads = ("share", f"load [{loads.scale[1]}]", "tilt [mrad]", f"largest p0 [{pressures.scale[1]}]", "")
     columns = (each.apart()[0] for each in (loads, tilts, pressures))
     rows: list[tuple[str, ...]] = [
-        (f"{100.0 * share:.4g} %", load, tilt, pressure + (", away from singular ends" if each.singular_ends else ""))
+        (f"{100.0 * share:.4g} %", load, tilt, pressure, verdict.level.value if (verdict := of_contact(each)) else "")
         for (each, share), load, tilt, pressure in zip(found.spectrum, *columns, strict=True)
     ]
-    return [Table(rows, heads, ())]
+    return Table(rows, heads, (4,))
 
 
 def _lives(found: Assessment, number: int) -> tuple[str, ...]:

@@ -66,7 +66,8 @@ def _remark(attempt: Attempt) -> str:
     number = 0 if attempt.solution is None else len(attempt.solution.warnings)
     warnings = f"{number} warning{'s' if number > 1 else ''}" if number else ""
     status = attempt.status.replace("-", " ") if attempt.complaints else ""
-    return ", ".join(filter(None, (status, warnings)))
+    verdict = "" if attempt.verdict is None else attempt.verdict.level.value
+    return ", ".join(filter(None, (status, verdict, warnings)))
 
 
 def _contact_rows(solution: Solution) -> list[Row]:

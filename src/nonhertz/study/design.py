@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import math
-import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
@@ -17,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits
-from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.amounts import digits, loaded
+from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import free_form_in
 from nonhertz.files.planfile import Template, read_design
@@ -27,6 +26,7 @@ from nonhertz.inputs.checks import callback, one_of, thread_count, whole
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import checked_cases, refuse_other_than_whole
 from nonhertz.result.brief import plain_text
+from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.study.objective import (
     GOALS,
@@ -36,12 +36,12 @@ from nonhertz.study.objective import (
     Limit,
     Task,
     Variable,
-    named_loads,
     point_or_none,
     refuse_unlimited,
 )
 from nonhertz.study.search import Search, searched
 from nonhertz.study.workers import LostError, Workers
+from nonhertz.verdict import Verdict, of_loads, of_rows
 
 __all__ = ["Band", "Design", "Front", "Limit", "Start", "best", "front"]
 
@@ -157,6 +157,12 @@ class Design:
         return sum(abs(start.value - self.value) <= SAME * abs(self.value) for start in self.starts)
 
     @cached_property
+    def verdict(self) -> Verdict | None:
+        """Whether the case as it is best bears its loads: the worst of all."""
+        with without_accuracy_warnings():
+            return of_loads((_solved(self.case, each), each.share) for each in self.loads)
+
+    @cached_property
     def relief(self) -> tuple[Array, Array, Array]:
         """Positions along body a, its relief as it is best and as it was, all [mm]; nan where it has none."""
         return relief_of(self.case, self.was)
@@ -192,6 +198,11 @@ class Front:
     second: tuple[float, ...]
     cases: tuple[Case, ...]
     units: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """Whether all points bear their loads, by their largest pressures."""
+        return of_rows(np.maximum(self.first, self.second), self.cases[0].contact, what="points")
 
 
 def best(
@@ -355,10 +366,12 @@ def _group(name: str, loads: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
 
 
 def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
-    contact = replace(case.contact, interpolated=True)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", AccuracyWarning)
-        return max(solve(contact, load=each.load, tilt=each.tilt, **case.solver).max_pressure for each in loads)
+    with without_accuracy_warnings():
+        return max(_solved(case, each).max_pressure for each in loads)
+
+
+def _solved(case: Case, load: LoadCase) -> Solution:
+    return solve(replace(case.contact, interpolated=True), load=load.load, tilt=load.tilt, **case.solver)
 
 
 def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:
@@ -531,12 +544,13 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
         history = tuple(goal(value) for value in each.history)
         starts.append(Start(values, ended, goal(each.value), history, each.least_margin >= -1e-4, each.failure))
     starts.sort(key=lambda start: (math.isnan(start.value), start.value if task.goal == PRESSURE else -start.value))
+    of_load = [loaded(each.load, each.tilt) for each in task.loads]
     if task.goal == PRESSURE:
-        worst = named_loads(task.loads)[judged.largest[1]]
+        worst = of_load[judged.largest[1]]
     else:
         parts = np.array([each.share for each in task.loads]) * judged.damages
         number = int(np.argmax(parts))
-        worst = f"{named_loads(task.loads)[number]}, {100.0 * parts[number] / parts.sum():.3g} % of the damage"
+        worst = f"{of_load[number]}, {100.0 * parts[number] / parts.sum():.3g} % of the damage"
     units = {each.path: task.template.known[each.path].unit or "" for each in task.variables}
     return Design(
         task.goal, task.values(chosen.ended), goal(judged.value),

@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import mrad
 from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import FreeForm, half_length
@@ -357,14 +356,6 @@ def point_or_none(task: Task, x: Array, accuracy: float | None = None) -> Judged
         return task.at(x, accuracy)
     except NonhertzError:
         return None
-
-
-def named_loads(loads: Sequence[LoadCase]) -> list[str]:
-    """Return each load in words."""
-    from nonhertz.amounts import newton
-
-    tilts = [f"at {mrad(each.tilt):.4g}" if each.tilt else "without tilt" for each in loads]
-    return [f"{newton(each.load):.5g} {tilt}" for each, tilt in zip(loads, tilts, strict=True)]
 
 
 def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import given, of_dimension
+from nonhertz.amounts import given, loaded, of_dimension
 from nonhertz.errors import AccuracyWarning, NonhertzError
 from nonhertz.files.spreads import Distribution
 from nonhertz.plot.axes import Measure, measure
@@ -21,7 +21,6 @@ from nonhertz.plot.style import sheet_style
 from nonhertz.result.quantities import Quantity
 from nonhertz.solver.one import solve
 from nonhertz.study.design import Design, Front
-from nonhertz.study.objective import named_loads
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Index, Tolerance
 
@@ -202,7 +201,7 @@ def _before_and_after(found: Design, number: int) -> Callable[[Axes], object]:
         values = {name: stress(np.interp(y, *each, left=0.0, right=0.0)) for name, each in lines.items()}
         _along(y, values, ax, stress.label("Centre-line pressure $p_0$"))
         ax.set_ylim(bottom=0.0)
-        ax.set_title(named_loads([load])[0], loc="left")
+        ax.set_title(loaded(load.load, load.tilt), loc="left")
 
     return draw
 

@@ -35,6 +35,7 @@ from nonhertz.study.quantities import chosen
 from nonhertz.study.rows import Row, Work
 from nonhertz.study.store import Store
 from nonhertz.study.workers import LostError, Workers
+from nonhertz.verdict import Verdict, of_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -115,6 +116,18 @@ class Sweep:
         """
         column = self._store.column(self._known(name, *self.paths))
         return column.reshape(self.shape) if self.complete else column
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """Whether the rows bear their loads, by their largest pressures.
+
+        None if these are not among the numbers of a row, or materials and with them their limits are varied.
+        """
+        held = {quantity.name for quantity in self.quantities}
+        if "max_pressure" not in held or any(".material" in path for path in self.paths):
+            return None
+        contact = self.plan.case.contact if isinstance(self.plan.case, Case) else None
+        return of_rows(self["max_pressure"], contact, self["warnings"] if "warnings" in held else ())
 
     @property
     def failures(self) -> dict[int, str]:

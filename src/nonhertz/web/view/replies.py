@@ -88,7 +88,7 @@ def verdict_seen(found: Verdict | None) -> dict[str, str] | None:
         return None
     return {
         "level": found.level.name.lower(),
-        "words": f"{found.level.value.capitalize()}.",
+        "words": found.words,
         "sentence": found.sentence,
     }
 
