@@ -91,7 +91,7 @@ def _cost_table() -> Iterator[str]:
     order = np.polyfit(np.log(np.square(NUMBERS[upper])), np.log(seconds[upper]), 1)[0]
     yield ""
     yield f"From {NUMBERS[-4]} x {NUMBERS[-4]} on, time grows as cells^{order:.2f}."
-    yield "Memory is what `nonhertz.patch.memory` foretells."
+    yield "Memory is as predicted by `nonhertz.patch.memory`."
     yield ""
 
 
