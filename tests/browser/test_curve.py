@@ -1,4 +1,4 @@
-"""What a slider does: drawn while it is worked out, and kept while the slider is dragged."""
+"""The parameter curve: drawn while it is worked out, and kept while the slider is dragged."""
 
 from __future__ import annotations
 

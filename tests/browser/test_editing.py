@@ -414,7 +414,7 @@ def test_what_a_body_bears_is_said_when_the_slider_rests(open_desk: Any) -> None
     fresh.wait_for()
     assert "does not yield" in fresh.locator("li").nth(1).inner_text()
     desk.page.get_by_label("body b", exact=True).check()
-    fresh.filter(has_text="What body b bears").wait_for()
+    fresh.filter(has_text="Strength of body b").wait_for()
     desk.page.locator("#stress-on").uncheck()
     assert not desk.page.locator("#strength").is_visible()
 

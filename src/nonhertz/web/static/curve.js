@@ -1,4 +1,4 @@
-// What a slider does: a number of the result over the range of one field, drawn while it is worked out.
+// The parameter curve: a number of the result over the range of one field, drawn while it is worked out.
 //
 // Points come a few at a time, from both ends and the middle inwards, so that the first answer already shows the shape.
 // The curve belongs to the case without the field that is varied: while its slider is dragged only the mark moves.

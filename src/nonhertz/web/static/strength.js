@@ -62,7 +62,7 @@ export class Strength {
   /** @param {"a" | "b"} body @param {Check[]} checks @param {string} note */
   show(body, checks, note) {
     const items = checks.map(({ verdict, sentence }) => element("li", { "data-verdict": verdict }, [sentence]));
-    byId("strength-title").textContent = `What body ${body} bears`;
+    byId("strength-title").textContent = `Strength of body ${body}`;
     byId("strength-list").replaceChildren(...items);
     byId("strength-note").textContent = note;
     this.section.classList.remove("stale");
