@@ -17,7 +17,7 @@ H, RHO_H, C, RHO_C = range(4)
 
 def added(u, inner, outer, element=nh.SEMI_ELLIPTIC, poisson=0.3):
     table = free_end_table(element, poisson)
-    return np.array(free_end.free_end(u, inner, outer, table, 0, element.table))
+    return np.array(free_end.free_end(u, inner, outer, table, 0, element.table, free_end.no_squares()))
 
 
 def integrated(u, inner, outer, element=nh.SEMI_ELLIPTIC, poisson=0.3):

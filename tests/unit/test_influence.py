@@ -27,9 +27,9 @@ def blocks(element, *, m=M, terms=HALF_SPACE, at_depth=NO_DEPTH):
 
 def coefficients_between(strips, m, active, kernel):
     """The same of any strips."""
-    values = np.empty((4, active.size, active.size))
-    coefficients(strips, m, active, kernel, remote_of(strips, kernel, 1.1 * m.max()), values)
-    return values
+    values = np.empty((4, m.size, active.size))
+    coefficients(strips, m, active, kernel, remote_of(strips, kernel, m), values)
+    return values[:, active]
 
 
 def assert_coefficients(values, expected):
@@ -57,7 +57,7 @@ def test_near_and_far_coefficients_are_those_of_the_functions(element, active, w
     edges, m = np.linspace(-6.0, 6.0, 13) ** 3 / 36.0, np.linspace(0.2, 1.0, 12) * widest
     y, terms = 0.5 * (edges[1:] + edges[:-1]), np.array([[1.0, 0.0, 1.0], [-1.0, 13.0, 0.8], [1.0, 26.0, 0.3]])
     strips, kernel = strips_between(edges[:-1], edges[1:]), kernel_of(element, terms)
-    remote = remote_of(strips, kernel, 1.1 * widest)
+    remote = remote_of(strips, kernel, m)
     far = terms.shape[0] * y.size**2 - np.sum(remote.beyond - remote.first)
     assert far > (200 if widest == 0.4 else 300)
     values, expected = coefficients_between(strips, m, active, kernel), np.zeros((4, active.size, active.size))
@@ -116,7 +116,7 @@ def test_displacement_is_the_coefficients_times_the_loads(element):
     terms = np.vstack([HALF_SPACE, (-1.0, 7.0, 0.7)])
     expected = blocks(element, terms=terms)[0] @ (R * M)[ACTIVE]
     strips, kernel, found = strips_between(LOW, HIGH), kernel_of(element, terms), np.empty(M.size)
-    lift(strips, M, R * M, kernel, remote_of(strips, kernel, 1.1 * M.max()), M > 0.0, found)
+    lift(strips, M, R * M, kernel, remote_of(strips, kernel, M), found)
     np.testing.assert_allclose(found[ACTIVE], expected, rtol=1e-13, atol=0.0)
 
 

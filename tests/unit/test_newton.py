@@ -152,7 +152,7 @@ def test_a_contact_may_be_much_wider_than_long():
 def check(r, m, rigid, separation=CROWN, gap=None):
     """Return what the last check finds wrong with a state on half-spaces under the load, and fill ``gap``."""
     strips, kernel = crowned(separation=separation), kernel_of()
-    remote = remote_of(strips, kernel, max(m.max(), 1e-6))
+    remote = remote_of(strips, kernel, np.full(m.size, max(m.max(), 1e-6)))
     return loop.violation(strips, GIVEN, kernel, remote, unknowns_from(r, m, rigid, gap))
 
 

@@ -89,7 +89,7 @@ def test_a_case_that_cannot_follow_is_left_as_it_was():
         blank_remote(21, problem.model.kernel),
         BoundaryConditions(problem.prescribed, np.array([[-1.0, 0.0]])),
     )
-    assert not solving.follow(grids, apart, problem.model.kernel, remote, np.zeros(1), found, answer)
+    assert not solving.follow(grids, apart, problem.model.kernel, remote, found, answer)
     for was, each in zip(before, found, strict=True):
         np.testing.assert_array_equal(each, was)
     assert not answer.any()

@@ -65,7 +65,7 @@ def test_single_coefficients(body, yi, displacement, by_c, flattening, flattenin
     problem = problem_of(contact, Prescription(approach=0.01), nh.PARABOLIC)
     edges, c = np.array([-0.2, 0.2, 0.8, 1.2, 1.8, 2.2]), 0.25
     strips, blocks = strips_of(problem.model.deep(problem.model.grids(*row_of(edges))), 0), np.empty((4, 5, 5))
-    remote = remote_of(strips, problem.model.kernel, c**2)
+    remote = remote_of(strips, problem.model.kernel, np.full(5, c**2))
     coefficients(strips, np.full(5, c**2), np.arange(5), problem.model.kernel, remote, blocks)
     a, ta, b, tb = roller.material.compliance * blocks[:, np.argmin(np.abs(strips.y - yi)), 2]
     found = [4.0 / 3.0 * c**3 * a, 4.0 / 3.0 * c**2 * (3.0 * a - ta), 4.0 / 3.0 * c * b, 4.0 / 3.0 * (b - tb)]

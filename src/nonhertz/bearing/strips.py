@@ -85,7 +85,7 @@ class StrippedContact:
         self.low, self.high, self.half = low, high, 0.5 * (high - low)
         self.y, self.h = self.model.surveyed(low, high, SAMPLES)
         # What strips do far away, by the identity of their grids, which are beside it.
-        self._remotes: dict[int, tuple[Grids, Remote, Array]] = {}
+        self._remotes: dict[int, tuple[Grids, Remote]] = {}
 
     def penetration(self, pose: Array) -> Array:
         """Return how deep the undeformed bodies overlap where they do most [mm], at poses of shape (n, 2)."""
@@ -148,12 +148,12 @@ class StrippedContact:
             if len(self._remotes) >= KEPT_REMOTE:
                 self._remotes.clear()
             blank = blank_remote(int(laid.grids.counts[0]), self.model.kernel)
-            self._remotes[id(laid.grids)] = laid.grids, blank, np.zeros(1)
-        _, remote, widest = self._remotes[id(laid.grids)]
+            self._remotes[id(laid.grids)] = laid.grids, blank
+        _, remote = self._remotes[id(laid.grids)]
         states, given = laid.states, BoundaryConditions(self.problem.prescribed, np.array([pose]))
         copies = {name: getattr(states, name).copy() for name in ("r", "m", "rigid", "gap", "stiffness")}
         states, answer = states._replace(**copies), np.zeros(OVERLAP)
-        done = follow(laid.grids, given, self.model.kernel, remote, widest, states, answer)
+        done = follow(laid.grids, given, self.model.kernel, remote, states, answer)
         return replace(laid, pose=pose, states=states, answer=answer) if done else None
 
     def on_strips_of(self, other: LaidContact) -> LaidContact:

@@ -18,7 +18,7 @@ from nonhertz.amounts import mm, per_mm, um
 from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.compiled.tiles import TILE
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
-from nonhertz.strip.free_end import AWAY, far_terms, far_whole
+from nonhertz.strip.free_end import AWAY, far_terms, far_whole, no_squares
 from nonhertz.strip.influence import added_by_face
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States, Strips
@@ -259,7 +259,7 @@ def _add_face(strips: Strips, kernel: Kernel, answer: Answer, k: int, lift: Arra
     """Add what a free side face adds: by its table where place and source are close to it, else by its series."""
     y, q, half_width, table, n = strips.y, answer.q, answer.half_width, kernel.table, strips.y.size
     place, side, share, first = kernel.faces[k, 0], kernel.faces[k, 1], kernel.faces[k, 2], int(kernel.faces[k, 3])
-    unit = 0.0
+    unit, kept = 0.0, no_squares()
     for j in range(n):
         unit = max(unit, half_width[j] if q[j] > 0.0 else 0.0)
     u, of_edges, work = np.empty(n), np.empty((2, 1 + POWERS, n + TILE)), np.empty((2, n + TILE))
@@ -280,7 +280,7 @@ def _add_face(strips: Strips, kernel: Kernel, answer: Answer, k: int, lift: Arra
         by_bend = share * q[j] * inverse * inverse
         for i in range(n):
             if (u[i] + inner) * unit * inverse < AWAY:
-                near = added_by_face(y[i], strips.low[j], strips.high[j], inverse, kernel, k)
+                near = added_by_face(y[i], strips.low[j], strips.high[j], inverse, kernel, k, kept)
                 lift[i] += share * q[j] * near[0]
                 bend[i] += by_bend * near[2]
                 continue

@@ -104,6 +104,6 @@ def linearised(grids: Grids, r: Array, m: Array, kernel: Kernel) -> Linearised:
 @compiled
 def _linearised(grids: Grids, m: Array, kernel: Kernel) -> tuple[Indices, Array]:
     strips, active = strips_of(grids, 0), touching(m)
-    blocks = np.empty((4, active.size, active.size))
-    coefficients(strips, m, active, kernel, remote_of(strips, kernel, m.max()), blocks)
-    return active, blocks
+    blocks = np.empty((4, m.size, active.size))
+    coefficients(strips, m, active, kernel, remote_of(strips, kernel, m), blocks)
+    return active, blocks[:, active]

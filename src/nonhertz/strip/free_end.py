@@ -172,7 +172,13 @@ def _monomials(nodes: Array, values: Array, degree: int) -> Array:
 
 
 @compiled
-def free_end(u: float, inner: float, outer: float, table: Array, first: int, element: Array) -> Four:
+def no_squares() -> Array:
+    """Return room for what `free_end` keeps of one place for the next; it may be passed to any strip and face."""
+    return np.full((2, 2 + 4 * (SQUARE_DEGREE + 1)), np.nan)
+
+
+@compiled
+def free_end(u: float, inner: float, outer: float, table: Array, first: int, element: Array, kept: Array) -> Four:
     """Return what is added to [A], [t A'], [B] and [t B'] of a strip.
 
     Parameters
@@ -185,13 +191,15 @@ def free_end(u: float, inner: float, outer: float, table: Array, first: int, ele
         Where that of the body begins.
     element : ndarray
         The table of the element.
+    kept : ndarray
+        From `no_squares`, overwritten: places in turn along one strip find there what they share.
     """
     if u + inner >= AWAY:
         return _series(u, inner, outer, table, first, element)
     # Beyond the table the rest is far away.
     last = max(min(outer, AWAY), inner)
-    a0, ta0, b0, tb0 = _up_to(u, inner, table, first, element)
-    a1, ta1, b1, tb1 = _up_to(u, last, table, first, element)
+    a0, ta0, b0, tb0 = _up_to(u, inner, table, first, element, kept[0])
+    a1, ta1, b1, tb1 = _up_to(u, last, table, first, element, kept[1])
     if outer > last:
         a2, ta2, b2, tb2 = _series(u, last, outer, table, first, element)
         return (a1 - a0 + a2, ta1 - ta0 + ta2, b1 - b0 + b2, tb1 - tb0 + tb2)
@@ -199,7 +207,7 @@ def free_end(u: float, inner: float, outer: float, table: Array, first: int, ele
 
 
 @compiled
-def _up_to(u: float, v: float, table: Array, first: int, element: Array) -> Four:
+def _up_to(u: float, v: float, table: Array, first: int, element: Array, kept: Array) -> Four:
     """Return H, (u d/du + v d/dv) H, C and (u d/du + v d/dv) C, for v within the table."""
     if v <= 0.0:
         return (0.0, 0.0, 0.0, 0.0)
@@ -209,31 +217,41 @@ def _up_to(u: float, v: float, table: Array, first: int, element: Array) -> Four
     scale = max(1.0, min(CLOSE / max(min(u, v), TINY), LOGARITHMIC / max(u, v)))
     place, edge = max(scale * u, CLOSE), scale * v
     share = min(edge / CLOSE, 1.0) / scale
-    a, ta, b, tb = _square(place, max(edge, CLOSE), table, first)
+    a, ta, b, tb = _square(place, max(edge, CLOSE), table, first, kept)
     grown = v * math.log(scale)
     of_h, of_c = table[first + SLOPES_AT] * grown, table[first + SLOPES_AT + 1] * grown
     return (share * a + of_h, share * ta + of_h, share * b + of_c, share * tb + of_c)
 
 
 @compiled
-def _square(u: float, v: float, table: Array, first: int) -> Four:
-    """Return the four functions within the table."""
+def _square(u: float, v: float, table: Array, first: int, kept: Array) -> Four:
+    """Return the four functions within the table.
+
+    Their polynomials in u at this v are kept: the next place is often in the same square.
+    """
     row, x = _octave(u)
     column, z = _octave(v)
     at = np.uint64(first) + (row * np.uint64(OCTAVES) + column) * np.uint64(_SQUARE)
+    if kept[0] != at or kept[1] != z:
+        kept[0], kept[1] = at, z
+        for power in range(SQUARE_DEGREE + 1):
+            a = ta = b = tb = 0.0
+            for _ in range(SQUARE_DEGREE + 1):
+                a = a * z + table[at]
+                ta = ta * z + table[at + np.uint64(1)]
+                b = b * z + table[at + np.uint64(2)]
+                tb = tb * z + table[at + np.uint64(3)]
+                at += np.uint64(4)
+            begin = np.uint64(2 + 4 * power)
+            kept[begin], kept[begin + np.uint64(1)] = a, ta
+            kept[begin + np.uint64(2)], kept[begin + np.uint64(3)] = b, tb
     a = ta = b = tb = 0.0
-    for _ in range(SQUARE_DEGREE + 1):
-        a_of_z = ta_of_z = b_of_z = tb_of_z = 0.0
-        for _ in range(SQUARE_DEGREE + 1):
-            a_of_z = a_of_z * z + table[at]
-            ta_of_z = ta_of_z * z + table[at + np.uint64(1)]
-            b_of_z = b_of_z * z + table[at + np.uint64(2)]
-            tb_of_z = tb_of_z * z + table[at + np.uint64(3)]
-            at += np.uint64(4)
-        a = a * x + a_of_z
-        ta = ta * x + ta_of_z
-        b = b * x + b_of_z
-        tb = tb * x + tb_of_z
+    for power in range(SQUARE_DEGREE + 1):
+        begin = np.uint64(2 + 4 * power)
+        a = a * x + kept[begin]
+        ta = ta * x + kept[begin + np.uint64(1)]
+        b = b * x + kept[begin + np.uint64(2)]
+        tb = tb * x + kept[begin + np.uint64(3)]
     return (a, ta, b, tb)
 
 

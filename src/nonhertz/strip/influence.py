@@ -19,19 +19,20 @@ from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.compiled.tiles import TILE
 from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
-from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table
+from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table, no_squares
 from nonhertz.strip.records import Array, Flags, Indices, Kernel, Strips
 
 # Widths over distances below which nine terms of the series of a logarithm are exact to rounding.
 SHORT = 0.25
+ROOM = 1.2  # for m to grow before what a strip does far away has to be worked out again
 
 
 class Remote(NamedTuple):
     """What strips and their images do far away: there the series of an element in 1 / t^2 needs a few terms only.
 
     With t = y' / a its terms are powers of m, each with a factor that depends on the strips alone. So all terms of the
-    influence, hundreds of images among them, are added up once for a grid, and every evaluation costs a short series
-    in m in their place.
+    influence, hundreds of images among them, are added up once for a source, and every evaluation costs a short series
+    in m in their place. What is far away depends on its half-width: see `keep_up`.
 
     Attributes
     ----------
@@ -40,86 +41,109 @@ class Remote(NamedTuple):
         kernel, those for which a free side face is near.
     powers : ndarray, shape (n, 1 + POWERS, n)
         Of each source, at each place: the logarithm of the far edge over the near one, and the differences of
-        ``(widest / y'^2)^k`` between the edges, weighted and added up over all terms that are far.
-    widest : float
-        The largest m [mm^2] for which this holds.
+        ``1 / y'^2k`` between the edges [mm^-2k], weighted and added up over all terms that are far.
+    limits : ndarray, shape (n,)
+        The largest m [mm^2] of each source for which this holds; 0 where it has not been worked out.
     """
 
     first: Indices
     beyond: Indices
     powers: Array
-    widest: float
+    limits: Array
 
 
-def blank_remote(strips: int, kernel: Kernel) -> Remote:
-    """Return room for what that many strips do far away."""
+@compiled
+def blank_remote(n: int, kernel: Kernel) -> Remote:
+    """Return room for what ``n`` strips do far away."""
     sums = kernel.terms.shape[0] + kernel.faces.shape[0]
-    first, beyond = (np.zeros((sums, strips), dtype=np.int64) for _ in range(2))
-    return Remote(first, beyond, np.zeros((strips, 1 + POWERS, strips)), 0.0)
+    first, beyond = np.zeros((sums, n), np.int64), np.zeros((sums, n), np.int64)
+    return Remote(first, beyond, np.empty((n, 1 + POWERS, n)), np.zeros(n))
 
 
 @compiled
-def remote_of(strips: Strips, kernel: Kernel, widest: float) -> Remote:
-    """Return what strips with m up to ``widest`` [mm^2] do far away."""
-    y, n, terms = strips.y, strips.y.size, kernel.terms
-    sums = terms.shape[0] + kernel.faces.shape[0]
-    first, beyond = np.empty((sums, n), np.int64), np.empty((sums, n), np.int64)
-    powers, distance, work = np.zeros((n, 1 + POWERS, n)), np.empty(n), np.empty((4, n))
-    reach = REMOTE * math.sqrt(widest)
-    for k in range(terms.shape[0]):
-        sign, offset, weight = terms[k, 0], terms[k, 1], terms[k, 2]
-        for j in range(n):
-            low, high = sign * strips.low[j] + offset, sign * strips.high[j] + offset
-            left, right, width = min(low, high), max(low, high), strips.high[j] - strips.low[j]
-            before = 0
-            while before < n and y[before] <= left - reach:
-                before += 1
-            after = before
-            while after < n and y[after] < right + reach:
-                after += 1
-            first[k, j], beyond[k, j] = before, after
-            for i in range(before):
-                distance[i] = left - y[i]
-            for i in range(after, n):
-                distance[i] = y[i] - right
-            for begin, end in ((0, before), (after, n)):
-                _add_far(powers[j], begin, end, distance, width, weight, widest, work)
+def remote_of(strips: Strips, kernel: Kernel, m: Array) -> Remote:
+    """Return what strips with these m [mm^2] do far away."""
+    remote = blank_remote(strips.y.size, kernel)
+    keep_up(strips, kernel, m, remote)
+    return remote
+
+
+@compiled
+def keep_up(strips: Strips, kernel: Kernel, m: Array, remote: Remote) -> None:
+    """Work out what those strips do far away that are wider than it holds for, as all in contact are at first."""
+    n = strips.y.size
+    wider, some = np.empty(n, np.bool_), False
+    for j in range(n):
+        wider[j] = m[j] > remote.limits[j]
+        some = some or wider[j]
+    if not some:
+        return
+    for j in range(n):
+        if wider[j]:
+            remote.limits[j], remote.powers[j] = ROOM * m[j], 0.0
+    for k in range(kernel.terms.shape[0]):
+        _add_far_term(strips, kernel.terms[k], wider, remote, k)
     for k in range(kernel.faces.shape[0]):
-        at = terms.shape[0] + k
-        _add_beyond_face(strips, kernel.faces[k], kernel.face_tables, widest, powers, first[at], beyond[at])
-    return Remote(first, beyond, powers, widest)
+        _add_beyond_face(strips, kernel.faces[k], kernel.face_tables, wider, remote, kernel.terms.shape[0] + k)
 
 
-@compiled
-def _add_beyond_face(
-    strips: Strips, face: Array, tables: Array, widest: float, powers: Array, first: Indices, beyond: Indices
-) -> None:
+@inlined
+def _add_far_term(strips: Strips, term: Array, wider: Flags, remote: Remote, at: int) -> None:
+    """Add a term where it is far from its source, and fill in where it is not."""
+    y, n = strips.y, strips.y.size
+    sign, offset, weight = term[0], term[1], term[2]
+    distance, work = np.empty(n), np.empty((4, n))
+    for j in range(n):
+        if not wider[j]:
+            continue
+        low, high = sign * strips.low[j] + offset, sign * strips.high[j] + offset
+        left, right, width = min(low, high), max(low, high), strips.high[j] - strips.low[j]
+        reach = REMOTE * math.sqrt(remote.limits[j])
+        before = 0
+        while before < n and y[before] <= left - reach:
+            before += 1
+        after = before
+        while after < n and y[after] < right + reach:
+            after += 1
+        remote.first[at, j], remote.beyond[at, j] = before, after
+        for i in range(before):
+            distance[i] = left - y[i]
+        for i in range(after, n):
+            distance[i] = y[i] - right
+        for begin, end in ((0, before), (after, n)):
+            _add_far(remote.powers[j], begin, end, distance, width, weight, work)
+
+
+@inlined
+def _add_beyond_face(strips: Strips, face: Array, tables: Array, wider: Flags, remote: Remote, at: int) -> None:
     """Add what a free side face adds where it is far from place and source together, and fill in where it is not."""
     n, place, side, weight, table = strips.y.size, face[0], face[1], face[2], int(face[3])
-    root = math.sqrt(widest)
     u, terms, work = np.empty(n), np.empty((2, 1 + POWERS, n + TILE)), np.empty((2, n + TILE))
     for i in range(n):
-        u[i] = max(side * (place - strips.y[i]), 0.0) / root
-    of_low = max(side * (place - strips.low[0]), 0.0) / root
-    far_terms(u, of_low, tables, table, terms[0], work)
+        u[i] = max(side * (place - strips.y[i]), 0.0)
     for j in range(n):
+        if not wider[j]:
+            continue
+        of_low, of_high = max(side * (place - strips.low[j]), 0.0), max(side * (place - strips.high[j]), 0.0)
+        low, high = terms[j % 2], terms[1 - j % 2]
         # From one strip to the next the edge between them is the same.
-        of_high, low, high = max(side * (place - strips.high[j]), 0.0) / root, terms[j % 2], terms[1 - j % 2]
+        if j == 0 or not wider[j - 1]:
+            far_terms(u, of_low, tables, table, low, work)
         far_terms(u, of_high, tables, table, high, work)
         inner, outer = min(of_low, of_high), max(of_low, of_high)
-        begin = end = 0
+        begin, end, away = 0, 0, AWAY * math.sqrt(remote.limits[j])
         for i in range(n):
-            if u[i] + inner < AWAY:
+            if u[i] + inner < away:
                 begin, end = (i if end == 0 else begin), i + 1
-        first[j], beyond[j] = begin, end
+        remote.first[at, j], remote.beyond[at, j] = begin, end
+        powers = remote.powers[j]
         for k in range(1 + POWERS):
-            _add_difference(powers[j][k][:begin], side * weight, low[k][:begin], high[k][:begin])
-            _add_difference(powers[j][k][end:], side * weight, low[k][end:n], high[k][end:n])
+            _add_difference(powers[k][:begin], side * weight, low[k][:begin], high[k][:begin])
+            _add_difference(powers[k][end:], side * weight, low[k][end:n], high[k][end:n])
         for i in range(n):
             if inner <= u[i] < outer and not begin <= i < end:
                 for k in range(1 + POWERS):
-                    powers[j, k, i] += weight * far_whole(u[i], k, tables, table)
-        of_low = of_high
+                    powers[k, i] += weight * far_whole(u[i], k, tables, table)
 
 
 @compiled
@@ -130,7 +154,7 @@ def _add_difference(power: Array, weight: float, of_low: Array, of_high: Array) 
 
 @compiled
 def _add_far(
-    powers: Array, first: int, beyond: int, distances: Array, width: float, weight: float, widest: float, work: Array
+    powers: Array, first: int, beyond: int, distances: Array, width: float, weight: float, work: Array
 ) -> None:
     """Add what a source does at some places, at these distances from its nearer edge, in loops that vectorise."""
     distance, logarithm = distances[first:beyond], powers[0][first:beyond]
@@ -154,7 +178,7 @@ def _add_far(
         nearer, farther = distance[i], distance[i] + width
         inverse = 1.0 / (nearer * farther)
         of_inner, of_outer = farther * inverse, nearer * inverse
-        inner[i], outer[i] = widest * of_inner * of_inner, widest * of_outer * of_outer
+        inner[i], outer[i] = of_inner * of_inner, of_outer * of_outer
         inner_power[i] = outer_power[i] = weight
     for k in range(1, 1 + POWERS):
         power = powers[k][first:beyond]
@@ -166,7 +190,7 @@ def _add_far(
 
 @inlined
 def coefficients(strips: Strips, m: Array, active: Indices, kernel: Kernel, remote: Remote, out: Array) -> None:
-    """Fill ``out[:, i, j]`` with [A], [t A'], [B], [t B'] of strip j at the centre of strip i.
+    """Fill ``out[:, i, j]`` with [A], [t A'], [B], [t B'] of the j-th active strip at the centre of strip i.
 
     Parameters
     ----------
@@ -180,61 +204,68 @@ def coefficients(strips: Strips, m: Array, active: Indices, kernel: Kernel, remo
         How they act.
     remote : Remote
         How they act far away.
-    out : ndarray, shape (4, k, k)
+    out : ndarray, shape (4, n, k)
         Result.
     """
-    y, table, seen_there = strips.y, kernel.table, np.empty((4, strips.y.size))
+    n = strips.y.size
+    seen, kept = np.empty((4, n)), no_squares()
     for j in range(active.size):
         source = active[j]
-        inverse = 1.0 / math.sqrt(m[source])
-        _from_afar(remote.powers[source], m[source] / remote.widest, table, seen_there)
-        for k in range(kernel.terms.shape[0]):
-            sign, offset = kernel.terms[k, 0], kernel.terms[k, 1]
-            weight = sign * kernel.terms[k, 2]
-            high, low = sign * strips.high[source] + offset, sign * strips.low[source] + offset
-            for i in range(remote.first[k, source], remote.beyond[k, source]):
-                a1, ta1, b1, tb1 = evaluate((high - y[i]) * inverse, table)
-                a0, ta0, b0, tb0 = evaluate((low - y[i]) * inverse, table)
-                seen_there[0, i] += weight * (a1 - a0)
-                seen_there[1, i] += weight * (ta1 - ta0)
-                seen_there[2, i] += weight * (b1 - b0)
-                seen_there[3, i] += weight * (tb1 - tb0)
-        for k in range(kernel.faces.shape[0]):
-            weight, at = kernel.faces[k, 2], kernel.terms.shape[0] + k
-            for i in range(remote.first[at, source], remote.beyond[at, source]):
-                a, ta, b, tb = added_by_face(y[i], strips.low[source], strips.high[source], inverse, kernel, k)
-                seen_there[0, i] += weight * a
-                seen_there[1, i] += weight * ta
-                seen_there[2, i] += weight * b
-                seen_there[3, i] += weight * tb
+        _seen_from(strips, source, m[source], kernel, remote, seen, kept)
         for kind in range(4):
-            for i in range(active.size):
-                out[kind, i, j] = seen_there[kind, active[i]]
+            for i in range(n):
+                out[kind, i, j] = seen[kind, i]
         if strips.at_depth.size:
-            for i in range(active.size):
-                out[0, i, j] -= strips.at_depth[active[i], source]
+            for i in range(n):
+                out[0, i, j] -= strips.at_depth[i, source]
 
 
 @compiled
-def _from_afar(powers: Array, share: float, table: Array, seen_there: Array) -> None:
-    """Fill [A], [t A'], [B], [t B'] of what one source does far away, with m as a ``share`` of the widest."""
+def _seen_from(strips: Strips, source: int, m: float, kernel: Kernel, remote: Remote, seen: Array, kept: Array) -> None:
+    """Fill [A], [t A'], [B], [t B'] of one source at the centres of all strips, points at depth left out."""
+    y, table, inverse = strips.y, kernel.table, 1.0 / math.sqrt(m)
+    _from_afar(remote.powers[source], m, table, seen)
+    for k in range(kernel.terms.shape[0]):
+        sign, offset = kernel.terms[k, 0], kernel.terms[k, 1]
+        weight = sign * kernel.terms[k, 2]
+        high, low = sign * strips.high[source] + offset, sign * strips.low[source] + offset
+        for i in range(remote.first[k, source], remote.beyond[k, source]):
+            a1, ta1, b1, tb1 = evaluate((high - y[i]) * inverse, table)
+            a0, ta0, b0, tb0 = evaluate((low - y[i]) * inverse, table)
+            seen[0, i] += weight * (a1 - a0)
+            seen[1, i] += weight * (ta1 - ta0)
+            seen[2, i] += weight * (b1 - b0)
+            seen[3, i] += weight * (tb1 - tb0)
+    for k in range(kernel.faces.shape[0]):
+        weight, at = kernel.faces[k, 2], kernel.terms.shape[0] + k
+        for i in range(remote.first[at, source], remote.beyond[at, source]):
+            a, ta, b, tb = added_by_face(y[i], strips.low[source], strips.high[source], inverse, kernel, k, kept)
+            seen[0, i] += weight * a
+            seen[1, i] += weight * ta
+            seen[2, i] += weight * b
+            seen[3, i] += weight * tb
+
+
+@compiled
+def _from_afar(powers: Array, m: float, table: Array, seen: Array) -> None:
+    """Fill [A], [t A'], [B], [t B'] of what one source does far away."""
     for i in range(powers.shape[1]):
-        seen_there[0, i] = powers[0, i]
-        seen_there[1, i] = seen_there[2, i] = seen_there[3, i] = 0.0
+        seen[0, i] = powers[0, i]
+        seen[1, i] = seen[2, i] = seen[3, i] = 0.0
     power = 1.0
     for k in range(1, 1 + POWERS):
-        power *= share
+        power *= m
         a, b = power * table[POWERS_AT + 2 * k - 2], power * table[POWERS_AT + 2 * k - 1]
         ta, tb = -2.0 * k * a, -2.0 * k * b
         for i in range(powers.shape[1]):
-            seen_there[0, i] += a * powers[k, i]
-            seen_there[1, i] += ta * powers[k, i]
-            seen_there[2, i] += b * powers[k, i]
-            seen_there[3, i] += tb * powers[k, i]
+            seen[0, i] += a * powers[k, i]
+            seen[1, i] += ta * powers[k, i]
+            seen[2, i] += b * powers[k, i]
+            seen[3, i] += tb * powers[k, i]
 
 
-@compiled
-def lift(strips: Strips, m: Array, q: Array, kernel: Kernel, remote: Remote, wanted: Flags, out: Array) -> None:
+@inlined
+def lift(strips: Strips, m: Array, q: Array, kernel: Kernel, remote: Remote, out: Array) -> None:
     """Fill in the displacement per unit of compliance at strip centres, relative to the points at depth.
 
     Parameters
@@ -243,26 +274,18 @@ def lift(strips: Strips, m: Array, q: Array, kernel: Kernel, remote: Remote, wan
         As for `coefficients`.
     q : ndarray, shape (n,)
         Loads K q [mm].
-    wanted : ndarray of bool, shape (n,)
-        The strips to look at.
     out : ndarray, shape (n,)
         Result.
     """
     n = strips.y.size
+    seen, kept = np.empty((4, n)), no_squares()
     for i in range(n):
         out[i] = 0.0
     for j in range(n):
-        if not m[j] > 0.0:
-            continue
-        powers, power, inverse = remote.powers[j], q[j], 1.0 / math.sqrt(m[j])
-        for i in range(n):
-            out[i] += q[j] * powers[0, i]
-        for k in range(1, 1 + POWERS):
-            power *= m[j] / remote.widest
-            factor = power * kernel.table[POWERS_AT + 2 * k - 2]
+        if m[j] > 0.0:
+            _seen_from(strips, j, m[j], kernel, remote, seen, kept)
             for i in range(n):
-                out[i] += factor * powers[k, i]
-        _lift_nearby(strips, j, inverse, q[j], kernel, remote, wanted, out)
+                out[i] += q[j] * seen[0, i]
     if strips.at_depth.size:
         for i in range(n):
             for j in range(n):
@@ -270,29 +293,16 @@ def lift(strips: Strips, m: Array, q: Array, kernel: Kernel, remote: Remote, wan
 
 
 @compiled
-def _lift_nearby(
-    strips: Strips, j: int, inverse: float, q: float, kernel: Kernel, remote: Remote, wanted: Flags, out: Array
-) -> None:
-    """Add the displacement by one source where it is not far away."""
-    low, high, terms = strips.low[j], strips.high[j], kernel.terms.shape[0]
-    for k in range(terms):
-        for i in range(remote.first[k, j], remote.beyond[k, j]):
-            if wanted[i]:
-                out[i] += q * _term(strips.y[i], low, high, inverse, kernel.terms, k, kernel.table)
-    for k in range(kernel.faces.shape[0]):
-        for i in range(remote.first[terms + k, j], remote.beyond[terms + k, j]):
-            if wanted[i]:
-                out[i] += kernel.faces[k, 2] * q * added_by_face(strips.y[i], low, high, inverse, kernel, k)[0]
+def added_by_face(y: float, low: float, high: float, inverse: float, kernel: Kernel, k: int, kept: Array) -> Four:
+    """Return what a free side face adds to [A], [t A'], [B] and [t B'] at ``y`` of one strip with 1/a = ``inverse``.
 
-
-@compiled
-def added_by_face(y: float, low: float, high: float, inverse: float, kernel: Kernel, k: int) -> Four:
-    """Return what a free side face adds to [A], [t A'], [B] and [t B'] at ``y`` of one strip with 1/a = ``inverse``."""
+    ``kept`` as for `nonhertz.strip.free_end.free_end`.
+    """
     place, side, first = kernel.faces[k, 0], kernel.faces[k, 1], int(kernel.faces[k, 3])
     u = max(side * (place - y), 0.0) * inverse
     one, other = side * (place - low) * inverse, side * (place - high) * inverse
     inner, outer = max(min(one, other), 0.0), max(one, other, 0.0)
-    return free_end(u, inner, outer, kernel.face_tables, first, kernel.table)
+    return free_end(u, inner, outer, kernel.face_tables, first, kernel.table, kept)
 
 
 @compiled
@@ -325,7 +335,7 @@ def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Arr
 
 @compiled
 def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, kernel: Kernel) -> Array:
-    result = np.zeros(places.size)
+    result, kept = np.zeros(places.size), no_squares()
     for j in range(m.size):
         if m[j] > 0.0:
             inverse, q, low, high = 1.0 / math.sqrt(m[j]), r[j] * m[j], edges[j], edges[j + 1]
@@ -334,7 +344,7 @@ def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, kernel: Ker
                 for k in range(kernel.terms.shape[0]):
                     seen += _term(places[i], low, high, inverse, kernel.terms, k, kernel.table)
                 for k in range(kernel.faces.shape[0]):
-                    seen += kernel.faces[k, 2] * added_by_face(places[i], low, high, inverse, kernel, k)[0]
+                    seen += kernel.faces[k, 2] * added_by_face(places[i], low, high, inverse, kernel, k, kept)[0]
                 result[i] += q * seen
     return result
 

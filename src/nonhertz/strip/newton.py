@@ -27,7 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonhertz.compiled import compiled, inlined
-from nonhertz.strip.influence import Remote, coefficients, lift, remote_of, self_displacement
+from nonhertz.strip.influence import Remote, coefficients, keep_up, lift, remote_of, self_displacement
 from nonhertz.strip.linear import blank, padded, solve_in_place, subtract_product
 from nonhertz.strip.records import (
     CONVERGED,
@@ -53,7 +53,6 @@ ROUGHLY_NEARLY, ROUGHLY_SMALL = 1e-3, 0.1
 STEP_LIMIT, FOLLOWING = 60, 12
 LEAST_CHANGE = 0.3  # smallest factor by which r may change in one step; its inverse is the largest
 WIDEST = 1e4  # half-width over half the total length of the strips, beyond which the iteration has diverged
-ROOM = 1.3  # for the largest m to grow before `Remote` has to be worked out again
 # A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
 LET_SETTLE = 0.1
 
@@ -65,8 +64,8 @@ class _Equations(NamedTuple):
     ----------
     active : ndarray of int
         Their indices among all strips.
-    blocks : ndarray, shape (4, k, k)
-        Influence coefficients.
+    blocks : ndarray, shape (4, n, k)
+        Influence coefficients at all strips.
     follows : ndarray
         How r follows m; see `_curved`.
     missing : ndarray
@@ -110,13 +109,13 @@ def newton(
     half = 0.5 * (strips.high[-1] - strips.low[0])
     rough = options.tolerance > TOLERANCE
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
-    residual, remote = np.inf, remote_of(strips, kernel, ROOM * _widest(unknowns.m))
+    residual, remote = np.inf, remote_of(strips, kernel, unknowns.m)
     for step in range(STEP_LIMIT):
         pair_lone_strip(strips, conditions, unknowns)
         active = touching(unknowns.m)
         if active.size == 0:
             return STAGNATED, step, residual
-        remote = _still_remote(strips, kernel, unknowns, remote)
+        keep_up(strips, kernel, unknowns.m, remote)
         equations, scale, noise, unsettled = _weighed(
             strips, conditions, kernel, remote, unknowns, active, half, options.eager
         )
@@ -142,7 +141,7 @@ def newton(
         changed = _update(strips, kernel, equations, d_r, d_q, options.relaxation, unknowns)
         entered = _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
         if residual < nearly and largest < small_step and not changed and not entered:
-            remote = _still_remote(strips, kernel, unknowns, remote)
+            keep_up(strips, kernel, unknowns.m, remote)
             left = violation(strips, conditions, kernel, remote, unknowns)
             if left < options.tolerance:
                 return CONVERGED, step + 1, left
@@ -152,7 +151,7 @@ def newton(
 @compiled
 def followed(
     strips: Strips, conditions: BoundaryConditions, kernel: Kernel, unknowns: Unknowns, remote: Remote
-) -> tuple[bool, float, float, Remote]:
+) -> tuple[bool, float, float]:
     """Let a contact on the strips where it was solved follow a given approach and tilt, overwriting ``unknowns``.
 
     Parameters
@@ -162,7 +161,7 @@ def followed(
     unknowns : Unknowns
         A solution at another approach and tilt.
     remote : Remote
-        What strips do far away, as the last call returned it.
+        What strips do far away, kept up.
 
     Returns
     -------
@@ -170,8 +169,6 @@ def followed(
         Whether it could, without the help that `nonhertz.strip.solving` knows.
     load, moment : float
         Times K. What the last step would still add is in them: their error is the square of that step.
-    remote : Remote
-        For the next call.
     """
     half = 0.5 * (strips.high[-1] - strips.low[0])
     for k in range(2):
@@ -180,7 +177,7 @@ def followed(
         active = touching(unknowns.m)
         if active.size == 0 or _widest(unknowns.m) > (WIDEST * half) ** 2:
             break
-        remote = _still_remote(strips, kernel, unknowns, remote)
+        keep_up(strips, kernel, unknowns.m, remote)
         equations, scale, noise, unsettled = _weighed(strips, conditions, kernel, remote, unknowns, active, half, True)
         residual = worse(unsettled, -(_least(unknowns.gap) + noise) / scale)
         d_r, d_q = _directions(equations)
@@ -194,10 +191,10 @@ def followed(
             for i in range(active.size):
                 load += equations.weights[i]
                 moment += equations.weights[i] * equations.lever[i]
-            return True, load, moment * half, remote
+            return True, load, moment * half
         _update(strips, kernel, equations, d_r, d_q, 1.0, unknowns)
         _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
-    return False, 0.0, 0.0, remote
+    return False, 0.0, 0.0
 
 
 @inlined
@@ -217,16 +214,9 @@ def _weighed(
     """
     equations, unbent = _linearised(strips, conditions, kernel, remote, unknowns, active, half, eager)
     scale, noise = _scales(strips, unknowns.rigid, active, half)
-    _idle_gaps(strips, kernel, remote, unknowns)
+    _idle_gaps(strips, equations, unknowns)
     unsettled = worse((_largest(equations.unclosed) - noise) / scale, unbent)
     return equations, scale, noise, worse(unsettled, _imbalance(conditions, equations.off, _sum(equations.weights)))
-
-
-@compiled
-def _still_remote(strips: Strips, kernel: Kernel, unknowns: Unknowns, remote: Remote) -> Remote:
-    """Return what strips do far away, worked out again if the contact has become too wide for it."""
-    widest = _widest(unknowns.m)
-    return remote if not widest > remote.widest else remote_of(strips, kernel, ROOM * widest)
 
 
 @compiled
@@ -332,7 +322,7 @@ def _linearised(
 ) -> tuple[_Equations, float]:
     """Return the equations at a state, whose r is brought to the curvature rows, and these rows' largest residual."""
     k = active.size
-    blocks = np.empty((4, k, k))
+    blocks = np.empty((4, unknowns.m.size, k))
     coefficients(strips, unknowns.m, active, kernel, remote, blocks)
     follows = _curved(blocks, strips.curvature, active)
     at = padded(k)
@@ -352,12 +342,12 @@ def _linearised(
         lever[i] = strips.y[source] / half
     load = moment = unbent = 0.0
     for i in range(k):
-        lift = bend = 0.0
+        source, lift, bend = active[i], 0.0, 0.0
         for j in range(k):
-            lift += blocks[0, i, j] * (r[j] * m[j])
-            bend += blocks[2, i, j] * r[j]
-        unclosed[i] = lift - _interference(strips, unknowns.rigid, active[i])
-        unbent = worse(unbent, abs(bend / strips.curvature[active[i]] - 1.0))
+            lift += blocks[0, source, j] * (r[j] * m[j])
+            bend += blocks[2, source, j] * r[j]
+        unclosed[i] = lift - _interference(strips, unknowns.rigid, source)
+        unbent = worse(unbent, abs(bend / strips.curvature[source] - 1.0))
         load += weights[i]
         moment += weights[i] * lever[i]
     off = _balance(conditions, unknowns.rigid, load, moment, half)
@@ -384,29 +374,16 @@ def _imbalance(conditions: BoundaryConditions, off: Array, load: float) -> float
     return largest
 
 
-@compiled
-def _loads(unknowns: Unknowns) -> Array:
-    """Return K q of every strip."""
-    q = np.empty(unknowns.m.size)
-    for i in range(q.size):
-        q[i] = unknowns.r[i] * unknowns.m[i]
-    return q
-
-
 @inlined
-def _idle_gaps(strips: Strips, kernel: Kernel, remote: Remote, unknowns: Unknowns) -> None:
+def _idle_gaps(strips: Strips, found: _Equations, unknowns: Unknowns) -> None:
     """Fill the gap of the strips out of contact, zero for those in contact."""
-    idle, some = np.empty(unknowns.m.size, np.bool_), False
-    for i in range(idle.size):
-        idle[i] = not unknowns.m[i] > 0.0
-        some = some or idle[i]
-    raised = np.zeros(idle.size)
-    if some:
-        lift(strips, unknowns.m, _loads(unknowns), kernel, remote, idle, raised)
-    for i in range(idle.size):
+    for i in range(unknowns.m.size):
         # Where the bodies never meet the gap is infinite, whatever the displacement.
-        apart = -_interference(strips, unknowns.rigid, i)
-        unknowns.gap[i] = (apart + raised[i] if math.isfinite(apart) else apart) if idle[i] else 0.0
+        gap = 0.0 if unknowns.m[i] > 0.0 else -_interference(strips, unknowns.rigid, i)
+        if not unknowns.m[i] > 0.0 and math.isfinite(gap):
+            for j in range(found.r.size):
+                gap += found.blocks[0, i, j] * (found.r[j] * found.m[j])
+        unknowns.gap[i] = gap
 
 
 @compiled
@@ -420,8 +397,8 @@ def _curved(blocks: Array, curvature: Array, active: Indices) -> Array:
     at = padded(k)
     for i in range(k):
         for j in range(k):
-            equations[i, j] = blocks[2, i, j]
-            equations[i, at + j] = 0.5 * blocks[3, i, j]
+            equations[i, j] = blocks[2, active[i], j]
+            equations[i, at + j] = 0.5 * blocks[3, active[i], j]
         equations[i, at + k] = curvature[active[i]]
     solve_in_place(equations)
     return equations
@@ -438,8 +415,9 @@ def _directions(found: _Equations) -> tuple[Array, Array]:
     equations, loaded = blank(k, 3), np.zeros((at, at))
     for i in range(k):
         for j in range(k):
-            loaded[i, j] = -blocks[0, i, j] * m[j]
-            equations[i, j] = (blocks[0, i, j] - 0.5 * blocks[1, i, j]) * m[j]
+            own, change = blocks[0, found.active[i], j], blocks[1, found.active[i], j]
+            loaded[i, j] = -own * m[j]
+            equations[i, j] = (own - 0.5 * change) * m[j]
     subtract_product(equations, loaded, follows, at)
     # Clear what the product left in the padding, so that it stays decoupled.
     for i in range(at):
@@ -532,7 +510,7 @@ def _update(
             m[i] = 16.0 * old_m
         elif mu < -0.9:
             changed = True
-            required = found.blocks[0, k, k] * (1.0 + relaxation * sigma) - 0.5 * found.blocks[1, k, k] * mu
+            required = found.blocks[0, i, k] * (1.0 + relaxation * sigma) - 0.5 * found.blocks[1, i, k] * mu
             width = strips.high[i] - strips.low[i]
             m[i] = _own_width(old_m * required * old_r / r[i], width, kernel.table) if required > 0.0 else 0.0
         else:
@@ -575,8 +553,8 @@ def violation(
 ) -> float:
     """Fill the gap everywhere and return the largest relative violation of contact and balance."""
     half, n = 0.5 * (strips.high[-1] - strips.low[0]), unknowns.m.size
-    q, raised = _loads(unknowns), np.empty(n)
-    lift(strips, unknowns.m, q, kernel, remote, np.ones(n, np.bool_), raised)
+    q, raised = unknowns.r * unknowns.m, np.empty(n)
+    lift(strips, unknowns.m, q, kernel, remote, raised)
     worst, deepest, load, moment = 0.0, -np.inf, 0.0, 0.0
     for i in range(n):
         depth = _interference(strips, unknowns.rigid, i)

@@ -12,8 +12,8 @@ import math
 import numpy as np
 
 from nonhertz.compiled import compiled, inlined
-from nonhertz.strip.influence import Remote, remote_of
-from nonhertz.strip.newton import ROOM, TOLERANCE, followed, newton
+from nonhertz.strip.influence import Remote
+from nonhertz.strip.newton import TOLERANCE, followed, newton
 from nonhertz.strip.records import (
     CONVERGED,
     STAGNATED,
@@ -183,7 +183,6 @@ def follow(
     prescribed: BoundaryConditions,
     kernel: Kernel,
     remote: Remote,
-    widest: Array,
     found: States,
     answer: Array,
 ) -> bool:
@@ -196,9 +195,7 @@ def follow(
     prescribed : BoundaryConditions
         An approach and a tilt, shape (1, 2).
     remote : Remote
-        What these strips do far away, overwritten where it has to be worked out again.
-    widest : ndarray, shape (1,)
-        The m up to which it holds, in place of its own; 0 at first.
+        What these strips do far away, from `blank_remote` at first, and kept up.
     found : States
         The solved case, overwritten.
     answer : ndarray, shape (6,)
@@ -211,16 +208,7 @@ def follow(
     _foresee(strips, conditions, unknowns)
     if too_thin(grids.min_depth[0], kernel, unknowns.m, HOPELESS):
         return False
-    largest = 0.0
-    for i in range(n):
-        largest = max(largest, unknowns.m[i])
-    known = Remote(remote.first, remote.beyond, remote.powers, widest[0])
-    if not largest <= widest[0]:
-        known = remote_of(strips, kernel, ROOM * largest)
-    done, load, moment, known = followed(strips, conditions, kernel, unknowns, known)
-    if known.widest != widest[0]:
-        widest[0] = known.widest
-        remote.first[:], remote.beyond[:], remote.powers[:] = known.first, known.beyond, known.powers
+    done, load, moment = followed(strips, conditions, kernel, unknowns, remote)
     if done:
         take(unknowns, kept)
         answer[0], answer[1] = load, moment

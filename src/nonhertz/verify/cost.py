@@ -53,8 +53,8 @@ def _assemble(contact: Contact, solution: Solution) -> None:
     strips = Strips(y, edges[:-1], edges[1:], contact.curvature(y), contact.separation(y), at_rest)
     active = np.flatnonzero(solution.line_load > 0.0)
     square = np.maximum(solution.element_half_width, 1e-3) ** 2
-    remote = remote_of(strips, kernel, float(square.max()))
-    coefficients(strips, square, active, kernel, remote, np.empty((4, active.size, active.size)))
+    remote = remote_of(strips, kernel, square)
+    coefficients(strips, square, active, kernel, remote, np.empty((4, y.size, active.size)))
 
 
 def _exponent(runs: list[Callable[[], object]]) -> float:
