@@ -12,6 +12,7 @@ kappa every refinement raises the pressure of the last strip, so that value is m
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,7 +37,7 @@ AT_ONE_PLACE = 0.01  # of the last strip
 
 
 def edge_pressures(problem: Problem, state: States) -> tuple[EdgePressure, EdgePressure]:
-    """Return the pressures at the low and the high end of a solved contact."""
+    """Return the pressures at the low and the high end of a solved contact, without strengths; see `with_strength`."""
     return _edge_pressure(problem, state, -1), _edge_pressure(problem, state, 1)
 
 
@@ -167,26 +168,24 @@ def _edge_pressure(problem: Problem, state: States, side: int) -> EdgePressure:
     if not _is_sharp(problem, state.edges, side):
         return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, None, 0.0, convention)
     first, second, _ = edge_powers(kappa, free)
-    exponent = -first
-    half_width = problem.model.element.hertz_ratio * math.sqrt(float(state.m[at]))
-    strength = correction = None
-    # The face of the other body a little further out distorts the pressure where K would be fitted.
-    alone = (kappa, free) == _freed(problem, place, side, FIT_REACH * half_width)
-    if alone and exponent >= LEAST_EXPONENT:
-        distance = np.abs(state.edges - place)[::-side]
-        strength, correction = fitted_strength(distance, pressure, (kappa, free), half_width, problem.model.element)
+    of_last = float(pressure[0])
     return EdgePressure(
-        place,
-        EdgeKind.SINGULAR,
-        float(pressure[0]),
-        width,
-        kappa,
-        exponent,
-        strength,
-        correction,
-        second - first,
-        convention,
-    )
+        place, EdgeKind.SINGULAR, of_last, width, kappa, -first, None, None, second - first, convention
+    )  # fmt: skip
+
+
+def with_strength(problem: Problem, state: States, edge: EdgePressure, side: int) -> EdgePressure:
+    """Return the pressure at a sharp end with its strength, as far as it has one; any other as it is."""
+    if edge.kind is not EdgeKind.SINGULAR:
+        return edge
+    half_width = problem.model.element.hertz_ratio * math.sqrt(float(state.m[-1 if side > 0 else 0]))
+    freed = _freed(problem, edge.y, side, AT_ONE_PLACE * edge.strip_width)
+    # The face of the other body a little further out distorts the pressure where K would be fitted.
+    if freed != _freed(problem, edge.y, side, FIT_REACH * half_width) or edge.exponent < LEAST_EXPONENT:
+        return edge
+    distance, pressure = np.abs(state.edges - edge.y)[::-side], centre_pressure(problem, state)[::-side]
+    strength, correction = fitted_strength(distance, pressure, freed, half_width, problem.model.element)
+    return replace(edge, strength=strength, correction=correction)
 
 
 def _convention(problem: Problem, place: float, side: int, reach: float) -> Finding:

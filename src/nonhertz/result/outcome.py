@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError
 from nonhertz.findings import Finding, said
-from nonhertz.result.end_pressure import centre_pressure, corners, edge_pressures, singular_places
+from nonhertz.result.end_pressure import centre_pressure, corners, edge_pressures, singular_places, with_strength
 from nonhertz.result.ends import singular_ends
 from nonhertz.result.estimate import error_estimate
 from nonhertz.result.maximum import largest_pressure
@@ -131,17 +131,24 @@ class Judgement:
         return corners(self.problem, self.levels.finest) if self.levels.finest.converged else ()
 
     @cached_property
-    def edge_pressure(self) -> tuple[EdgePressure, EdgePressure]:
-        """The pressure at both ends."""
+    def ends(self) -> tuple[EdgePressure, EdgePressure]:
+        """How the contact ends: the pressure at both ends, without strengths."""
         state = self.levels.finest
         with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
             edges = edge_pressures(self.problem, state)
         return _with_corners(self.problem, state, edges, self._corners)
 
     @cached_property
+    def edge_pressure(self) -> tuple[EdgePressure, EdgePressure]:
+        """The pressure at both ends."""
+        state, (low, high) = self.levels.finest, self.ends
+        with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
+            return with_strength(self.problem, state, low, -1), with_strength(self.problem, state, high, 1)
+
+    @cached_property
     def singular_ends(self) -> tuple[SingularEnd, ...]:
         """The ends without a limit of the pressure."""
-        sharp = (edge.y for edge in self.edge_pressure if edge.kind is EdgeKind.SINGULAR)
+        sharp = (edge.y for edge in self.ends if edge.kind is EdgeKind.SINGULAR)
         return singular_ends(sharp, self._corners, float(np.ptp(self.levels.finest.edges)))
 
     @cached_property
@@ -166,7 +173,7 @@ class Judgement:
     def error_estimate(self) -> ErrorEstimate:
         """The estimated errors."""
         return error_estimate(
-            self.problem, self.levels, self.edge_pressure, self._places, self._largest[0],
+            self.problem, self.levels, self.ends, self._places, self._largest[0],
             at_corner=self.peaks_at_corner,
         )  # fmt: skip
 

@@ -54,7 +54,7 @@ def _large_errors(solution: Solution) -> Iterator[Finding]:
         approached = "penetration"
     yield from _uncertain(approached, estimate.approach)
     yield from _uncertain("load", estimate.load)
-    if not (solution.peaks_at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in solution.edge_pressure)):
+    if not (solution.peaks_at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in solution.judgement.ends)):
         yield from _uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR)
 
 
@@ -133,7 +133,7 @@ _NO_LIMIT = (
 
 def singularities(solution: Solution) -> tuple[Finding, ...]:
     """Return each end of the contact at which the pressure has no limit."""
-    sharp = {edge.y: edge for edge in solution.edge_pressure if edge.kind is EdgeKind.SINGULAR}
+    sharp = {edge.y: edge for edge in solution.judgement.ends if edge.kind is EdgeKind.SINGULAR}
     found = []
     for end in solution.singular_ends:
         width = mm(step_at(solution, end))
@@ -143,10 +143,10 @@ def singularities(solution: Solution) -> tuple[Finding, ...]:
                 finding(
                     "sharp-end",
                     "The contact reaches the sharp end at y = {y:.6g} ({convention}), where the pressure is singular, "
-                    f"{{law}} at small distances s: {_NO_LIMIT}.",
+                    f"p ~ K / s^{{exponent:.3g}} at small distances s: {_NO_LIMIT}.",
                     y=mm(edge.y),
                     convention=edge.convention,
-                    law=edge.growth,
+                    exponent=edge.exponent,
                     width=width,
                 )
             )
@@ -165,7 +165,7 @@ def singularities(solution: Solution) -> tuple[Finding, ...]:
 
 def _without_limit(solution: Solution) -> Iterator[Finding]:
     """Yield ends at which the strips cut the contact off, and a corner within it that carries the maximum."""
-    for edge in solution.edge_pressure:
+    for edge in solution.judgement.ends:
         if edge.kind is EdgeKind.CUT_OFF:
             yield finding(
                 "cut-off",
