@@ -116,10 +116,7 @@ def test_tandem_rows_share_the_load():
     ("make", "message"),
     [
         (lambda: spherical(inner_groove=50.0), "inner_groove = 50.0 must exceed the radius of the barrels"),
-        (
-            lambda: B.solve(THRUST, axial=-1e3),
-            "axial = -1000.0 must act along +x, the only way in which this bearing bears it",
-        ),
+        (lambda: B.solve(THRUST, axial=-1000.0), "axial = -1000.0 must act along +x, the only way in which this beari"),
         (lambda: B.solve(THRUST, radial=1e3), "radial = 1000.0 must be zero for a bearing whose inner ring is free"),
         (
             lambda: B.rating(

@@ -121,10 +121,7 @@ def test_a_contact_beyond_the_flank_is_said():
 @pytest.mark.parametrize(
     ("made", "said"),
     [
-        (
-            lambda: row("NU", rib=B.Rib(100.0, 3.0)),
-            "design = 'NU' must have ribs that bear loads, since",
-        ),
+        (lambda: row("NU", rib=B.Rib(100.0, 3.0)), "design = 'NU' must have ribs that bear loads, since"),
         (lambda: row(rib=B.Rib(100.0, 4.2)), "rib.height = 4.2 must be less than the radius of the rollers' ends, 4.1"),
         (lambda: row(rib=B.Rib(40.0, 3.9)), None),
         (lambda: row("NJ", rib=B.Rib(9e5, 4.0)), None),

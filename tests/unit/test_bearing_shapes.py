@@ -173,10 +173,7 @@ def test_a_file_that_cannot_be_read_is_refused(path):
         (lambda: fourier_shape({2: (1.0, 2.0, 3.0)}), "terms[2] = (1.0, 2.0, 3.0) must be an amplitude"),
         (lambda: fourier_shape({2: math.nan}), "terms[2] = nan must be finite"),
         (lambda: tabulated_shape([0.0], [1.0]), "angle = (0.0,) must be a row of at least two angles"),
-        (
-            lambda: tabulated_shape([0.0, 90.0], [1.0, 2.0]),
-            "angle = 90.0 must span no more than one turn of 6.28319 rad",
-        ),
+        (lambda: tabulated_shape([0.0, 90.0], [1.0, 2.0]), "angle = 90.0 must span no more than one turn of 6.28319 r"),
         (lambda: tabulated_shape([0.0, 1.0], [1.0]), "deviation = (1.0,) must be a row of 2 lengths"),
         (lambda: tabulated_shape([0.0, 1.0, 1.0], [1.0, 2.0, 3.0]), "angle = 1.0 must occur once"),
     ],

@@ -196,29 +196,18 @@ NO_SUM = "must only be used for a body with a depth, without which it has no sum
 @pytest.mark.parametrize(
     ("make", "complaint"),
     [
-        (lambda: roller(length=-5.0), "length = -5.0 must be positive"),
-        (lambda: roller(length=math.nan), "length = nan must be a finite number"),
         (lambda: roller(length=None), "length = None must be given"),
         (lambda: roller(diameter=0.0), "diameter = 0.0 must not be zero"),
-        (lambda: roller(diameter=math.inf), "diameter = inf must be a finite number"),
-        (lambda: roller(diameter=-20.0), "diameter = -20.0 must be positive"),
-        (lambda: roller(diameter=None), "diameter = None must be positive"),
         (lambda: nh.Ring(length=20.0), "diameter = None must be given"),
         (lambda: nh.Plate(diameter=20.0), "diameter = 20.0 must be left out"),
         (lambda: roller(material=3), "material = 3 must be a Material or the name of one"),
         (lambda: roller(profile="crown"), "profile = 'crown' must be a Profile"),
-        (lambda: roller(position=math.nan), "position = nan must be a finite number"),
-        (lambda: roller(effective_length=0.0), "effective_length = 0.0 must be positive"),
         (
             lambda: roller(effective_length=21.0),
             "effective_length = 21.0 must not exceed the length of 20 mm",
         ),
         (lambda: roller(side_faces="fre"), f"side_faces = 'fre' {NO_FACE_RULE}"),
         (lambda: roller(side_faces=("mirror", "fre")), f"side_faces[2] = 'fre' {NO_FACE_RULE}"),
-        (lambda: roller(side_faces=-0.5), "side_faces = -0.5 must not be negative"),
-        (lambda: roller(side_faces=("mirror", -0.5)), "side_faces[2] = -0.5 must not be negative"),
-        (lambda: roller(side_faces=math.nan), "side_faces = nan must be a finite number"),
-        (lambda: roller(side_faces=math.inf), "side_faces = inf must be a finite number"),
         (
             lambda: roller(side_faces=True),
             "side_faces = True must be one of 'free', 'mirror', 'calibrated', 'none' or a number",
@@ -244,10 +233,6 @@ NO_SUM = "must only be used for a body with a depth, without which it has no sum
         ),
         (lambda: roller(depth="paper"), f"depth = 'paper' {NO_DEPTH_RULE}"),
         (lambda: nh.Plate(depth="paper"), f"depth = 'paper' {NO_DEPTH_RULE}"),
-        (lambda: roller(depth=0.0), "depth = 0.0 must be positive"),
-        (lambda: nh.Plate(depth=-5.0), "depth = -5.0 must be positive"),
-        (lambda: roller(depth=math.nan), "depth = nan must be a finite number"),
-        (lambda: roller(depth=math.inf), "depth = inf must be a finite number"),
         (
             lambda: roller(depth=True),
             "depth = True must be one of 'none', 'plane-strain', 'diameter', 'cylinder', 'finite' or a number in mm",
@@ -295,10 +280,6 @@ NO_SUM = "must only be used for a body with a depth, without which it has no sum
         (
             lambda: roller(diameter=nh.TabulatedDiameter((0.0, 1.0), (20.0, 0.0))),
             "diameter = (20.0, 0.0) must not be zero",
-        ),
-        (
-            lambda: roller(bore=nh.TabulatedDiameter((0.0, 1.0), (0.0, -5.0))),
-            "bore = (0.0, -5.0) must be positive",
         ),
         (
             lambda: nh.TabulatedDiameter((0.0, 1.0), (20.0, math.nan)),

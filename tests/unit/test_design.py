@@ -223,10 +223,7 @@ BY_ITS_DROP = nh.Case.of(
         ({"vary": {"body.a.profile.radiu": "1 m : 2 m"}}, "the nearest is"),
         ({"vary": {"body.a.profile.radius": "2 m : 1 m"}}, "must ascend"),
         ({"vary": {"body.a.material": "steel"}}, "change gradually"),
-        (
-            {"case": BY_ITS_DROP},
-            "beside body.a.profile.drop, which the case gives in its place: vary it",
-        ),
+        ({"case": BY_ITS_DROP}, "beside body.a.profile.drop, which the case gives in its place: vary it"),
         ({"vary": {"body.a.length": (-1.0, 2.0)}}, "stay within what the case allows"),
         ({"goal": "beauty"}, "goal = 'beauty' must be one of"),
         ({"loads": []}, "be load cases"),

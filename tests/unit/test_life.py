@@ -77,16 +77,10 @@ def test_the_parameters_are_those_of_the_publications():
     ("make", "words"),
     [
         (lambda: model("palmgren"), "model = 'palmgren' must be a fatigue model: choose from lundberg-palmgren, "),
-        (
-            lambda: model("zaretsky", fatigue_limit=3.0),
-            "fatigue_limit = 3.0 must be a parameter of zaretsky: it has sl",
-        ),
+        (lambda: model("zaretsky", fatigue_limit=3.0), "fatigue_limit = 3.0 must be a parameter of zaretsky: it has s"),
         (lambda: lundberg_palmgren(slope=0.1), "slope = 0.1 must lie between 0.2 and 5"),
         (lambda: ioannides_harris(stress="von_mises"), "stress = 'von_mises' must be 'orthogonal_shear' where depth_e"),
-        (
-            lambda: VolumeModel("own", "shear", 9.0, 1.0, 1.1, 0.0, "none"),
-            "stress = 'shear' must be 'orthogonal_shear' where depth_exponent is 1 or more",
-        ),
+        (lambda: VolumeModel("own", "shear", 9.0, 1.0, 1.1, 0.0, "none"), "stress = 'shear' must be 'orthogonal_shear"),
         (lambda: iso_16281(laminae=29), "laminae = 29 must be a whole number from 30 to 2000"),
         (lambda: LoadCase(load=1.0, share=1.2), "share = 1.2 must not exceed 1"),
         (lambda: solve_spectrum(nh.Contact(roller(), RING), []), "cases = [] must be load cases"),

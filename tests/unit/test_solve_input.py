@@ -54,16 +54,7 @@ def refusal(contact=CONTACT, **arguments):
             "approach = 0.1 must not be given together with load",
         ),
         ({**LOAD, "tilt": 0.0, "moment": 5.0}, "moment = 5.0 must not be given together with tilt"),
-        ({"load": -1.0}, "load = -1.0 must be positive"),
-        ({"load": 0.0}, "load = 0.0 must be positive"),
-        ({"load": math.nan}, "load = nan must be a finite number"),
-        ({"load": math.inf}, "load = inf must be a finite number"),
         ({"load": "1 mm"}, "load = '1 mm' must have a unit of force"),
-        ({"load": True}, "load = True must be a finite number"),
-        ({"approach": math.nan}, "approach = nan must be a finite number"),
-        ({"approach": -math.inf}, "approach = -inf must be a finite number"),
-        ({**LOAD, "tilt": math.nan}, "tilt = nan must be a finite number"),
-        ({**LOAD, "moment": math.nan}, "moment = nan must be a finite number"),
     ],
 )
 def test_impossible_prescriptions_are_refused(arguments, complaint):

@@ -244,7 +244,6 @@ def roller(**changes):
         (lambda: roller(diameter=nh.TabulatedDiameter((-1.0, 1.0), (18.0, 20.0))), "where the radius changes by less"),
         (lambda: roller(bore=19.0), "bore = 19.0 must leave a wall of 0.08 times the radius at least, not 0.5 mm"),
         (lambda: roller(bore=25.0), "bore = 25.0 must leave a wall of 0.08 times the radius at least, not -2.5 mm"),
-        (lambda: roller(bore=-1.0), "bore = -1.0 must be positive"),
         (lambda: roller(bore=5.0, depth="plane-strain"), "bore = 5.0 must only be given where depth = 'finite'"),
         (lambda: nh.Ring(diameter=-80.0, length=20.0, side_faces="free", depth="finite"), "for a convex body"),
         (lambda: nh.Body(diameter=20.0, depth="finite"), "must only be used for a body with two free side faces"),
