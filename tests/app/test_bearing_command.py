@@ -23,7 +23,6 @@ from nonhertz.files.bearing_results import UNITS
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
 from nonhertz.files.held import as_toml
 from nonhertz.result.quantities import Quantity
-from nonhertz.show.bearing import load_zones, roller_table, summary_rows
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))
 SLICES = '[solver]\nmethod = "slices"\n'
@@ -112,14 +111,6 @@ def test_a_pair_is_shown_with_its_rows_ribs_and_life(folder, capsys, pair):
     assert_allclose(float(rib[1]), found.rib_load.max(), rtol=1e-4)
 
 
-def test_slices_have_no_pressure_and_say_so(folder, capsys):
-    assert main(["bearing", "sliced.toml"]) == 0
-    out = capsys.readouterr().out
-    assert re.search(r"maximum pressure +none +slices have loads alone", out)
-    assert "max p" not in out
-    assert "L10r" in out
-
-
 def test_an_unloaded_bearing_is_no_failure(folder, capsys):
     Path("idle.toml").write_text(FEW.partition("[load]")[0] + "[load]\n", encoding="utf-8")
     assert main(["bearing", "idle.toml"]) == 0
@@ -127,52 +118,6 @@ def test_an_unloaded_bearing_is_no_failure(folder, capsys):
     assert re.search(r"loaded rollers +none of 6", out)
     assert re.search(r"static safety +no load", out)
     assert re.search(r"modified life +no damage", out)
-
-
-def test_rollers_that_speed_presses_outwards_bear_nothing(few):
-    case, _ = few
-    found = nh.bearing.solve(case.bearing, radial=5e3, speed=5000, method="slices")
-    assert np.all(found.load[:, 1] > 0.0)
-    rows = {name: (value, remark) for name, value, remark in summary_rows(case, found)}
-    assert rows["loaded rollers"] == ("3 of 6", "-60.0 to 60.0 degrees")
-
-
-@pytest.mark.parametrize(
-    ("shape", "zones"),
-    [
-        (lambda angle: 0.0 * angle - 0.05, [[]]),
-        (lambda angle: 0.0 * angle + 0.01, [[(0.0, 330.0)]]),
-        (lambda angle: 0.02 * np.cos(2.0 * angle), [[(-30.0, 30.0), (150.0, 210.0)]]),
-        (lambda angle: 0.05 * np.cos(angle - np.pi) - 0.045, [[(180.0, 180.0)]]),
-    ],
-)
-def test_load_zones_are_where_rollers_follow_each_other(shape, zones):
-    row = nh.bearing.CylindricalRollerBearing(
-        roller=nh.Roller(diameter=9, length=10), inner=nh.Ring(diameter=37.5), outer=nh.Ring(diameter=-55.5),
-        rollers=12, outer_shape=shape,
-    )  # fmt: skip
-    found = nh.bearing.solve(row, radial_displacement=0.0, method="slices")
-    degrees = [[(np.degrees(low), np.degrees(high)) for low, high in each] for each in load_zones(found)]
-    for each, expected in zip(degrees, zones, strict=True):
-        assert_allclose(np.reshape(each, (-1, 2)), np.reshape(expected, (-1, 2)), atol=1e-9)
-
-
-def test_warnings_that_differ_in_numbers_are_said_once(pair):
-    _, found = pair
-    contacts = [found.contact(j, ring) for j in range(12) for ring in ("inner", "outer")]
-    whole = sum(len(contact.warnings) for contact in contacts if contact is not None)
-    said = found.warnings
-    assert 0 < len(said) < whole
-    more = sum(int(n) for n in re.findall(r"And (\d+) more", " ".join(said)))
-    assert more + len(said) == whole
-    assert said[0].startswith("roller 0 at 0.0 degrees, row 1, inner ring: ")
-
-
-def test_the_table_of_rollers_is_blank_where_there_is_nothing(few):
-    rows = roller_table(few[1]).rows
-    assert [row[0] for row in rows] == list("012345")
-    assert all(row[1] == row[9] == "" for row in rows)
-    assert rows[3][3:] == ("0", "0", "", "", "", "", "")
 
 
 # JSON and files
@@ -214,17 +159,6 @@ def test_json_says_why_there_is_no_life(folder, capsys):
     assert result["life_reason"] == "the bearing must be of bearing steel"
 
 
-def test_json_of_a_pair_has_its_life_and_says_where_rows_are(folder, capsys):
-    Path("sliced.toml").write_text(PAIR + SLICES, encoding="utf-8")
-    assert main(["bearing", "sliced.toml", "--json"]) == 0
-    result = parsed(capsys.readouterr().out)
-    assert result["life"]["rating"]["rows"] == 2
-    assert result["life_reason"] == ""
-    assert result["row"] == [1] * 6 + [2] * 6
-    assert result["x"] == [-10.0] * 6 + [10.0] * 6
-    assert result["max_pressure"] is None
-
-
 def table(path: Path) -> list[dict[str, str]]:
     with path.open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
@@ -261,19 +195,6 @@ def test_out_writes_result_rollers_and_lines(folder, capsys, few):
         )
 
 
-@pytest.mark.slow
-def test_lines_of_slices_add_up_to_the_loads(folder, capsys):
-    assert main(["bearing", "sliced.toml", "--out", "results"]) == 0
-    capsys.readouterr()
-    lines, rollers = table(Path("results/lines.csv")), table(Path("results/rollers.csv"))
-    assert "centre_pressure [MPa]" not in lines[0]
-    own = [float(row["line_load [N/mm]"]) for row in lines if (row["roller"], row["ring"]) == ("0", "inner")]
-    assert len(own) == 41
-    width = float(lines[0]["strip_width [mm]"])
-    assert_allclose(width * 41, 10.0, rtol=1e-12)
-    assert_allclose(sum(own) * width, float(rollers[0]["load_inner [N]"]), rtol=1e-9)
-
-
 def test_a_further_number_of_bearings_is_one_entry(folder, capsys, monkeypatch):
     mean = Quantity("mean_load", "mean load", "", "N", lambda solved: solved.solution.load.mean())
     monkeypatch.setitem(QUANTITIES, "mean_load", mean)
@@ -283,16 +204,6 @@ def test_a_further_number_of_bearings_is_one_entry(folder, capsys, monkeypatch):
     assert_allclose(1e3 * float(line.split()[2]), loads.mean(), rtol=1e-4)
     assert main(["bearing", "sliced.toml", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["mean_load"] == loads.mean()
-
-
-def test_figures_come_out_with_the_tables(folder, capsys, monkeypatch):
-    """Whatever `nonhertz.plot.bearing_figures` draws is saved."""
-    from matplotlib.figure import Figure
-
-    monkeypatch.setattr(nonhertz.plot, "figures", lambda solution, title: {"loads": Figure()})
-    assert main(["bearing", "sliced.toml", "--out", "results"]) == 0
-    capsys.readouterr()
-    assert {"loads.svg", "loads.png"} <= {path.name for path in Path("results").iterdir()}
 
 
 # Both methods
@@ -368,18 +279,6 @@ def test_check_says_in_one_line_that_all_is_well(folder, capsys):
     Path("both.toml").write_text(FEW.replace('"5 kN"', "[3e3, 4e3]"), encoding="utf-8")
     assert main(["check", "both.toml"]) == 0
     assert "radial = 3000, 4000 N, tilt = 0.0002 rad." in capsys.readouterr().out
-
-
-def test_check_numbers_all_mistakes(folder, capsys):
-    Path("bad.toml").write_text(FEW.replace("rollers = 6", "rollers = 60").replace("0.2 mrad", "2 m"), encoding="utf-8")
-    assert main(["check", "bad.toml"]) == 2
-    printed = capsys.readouterr()
-    assert printed.err == ""
-    first, second = printed.out.splitlines()
-    assert first.startswith("1. bearing.rollers = 60 must fit on a pitch circle")
-    assert second.startswith("2. load.tilt = '2 m' must have a unit of angle")
-    assert main(["bearing", "bad.toml"]) == 2
-    assert capsys.readouterr().err == printed.out
 
 
 def test_check_knows_a_bearing_file_without_its_bearing(folder, capsys):

@@ -6,7 +6,6 @@ import csv
 import ctypes
 import dataclasses
 import errno
-import importlib.metadata
 import inspect
 import io
 import json
@@ -36,9 +35,6 @@ from nonhertz.result.solution import Solution
 from nonhertz.show.sections import Section, Table
 
 CASE = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
-NUMBERS = {"approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "iterations", "strips"}
-ARRAYS = {"y", "strip_width", "line_load", "centre_pressure", "half_width", "gap", "stiffness"}
-KEYS = NUMBERS | ARRAYS | {"status", "element", "contact_y", "error_estimate", "warnings"}
 FILES = {f"{figure}.{ending}" for figure in ("pressure", "footprint", "profile") for ending in ("svg", "png")} | {
     "result.json",
     "table.csv",
@@ -104,26 +100,6 @@ def test_the_summary_names_what_an_engineer_asks_for(case: str, capsys: pytest.C
     assert "warning: " in printed.out
 
 
-def test_json_is_one_object_with_the_solution_in_full(
-    case: str, capsys: pytest.CaptureFixture[str], solution: Solution
-) -> None:
-    assert main(["solve", case, "--json"]) == 0
-    printed = capsys.readouterr()
-    assert printed.err == ""
-    result = parsed(printed.out)
-    assert result.keys() >= KEYS
-    assert result["title"] == "Roller 20 x 20 on a plate"
-    assert result["status"] == "converged"
-    assert result["element"] == "semi-elliptic"
-    for name in NUMBERS:
-        assert result[name] == getattr(solution, name), name
-    for name in ARRAYS:
-        np.testing.assert_array_equal(result[name], getattr(solution, name), err_msg=name)
-    assert result["contact_y"] == [list(interval) for interval in solution.contact_y]
-    assert result["warnings"] == list(solution.warnings)
-    assert result["units"].keys() <= result.keys()
-
-
 def test_json_has_null_where_a_number_is_infinite(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     Path(case).write_text(CASE.replace('strips = "auto"', "strips = 1"), encoding="utf-8")
     main(["solve", case, "--json"])
@@ -153,17 +129,6 @@ def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureF
         assert path.read_bytes().startswith(b"\x89PNG")
     for path in folder.glob("*.svg"):
         assert "<svg" in path.read_text(encoding="utf-8")[:1000]
-
-
-@pytest.mark.slow
-def test_out_replaces_an_older_result_and_leaves_other_files(case: str, capsys: pytest.CaptureFixture[str]) -> None:
-    Path("results").mkdir()
-    Path("results/result.json").write_text("old", encoding="utf-8")
-    Path("results/notes.txt").write_text("mine", encoding="utf-8")
-    assert main(["solve", case, "--out", "results"]) == 0
-    assert "wrote results/table.csv" in capsys.readouterr().out.replace("\\", "/")
-    assert {path.name for path in Path("results").iterdir()} == FILES | {"notes.txt"}
-    assert parsed(Path("results/result.json").read_text(encoding="utf-8"))["status"] == "converged"
 
 
 def fail(*_: object) -> None:
@@ -229,13 +194,6 @@ def test_check_says_in_one_line_that_all_is_well(case: str, capsys: pytest.Captu
     assert printed.out.startswith("case.toml is fine: 'Roller 20 x 20 on a plate'")
 
 
-def test_check_leaves_convergence_to_solve(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, solution: Solution
-) -> None:
-    stop_short(monkeypatch, solution)
-    assert main(["check", case]) == 0
-
-
 def test_new_prints_a_case_that_solves(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -261,16 +219,6 @@ def test_templates_solve_without_a_warning(
     found = parsed(capsys.readouterr().out)
     assert found["warnings"] == []
     assert len(found["contact_y"]) == 1
-
-
-def test_a_plan_to_start_from_is_fine(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    assert main(["new", "case.toml"]) == 0
-    assert main(["new", "--plan", "plan.toml"]) == 0
-    assert "nonhertz design plan.toml" in capsys.readouterr().out
-    assert main(["check", "plan.toml"]) == 0
 
 
 @pytest.mark.parametrize("kind", ["", *TEMPLATES, *(f"--bearing --template {name}" for name in BEARING_TEMPLATES)])
@@ -415,7 +363,8 @@ def test_an_interruption_of_a_callback_ends_the_program(
 
     def interrupted_in_callback(*_: object, **__: object) -> None:
         callback()
-        time.sleep(10.0)
+        for _ in range(1000):  # a sleep would last to its end
+            time.sleep(0.01)
         pytest.fail("The interruption was dropped.")
 
     monkeypatch.setattr(nonhertz.solver.one, "solve", interrupted_in_callback)
@@ -477,8 +426,3 @@ def test_a_title_in_greek_survives_a_terminal_that_knows_ascii_only(case: str) -
     run = subprocess.run(command, capture_output=True, check=False, env=ascii_only)
     assert run.returncode == 0, run.stderr
     assert run.stdout.startswith(b"Rolle ? [bold] x 20 on a plate")
-
-
-def test_the_entry_point_is_main() -> None:
-    entries = importlib.metadata.entry_points(group="console_scripts", name="nonhertz")
-    assert {entry.value for entry in entries} <= {"nonhertz.cli:main"}

@@ -83,24 +83,6 @@ def solved(path: str) -> nh.Solution:
     return nh.solve(problem.contact, **problem.prescribed, **problem.solver)
 
 
-def test_lives_are_those_of_python(case: str, capsys: pytest.CaptureFixture[str]) -> None:
-    found = found_in([case], capsys)
-    assert (found["title"], found["status"], found["raceway"]) == ("Roller on a ring", ["converged"], "b")
-    assert [each["name"] for each in found["models"]] == list(nonhertz.life.MODELS)
-    solution = solved(case)
-    for body in "ab":
-        for each, life in zip(found["models"], assess(solution, body=body, rollers=14), strict=True):
-            # Digit for digit: neither may round, and an a for a b would show in the seventh.
-            assert each["relative_life"][body] == life.relative
-            assert (each["damage"][body], each["reference"][body]) == (life.damage, life.reference)
-            if body == "b":
-                assert each["million_revolutions"] == life.million_revolutions
-    assert found["models"][1]["parameters"]["fatigue_limit"] == 360.0
-    assert found["models"][4]["parameters"]["laminae"] == 60
-    assert found["spectrum"][0]["load"] == pytest.approx(12e3, rel=1e-12)
-    assert found["units"]["models"]["parameters"] == {"fatigue_limit": "MPa"}
-
-
 def test_the_table_says_what_its_numbers_mean(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["life", case, "--model", "lundberg-palmgren", "iso-16281"]) == 0
     printed = capsys.readouterr()
@@ -174,13 +156,6 @@ def test_another_case_is_compared_by_the_models_of_the_first(case: str, capsys: 
     assert float(row[-1]) == pytest.approx(of_first.over(of_other), rel=1e-3)
 
 
-def test_laminae_with_and_without_a_raceway_are_not_compared(case: str, capsys: pytest.CaptureFixture[str]) -> None:
-    plate = changed('kind = "ring"\ndiameter = 60', 'kind = "plate"')
-    found = found_in([case, *QUICK, "--compare", plate], capsys)
-    assert found["compared_with"]["models"][0]["ratio"] == {"a": None, "b": None}
-    assert found["compared_with"]["raceway"] is None
-
-
 def test_all_files_are_written(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     models = ["--model", "lundberg-palmgren", "iso-16281"]
     found = found_in([case, *models, "--out", "new/folder", "--compare", case], capsys)
@@ -213,14 +188,6 @@ def test_what_is_no_number_is_null_and_said_in_words(case: str, capsys: pytest.C
     assert sentence.startswith("body.a.length must be given for laminae: ")
 
 
-def test_no_damage_is_said_in_words(case: str, capsys: pytest.CaptureFixture[str]) -> None:
-    path = changed("rollers = 14", 'fatigue_limit = "2 GPa"')
-    assert main(["life", path, "--model", "ioannides-harris", "--out", "folder"]) == 0
-    text = " ".join(capsys.readouterr().out.split())
-    assert "ioannides-harris none none" in text
-    assert "none: there is no damage, not even under the ideal pressure." in text
-
-
 def test_mistakes_of_the_other_file_are_named_with_its_path(case: str, capsys: pytest.CaptureFixture[str]) -> None:
     other = changed("rollers = 14", "rollers = -1\nslope = 0")
     first, second = refused([case, "--compare", other], capsys).splitlines()
@@ -242,37 +209,6 @@ def test_no_life_without_a_solution(
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == ("", "It stopped.\n" if name == "first" else "other.toml: It stopped.\n")
     assert not Path("folder").exists()
-
-
-def test_a_tapered_roller_has_an_l10_with_its_contact_angle(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    cone = "{ y = [-5.8, 5.8], diameter = [10.94, 10.12] }"
-    text = f"""
-        [body.a]
-        kind = "roller"
-        diameter = {cone}
-        length = 11.6
-        profile = [{{ kind = "crown", radius = 1500 }}]
-        [body.b]
-        kind = "ring"
-        diameter = {{ y = [-5.8, 5.8], diameter = [43.0, 40.0] }}
-        [load]
-        load = "4 kN"
-        [solver]
-        strips = 21
-        [life]
-        rollers = 14
-        models = ["iso-16281"]
-        """
-    path = tmp_path / "tapered.toml"
-    path.write_text(text, encoding="utf-8")
-    assert main(["life", str(path)]) == 0
-    assert "give contact_angle" in " ".join(capsys.readouterr().out.split())
-    path.write_text(text + 'contact_angle = "11.9 deg"\n', encoding="utf-8")
-    assert main(["life", str(path), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    problem = read_case(path)
-    (life,) = assess(problem.solve(), "iso-16281", body="b", rollers=14, contact_angle=np.radians(11.9))
-    assert found["models"][0]["million_revolutions"] == pytest.approx(life.million_revolutions, rel=1e-6)
 
 
 DENTED = """

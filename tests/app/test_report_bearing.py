@@ -20,7 +20,7 @@ from nonhertz.report import MARK, BearingResults, compose, examined, rendered, s
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import results
 from nonhertz.report.inputs import inputs
-from nonhertz.report.overview import first_numbers, geometry, opening, part_rows
+from nonhertz.report.overview import first_numbers, geometry, opening
 from nonhertz.show.bearing import life_rows, summary_rows
 
 CROWN = '{ kind = "crown", radius = 1200 }'
@@ -156,19 +156,6 @@ def test_a_bearing_without_balance_is_reported_as_such(folder, capsys, monkeypat
     assert main(["report", "few.toml", "sliced.toml", "--out", "two.html"]) == 1
 
 
-def test_bearings_are_announced_and_a_comparison_without_balance_is_told(few, monkeypatch):
-    announced: list[str] = []
-    (solved,) = settled([few.case], announced.append)
-    assert announced == ["bearing"]
-
-    def stop(*_: object, **__: object) -> None:
-        raise nh.ConvergenceError("No balance.", None)
-
-    monkeypatch.setattr("nonhertz.bearing.verb.solve", stop)
-    (found,) = examined([solved], compare=True)
-    assert (found.solution, found.complaint) == (None, "No balance.")
-
-
 # What it says
 
 
@@ -201,14 +188,6 @@ def test_the_opening_says_what_loads_what(few, pair):
     assert opening(pair).startswith("Tapered roller bearing of 2 rows, 6 rollers of ")
 
 
-def test_parts_are_those_of_a_drawing(few):
-    rows = {row[0]: row[1:] for row in part_rows(few.case)}
-    assert rows["diameter [mm]"] == ("9", "37.5", "-55.5")
-    # 4.5^2 / 2400 mm
-    assert rows["relief at y = -4.5 and 4.5 mm [µm]"] == ("8.44 and 8.44", "–", "–")
-    assert rows["material"] == ("steel",) * 3
-
-
 def test_geometry_follows_from_the_dimensions(few, pair):
     rows = dict(geometry(few))
     # Six on a circle: neighbours are half a pitch diameter apart.
@@ -230,22 +209,6 @@ def test_geometry_follows_from_the_dimensions(few, pair):
     cone = 2.0 * np.degrees(np.arctan(0.5 * 0.82 / 11.6))
     assert (outer, inner) == pytest.approx((12.0, 12.0 - cone), abs=1e-3)
     assert rows["rows at x ="] == "-10 and 10 mm"
-
-
-def test_inputs_have_value_unit_and_say_what_is_a_default(few, pair):
-    entries = {entry.place: entry for group in inputs(few.case) for entry in group.entries}
-    clearance = entries["bearing.clearance"]
-    assert (clearance.value, clearance.unit, clearance.default, clearance.written) == ("12", "µm", False, "")
-    assert (entries["load.radial"].value, entries["load.radial"].unit) == ("5000", "N")
-    assert entries["load.radial"].written == "5 kN"
-    assert entries["bearing.pitch_diameter"].value == "46.5"
-    assert entries["bearing.pitch_diameter"].default
-    assert entries["solver.method"].value == "strips"
-    assert "bearing.contact_angle" not in entries
-    entries = {entry.place: entry for group in inputs(pair.case) for entry in group.entries}
-    assert (entries["bearing.pair.clearance"].value, entries["bearing.pair.clearance"].unit) == ("-40", "µm")
-    assert entries["bearing.rib"].value == "end_radius = 140 mm, height = 4.8 mm"
-    assert entries["roller.length"].value == "11.6"
 
 
 def test_a_fit_and_a_shape_are_among_the_inputs_and_the_clearance_is_told(undrawn):
@@ -317,44 +280,6 @@ def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
     assert "is a guess" in rib.remark
 
 
-def test_slices_have_no_pressures_and_say_so(undrawn):
-    found = found_in(PLAIN + SLICES)
-    assert numbers_of(found)["maximum pressure"][0] == "none"
-    assert "Independent slices" in {row.name for row in assumptions(found)}
-    text = Page(rendered([found])).text
-    assert "slices have loads alone" in text
-    assert "Grid fine enough" not in text
-
-
-def test_why_a_bearing_is_not_rated_is_said(undrawn):
-    found = found_in(PLAIN.replace("length = 10.0", 'length = 10.0\nmaterial = "silicon-nitride"') + SLICES)
-    assert "the bearing must be of bearing steel" in Page(rendered([found])).text
-    (unrated,) = examined(settled([found.case]), life=False)
-    assert "Ratings and life" not in Page(rendered([unrated])).text
-
-
-def test_a_load_beyond_half_of_c_and_a_loose_ring_are_told(undrawn):
-    seats = '[fit.shaft]\ndiameter = 30\ninterference = "10 um"\n[fit.housing]\ndiameter = 62\n'
-    fit = f"[fit]\ninner_temperature = 120\n{seats}"
-    text = Page(rendered([found_in(PLAIN.replace('"5 kN"', '"15 kN"') + SLICES + fit)])).text
-    assert "exceeds half the rating C of" in text
-    assert "Limits not met" in text
-    assert "The inner ring has come loose on its shaft" in text
-
-
-def test_a_life_under_a_spectrum_has_no_hours(undrawn):
-    spectrum = '[[life.spectrum]]\nradial = "4 kN"\nshare = 0.5\n[[life.spectrum]]\nradial = "6 kN"\nshare = 0.5\n'
-    found = found_in(PLAIN + SLICES + spectrum)
-    text = Page(rendered([found])).text
-    assert "life under 2 loads of a spectrum" in text
-    assert " hours" not in text
-    page = Page(rendered([found]))
-    life = json.loads(page.files()["bearing-result.json"])["life"]
-    # Miner: the reciprocal of the life is the mean of those of its parts.
-    assert [part["share"] for part in life["parts"]] == [0.5, 0.5]
-    assert 1.0 / life["reference"] == pytest.approx(sum(0.5 / part["reference"] for part in life["parts"]))
-
-
 # Several
 
 
@@ -382,16 +307,3 @@ def test_several_bearings_are_compared_with_the_first(few, undrawn):
     assert "roller.diameter 9 mm" in before.partition("Inputs that are the same")[2]
     assert "roller.chamfer" not in before
     assert {"tight.toml", "loose.toml", "loose-result.json"} <= set(page.files())
-
-
-def test_the_largest_load_of_a_rib_is_compared(pair):
-    rows = {name: cells for name, *cells in results([pair, pair])}
-    first, second = rows["largest rib load [N]"]
-    assert float(first.text) == pytest.approx(pair.solution.rib_load.max(), rel=1e-4)
-    assert second == (first.text, "0 %")
-
-
-@pytest.mark.slow
-def test_figures_are_drawn_and_numbered(few, pair):
-    for text, drawn in ((rendered([few]), 4), (rendered([few, pair]), 1)):
-        assert re.findall(r"<b>Figure (\d+)\.</b>", text) == [str(number) for number in range(1, drawn + 1)]

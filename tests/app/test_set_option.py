@@ -77,11 +77,6 @@ def test_a_key_makes_room_for_what_is_given_in_its_place(
     assert "load" not in found["case"]["load"]
 
 
-def test_both_of_two_that_take_each_others_place_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    said = refused(capsys, "solve", CASE, "--set", "load.approach=20um", "load.load=5kN")
-    assert "must not be given together with load" in said
-
-
 def test_a_parameter_takes_the_place_of_the_drop_that_determines_it() -> None:
     dropped = nh.read_case(CASE, {"body.a.profile.drop": "12 um"})
     assert dropped.origin is not None

@@ -13,7 +13,7 @@ import nonhertz as nh
 import nonhertz.solver.one
 from nonhertz.amounts import digits
 from nonhertz.cli import main
-from nonhertz.files.several import HEAD, Attempt, objects
+from nonhertz.files.several import HEAD
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CROWNED = (EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8")
@@ -53,11 +53,6 @@ def test_json_is_a_list_of_what_each_alone_prints(cases: list[str], capsys: pyte
         assert main(["solve", case, "--json"]) == 0
         assert each["result"] == json.loads(capsys.readouterr().out)
         assert each["complaints"] == []
-
-
-def test_a_case_without_a_solution_has_no_result(cases: list[str]) -> None:
-    (found,) = objects([Attempt(Path(cases[0]), nh.read_case(cases[0]), complaints=("It is too wide.",))])
-    assert found == {"file": cases[0], "complaints": ["It is too wide."], "result": None}
 
 
 def test_one_that_fails_does_not_hide_the_others(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import warnings
 
@@ -11,7 +10,6 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.cli.printing import print_result
-from nonhertz.files.results import UNITS, as_object, key_by_key
 from nonhertz.result.solution import Solution
 from nonhertz.show.summary import sections, summary_rows
 from nonhertz.verdict import of_contact
@@ -31,21 +29,9 @@ def sharp() -> Solution:
 
 
 @pytest.fixture(scope="module")
-def flat() -> Solution:
-    """A crown so flat that the contact reaches both ends, with the largest strip pressure in the middle."""
-    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
-    return solved(roller, nh.Plate(), load=10e3)
-
-
-@pytest.fixture(scope="module")
 def coincident() -> Solution:
     roller = nh.Roller(diameter=20, length=20)
     return solved(roller, roller)
-
-
-@pytest.fixture(scope="module")
-def crowned() -> Solution:
-    return solved(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000)), nh.Plate(), load=2e3)
 
 
 def rows(solution: Solution) -> dict[str, tuple[str, str]]:
@@ -80,29 +66,6 @@ def test_the_maximum_is_a_half_width_from_a_singular_end(sharp: Solution) -> Non
     assert between < 0.5 * sharp.centre_pressure.max()
 
 
-def test_a_maximum_in_the_middle_stays_the_maximum(flat: Solution) -> None:
-    shown = rows(flat)
-    assert flat.max_pressure_y == pytest.approx(0.0, abs=1e-9)
-    assert shown["maximum pressure"][0] == f"{flat.centre_pressure.max():.1f} MPa"
-    assert shown["maximum pressure+"] == ("at y = 0 mm", "away from singular ends")
-
-
-def test_both_of_two_equal_places_are_named() -> None:
-    shown = rows(solved(nh.Roller(diameter=20, length=20), nh.Plate()))
-    place = re.fullmatch(r"at y = -([\d.]+) and ([\d.]+) mm", shown["maximum pressure+"][0])
-    assert place is not None
-    assert place[1] == place[2]
-    assert 9.0 < float(place[1]) < 10.0
-
-
-def test_a_contact_shorter_than_wide_has_the_maximum_of_its_middle() -> None:
-    short = solved(nh.Roller(diameter=20, length=0.4), nh.Plate(), load=200.0)
-    shown = rows(short)
-    assert short.max_pressure == short.centre_pressure[short.strips // 2]
-    assert shown["maximum pressure"][0] == f"{short.max_pressure:.1f} MPa"
-    assert shown["maximum pressure+"][0] == "at y = 0 mm"
-
-
 def test_a_strength_that_too_few_strips_leave_unknown_is_called_so() -> None:
     coarse = solved(nh.Roller(diameter=20, length=20), nh.Plate(), strips=7)
     shown = rows(coarse)
@@ -127,12 +90,6 @@ def test_a_maximum_at_a_corner_of_the_profile_has_no_limit() -> None:
     assert rows(cornered)["maximum pressure"][1] == "no limit, at a corner of the profile"
 
 
-def test_an_end_at_a_corner_of_the_profile_has_no_limit_either() -> None:
-    chamfered = nh.Roller(diameter=20, length=20, profile=nh.profile.chamfer(20, 1.0))
-    shown = rows(solved(chamfered, nh.Plate(), load=20e3))
-    assert shown["edge at y = 9 mm"] == ("no limit", "at a corner of the profile")
-
-
 def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident: Solution) -> None:
     shown = rows(coincident)
     for edge in coincident.edge_pressure:
@@ -143,48 +100,9 @@ def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident: So
     assert "away from the ends" not in shown
 
 
-def test_mirrored_faces_that_both_bodies_have_are_said_to_end_too_high() -> None:
-    roller = nh.Roller(diameter=20, length=20, side_faces="mirror")
-    remarks = [remark for name, (_, remark) in rows(solved(roller, roller)).items() if name.startswith("edge at")]
-    assert remarks == ["finite; the true end is lower"] * 2
-
-
-def test_a_contact_that_ends_inside_runs_out(crowned: Solution) -> None:
-    shown = rows(crowned)
-    for edge in crowned.edge_pressure:
-        assert abs(edge.y) < 9.0
-        assert shown[f"edge at y = {edge.y:.5g} mm"] == ("runs out", "")
-    assert shown["maximum pressure"][0].endswith(" MPa")
-
-
 def test_the_rows_fit_a_narrow_terminal(sharp: Solution, capsys: pytest.CaptureFixture[str]) -> None:
     print_result("sharp", sections(sharp), verdict=of_contact(sharp), warnings=sharp.warnings, piped=None)
     lines = [line.rstrip() for line in capsys.readouterr().out.splitlines() if not line.startswith("warning")]
     # A row that is broken begins with the remark's column.
     assert len(lines) == len(summary_rows(sharp)) + 2
     assert lines[1].startswith("No limit of the pressure. ")
-
-
-@pytest.mark.parametrize("name", ["sharp", "coincident", "crowned"])
-def test_the_result_has_both_ends(name: str, request: pytest.FixtureRequest) -> None:
-    solution: Solution = request.getfixturevalue(name)
-    case = nh.Case(solution.contact, {"load": solution.load}, title=name)
-    result = json.loads(key_by_key(as_object(solution, case)), parse_constant=pytest.fail)
-    assert len(result["edge_pressure"]) == 2
-    for entry, edge in zip(result["edge_pressure"], solution.edge_pressure, strict=True):
-        assert entry == {
-            "y": edge.y,
-            "kind": edge.kind.label,
-            "pressure": edge.pressure,
-            "strip_width": edge.strip_width,
-            "image_weight": edge.image_weight,
-            "exponent": edge.exponent,
-            "strength": edge.strength,
-            "correction": edge.correction,
-            "correction_exponent": edge.correction_exponent,
-            "convention": str(edge.convention),
-            "converges": edge.kind is not nh.EdgeKind.SINGULAR,
-        }
-        assert set(UNITS["edge_pressure"]) <= set(entry)
-    assert result["max_pressure"] == solution.max_pressure
-    assert UNITS["edge_pressure"]["correction"] == "mm^-correction_exponent"

@@ -18,7 +18,6 @@ from nonhertz.strength import assess
 from nonhertz.subsurface import extremes
 from nonhertz.web import limits
 from nonhertz.web.view import curves, jobs
-from nonhertz.web.view.jobs import as_json_has_it
 
 STARTING = tomllib.loads(starting_case())
 
@@ -97,13 +96,6 @@ def test_the_profile_is_the_relief_of_each_body():
     assert set(b["relief_um"]) == {0.0}
 
 
-def test_relief_without_end_is_null():
-    found = answer(changed(body__a__profile=[{"kind": "logarithmic", "amplitude": 0.005, "fraction": 1.0}]))
-    relief = found["profiles"]["a"]["relief_um"]
-    assert relief[0] is relief[-1] is None
-    assert None not in relief[1:-1]
-
-
 @pytest.mark.parametrize("body", ["a", "b"])
 def test_stress_is_that_of_the_search(body):
     found, solution = answer(STARTING, True, body), solution_of(STARTING)
@@ -133,12 +125,6 @@ def test_what_a_body_bears_is_said_as_everywhere(body):
     assert {each["verdict"] for each in found} >= {"fine", "over"}
     assert found[0]["sentence"].endswith(f"static safety {strength.static_safety:.3g}.")
     assert answer["stress"]["von_mises"]["value"] == strength.largest.von_mises.max
-
-
-def test_nothing_is_said_of_what_a_body_bears_without_a_solution(monkeypatch):
-    # Under less than the least load, which is refused first, the loop fails.
-    monkeypatch.setattr("nonhertz.model.prescription.LEAST", 0.0)
-    assert json.loads(jobs.strength(changed(load__load=1e-300), "a"))["checks"] == []
 
 
 def test_stress_that_takes_too_long_is_left_out_with_a_sentence():
@@ -175,25 +161,13 @@ def test_an_unconverged_solve_is_shown_with_its_complaint(monkeypatch):
     assert found["gap"]["y"]
 
 
-def jsonable(text):
-    """Return whether JSON can carry a case file: it has no infinity and no dates, and the page reads no files."""
-    try:
-        document = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, ValueError, RecursionError):
-        return False
-    return as_json_has_it(document) == document and "file" not in text
-
-
-@pytest.mark.parametrize("name", [name for name, (text, *_) in MISTAKES.items() if jsonable(text)])
-def test_mistakes_are_those_of_the_command_line(name, tmp_path, capsys):
-    text = MISTAKES[name][0]
+@pytest.mark.parametrize("text", [MISTAKES[0][0], MISTAKES[-1][0]])
+def test_mistakes_are_those_of_the_command_line(text, tmp_path, capsys):
     path = tmp_path / "case.toml"
     path.write_text(text, encoding="utf-8")
     assert main(["check", str(path)]) == 2
     printed = [line.partition(". ")[2] for line in capsys.readouterr().out.splitlines()]
-    found = answer(tomllib.loads(text))
-    assert not found["ok"]
-    assert [mistake["sentence"] for mistake in found["mistakes"]] == printed
+    assert [mistake["sentence"] for mistake in answer(tomllib.loads(text))["mistakes"]] == printed
 
 
 def test_mistakes_stand_at_their_fields():
@@ -325,12 +299,6 @@ def test_a_curve_over_nothing_names_the_nearest():
 def test_a_curve_obeys_the_limits_of_the_page():
     (point,) = curve(STARTING | {"solver": {"strips": 20}}, "solver.strips", [limits.STRIPS + 1])["points"]
     assert f"at most {limits.STRIPS}" in point["sentence"]
-
-
-def test_a_curve_has_a_life_where_the_case_has():
-    names = [each["name"] for each in curve(STARTING | {"life": {"rollers": 14}}, "load.load", [1e4])["quantities"]]
-    assert "life" in names
-    assert "life" not in [each["name"] for each in curve(STARTING, "load.load", [1e4])["quantities"]]
 
 
 def test_points_for_which_there_is_no_time_are_left_to_the_next_request(monkeypatch):

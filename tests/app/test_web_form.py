@@ -12,8 +12,6 @@ import jinja2
 import pytest
 from form_reading import Inputs, document_in, parts_of, set_at, value_of
 
-from nonhertz.amounts import chosen as chosen_units
-from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
@@ -28,7 +26,7 @@ from nonhertz.model.materials import MATERIALS
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import ELEMENTS
 from nonhertz.web.form.form import form
-from nonhertz.web.form.ranges import RANGES, Range
+from nonhertz.web.form.ranges import RANGES
 from nonhertz.web.form.units import CHOICES, SLOPE
 from nonhertz.web.view import jobs
 
@@ -245,12 +243,6 @@ def test_words_to_choose_from_are_those_that_the_solver_knows():
         assert len(words[f"life.{name}"]) > 1
 
 
-def test_the_format_of_a_file_is_not_asked_for_but_a_wrong_one_is_shown():
-    asked = {field.path for field in form(with_life()).fields}
-    assert {field.path for field in form({"format": 1} | with_life()).fields} == asked
-    assert "format" in {field.path for field in form({"format": 7} | with_life()).fields}
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("number", range(3))
 def test_every_choice_that_changes_the_form_leads_to_a_case_that_can_be_solved(number):
@@ -305,12 +297,6 @@ def test_inputs_have_names_of_their_own():
     for each in found.found:
         if "slider" in (each.get("class") or ""):
             assert each["data-for"] in ids
-
-
-@pytest.mark.parametrize("value", [float("nan"), float("inf")])
-def test_what_is_no_number_has_no_slider(value):
-    document = {"body": {"a": {"diameter": value}}}
-    assert next(field for field in form(document).fields if field.path == "body.a.diameter").slider is None
 
 
 def field_of(path: str, value: Any) -> Any:
@@ -375,17 +361,6 @@ def test_a_steep_slope_has_no_unit_that_a_slider_could_move_in():
     assert next(unit for unit in steep.units if unit.chosen).factor is None
 
 
-def test_sliders_stand_where_the_value_is():
-    fields = {field.path: field for field in form(with_life()).fields}
-    slider = fields["life.spectrum[1].load"].slider
-    assert slider.position == slider.range.position(20000.0)
-    assert slider.range.position(1e-9) == 0
-    assert slider.range.position(1e9) == 1000
-    concave = {field.path: field for field in form({"body": {"a": {"diameter": -200.0}}}).fields}["body.a.diameter"]
-    assert (concave.slider.range.low, concave.slider.range.high) == (-1.0, -2000.0)
-    assert Range(-5.0, 5.0, "linear", 0.0).position(0.0) == 500
-
-
 @pytest.mark.parametrize("name", [None, *TEMPLATES_OF_CASES])
 def test_sliders_of_a_load_end_at_what_steel_bears(name):
     document = tomllib.loads(starting_case(name))
@@ -407,14 +382,6 @@ def test_sliders_of_a_load_end_at_what_steel_bears(name):
         assert 0.05 < lifted / (high - low) < 0.3, "at the end of the slider the roller begins to lift off"
     stops = [each.high for each in (fields["load.load"], fields["load.tilt"])]
     assert all(float(f"{stop:.2g}") == stop for stop in stops)
-
-
-def test_ranges_keep_still_while_their_value_is_dragged():
-    ranges = [
-        {field.path: field.slider.range for field in form(STARTING | {"load": load}).fields if field.slider}
-        for load in ({"load": 100.0}, {"load": "60 kN", "tilt": "2 mrad"})
-    ]
-    assert ranges[0] == ranges[1]
 
 
 @pytest.mark.parametrize(
@@ -453,15 +420,6 @@ def test_a_table_that_needs_several_keys_is_given_as_a_whole():
     assert json.loads(jobs.solve(made, False, "a"))["ok"]
     (switch,) = (each for each in form(made).fields if each.path == path and each.kind == "switch")
     assert (switch.value, switch.options[0].edits) == ("given", [(path, None)])
-
-
-def test_sliders_end_at_round_numbers_in_us_units():
-    with read_in("us"):
-        sliders = {field.path: (field.unit, field.slider.range) for field in form(STARTING).fields if field.slider}
-        unit, ends = sliders["load.load"]
-        high = chosen_units().of(unit)[1] * ends.high
-    assert high == pytest.approx(float(f"{high:.2g}"), rel=1e-12)
-    assert 0.9 * 70e3 < ends.high <= 70e3
 
 
 def test_a_form_of_a_bearing_is_the_document_again():

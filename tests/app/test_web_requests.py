@@ -350,23 +350,12 @@ def test_two_hosts_and_none_are_refused(client):
     assert raw(port, "GET", "/", {"host": own, "Host": own})[0] in {400, 403}
 
 
-def test_own_hosts(client):
-    port = client.base_url.port
-    for host in (f"127.0.0.1:{port}", f"localhost:{port}", f"LOCALHOST:{port}"):
-        assert client.get("/status", headers={"host": host}).status_code == 200
-
-
 @pytest.mark.parametrize(
     "origin", ["http://evil.example", "null", "https://127.0.0.1:{0}", "http://127.0.0.1", "127.0.0.1:{0}", "file://"]
 )
 def test_other_origins_are_refused(client, origin):
     headers = {"origin": origin.format(client.base_url.port)}
     refused(client.post("/solve", json={"document": STARTING}, headers=headers), 403)
-
-
-def test_own_origin(client):
-    origin = str(client.base_url).rstrip("/")
-    assert client.post("/form", json={"document": STARTING}, headers={"origin": origin}).status_code == 200
 
 
 def test_requests_of_other_sites_are_refused(client):
@@ -469,13 +458,6 @@ def test_a_curve_in_pieces(client):
     assert [each["path"] for each in client.post("/curve", json=wanted).json()["mistakes"]] == ["load.load"]
 
 
-def test_numbers_beyond_all_numbers(client):
-    for text in ("1e999", "-1e999", "9" * 4000, "9" * 5000):
-        document = '{"document": {"load": {"load": ' + text + "}}}"
-        for path in POSTS:
-            assert client.post(path, content=document, headers=JSON).status_code in {200, 400, 422}
-
-
 def test_too_much_is_refused(client):
     for path in POSTS:
         refused(client.post(path, content=b" " * (limits.DOCUMENT_BYTES + 1), headers=JSON), 413)
@@ -513,11 +495,6 @@ def test_what_arrives_too_slowly_is_given_up(client, monkeypatch):
     assert ends[0] == b""
     assert ends[1].startswith(b"HTTP/1.1 408 ")
     assert b"took too long to arrive" in ends[1]
-
-
-def test_long_headers_are_refused(client):
-    # By the HTTP library where they arrive in pieces, by the page where all of them come at once.
-    assert client.get("/", headers={"x": "y" * 100_000}).status_code in {400, 431}
 
 
 def test_long_headers_that_arrive_at_once_are_refused_by_the_page():

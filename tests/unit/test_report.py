@@ -203,23 +203,6 @@ def told_of_steps(case: Case) -> dict[str, str]:
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_steps_of_a_measured_profile_are_told_though_the_case_file_leaves_them_out(tmp_path: Path) -> None:
-    rows = (f"{y:.3f} {-(y**2) / 1000.0:.7f}" for y in np.linspace(-5.0, 5.0, 401))
-    (tmp_path / "roller.txt").write_text("\n".join(rows), encoding="utf-8")
-    text = '[body.a]\ndiameter = 10\nprofile = { kind = "measured", file = "roller.txt", trim = "9 mm" }\n[body.b]\n'
-    (tmp_path / "case.toml").write_text(text + "[load]\nload = 100\n", encoding="utf-8")
-    case = read_case(tmp_path / "case.toml")
-    (profile,) = inputs(case)[0].profiles
-    told = {entry.key: (f"{entry.value} {entry.unit}".strip(), entry.default) for entry in profile.entries}
-    assert told["trim"] == ("9 mm", False)
-    assert "shorter than 0.8 mm" in told_of_steps(case)["smooth"]
-    assert told["smooth"] == ("gaussian", True)
-    assert told["level"] == ("yes", True)
-    assert told["points"] == ("auto", True)
-    assert "height_unit" not in told
-
-
-@pytest.mark.usefixtures("undrawn")
 def test_what_was_done_to_a_measured_profile_is_told_and_drawn(tmp_path: Path) -> None:
     # A crown of 500 mm that lies askew by 2 mrad and 4 mm off the middle of the trace.
     rows = (f"{y:.3f}\t{2.0 * y - (y - 4.0) ** 2:.4f}" for y in np.linspace(-1.0, 9.0, 401))
