@@ -18,7 +18,6 @@ from drawn_words import can_be_read, words
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle, StepPatch
 from numpy.testing import assert_allclose
 from numpy.typing import ArrayLike, NDArray
 
@@ -62,17 +61,6 @@ class EndlessAtEnds(Profile):
     def relief(self, y: ArrayLike) -> Array:
         rest = 1.0 - (np.asarray(y, dtype=float) / self.half) ** 2
         return np.where(rest > 0.0, -self.amplitude * np.log(np.where(rest > 0.0, rest, 1.0)), np.inf)
-
-
-@dataclass(frozen=True)
-class Waves(Profile):
-    """Crests, one after another along the axis."""
-
-    amplitude: float
-    length: float
-
-    def relief(self, y: ArrayLike) -> Array:
-        return self.amplitude * (1.0 - np.cos(2.0 * np.pi * np.asarray(y, dtype=float) / self.length))
 
 
 def springs(
@@ -174,7 +162,6 @@ CASES = {
     ),
 }
 
-WAVY = springs(Contact(Roller(diameter=20.0, length=20.0, profile=Waves(0.004, 6.0)), Plate()), 0.004, tilt=1e-4)
 
 # Two crests of one height.
 TWINS = springs(Contact(Roller(diameter=20.0, length=20.0, profile=Even(-4e-4, 4e-6)), Plate()), approach=-0.003)
@@ -208,13 +195,6 @@ class TestPressure:
         assert_allclose(half_width.get_xdata(), solution.y, rtol=0, atol=0)
         assert_allclose(half_width.get_ydata(), solution.half_width, rtol=0, atol=0)
 
-    def test_steps_are_as_wide_as_the_strips(self, solution: Solution, ax: Axes) -> None:
-        plot.pressure(solution, ax)
-        for steps in (patch for patch in ax.patches if isinstance(patch, StepPatch)):
-            values, edges, _ = steps.get_data()
-            assert_allclose(np.diff(edges), solution.strip_width, rtol=1e-12)
-            assert_allclose(values, solution.centre_pressure, rtol=0, atol=0)
-
     def test_everything_is_inside_the_axes_and_starts_from_zero(self, solution: Solution, ax: Axes) -> None:
         plot.pressure(solution, ax)
         left, right = ax.figure.axes
@@ -224,33 +204,6 @@ class TestPressure:
         low, high = left.get_xlim()
         assert low < solution.contact_y[0][0]
         assert high > solution.contact_y[-1][1]
-
-    def test_axes_say_what_and_in_which_unit(self, ax: Axes) -> None:
-        plot.pressure(CASES["crowned"], ax)
-        left, right = ax.figure.axes
-        assert left.get_xlabel() == "Axial position $y$ [mm]"
-        assert left.get_ylabel() == "Centre-line pressure $p_0$ [MPa]"
-        assert right.get_ylabel() == "Half-width $b$ [mm]"
-
-    def test_heading_gives_load_and_tilt(self, ax: Axes) -> None:
-        plot.pressure(CASES["crowned"], ax)
-        load = 1e-3 * CASES["crowned"].load
-        assert ax.get_title(loc="left") == f"Load {load:.3f} kN, tilt 0.5 mrad"
-
-    def test_maximum_and_ends_are_labelled(self, ax: Axes) -> None:
-        solution = CASES["hollow"]
-        plot.pressure(solution, ax)
-        (first, second) = solution.contact_y
-        expected = f"contact {first[0]:.2f} to {first[1]:.2f} mm and {second[0]:.2f} to {second[1]:.2f} mm"
-        shown = [text.get_text() for text in ax.texts]
-        assert expected.replace("-", "−") in shown
-        assert f"{solution.max_pressure:.1f} MPa at $y$ = {solution.max_pressure_y:.2f} mm" in shown
-        marker = next(line for line in ax.lines if line.get_marker() == "o")
-        assert_allclose(marker.get_xydata(), [[solution.max_pressure_y, solution.max_pressure]], rtol=0, atol=0)
-
-    def test_many_intervals_are_counted_instead(self, ax: Axes) -> None:
-        plot.pressure(WAVY, ax)
-        assert any("contact on 3 intervals" in text.get_text() for text in ax.texts)
 
     def test_a_maximum_at_a_corner_says_so(self, ax: Axes) -> None:
         plot.pressure(judged(crowned(), peaks_at_corner=True), ax)
@@ -279,11 +232,6 @@ class TestPressure:
         assert sum(text.startswith("land end, ") for text in beside) == 4
         assert solution.max_pressure > 1500.0
 
-    @pytest.mark.parametrize("singular", [False, True])
-    def test_no_other_maximum_does(self, singular: bool, ax: Axes) -> None:
-        plot.pressure(crowned(singular=singular), ax)
-        assert not any("refinement" in text.get_text() for text in ax.texts)
-
     def test_singular_ends_have_exponent_and_strength(self, ax: Axes) -> None:
         plot.pressure(CASES["straight"], ax)
         labels = [text for text in ax.texts if "singular" in text.get_text()]
@@ -295,16 +243,6 @@ class TestPressure:
         assert low.xy[0] < -9.0  # type: ignore[attr-defined]
         assert high.xy[0] > 9.0  # type: ignore[attr-defined]
         assert [line.get_xdata()[0] for line in ax.lines if line.get_marker() == "^"] == [-10.0, 10.0]
-
-    def test_a_singular_end_of_unknown_strength_has_an_exponent(self, ax: Axes) -> None:
-        plot.pressure(with_ends(CASES["straight"], sharp(-10.0, None), sharp(10.0, None)), ax)
-        shown = [text.get_text() for text in ax.texts if "singular" in text.get_text()]
-        assert shown == ["singular: $p$ ∼ $K$ / $s^{0.333}$"] * 2
-
-    def test_only_the_end_that_is_singular_is_called_so(self, ax: Axes) -> None:
-        solution = with_ends(SPIKED, run_out(-10.0), sharp(10.0))
-        plot.pressure(solution, ax)
-        assert [text.get_ha() for text in ax.texts if "singular" in text.get_text()] == ["right"]
 
     def test_singular_end_does_not_set_the_scale(self, ax: Axes) -> None:
         plot.pressure(SPIKED, ax)
@@ -333,54 +271,12 @@ class TestPressure:
         assert_allclose(low, -high, rtol=1e-12)
         assert f"MPa at $y$ = −{high:.2f} and {high:.2f} mm" in " ".join(text.get_text() for text in ax.texts)
 
-    def test_the_middle_is_marked_where_all_is_near_a_singular_end(self, ax: Axes) -> None:
-        solution = CASES["short"]
-        plot.pressure(solution, ax)
-        marker = next(line for line in ax.lines if line.get_marker() == "o")
-        assert_allclose(marker.get_xydata(), [[0.0, solution.centre_pressure[solution.strips // 2]]], atol=1e-12)
-        assert len([text for text in ax.texts if "singular" in text.get_text()]) == 2
-
-    @pytest.mark.parametrize(
-        ("name", "expected"),
-        [
-            ("crowned", {-10.0: "end of roller", 10.0: "end of roller"}),
-            ("lifted", {-10.15: "end of plate, end of roller", 10.15: "end of roller, end of plate"}),
-            ("point", {}),
-        ],
-    )
-    def test_ends_of_bodies(self, name: str, expected: dict[float, str], ax: Axes) -> None:
-        plot.pressure(CASES[name], ax)
-        shown = {text.xy[0]: text.get_text() for text in ax.texts if "end of" in text.get_text()}  # type: ignore[attr-defined]
-        assert shown == expected
-
-    def test_an_effective_length_is_not_called_the_end(self, ax: Axes) -> None:
-        contact = Contact(Body(diameter=20.0, length=20.0, effective_length=18.0), Body(length=30.0))
-        plot.pressure(springs(contact, 0.02, reach=9.0), ax)
-        assert [text.get_text() for text in ax.texts if "end of" in text.get_text()] == ["usable end of body a"] * 2
-
     def test_unconverged_result_says_so(self, ax: Axes) -> None:
         plot.pressure(crowned(status=Status.STAGNATED), ax)
         assert ax.get_title(loc="left").endswith("NOT CONVERGED")
 
 
 class TestFootprint:
-    def test_proportions_are_true_or_as_said(self, solution: Solution, caplog: pytest.LogCaptureFixture) -> None:
-        for shape, stretch in (((6.0, 1.0), 12.0), ((4.0, 4.0), 1.0), ((1.5, 5.0), 1.0), ((1.5, 5.0), 12.0)):
-            ax = Figure(figsize=shape).add_subplot()
-            assert plot.footprint(solution, ax, stretch=stretch, colour_bar=False) is ax
-            ax.figure.draw_without_rendering()
-            origin, along, across = ax.transData.transform([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])
-            assert_allclose((across - origin)[1], stretch * (along - origin)[0], rtol=1e-2)
-            assert not caplog.records
-
-    def test_all_of_the_area_is_inside_the_axes(self, solution: Solution, ax: Axes) -> None:
-        plot.footprint(solution, ax)
-        ax.figure.draw_without_rendering()
-        low, high = ax.get_xlim()
-        assert low < solution.contact_y[0][0] < solution.contact_y[-1][1] < high
-        assert ax.get_ylim()[1] > solution.element_half_width.max()
-        assert ax.get_ylim()[0] == -ax.get_ylim()[1]
-
     def test_outline_is_the_half_width(self, solution: Solution, ax: Axes) -> None:
         plot.footprint(solution, ax)
         pieces = [line.get_xydata() for line in ax.lines if line.get_color() == INK]
@@ -397,12 +293,6 @@ class TestFootprint:
                     rtol=1e-15,
                 )
 
-    def test_area_is_cut_square_only_where_a_body_ends(self, ax: Axes) -> None:
-        plot.footprint(CASES["lifted"], ax)
-        (line,) = (line.get_xydata() for line in ax.lines if line.get_color() == INK)
-        assert_allclose(line[line[:, 0].argmin()][1], 0.0, rtol=0, atol=0)
-        assert_allclose(np.abs(line[line[:, 0] > 9.9999999][:, 1]), CASES["lifted"].half_width[-1], rtol=1e-12)
-
     def test_colours_are_the_pressure(self, solution: Solution, ax: Axes) -> None:
         plot.footprint(solution, ax)
         meshes = [item for item in ax.collections if isinstance(item, QuadMesh)]
@@ -413,13 +303,6 @@ class TestFootprint:
         assert_allclose(highest, own * solution.centre_pressure.max(), rtol=1e-12)
         assert_allclose(last, own * solution.max_pressure, rtol=1e-12)
         assert {mesh.get_clim() for mesh in meshes} == {(0.0, last)}
-
-    def test_singular_end_does_not_set_the_colours(self, ax: Axes) -> None:
-        plot.footprint(SPIKED, ax)
-        assert_allclose(colour_limit(SPIKED), crowned().max_pressure, rtol=1e-12)
-        (bar,) = ax.figure.axes[1:]
-        assert_allclose(bar.get_xlim(), (0.0, colour_limit(SPIKED)), rtol=1e-12)
-        assert bar._colorbar.extend == "max"  # type: ignore[attr-defined]
 
     @pytest.mark.parametrize(("name", "factor"), [("crowned", np.pi / 2.0), ("parabolic", 4.0 / 3.0)])
     def test_integral_of_the_colours_is_the_line_load(self, name: str, factor: float, ax: Axes) -> None:
@@ -440,19 +323,6 @@ class TestFootprint:
         assert_allclose(dotted[1].get_ydata()[1:-1], solution.half_width[solution.line_load > 0.0], rtol=1e-12)
         assert "parabolic strips' own width" in ax.get_title(loc="left")
 
-    def test_scale_is_written(self, ax: Axes) -> None:
-        plot.footprint(CASES["crowned"], ax)
-        assert ax.get_title(loc="left") == "True proportions"
-        plot.footprint(CASES["crowned"], ax, stretch=12.0)
-        assert ax.get_title(loc="left") == "$x$ stretched 12 times"
-
-    def test_colour_bar_is_labelled(self, ax: Axes) -> None:
-        plot.footprint(CASES["hollow"], ax)
-        assert [axes.get_xlabel() for axes in ax.figure.axes] == [
-            "Axial position $y$ [mm]",
-            "Pressure $p$ [MPa]",
-        ]
-
 
 class TestProfile:
     def test_lines_are_the_surfaces_in_micrometres(self, solution: Solution, ax: Axes) -> None:
@@ -464,23 +334,6 @@ class TestProfile:
             assert_allclose(line.get_ydata()[finite], expected[finite], rtol=1e-15)
             assert np.all(np.isnan(line.get_ydata()[~finite]))
 
-    def test_contact_is_shaded(self, solution: Solution, ax: Axes) -> None:
-        plot.profile(solution, ax)
-        spans = [patch for patch in ax.patches if isinstance(patch, Rectangle)]
-        assert_allclose(
-            [(span.get_x(), span.get_x() + span.get_width()) for span in spans],
-            solution.contact_y,
-            rtol=1e-12,
-        )
-
-    def test_contact_fills_a_good_part_of_the_height(self, solution: Solution, ax: Axes) -> None:
-        plot.profile(solution, ax)
-        low, high = ax.get_ylim()
-        depth = 1e3 * solution.interference.max()
-        assert low < -depth
-        assert high > 0.0
-        assert depth > 0.3 * (high - low)
-
     def test_a_cut_axis_says_so(self, ax: Axes) -> None:
         plot.profile(CASES["endless"], ax)
         assert ax.get_title(loc="left").endswith("; axis cut, the relief is infinite at an end")
@@ -489,46 +342,9 @@ class TestProfile:
         reach = 1e3 * (steep.contact.separation(steep.y[-1]) - steep.approach)
         assert ax.get_title(loc="left").endswith(f"; axis cut, the undeformed distance reaches {reach:.1f} µm")
 
-    def test_an_axis_that_is_not_cut_does_not(self, ax: Axes) -> None:
-        plot.profile(CASES["crowned"], ax)
-        assert "cut" not in ax.get_title(loc="left")
-
-    def test_axes_say_what_and_in_which_unit(self, ax: Axes) -> None:
-        plot.profile(CASES["crowned"], ax)
-        assert (ax.get_xlabel(), ax.get_ylabel()) == (
-            "Axial position $y$ [mm]",
-            "Distance of the surfaces [µm]",
-        )
-        assert [text.get_text() for text in ax.get_legend().get_texts()] == [
-            r"undeformed, $h - (\delta + \gamma y)$",
-            "deformed gap",
-            "elastic displacement",
-            "in contact",
-        ]
-
-
-class TestRange:
-    def test_a_small_contact_on_long_strips_is_looked_at_closely(self, ax: Axes) -> None:
-        solution = springs(Contact(Roller(diameter=20.0, length=20.0, profile=Even(0.01)), Plate()), 0.01, strips=201)
-        plot.pressure(solution, ax)
-        low, high = ax.get_xlim()
-        (interval,) = solution.contact_y
-        assert high - low < 4.0 * (interval[1] - interval[0])
-
-    def test_a_lifted_side_is_shown(self, ax: Axes) -> None:
-        plot.pressure(CASES["lifted"], ax)
-        assert ax.get_xlim()[0] < -10.0
-
 
 @pytest.mark.slow
 class TestFigures:
-    def test_names_and_title(self, solution: Solution) -> None:
-        sheets = plot.figures(solution, title="A roller")
-        assert list(sheets) == ["pressure", "footprint", "profile"]
-        for sheet in sheets.values():
-            assert "A roller" in words(sheet)
-            assert any(text.startswith("Load ") for text in words(sheet))
-
     def test_title_is_taken_as_it_is_written(self, tmp_path: Path) -> None:
         sheet = plot.figures(CASES["point"], title="$5_{ and $6^^")["pressure"]
         assert "$5_{ and $6^^" in words(sheet)
@@ -551,25 +367,10 @@ class TestFigures:
             assert_allclose((across - origin)[1] / (along - origin)[0], expected, rtol=1e-2)
         assert_allclose(true.get_xlim(), stretched.get_xlim(), rtol=1e-2)
 
-    def test_a_round_footprint_needs_no_second_panel(self) -> None:
-        ball = Contact(Body(diameter=20.0), Body(profile=Even(0.25)))
-        sheet = plot.figures(springs(ball, 0.01, reach=0.3))["footprint"]
-        assert [axes.get_title(loc="left") for axes in sheet.axes] == ["True proportions", ""]
-
-    def test_same_view_of_a_contact_wider_than_long(self) -> None:
-        narrow = Contact(Roller(diameter=200.0, length=0.5), Plate())
-        sheet = plot.figures(springs(narrow, 0.01, reach=0.25))["footprint"]
-        assert sheet.get_figheight() < 8.0
-
     def test_nothing_in_contact_is_drawn_too(self, tmp_path: Path) -> None:
         apart = springs(Contact(Roller(diameter=20.0, length=20.0), Plate()), -0.01)
         for name, sheet in plot.figures(apart).items():
             plot.save(sheet, tmp_path / name)
-
-    def test_settings_of_the_process_stay(self, tmp_path: Path) -> None:
-        before = dict(mpl.rcParams)
-        plot.save(plot.figures(CASES["crowned"])["pressure"], tmp_path / "pressure")
-        assert dict(mpl.rcParams) == before
 
     @pytest.mark.slow
     def test_neither_pyplot_nor_matplotlib_is_imported_before_drawing(self) -> None:

@@ -16,7 +16,6 @@ from numpy.testing import assert_allclose, assert_array_equal
 import nonhertz as nh
 from nonhertz import plot
 from nonhertz.plot.bearing.displacement import MULTIPLES
-from nonhertz.plot.bearing.sheets import conditions
 
 B = nh.bearing
 
@@ -63,11 +62,6 @@ class TestLoads:
             assert np.all(np.abs(off) < math.pi / 12.0)  # within the roller's pitch
             assert np.all(np.sign(off) == (-1.0 if column == 0 else 1.0))
 
-    def test_rows_have_one_scale(self, both):
-        limits = [plot.bearing_loads(both, polar(), row=k).get_ylim() for k in (0, 1)]
-        assert limits[0] == limits[1]
-        assert limits[0][1] > 1e-3 * both.load.max()
-
     def test_rollers_without_load_are_open_circles_at_their_places(self, tilted):
         axes = plot.bearing_loads(tilted, polar())
         line = labelled(axes, "roller without load")
@@ -90,24 +84,6 @@ class TestLoads:
         way = (end - start) / np.linalg.norm(end - start)
         assert_allclose(way, [1.0, 0.0], atol=1e-6)
         assert "5 kN" in words(axes.figure)
-
-    def test_the_heading_counts_rollers(self, tilted):
-        loaded = np.count_nonzero(tilted.load[:, 0])
-        heading = plot.bearing_loads(tilted, polar()).get_title()
-        zone = math.degrees(tilted.load_zone[0])
-        assert heading.startswith(f"{loaded} of 13 rollers loaded, load zone {zone:.3g}°")
-        assert f"largest {1e-3 * tilted.load.max():.3f} kN at 0°" in heading
-
-    def test_a_bearing_without_load_is_drawn(self):
-        axes = plot.bearing_loads(B.solve(row(), radial=0.0, method="slices"), polar())
-        assert "no radial\nforce" in words(axes.figure)
-        assert axes.get_title().startswith("0 of 13")
-
-    def test_other_axes_and_rows_are_refused(self, tilted):
-        with pytest.raises(nh.InputError, match=r'ax = .* must be polar axes: make them with projection="polar"'):
-            plot.bearing_loads(tilted, flat())
-        with pytest.raises(nh.InputError, match="row = 1 must be"):
-            plot.bearing_loads(tilted, polar(), row=1)
 
 
 class TestPressure:
@@ -142,11 +118,6 @@ class TestPressure:
             assert_allclose(marker.get_xydata(), [[0.0, tilted.max_pressure_y[most, column]]], atol=1e-9)
             assert f"largest {tilted.max_pressure[most, column]:.4g} MPa at 0°" in each.get_title(loc="right")
 
-    def test_rows_are_drawn_one_at_a_time(self, both):
-        axes = plot.bearing_pressure(both, flat(), row=1, ring="outer")
-        assert axes.get_title(loc="left") == "Row 2, outer ring"
-        assert f"largest {both.max_pressure[12:, 1].max():.4g} MPa" in axes.get_title(loc="right")
-
 
 class TestRoller:
     def test_lines_are_the_pressures_of_the_most_loaded(self, tilted):
@@ -171,18 +142,6 @@ class TestRoller:
         low, high = axes.get_ylim()
         assert low > high  # downwards
         assert "µm" in axes.get_ylabel()
-
-    def test_contacts_are_bars_at_the_bottom(self, tilted):
-        axes = plot.roller_relief(tilted, flat())
-        bars = [line for line in axes.lines if len(line.get_xdata()) == 2 and line.get_solid_capstyle() == "butt"]
-        assert_allclose(bars[0].get_xdata(), tilted.contact(0, "inner").contact_y[0])
-        assert_allclose(bars[1].get_xdata(), tilted.contact(0, "outer").contact_y[0])
-
-    def test_without_load_or_pressures_there_is_nothing_to_draw(self):
-        with pytest.raises(nh.InputError, match="solution = 'without load' must have a loaded roller"):
-            plot.most_loaded_roller(B.solve(row(), radial=0.0), flat())
-        with pytest.raises(nh.InputError, match="be 'strips' for pressures"):
-            plot.roller_relief(B.solve(row(), radial=1e3, method="slices"), flat())
 
 
 class TestDisplacement:
@@ -223,34 +182,12 @@ class TestDisplacement:
         line = labelled(axes, "radial by slices")
         assert_allclose(np.interp(2.0, *line.get_xydata().T), 1e3 * found.displacement[1], rtol=1e-3)
 
-    @pytest.mark.slow
-    def test_radial_and_axial_displacement_are_two_lines(self, both):
-        axes = plot.displacement_against_load(both, flat())
-        for name, at in (("radial", 1), ("axial", 0)):
-            line = labelled(axes, f"{name} by strips")
-            load = 1e-3 * np.linalg.norm(both.force[:3])
-            assert_allclose(np.interp(load, *line.get_xydata().T), 1e3 * both.displacement[at], rtol=1e-3)
-
     def test_strips_draw_the_curve_of_strips(self, tilted):
         axes = plot.displacement_against_load(tilted, flat())
         line = labelled(axes, "radial by strips")
         for radial in (3e3, 5e3, 6.4e3):
             found = B.solve(row(), radial=radial, tilt=5e-4)
             assert_allclose(np.interp(1e-3 * radial, *line.get_xydata().T), 1e3 * found.displacement[1], rtol=2e-3)
-
-    @pytest.mark.parametrize(
-        "error", [nh.InputError("load", 1.0, "be less", "reduce it"), nh.ConvergenceError("", None)]
-    )
-    def test_loads_without_a_solution_are_left_out(self, tilted, error, monkeypatch):
-        def solve(bearing, *, radial, **given):
-            if radial[0] > 5.1e3:
-                raise error
-            return whole(bearing, radial=radial, **given)
-
-        whole = B.solve
-        monkeypatch.setattr(B, "solve", solve)
-        line = labelled(plot.displacement_against_load(tilted, flat()), "radial by strips")
-        assert_allclose(line.get_xdata()[[0, -1]], [5.0 * MULTIPLES[0], 5.0], rtol=1e-6)
 
     @pytest.mark.slow
     def test_maps_take_the_place_of_strips(self, tilted):
@@ -260,21 +197,12 @@ class TestDisplacement:
         # The curve of the same contacts goes through the state.
         assert_allclose(np.interp(5.0, *line.get_xydata().T), 1e3 * tilted.displacement[1], rtol=1e-2)
 
-    def test_without_a_force_there_is_no_curve(self):
-        with pytest.raises(nh.InputError, match="must have a force on the inner ring"):
-            plot.displacement_against_load(B.solve(row(clearance=-0.01), radial=0.0, method="slices"), flat())
-
 
 class TestFigures:
     def test_all_four_and_fewer_where_there_is_less(self, tilted):
         assert list(plot.bearing_figures(tilted)) == ["loads", "pressure", "roller", "displacement"]
         assert list(plot.bearing_figures(B.solve(row(), radial=5e3, method="slices"))) == ["loads", "displacement"]
         assert list(plot.bearing_figures(B.solve(row(), radial=0.0))) == ["loads"]
-
-    def test_conditions_say_what_acts(self, tilted, both):
-        assert conditions(tilted) == ["Cylindrical roller bearing, 13 rollers", "radial 5 kN, tilt 0.5 mrad, by strips"]
-        acting = "radial 4 kN, axial 1 kN, tilt 0 mrad, by strips"
-        assert conditions(both) == ["2 rows: Tapered roller bearing, 12 rollers each", acting]
 
     @pytest.mark.slow
     @pytest.mark.parametrize("name", ["tilted", "both"])
@@ -285,13 +213,6 @@ class TestFigures:
         for figure in plot.bearing_figures(request.getfixturevalue(name), title).values():
             assert " ".join(words(figure)).replace("\n", " ").count(title) == 1
             can_be_read(figure)
-
-    @pytest.mark.slow
-    def test_a_row_for_every_ring_and_axes_for_every_row(self, both):
-        drawn = plot.bearing_figures(both)
-        assert [axes.name for axes in drawn["loads"].axes] == ["polar", "polar"]
-        titles = [axes.get_title(loc="left") for axes in drawn["pressure"].axes]
-        assert titles == ["Row 1, inner ring", "Row 1, outer ring", "Row 2, inner ring", "Row 2, outer ring", ""]
 
 
 @pytest.mark.parametrize("what", ["loads", "pressure", "roller", "relief", "displacement"])

@@ -12,7 +12,7 @@ from matplotlib.patches import StepPatch
 import nonhertz as nh
 from nonhertz.life import Life, assess
 from nonhertz.plot import life_density, life_figure
-from nonhertz.plot.fatigue import FAINTEST, LINES, PEAKED
+from nonhertz.plot.fatigue import FAINTEST, PEAKED
 
 NAMES = ("lundberg-palmgren", "iso-16281")
 
@@ -61,27 +61,6 @@ def test_a_peak_makes_the_axis_logarithmic(solution: nh.Solution, lives: tuple[L
     assert axes.get_ylim()[1] > 10.0 * PEAKED
 
 
-def test_bodies_that_live_as_long_share_a_panel(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
-    alike = life_figure([(solution, 1.0)], {"a": lives, "b": lives}, "A title with a $")
-    (told,) = labels(alike)
-    assert told == [f"{life.model.name}: life {life.relative:.3g}" for life in lives]
-    assert "body b; lives of body a are within 5 %" in alike.axes[0].get_title(loc="left")
-    other = (replace(peaked(lives[0]), damage=2.0 * lives[0].damage), lives[1])
-    both = life_figure([(solution, 1.0)], {"a": other, "b": lives})
-    assert len(both.axes) == 2
-    # One scale for both, so that they can be compared.
-    assert both.axes[0].get_ylim() == both.axes[1].get_ylim()
-
-
-def test_another_case_is_the_broad_grey_line(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
-    other = (replace(lives[0], density=2.0 * lives[0].density, damage=2.0 * lives[0].damage), lives[1])
-    figure = life_figure([(solution, 1.0)], {"a": lives, "b": lives}, compared={"a": other, "b": other})
-    (told,) = labels(figure)
-    assert told[-1] == f"lundberg-palmgren, other case: life {other[0].relative:.3g}"
-    # Behind the others, of which the steps are no line.
-    np.testing.assert_array_equal(figure.axes[0].lines[1].get_ydata(), other[0].density)
-
-
 def test_what_has_no_number_is_told_in_words(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
     nothing = np.full(lives[0].y.size, np.nan)
     no_ideal = replace(lives[0], reference=np.nan, density=nothing)
@@ -91,15 +70,3 @@ def test_what_has_no_number_is_told_in_words(solution: nh.Solution, lives: tuple
     untouched = replace(lives[0], damage=0.0, density=0.0 * nothing)
     (told,) = labels(life_figure([(solution, 1.0)], {"a": [untouched], "b": [untouched]}))
     assert told == ["lundberg-palmgren: no damage"]
-
-
-def test_a_spectrum_is_told_by_its_ranges(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
-    spectrum = [(solution, 0.5), (replace(solution, tilt=1e-3), 0.5)]
-    figure = life_figure(spectrum, {"a": lives, "b": lives})
-    assert [text.get_text() for text in figure.texts] == ["Spectrum of 2 loads, 5 kN, tilt 0 to 1 mrad"]
-
-
-def test_lines_differ_in_colour_and_dashes() -> None:
-    assert len({colour for colour, _ in LINES.values()}) == len(LINES)
-    # Laminae are thin steps, so that a full line is free for another.
-    assert len({str(dashes) for _, dashes in LINES.values()}) == len(LINES) - 1

@@ -16,7 +16,7 @@ from numpy.testing import assert_allclose
 import nonhertz as nh
 from nonhertz import plot
 from nonhertz.result.solution import Solution
-from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section, extremes, stress
+from nonhertz.subsurface import Extremes, Field, extremes, stress
 
 
 @dataclass(frozen=True)
@@ -107,16 +107,6 @@ def test_the_axial_plane_points_down_and_marks_the_largest_of_the_body(point: Fo
     assert [aside in label for label in key(ax)[:3]] == [False, False, True]
 
 
-def test_the_contact_and_the_cross_section_are_drawn_along(point: Found, ax: Axes) -> None:
-    point.axial(ax)
-    rest = [line.get_xydata().tolist() for line in ax.lines if line.get_marker() == "None"]
-    ((low, high),) = point.solution.contact_y
-    assert [[low, 0.0], [high, 0.0]] in rest
-    assert [[0.5, 0.0], [0.5, 1.0]] in rest
-    assert "contact" in key(ax)
-    assert "cross-section, $y$ = 0.500 mm" in key(ax)
-
-
 def test_the_cross_section_is_true_and_marks_both_sides(point: Found, ax: Axes) -> None:
     assert point.across(ax) is ax
     ax.figure.draw_without_rendering()
@@ -147,15 +137,6 @@ def test_a_sharp_end_does_not_set_the_colours(sharp: Found, point: Found, ax: Ax
     assert contours(other)[0].extend == "neither"
 
 
-@pytest.mark.slow
-def test_the_end_of_a_body_is_inside_the_frame(sharp: Found, ax: Axes) -> None:
-    sharp.axial(ax)
-    low, high = ax.get_xlim()
-    assert low < -10.0 < 10.0 < high
-    assert "end of body a" in key(ax)
-    assert contours(ax)[0].get_datalim(ax.transData).x1 == 10.0
-
-
 @pytest.mark.parametrize("name", ["point", "sharp"])
 def test_sheets_are_to_scale_and_no_words_overlap(name: str, request: pytest.FixtureRequest) -> None:
     sheets = request.getfixturevalue(name).sheets
@@ -168,28 +149,3 @@ def test_sheets_are_to_scale_and_no_words_overlap(name: str, request: pytest.Fix
     origin, along, down = axes.transData.transform([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])
     _, _, said = axes.get_title(loc="left").rpartition("stretched ")
     assert_allclose((origin[1] - down[1]) / (along[0] - origin[0]), float(said.split()[0]), rtol=1e-9)
-
-
-def test_contour_lines_have_numbers(sharp: Found) -> None:
-    for sheet in sharp.sheets.values():
-        _, lines = contours(sheet.axes[0])
-        numbers = [float(text.get_text()) for text in lines.labelTexts]
-        assert len(numbers) >= 2
-        assert set(numbers) <= set(lines.levels)
-        assert all(abs(text.get_rotation()) < 45.0 or text.get_rotation() > 315.0 for text in lines.labelTexts)
-
-
-def test_a_contact_wider_than_long_is_stretched_along() -> None:
-    roller = nh.Roller(diameter=200.0, length=0.8)
-    with pytest.warns(nh.AccuracyWarning):
-        solution = nh.solve(nh.Contact(roller, nh.Plate()), load=2000.0)
-    places = {name: Extreme(900.0, 0.0, 0.1, 0.9) for name in ("von_mises", "shear", "orthogonal_shear")}
-    found = Extremes(body="a", findings=(), **places)
-    z = np.linspace(0.0, 3.0 * solution.half_width.max(), 15)
-    planes = {
-        "axial-plane": axial_plane(solution, np.linspace(-0.4, 0.4, 15), z),
-        "cross-section": cross_section(solution, 0.1, np.linspace(-2.0, 2.0, 15), z),
-    }
-    sheet = plot.stress_figures(solution, found, found, planes=planes)["axial-plane"]
-    assert sheet.get_figheight() < 5.0
-    assert ", $y$ stretched " in sheet.axes[0].get_title(loc="left")
