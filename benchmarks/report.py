@@ -255,9 +255,8 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield f"{computer['threads']} thread, medians. {computer['processor']}, {computer['cores']} cores, load average"
     yield f"{computer['load']} at the start; {versions}."
     yield ""
-    yield "Beside other programs: [the race](race.md). Against an earlier state: [before and now](against.md). How long"
-    yield "[the page](page.md) and [a newcomer](first-picture.md) wait. [Whole bearings](bearings.md),"
-    yield "[gradients](gradients.md), [studies](studies.md)."
+    yield "[Other programs](race.md); [an earlier state](against.md); [the page](page.md);"
+    yield "[first steps](first-picture.md); [whole bearings](bearings.md); [gradients](gradients.md); [studies](studies.md)."
     yield ""
     yield from targets(results)
     yield "## Cost against strips"
@@ -266,7 +265,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield ""
     yield f"From {GROWING} strips on the time grows as strips^{results['growth']:.2f}: the matrices have strips^2"
     yield "entries, and solving takes strips^3 operations. Each solve includes those on coarser grids from which it"
-    yield "starts. The numbers are in [results.json](results.json)."
+    yield "starts. The numbers, and where the time goes, are in [results.json](results.json)."
     yield ""
     yield "## Automatic grid"
     yield ""
@@ -279,7 +278,6 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield from many_cases(results)
     yield from finite_bodies(results)
     yield from below(results)
-    yield from parts(results)
     yield "## Starting"
     yield ""
     yield "| | time |"
@@ -302,25 +300,11 @@ def targets(results: dict[str, Any]) -> Iterator[str]:
     label = f"{cases.STRIPS} equal strips, each of {cases.MANY} cases in `solve_many`, one thread"
     yield f"| {label} | {_ms(cases.MANY_TARGET)} | {_ms(slowest_of_many)} |"
     yield f"| the same on two threads, how many times as fast | {cases.GAIN_TARGET} | {least_gain:.2f} |"
-    dearest = max(entry["ratio"] for entry in results["finite"].values())
-    yield f"| faces and depth on both bodies, dearest case below | {cases.FINITE_TARGET} times | {dearest:.2f} times |"
+    largest = max(entry["ratio"] for entry in results["finite"].values())
+    yield f"| faces and depth on both bodies, slowest case below | {cases.FINITE_TARGET} times | {largest:.2f} times |"
     label, entry = next((name, entry) for name, entry in results["below"].items() if "mirrored" in name)
     yield f"| stress at {label}, two threads | {cases.BELOW_TARGET:g} s | {entry['two threads']:.2f} s |"
     yield f"| `nonhertz --help` | {_ms(cases.HELP_TARGET)} | {_ms(commands['nonhertz --help'])} |"
-    yield ""
-
-
-def parts(results: dict[str, Any]) -> Iterator[str]:
-    """Yield the lines of what takes which share."""
-    yield "## Where the time goes"
-    yield ""
-    yield "| | " + " | ".join(PARTS) + " |"
-    yield "|---|" + "---|" * len(PARTS)
-    for name, parts in results["split"].items():
-        yield f"| {name} | " + " | ".join(f"{100 * parts[part]:.0f} %" for part in PARTS) + " |"
-    yield ""
-    yield "Assembly is the influence of every strip on every other; linear algebra builds and solves the equations of a"
-    yield "Newton step."
     yield ""
 
 
