@@ -256,7 +256,8 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield f"{computer['load']} at the start; {versions}."
     yield ""
     yield "[Other programs](race.md); [an earlier state](against.md); [the page](page.md);"
-    yield "[first steps](first-picture.md); [whole bearings](bearings.md); [gradients](gradients.md); [studies](studies.md)."
+    yield "[first steps](first-picture.md); [whole bearings](bearings.md); [gradients](gradients.md);"
+    yield "[studies](studies.md)."
     yield ""
     yield from targets(results)
     yield "## Cost against strips"
