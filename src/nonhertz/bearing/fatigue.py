@@ -28,7 +28,7 @@ L = (sum L_i^(-e))^(-1/e). ISO 281 attributes all failures to the rings: compare
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -51,6 +51,8 @@ from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import ReadOnly, SingularEnd, Solution
 
 Array = NDArray[np.float64]
+#: What is seen at each roller of a row; nothing where it is not loaded.
+Seen = Sequence[Exposure | None]
 
 BODIES = ("inner ring", "outer ring", "rollers")
 FIELDS = ("sections", "whole")
@@ -190,16 +192,16 @@ def volume_life(
     even: list[Array] = []
     steep = 0.0
     for row in solution.bearing.rows:
-        seen = _Seen(solution, range(row.rollers.start, row.rollers.stop), field)
+        seen = _exposures(solution, range(row.rollers.start, row.rollers.stop), field)
+        ideal = [[None if each is None else each.reference for each in of_body] for of_body in seen]
         calibrated = Calibration(row.bearing, rated or rating(row.bearing), chosen)
-        for lives, ideal in ((of_rows, False), (even, True)):
-            lives.append(calibrated.lives(seen.densities(chosen, ideal=ideal), RINGS.index(turning)))
-        steep = max(steep, seen.steep(chosen) if field == "sections" else 0.0)
+        of_rows.append(calibrated.lives(seen, RINGS.index(turning)))
+        even.append(calibrated.lives(ideal, RINGS.index(turning)))
+        if field == "sections" and chosen.stress != "orthogonal_shear":  # of which sections know what is nearby
+            steep = max([steep, *(_steep(each, chosen) for of_body in seen for each in _distinct(of_body))])
+    stress = chosen.stress.replace("_", " ")
     return VolumeLife(
-        chosen,
-        np.array(of_rows),
-        np.array(even),
-        tuple(_findings(singular_ends(solution), steep, chosen.stress.replace("_", " "))),
+        chosen, np.array(of_rows), np.array(even), tuple(_findings(singular_ends(solution), steep, stress))
     )
 
 
@@ -230,61 +232,41 @@ def _findings(ends: set[SingularEnd], steep: float, stress: str) -> Iterator[Fin
         )
 
 
-class _Seen:
-    """What the rollers of a row and the rings below them see."""
+def _exposures(solution: BearingSolution, rollers: range, field: str) -> list[Seen]:
+    """Return what is seen of every roller by both rings, and then what the roller sees at both."""
+    evaluate, known = section_exposure if field == "sections" else exposure, dict[tuple[int, BodyName], Exposure]()
 
-    def __init__(self, solution: BearingSolution, rollers: range, field: str) -> None:
-        self._contacts = [[solution.contact(j, ring) for ring in RINGS] for j in rollers]
-        self._evaluate = section_exposure if field == "sections" else exposure
-        self._known: dict[tuple[int, BodyName], Exposure] = {}
-
-    def densities(self, chosen: VolumeModel, *, ideal: bool) -> list[list[tuple[Array, Array, float] | None]]:
-        """Return stations, damage per length and damage of every contact, of both rings and of the roller at both.
-
-        The outer list has the rings, and then the rollers at the rings; the inner one the rollers.
-        """
-        bodies: tuple[BodyName, ...] = ("b", "a")
-        return [
-            [self._density(pair[k], body, chosen, ideal) for pair in self._contacts]
-            for body in bodies
-            for k in range(len(RINGS))
-        ]
-
-    def steep(self, chosen: VolumeModel) -> float:
-        """Return the largest share of a contact's damage that is done where the pressure is steep along it.
-
-        None, by orthogonal shear, of which sections know what is nearby.
-        """
-        shares = [0.0]
-        if chosen.stress == "orthogonal_shear":
-            return 0.0
-        for seen in self._known.values():
-            pressure = seen.shear.max(axis=1)
-            pressure = np.maximum(pressure, _LEAST * pressure.max())
-            changes = np.abs(np.gradient(pressure, seen.y)) * seen.half_width / pressure
-            damage = seen.width * seen.density(chosen)
-            if damage.sum() > 0.0:
-                shares.append(float(damage[changes > _STEEP].sum() / damage.sum()))
-        return max(shares)
-
-    def _density(
-        self, contact: Solution | None, body: BodyName, chosen: VolumeModel, ideal: bool
-    ) -> tuple[Array, Array, float] | None:
+    def seen(contact: Solution | None, body: BodyName) -> Exposure | None:
         if contact is None:
             return None
         key = id(contact), body
-        if key not in self._known:
-            self._known[key] = self._evaluate(contact, body)
-        seen = self._known[key].reference if ideal else self._known[key]
-        assert seen is not None  # rollers have ends
-        return seen.y, seen.density(chosen), seen.damage(chosen)
+        if key not in known:
+            known[key] = evaluate(contact, body)
+        return known[key]
+
+    bodies: tuple[BodyName, ...] = ("b", "a")
+    return [[seen(solution.contact(j, ring), body) for j in rollers] for body in bodies for ring in RINGS]
+
+
+def _distinct(seen: Seen) -> list[Exposure]:
+    """Return what is seen, once where it is the same for several rollers."""
+    return list({id(each): each for each in seen if each is not None}.values())
+
+
+def _steep(seen: Exposure, chosen: VolumeModel) -> float:
+    """Return the share of a contact's damage that is done where the pressure is steep along it."""
+    pressure = seen.shear.max(axis=1)
+    pressure = np.maximum(pressure, _LEAST * pressure.max())
+    changes = np.abs(np.gradient(pressure, seen.y)) * seen.half_width / pressure
+    damage = seen.width * seen.density(chosen)
+    return float(damage[changes > _STEEP].sum() / damage.sum()) if damage.sum() > 0.0 else 0.0
 
 
 class Calibration:
     """A row's dynamic capacities, and what a million revolutions under them do by a model."""
 
     def __init__(self, row: RollerBearing, rated: Rating, chosen: VolumeModel) -> None:
-        self._row, self._slope = row, chosen.slope
+        self._row, self._model, self._slope = row, chosen, chosen.slope
         gamma = row.roller_diameter * math.cos(row.nominal_angle) / row.pitch
         self._passes = 0.5 * row.rollers * np.array([1.0 + gamma, 1.0 - gamma])
         self._spin = 0.5 * row.pitch / row.roller_diameter * (1.0 - gamma**2)
@@ -304,43 +286,38 @@ class Calibration:
         found: Array = 1.0 / (self._passes**self._slope * self._around * self._damages)
         return found
 
-    def lives(self, seen: list[list[tuple[Array, Array, float] | None]], turning: int) -> Array:
+    def lives(self, seen: Sequence[Seen], turning: int) -> Array:
         """Return the lives of inner ring, outer ring and rollers [10^6 revolutions]."""
         rings = [
             # Contacts with a ring at rest have each their own part of its circumference.
-            _in_turn([seen[k]], self._slope)
+            self._in_turn([seen[k]])
             if k == turning
-            else np.mean([0.0 if each is None else each[2] for each in seen[k]])
+            else np.mean([0.0 if each is None else each.damage(self._model) for each in seen[k]])
             for k in range(len(RINGS))
         ]
         of_rings = [self._life(damage / self._damages[k]) for k, damage in enumerate(rings)]
         of_rollers = self._row.rollers * self._row.roller_diameter * self._spin**self._slope * self.constants()[0]
-        return np.array([*of_rings, self._life(of_rollers * _in_turn(seen[2:], self._slope))])
+        return np.array([*of_rings, self._life(of_rollers * self._in_turn(seen[2:]))])
+
+    def _in_turn(self, passes: Sequence[Seen]) -> float:
+        """Return the damage of contacts that pass over the same points, the mean over rollers, the sum over passes."""
+        every = [each for contacts in passes for each in contacts if each is not None]
+        known = {id(each): (each.y, each.density(self._model), each.damage(self._model)) for each in _distinct(every)}
+        loaded = [known[id(each)] for each in every if known[id(each)][2] > 0.0]
+        if not loaded:
+            return 0.0
+        stations = np.unique(np.concatenate([y for y, _, _ in loaded]))
+        total = np.zeros(stations.size)
+        for y, density, damage in loaded:
+            on_stations = np.interp(stations, y, density, left=0.0, right=0.0)
+            # On other stations it is to add up to the same damage.
+            scale = damage / np.trapezoid(on_stations, stations) if stations.size > 1 else 1.0
+            total += (on_stations * scale) ** (1.0 / self._slope)
+        together = (total / len(passes[0])) ** self._slope
+        if stations.size == 1:
+            # The length over which an even density adds up to its damage.
+            return float(together[0] * loaded[0][2] / loaded[0][1][0])
+        return float(np.trapezoid(together, stations))
 
     def _life(self, damage: float) -> float:
         return float(damage ** (-1.0 / self._slope)) if damage > 0.0 else math.inf
-
-
-def _in_turn(passes: list[list[tuple[Array, Array, float] | None]], slope: float) -> float:
-    """Return the damage of contacts that pass over the same points, the mean over rollers, the sum over passes."""
-    rollers = len(passes[0])
-    loaded = [each for contacts in passes for each in contacts if each is not None and each[2] > 0.0]
-    if not loaded:
-        return 0.0
-    stations = np.unique(np.concatenate([y for y, _, _ in loaded]))
-    total = np.zeros(stations.size)
-    for y, density, damage in loaded:
-        total += _on(stations, y, density, damage) ** (1.0 / slope)
-    together = (total / rollers) ** slope
-    if stations.size == 1:
-        # The length over which an even density adds up to its damage.
-        return float(together[0] * loaded[0][2] / loaded[0][1][0])
-    return float(np.trapezoid(together, stations))
-
-
-def _on(stations: Array, y: Array, density: Array, damage: float) -> Array:
-    """Return a density on other stations, over which it adds up to the same damage."""
-    found = np.interp(stations, y, density, left=0.0, right=0.0)
-    if stations.size == 1:
-        return found
-    return np.asarray(found * (damage / np.trapezoid(found, stations)))
