@@ -210,39 +210,31 @@ class Trim(Input):
 
     def apply(self, points: Points) -> StepResult:
         """Return the points that are kept."""
-        points = Points(points.y, points.height, points.gaps)
+        points, ends = Points(points.y, points.height, points.gaps), None
         low, high = land(points, self.slope) if self.length is None else (-0.5 * self.length, 0.5 * self.length)
         if self.length is None and self.corner == "keep":
-            ends, bounds = _cornered(points, (low, high), self.slope)
-            if ends is not None:
-                return self._split(points, ends, bounds)
+            ends, (low, high) = _cornered(points, (low, high), self.slope)
         if low < points.y[0] - 1e-9 or high > points.y[-1] + 1e-9:
             condition = f"lie within the points, which go from {mm(points.y[0], points.y[-1], between=' to '):.5g}"
             raise InputError("trim", self.length, condition, "give a shorter length, and align before trimming")
         inside = (points.y >= low - 1e-9) & (points.y <= high + 1e-9)
-        after = points.kept(inside)
-        cut = float(after.y[0] - points.y[0]), float(points.y[-1] - after.y[-1])
-        words = f"Kept from {mm(after.y[0], after.y[-1], between=' to '):.5g}; " + (
-            f"cut off {mm(cut[0], cut[1], between=' and '):.3g}." if any(cut) else "there was nothing to cut off."
-        )
-        numbers = {"low": float(after.y[0]), "high": float(after.y[-1]), "removed": float(np.sum(~inside))}
-        return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
-
-    def _split(self, points: Points, ends: tuple[float, float], bounds: tuple[float, float]) -> StepResult:
-        inside = (points.y >= bounds[0]) & (points.y <= bounds[1])
         after = replace(points.kept(inside), land=ends)
         cut = float(after.y[0] - points.y[0]), float(points.y[-1] - after.y[-1])
+        lost = f"; cut off {mm(*cut, between=' and '):.3g}." if any(cut) else ""
+        words = f"Kept from {mm(after.y[0], after.y[-1], between=' to '):.5g}"
+        words += lost or "; there was nothing to cut off."
         numbers = {"low": float(after.y[0]), "high": float(after.y[-1]), "removed": float(np.sum(~inside))}
-        numbers |= {"land_low": ends[0], "land_high": ends[1]}
-        found = []
-        for name, corner, at_end in zip(("low", "high"), after.beyond_land, (0, -1), strict=True):
-            if np.any(corner):
-                width = abs(float(after.y[at_end] - after.on_land.y[at_end]))
-                depth = float(after.on_land.height[at_end] - after.height[at_end])
-                numbers |= {f"width_{name}": width, f"depth_{name}": depth}
-                found.append(f"{name} end {mm(width):.2g} wide, {um(depth):.3g} deep")
-        words = f"Land from {mm(ends[0], ends[1], between=' to '):.5g}, corner{'s' if len(found) > 1 else ''} kept: "
-        words += "; ".join(found) + (f"; cut off {mm(cut[0], cut[1], between=' and '):.3g}." if any(cut) else ".")
+        if ends is not None:
+            numbers |= {"land_low": ends[0], "land_high": ends[1]}
+            found = []
+            for name, corner, at_end in zip(("low", "high"), after.beyond_land, (0, -1), strict=True):
+                if np.any(corner):
+                    width = abs(float(after.y[at_end] - after.on_land.y[at_end]))
+                    depth = float(after.on_land.height[at_end] - after.height[at_end])
+                    numbers |= {f"width_{name}": width, f"depth_{name}": depth}
+                    found.append(f"{name} end {mm(width):.2g} wide, {um(depth):.3g} deep")
+            corners = "corners" if len(found) > 1 else "corner"
+            words = f"Land from {mm(*ends, between=' to '):.5g}, {corners} kept: {'; '.join(found)}{lost or '.'}"
         return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
 
 
