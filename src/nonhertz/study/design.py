@@ -268,7 +268,8 @@ def best(
     task, begins = asked.task, asked.begins()
     was = task.template.case({})
     assert isinstance(was, Case)
-    before = _judged_as_it_was(task, was)
+    as_it_was = Task(task.template, (), task.loads, task.goal, task.model, task.limits)
+    before = point_or_none(as_it_was, np.zeros(0))
     ended: dict[int, Search | LostError] = {}
     processes = min(thread_count(workers), len(begins))
     with contextlib.closing(Workers()) as solving:
@@ -277,13 +278,8 @@ def best(
             ended[number] = found
             if announce is not None:
                 announce(len(ended), len(begins))
-        return _result(
-            task,
-            was,
-            before,
-            [ended[number] for number in sorted(ended)],
-            partial(solving.portions, processes=processes),
-        )
+        portions = partial(solving.portions, processes=processes)
+        return _result(task, was, before, [ended[number] for number in sorted(ended)], portions)
 
 
 def front(
@@ -322,7 +318,8 @@ def front(
         As `best`.
     """
     points = whole("points", points, 3, MOST_POINTS, "give the number of points")
-    groups = [_group(name, each) for name, each in (("first", first), ("second", second))]
+    checked_groups = checked_cases("first", first, LoadCase), checked_cases("second", second, LoadCase)
+    groups = [[replace(each, share=1.0 / len(group)) for each in group] for group in checked_groups]
     ends = [
         best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
         for group in groups
@@ -350,19 +347,14 @@ def front(
         case_there = asked.task.case(chosen.ended)
         rows.append((asked.task.values(chosen.ended), chosen.value, _largest(case_there, groups[1]), case_there))
     rows.append((ends[0].values, ends[0].value, highest, ends[0].case))
-    rows = [row for row in rows if not any(_better(other, row) for other in rows)]
+    # A point is worse than another that has no more of either pressure, and less of one.
+    rows = [
+        row
+        for row in rows
+        if not any(other[1] <= row[1] and other[2] <= row[2] and other[1:3] != row[1:3] for other in rows)
+    ]
     values, largest, others, cases = (tuple(column) for column in zip(*rows, strict=True))
     return Front(values, largest, others, cases, ends[0].units)
-
-
-def _better(one: tuple[Any, float, float, Case], other: tuple[Any, float, float, Case]) -> bool:
-    """Return whether a point has no more of either pressure than another, and less of one."""
-    return one[1] <= other[1] and one[2] <= other[2] and one[1:3] != other[1:3]
-
-
-def _group(name: str, loads: Sequence[LoadCase]) -> tuple[LoadCase, ...]:
-    found = checked_cases(name, loads, LoadCase)
-    return tuple(replace(each, share=1.0 / len(found)) for each in found)
 
 
 def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
@@ -479,20 +471,15 @@ def _variables(template: Template, vary: object) -> tuple[Variable, ...]:
             continue
         found.append(Variable(path, *bounds_in(which, given)))
         for end in (found[-1].low, found[-1].high):
-            with _refused_as(path, given, end):
+            try:
                 template.case({path: end})
+            except NonhertzError as error:
+                condition = f"stay within what the case allows (at {end:.6g}: {str(error).rstrip('.')})"
+                remedy = "change these bounds, or what the case holds beside them"
+                raise InputError(path, given, condition, remedy) from None
     if not found:
         raise InputError("vary", vary, "name a path", 'write {"body.a.profile.drop": "2 um : 60 um"}, say')
     return tuple(found)
-
-
-@contextlib.contextmanager
-def _refused_as(path: str, given: Any, end: float) -> Any:
-    try:
-        yield
-    except NonhertzError as error:
-        condition = f"stay within what the case allows (at {end:.6g}: {str(error).rstrip('.')})"
-        raise InputError(path, given, condition, "change these bounds, or what the case holds beside them") from None
 
 
 def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:
@@ -506,14 +493,6 @@ def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:
     found = checked_cases("loads", loads, LoadCase)
     refuse_other_than_whole("loads", found, "give each its share")
     return tuple(found)
-
-
-def _judged_as_it_was(task: Task, was: Case) -> Judged | None:
-    """Return the case as it was under all loads; None if a load has no solution."""
-    try:
-        return Task(task.template, (), task.loads, task.goal, task.model, task.limits).at(np.zeros(0))
-    except NonhertzError:
-        return None
 
 
 def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], portions: Portions) -> Design:
