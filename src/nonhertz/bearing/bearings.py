@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
-from nonhertz.bearing.section import raceway_motion, ring_motion
+from nonhertz.bearing.section import RINGS, raceway_motion, ring_motion
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, flag, listed, not_negative, number_that, numbers, one_of, positive
 from nonhertz.inputs.fields import Count, Input, Part, Quantity, Word, described, together
@@ -182,21 +182,28 @@ class RollerBearing(Input):
 
     @together("inner")
     def _check_inner(self) -> None:
-        _check_raceway("inner.diameter", self.inner.diameter, 1.0)
+        self._refuse_raceway("inner.diameter", self.inner.diameter, "positive: it is convex")
 
     @together("outer")
     def _check_outer(self) -> None:
-        _check_raceway("outer.diameter", self.outer.diameter, -1.0)
+        self._refuse_raceway("outer.diameter", self.outer.diameter, "negative: it is concave")
+
+    def _refuse_raceway(self, name: str, diameter: Any, sign: str) -> None:
+        """Refuse a raceway that has no diameter of its sign."""
+        if diameter is None:
+            signed = ", negative, since it is concave" if sign.startswith("negative") else ""
+            raise InputError(name, None, "be given", f"give that of the raceway in mm{signed}")
+        if callable(diameter) or not (diameter < 0.0 if sign.startswith("negative") else diameter > 0.0):
+            one = "one number, " if callable(diameter) else ""
+            raise InputError(name, diameter, f"be {one}{sign}", "give that of the raceway in mm")
 
     @together("inner_shape", "rollers")
     def _check_inner_shape(self) -> None:
-        if self.inner_shape is not None:
-            self._deviation("inner_shape", self.inner_shape)
+        _ = self._deviation("inner_shape")
 
     @together("outer_shape", "rollers")
     def _check_outer_shape(self) -> None:
-        if self.outer_shape is not None:
-            self._deviation("outer_shape", self.outer_shape)
+        _ = self._deviation("outer_shape")
 
     @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle")
     def _check_room(self) -> None:
@@ -341,14 +348,10 @@ class RollerBearing(Input):
     @property
     def gaps(self) -> tuple[Array, Array]:
         """What the contacts of every roller are short of touching [mm], at both rings."""
-        shapes = ("inner_shape", self.inner_shape), ("outer_shape", self.outer_shape)
-        inner, outer = (
-            # Raceways deviate along the radius, washers along the axis; contacts close along their normals.
-            0.0 if shape is None else self._deviation(name, shape) * (math.cos(angle) if self.bears_radially else 1.0)
-            for (name, shape), angle in zip(shapes, self.contact_angles, strict=True)
-        )
-        gap = np.full(self.rollers, self.gap)
-        return gap - inner, gap - outer
+        # Raceways deviate along the radius, washers along the axis; contacts close along their normals.
+        along = [math.cos(angle) if self.bears_radially else 1.0 for angle in self.contact_angles]
+        inner, outer = (self.gap - self._deviation(f"{ring}_shape") * by for ring, by in zip(RINGS, along, strict=True))
+        return inner, outer
 
     def _at_contact(self, ring: Body, angle: float) -> float:
         """Return the diameter of a raceway square to its generator, where a roller's middle touches it [mm].
@@ -369,10 +372,13 @@ class RollerBearing(Input):
     def _end_compliances(self) -> dict[str, float]:
         """Compliance of roller and ring [1/MPa], by ring."""
         roller = self.roller.material.compliance
-        return {name: roller + getattr(self, name).material.compliance for name in ("inner", "outer")}
+        return {name: roller + getattr(self, name).material.compliance for name in RINGS}
 
-    def _deviation(self, name: str, shape: Shape) -> Array:
-        remedy = "let it return lengths in mm, one for each angle"
+    def _deviation(self, name: str) -> Array:
+        """Return how much less room there is for each roller than a circle leaves [mm]."""
+        shape, remedy = getattr(self, name), "let it return lengths in mm, one for each angle"
+        if shape is None:
+            return np.zeros(self.rollers)
         found = numbers(name, shape(self.angles), remedy)
         if found.shape != (self.rollers,):
             raise InputError(name, found.shape, f"return {self.rollers} lengths for {self.rollers} angles", remedy)
@@ -408,7 +414,7 @@ class RollerBearing(Input):
         loads it is -d/dt of its momentum, and of its angular momentum about its centre of mass.
         """
         finite("speed", speed, "give it in rad/s")
-        one_of("turning", turning, ("inner", "outer"), "name the ring that turns")
+        one_of("turning", turning, RINGS, "name the ring that turns")
         if speed == 0.0:
             return np.zeros(3)
         roller, inclined = self.inertia, 0.5 * sum(self.contact_angles)
@@ -662,13 +668,10 @@ class CylindricalThrustBearing(RollerBearing):
         field()
     )
 
-    @together("inner")
-    def _check_inner(self) -> None:
-        _check_washer("inner.diameter", self.inner.diameter)
-
-    @together("outer")
-    def _check_outer(self) -> None:
-        _check_washer("outer.diameter", self.outer.diameter)
+    def _refuse_raceway(self, name: str, diameter: Any, sign: str) -> None:
+        if diameter is not None:
+            remedy = "make the washer as a Plate, or leave out the key"
+            raise InputError(name, diameter, "be left out: washers are flat", remedy)
 
     def _refuse_no_room(self) -> None:
         self._refuse_crowd()
@@ -894,23 +897,6 @@ def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearan
     turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[pair.arrangement]
     half = 0.5 * pair.distance
     return Paired(bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=pair.clearance)
-
-
-def _check_raceway(name: str, diameter: Any, sign: float) -> None:
-    if diameter is None:
-        signed = "" if sign > 0.0 else ", negative, since it is concave"
-        raise InputError(name, None, "be given", f"give that of the raceway in mm{signed}")
-    if callable(diameter) or not sign * diameter > 0.0:
-        words = "positive: it is convex" if sign > 0.0 else "negative: it is concave"
-        one = "one number, " if callable(diameter) else ""
-        raise InputError(name, diameter, f"be {one}{words}", "give that of the raceway in mm")
-
-
-def _check_washer(name: str, diameter: Any) -> None:
-    if diameter is not None:
-        raise InputError(
-            name, diameter, "be left out: washers are flat", "make the washer as a Plate, or leave out the key"
-        )
 
 
 def _along(y: Array, middle: float, slope: float) -> TabulatedDiameter:

@@ -45,6 +45,7 @@ from nonhertz.model.material import is_steel
 _STATIC = 44.0  # N/mm^2
 _SHARE_OF_MOST_LOADED = 5.0
 _MATERIAL_FACTORS = {SphericalRollerBearing: 1.15, CylindricalThrustBearing: 1.0}  # b_m
+_OF_ROWS = 7.0 / 9.0  # power of their number with which C grows
 _ALIKE = 1e-9
 
 
@@ -126,17 +127,37 @@ def rating(
         positive("material_factor", material_factor, "give b_m, 1.1 for cylindrical and tapered rollers")
     usual = next((known for kind, known in _MATERIAL_FACTORS.items() if isinstance(row, kind)), MATERIAL_FACTOR)
     factor = usual if material_factor is None else float(material_factor)
+    by_standards = _dynamic(row, rows, factor), _static(row, rows)
+    load, still = (of if own is None else float(own) for of, own in zip(by_standards, (dynamic, static), strict=True))
+    limit = float(still / 8.2 * min(1.0, (100.0 / row.pitch) ** 0.3))
+    reduction = THRUST_REDUCTION if isinstance(row, CylindricalThrustBearing) else REDUCTION
+    return Rating(load, still, *_capacities(row, rows, load), limit, rows, factor, reduction)
+
+
+def _dynamic(row: RollerBearing, rows: int, factor: float) -> float:
+    """Return C of equal rows [N], ISO 281."""
     if isinstance(row, CylindricalThrustBearing):
-        return _thrust(row, rows, factor, dynamic, static)
-    inner, outer = raceways(row)
-    of_rows = {"rows": rows}
-    load = inner.load_rating(row.rollers, **of_rows, material_factor=factor) if dynamic is None else float(dynamic)
-    angle = row.nominal_angle
-    gamma = row.roller_diameter * math.cos(angle) / row.pitch
-    size = rows * row.rollers * inner.length * row.roller_diameter * math.cos(angle)
-    still = _STATIC * (1.0 - gamma) * size if static is None else float(static)
-    of_inner, of_outer = (each.capacity_of(load, row.rollers, **of_rows) for each in (inner, outer))
-    return Rating(load, still, of_inner, of_outer, _fatigue_limit(still, row), rows, factor, REDUCTION)
+        # As for radial bearings; the standard's sum over rows that may differ becomes this for equal ones.
+        of_one = thrust_rating(row.roller_diameter, length_of(row), row.pitch, row.rollers)
+        return float(factor * of_one * rows**_OF_ROWS)
+    return raceways(row)[0].load_rating(row.rollers, rows=rows, material_factor=factor)
+
+
+def _static(row: RollerBearing, rows: int) -> float:
+    """Return C_0 of equal rows [N], ISO 76."""
+    size = rows * row.rollers * length_of(row) * row.roller_diameter
+    if isinstance(row, CylindricalThrustBearing):
+        return _SHARE_OF_MOST_LOADED * _STATIC * size
+    across = math.cos(row.nominal_angle)
+    return _STATIC * (1.0 - row.roller_diameter * across / row.pitch) * size * across
+
+
+def _capacities(row: RollerBearing, rows: int, load: float) -> tuple[float, float]:
+    """Return Q_ci and Q_ce of a bearing of equal rows with the rating C [N]."""
+    if isinstance(row, CylindricalThrustBearing):
+        return (thrust_capacity(load / rows**_OF_ROWS, row.rollers),) * 2
+    inner, outer = (each.capacity_of(load, row.rollers, rows=rows) for each in raceways(row))
+    return inner, outer
 
 
 def raceways(bearing: RollerBearing) -> tuple[Raceway, Raceway]:
@@ -206,21 +227,3 @@ def _are_alike(one: RollerBearing, other: RollerBearing) -> bool:
     ]
     same = all(math.isclose(a, b, rel_tol=_ALIKE) for a, b in zip(*sizes, strict=True))
     return type(one) is type(other) and same
-
-
-def _thrust(
-    row: CylindricalThrustBearing, rows: int, factor: float, dynamic: float | None, static: float | None
-) -> Rating:
-    length = length_of(row)
-    of_one = factor * thrust_rating(row.roller_diameter, length, row.pitch, row.rollers)
-    # As for radial bearings; the standard's sum over rows that may differ becomes this for equal ones.
-    increase = rows ** (7.0 / 9.0)
-    load = of_one * increase if dynamic is None else float(dynamic)
-    size = rows * row.rollers * length * row.roller_diameter
-    still = _SHARE_OF_MOST_LOADED * _STATIC * size if static is None else float(static)
-    capacity = thrust_capacity(load / increase, row.rollers)
-    return Rating(load, still, capacity, capacity, _fatigue_limit(still, row), rows, factor, THRUST_REDUCTION)
-
-
-def _fatigue_limit(static: float, row: RollerBearing) -> float:
-    return float(static / 8.2 * min(1.0, (100.0 / row.pitch) ** 0.3))
