@@ -16,7 +16,8 @@ from nonhertz.inputs.checks import listed, one_of, positive
 from nonhertz.inputs.fields import Count, Flag, OrFlag, Part, Quantity, Word, checked
 from nonhertz.measured.corners import CORNER_CUTOFF, resolved
 from nonhertz.measured.filters import nominal_form, shortest_cutoff, unresolved
-from nonhertz.measured.land import SurfaceStep, steps_in
+from nonhertz.measured.land import steps_in
+from nonhertz.measured.outlying import THRESHOLD
 from nonhertz.measured.roughness import (
     HALF_WIDTH,
     PRESSURE,
@@ -27,7 +28,6 @@ from nonhertz.measured.roughness import (
 )
 from nonhertz.measured.steps import (
     CUTOFF,
-    THRESHOLD,
     Align,
     Corners,
     CornersKept,
@@ -256,12 +256,14 @@ class Measured:
                 return state.points
         return self.points
 
-    def _stepped(self) -> list[Finding]:
-        """Return each step of the surface found in the search for the land."""
+    def _stepped(self) -> Iterator[Finding]:
+        """Yield each step of the surface found in the search for the land."""
         slopes = {step.name: step.slope for step in self.steps if isinstance(step, Level | Align | Trim)}
-        if not slopes:
-            return []
-        return [_in_words(step) for step in steps_in(self._before(*slopes), next(iter(slopes.values())))]
+        for step in steps_in(self._before(*slopes), next(iter(slopes.values()))) if slopes else ():
+            beyond = "what lies beyond it was not taken to be the same body: if it is, omit align and trim to a length."
+            what = "both sides were taken to be one body: check that they are." if step.within else beyond
+            words = f"The surface steps by {{height:.3g}} at {{y:.5g}} in the file; {what}"
+            yield finding("surface-step", words, height=um(abs(step.height)), y=mm(step.y))
 
     def _doubted(self) -> Iterator[Finding]:
         """Yield that the line is as long, or as little curved, as one is whose units are wrong."""
@@ -401,14 +403,9 @@ def prepare(
             length = trace.span if trace.span > _SURELY_LONG else measured.points.on_land.span
             cutoff = CUTOFF if length >= CUTOFF else 0.2 * length
         measured = measured.smoothed(cutoff, "gaussian" if smooth is True else smooth)
-    return _thinned(measured, points, smooth is not False)
-
-
-def _in_words(step: SurfaceStep) -> Finding:
-    beyond = "what lies beyond it was not taken to be the same body: if it is, omit align and trim to a length."
-    what = "both sides were taken to be one body: check that they are." if step.within else beyond
-    words = f"The surface steps by {{height:.3g}} at {{y:.5g}} in the file; {what}"
-    return finding("surface-step", words, height=um(abs(step.height)), y=mm(step.y))
+    if points is False or (smooth is False and isinstance(points, bool | str)):
+        return measured
+    return measured.thinned(None if isinstance(points, bool | str) else points)
 
 
 def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[Finding]:
@@ -423,9 +420,3 @@ def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[Finding]:
         "bridges them with curves."
     )
     return [finding("gap", words, gaps=len(gaps), length=mm(length), widest=mm(low, high, between=" and "))]
-
-
-def _thinned(measured: Measured, points: int | str | bool, smooth: bool) -> Measured:
-    if points is False or (not smooth and (points is True or points == "auto")):
-        return measured
-    return measured.thinned(None if isinstance(points, bool | str) else points)

@@ -19,8 +19,19 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.measured.trace import Array, Points
+from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 
+#: Robust standard deviations beyond which a point does not belong to the surface. Of ten thousand points of pure
+#: Gaussian roughness none exceeds it.
+THRESHOLD = 5.0
+
+# Reach of chords to either side, over the number of points, and the least window and number of chords.
+_MEDIAN_SHARE, _FEWEST_IN_MEDIAN, _CHORDS = 0.01, 9, 9
+# The median of absolute deviations, and what nine in ten of them do not exceed, in standard deviations of a normal
+# distribution: 1 / (sqrt(2) erfinv(1/2)) and 1 / (sqrt(2) erfinv(9/10)).
+_MAD_TO_SIGMA, _NINE_TENTHS_TO_SIGMA = 1.482602218505602, 0.6079568319117692
+# Machines resolve nanometres: smaller deviations are not outliers, however smooth the rest is.
+_RESOLUTION = 1e-6  # mm
 #: Fraction of the line, and length [mm], beyond which a dent or a bump counts as form.
 WIDEST_SHARE, WIDEST = 0.01, 0.2
 # Number of distances at which the surface is sampled, from the nearest neighbours to what finds the widest grain.
@@ -35,19 +46,30 @@ _FOOT = 0.4
 _SCATTERS = 7.4
 
 
-def outlying(points: Points, height: Array, limit: float) -> NDArray[np.bool_]:
-    """Return which points lie off the surface by more than a limit.
+def outliers(points: Points, threshold: float) -> tuple[NDArray[np.bool_], float]:
+    """Return which points do not belong to the surface, and how far off it they may lie [mm].
 
     Parameters
     ----------
     points : Points
         The measured line.
-    height : array, shape (n + 2 m,)
-        Its heights [mm], extended by any m points beyond either end.
-    limit : float
-        How far a point may lie off [mm].
+    threshold : float
+        How far, in robust standard deviations of the land; for corners, of the roughest of the three.
     """
-    side = _suspected(points, height, limit)
+    sigma = max(_scatter(points.on_land), _RESOLUTION / threshold)
+    corners = points.beyond_land
+    beyond = np.logical_or(*corners)
+    out = np.zeros(len(points), dtype=bool)
+    out[~beyond] = _outlying(points.on_land, threshold * sigma)
+    if np.any(beyond):
+        parts = [points.kept(corner) for corner in corners if np.sum(corner) >= FEWEST_POINTS]
+        out |= beyond & _outlying(points, threshold * max([sigma, *map(_scatter, parts)]))
+    return out, threshold * sigma
+
+
+def _outlying(points: Points, limit: float) -> NDArray[np.bool_]:
+    """Return which points lie off the surface by more than a limit [mm]."""
+    side = _suspected(points, limit)
     clean = np.flatnonzero(side == 0)
     out = np.zeros(len(points), dtype=bool)
     for first, last in runs(side):
@@ -57,30 +79,25 @@ def outlying(points: Points, height: Array, limit: float) -> NDArray[np.bool_]:
     return out
 
 
-def widest(points: Points) -> float:
+def _widest(points: Points) -> float:
     """Return the width [mm] up to which a dent or a bump is a scratch or a grain."""
     return min(WIDEST_SHARE * points.span, WIDEST)
-
-
-def carried_on(points: Points) -> int:
-    """Return by how many points the heights should be extended so that `outlying` covers the line up to its ends."""
-    return 6 * _farthest(points) + 3
 
 
 def _farthest(points: Points) -> int:
     """Return the largest radius, in points, of the medians that represent the surface."""
     usual = float(np.median(np.diff(points.y)))
-    return max(min(int(widest(points) / usual / 3.0) + 1, (len(points) - 4) // 6), 0)
+    return max(min(int(_widest(points) / usual / 3.0) + 1, (len(points) - 4) // 6), 0)
 
 
-def _suspected(points: Points, height: Array, limit: float) -> NDArray[np.int8]:
+def _suspected(points: Points, limit: float) -> NDArray[np.int8]:
     """Return 1 for points above the surface on both sides, -1 for those below, 0 for all others."""
     from scipy.ndimage import median_filter
 
-    count, more = len(points), (len(height) - len(points)) // 2
-    y = np.pad(points.y, more, mode="reflect", reflect_type="odd")
+    count, farthest = len(points), _farthest(points)
+    more = 6 * farthest + 3
+    y, height = _carried_on(points, more)
     side = np.zeros(count, dtype=np.int8)
-    farthest = _farthest(points)
     for radius in np.unique(np.geomspace(1, max(farthest, 1), _DISTANCES).round().astype(int))[
         : None if farthest else 0
     ]:
@@ -122,12 +139,12 @@ def _off_base(points: Points, clean: NDArray[np.intp], first: int, last: int, li
     """
     for _ in range(_ROUNDS):
         near = np.arange(
-            *np.searchsorted(points.y, (points.y[first] - widest(points), points.y[last] + widest(points)))
+            *np.searchsorted(points.y, (points.y[first] - _widest(points), points.y[last] + _widest(points)))
         )
         above, scatter = _from_base(points, clean, first, last, near)
         off = above / np.copysign(max(abs(limit), _SCATTERS * scatter), limit)
         grown = _stretch(off > _FOOT, first - near[0], last - near[0]) + near[0]
-        if _width(points, *grown) > widest(points) and grown[1] > grown[0]:
+        if _width(points, *grown) > _widest(points) and grown[1] > grown[0]:
             return None
         if (grown[0], grown[1]) == (first, last):
             found = near[(near >= first) & (near <= last) & (off > 1.0)]
@@ -182,3 +199,50 @@ def _width(points: Points, first: int, last: int) -> float:
     y = points.y
     low, high = y[max(first - 1, 0)], y[min(last + 1, len(y) - 1)]
     return float(0.5 * (y[last] + high - y[first] - low))
+
+
+def _scatter(points: Points) -> float:
+    """Return the standard deviation of the distances from chords [mm], whatever a few points do."""
+    distance = np.abs(_from_chords(points))
+    median, most = np.quantile(distance, (0.5, 0.9))
+    return max(_MAD_TO_SIGMA * float(median), _NINE_TENTHS_TO_SIGMA * float(most))
+
+
+def _from_chords(points: Points) -> Array:
+    """Return how far each point lies from chords around it, less the curvature of the surface there."""
+    from scipy.ndimage import median_filter
+
+    half = min(max(int(_MEDIAN_SHARE * len(points)), _FEWEST_IN_MEDIAN // 2), (len(points) - 1) // 2)
+    y, height = _carried_on(points, half)
+    chords = []
+    for reach in np.unique(np.linspace(1, half, _CHORDS).round().astype(int)):
+        before = slice(half - reach, len(y) - half - reach)
+        after = slice(half + reach, len(y) - half + reach)
+        share = (points.y - y[before]) / (y[after] - y[before])
+        chords.append(height[before] + share * (height[after] - height[before]))
+    distance = points.height - np.median(chords, axis=0)
+    return np.asarray(distance - median_filter(distance, 2 * half + 1, mode="mirror"))
+
+
+def _carried_on(points: Points, count: int) -> tuple[Array, Array]:
+    """Return the line extended beyond its ends by its point reflection, which keeps its slope."""
+    y, height = (np.pad(of, count, mode="reflect", reflect_type="odd") for of in (points.y, points.height))
+    height[:count] += 2.0 * _dust_at_end(points.y[::-1], points.height[::-1])
+    height[len(height) - count :] += 2.0 * _dust_at_end(points.y, points.height)
+    return y, height
+
+
+def _dust_at_end(y: Array, height: Array) -> float:
+    """Return how much the last point must be raised to lie on the line of those before it; 0 if it may belong to them.
+
+    A grain on the last point would be the centre of the reflection, and cause the good points beside it to be removed.
+    """
+    count = _FEWEST_IN_MEDIAN
+    if len(y) < 2 * count:
+        return 0.0
+    last, before = slice(-count, None), slice(-2 * count, -count)
+    slope = np.median((height[last] - height[before]) / (y[last] - y[before]))
+    expected = height[last] + slope * (y[-1] - y[last])
+    lack = float(np.median(expected) - height[-1])
+    scatter = _MAD_TO_SIGMA * float(np.median(np.abs(expected - np.median(expected))))
+    return lack if abs(lack) > THRESHOLD * scatter else 0.0

@@ -12,7 +12,6 @@ from dataclasses import dataclass, field, replace
 from typing import Annotated, ClassVar, Literal, Protocol, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import amount, mm, mrad, um
 from nonhertz.errors import InputError
@@ -21,22 +20,12 @@ from nonhertz.inputs.fields import Count, Input, Quantity, Word, described
 from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smoothed, turns
 from nonhertz.measured.filters import check_cutoff, gaussian, spline
 from nonhertz.measured.land import CHAMFER_SLOPE, corner_ends, land, symmetry, tilt
-from nonhertz.measured.outlying import carried_on, outlying
+from nonhertz.measured.outlying import THRESHOLD, outliers
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 
 #: Wavelength [mm] that separates roughness from form: the value of ISO 21920-3 and ISO 4288 for finely ground surfaces.
 CUTOFF = 0.8
-#: Robust standard deviations beyond which a point does not belong to the surface. Of ten thousand points of pure
-#: Gaussian roughness none exceeds it.
-THRESHOLD = 5.0
 
-# Reach of chords to either side, over the number of points, and the least window and number of chords.
-_MEDIAN_SHARE, _FEWEST_IN_MEDIAN, _CHORDS = 0.01, 9, 9
-# The median of absolute deviations, and what nine in ten of them do not exceed, in standard deviations of a normal
-# distribution: 1 / (sqrt(2) erfinv(1/2)) and 1 / (sqrt(2) erfinv(9/10)).
-_MAD_TO_SIGMA, _NINE_TENTHS_TO_SIGMA = 1.482602218505602, 0.6079568319117692
-# Machines resolve nanometres: smaller deviations are not outliers, however smooth the rest is.
-_RESOLUTION = 1e-6  # mm
 _POINTS_PER_CUTOFF = 8
 _FEWEST_THINNED, _MOST_THINNED = 51, 1001
 #: How the middle of a body is found.
@@ -282,24 +271,16 @@ class Outliers(Input):
 
     def apply(self, points: Points) -> StepResult:
         """Return the remaining points."""
-        sigma = max(_scatter(points.on_land), _RESOLUTION / self.threshold)
-        corners = points.beyond_land
-        beyond = np.logical_or(*corners)
-        out = np.zeros(len(points), dtype=bool)
-        out[~beyond] = _out(points.on_land, self.threshold * sigma)
-        if np.any(beyond):
-            parts = [points.kept(corner) for corner in corners if np.sum(corner) >= FEWEST_POINTS]
-            rougher = max(sigma, *map(_scatter, parts)) if parts else sigma
-            out |= beyond & _out(points, self.threshold * rougher)
+        out, limit = outliers(points, self.threshold)
         count = int(np.sum(out))
         if len(points) - count < FEWEST_POINTS:
             condition = f"leave at least {FEWEST_POINTS} points"
             raise InputError("outliers", self.threshold, condition, "raise the number of standard deviations")
         share = 100.0 * count / len(points)
-        words = f"{count} of {len(points)} points ({share:.2g} %) lay more than {um(self.threshold * sigma):.3g} "
+        words = f"{count} of {len(points)} points ({share:.2g} %) lay more than {um(limit):.3g} "
         words += "off the surface on both sides and were removed."
         after = points.kept(~out)
-        numbers = {"removed": float(count), "limit": self.threshold * sigma}
+        numbers = {"removed": float(count), "limit": limit}
         return StepResult(self.name, after, words, numbers, (points.y[out], points.height[out]))
 
 
@@ -414,54 +395,3 @@ def _merged(y: Array, more: Array) -> Array:
     # Not half, which rounding would make more or less of where both are multiples of one step.
     least = 0.49 * float(np.min(np.diff(np.sort(more)), initial=math.inf))
     return np.union1d(y[nearest > min(least, y[1] - y[0])], more)
-
-
-def _scatter(points: Points) -> float:
-    """Return the standard deviation of the distances from chords [mm], whatever a few points do."""
-    distance = np.abs(_from_chords(points))
-    median, most = np.quantile(distance, (0.5, 0.9))
-    return max(_MAD_TO_SIGMA * float(median), _NINE_TENTHS_TO_SIGMA * float(most))
-
-
-def _out(points: Points, limit: float) -> NDArray[np.bool_]:
-    return outlying(points, _carried_on(points, carried_on(points))[1], limit)
-
-
-def _from_chords(points: Points) -> Array:
-    """Return how far each point lies from chords around it, less the curvature of the surface there."""
-    from scipy.ndimage import median_filter
-
-    half = min(max(int(_MEDIAN_SHARE * len(points)), _FEWEST_IN_MEDIAN // 2), (len(points) - 1) // 2)
-    y, height = _carried_on(points, half)
-    chords = []
-    for reach in np.unique(np.linspace(1, half, _CHORDS).round().astype(int)):
-        before = slice(half - reach, len(y) - half - reach)
-        after = slice(half + reach, len(y) - half + reach)
-        share = (points.y - y[before]) / (y[after] - y[before])
-        chords.append(height[before] + share * (height[after] - height[before]))
-    distance = points.height - np.median(chords, axis=0)
-    return np.asarray(distance - median_filter(distance, 2 * half + 1, mode="mirror"))
-
-
-def _carried_on(points: Points, count: int) -> tuple[Array, Array]:
-    """Return the line extended beyond its ends by its point reflection, which keeps its slope."""
-    y, height = (np.pad(of, count, mode="reflect", reflect_type="odd") for of in (points.y, points.height))
-    height[:count] += 2.0 * _dust_at_end(points.y[::-1], points.height[::-1])
-    height[len(height) - count :] += 2.0 * _dust_at_end(points.y, points.height)
-    return y, height
-
-
-def _dust_at_end(y: Array, height: Array) -> float:
-    """Return how much the last point must be raised to lie on the line of those before it; 0 if it may belong to them.
-
-    A grain on the last point would be the centre of the reflection, and cause the good points beside it to be removed.
-    """
-    count = _FEWEST_IN_MEDIAN
-    if len(y) < 2 * count:
-        return 0.0
-    last, before = slice(-count, None), slice(-2 * count, -count)
-    slope = np.median((height[last] - height[before]) / (y[last] - y[before]))
-    expected = height[last] + slope * (y[-1] - y[last])
-    lack = float(np.median(expected) - height[-1])
-    scatter = _MAD_TO_SIGMA * float(np.median(np.abs(expected - np.median(expected))))
-    return lack if abs(lack) > THRESHOLD * scatter else 0.0
