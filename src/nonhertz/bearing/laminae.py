@@ -27,7 +27,6 @@ from nonhertz.bearing.lubrication import MOST_FACTOR, life_factor
 from nonhertz.bearing.ratings import Rating
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.bearing.standard import standard_slices
 from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of
 from nonhertz.result.solution import SingularEnd
 
@@ -91,12 +90,8 @@ def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Arra
     """Return f q of every lamina [N], shape (rollers, 2, laminae)."""
     found = np.zeros((*solution.load.shape, laminae))
     if solution.method == "slices":
-        for row in solution.bearing.rows:
-            slices, these = standard_slices(row.bearing, laminae), row.rollers
-            loads = slices.loads(solution.approach[these].ravel(), solution.tilt[these].ravel())
-            found[these] = loads.reshape(found[these].shape)
-        found *= edge_function(laminae) if edge_stress == "standard" else 1.0
-        return np.where(solution.load[..., None] > 0.0, found, 0.0)
+        found = np.concatenate([loads for _, loads in solution.slice_loads(laminae)])
+        return found * (edge_function(laminae) if edge_stress == "standard" else 1.0)
     model = iso_16281(laminae=laminae, edge_stress=edge_stress)
     known: dict[int, Array] = {}
     for row in solution.bearing.rows:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -14,8 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm, mrad, newton, newton_mm, um
 from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.ribs import RibContact
 from nonhertz.bearing.section import RINGS
+from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, finding, sentences
 from nonhertz.hertz import PointContact
@@ -412,6 +415,24 @@ class BearingSolution(ReadOnly):
                     known[id(contact)] = contact.pressure(0.0, places)
                 of_roller[:] = known[id(contact)]
         return UnrolledPressure(ring, row, self.angle[these], places, pressure)
+
+    def slice_loads(self, laminae: int = LAMINAE) -> Iterator[tuple[Slices, Array]]:
+        """Yield the slices of each row of a bearing that was solved by them, and their loads.
+
+        Parameters
+        ----------
+        laminae : int
+            Number of slices.
+
+        Yields
+        ------
+        Slices, ndarray of shape (rollers, 2, laminae)
+            Of one contact; and the loads of those of every contact [N], zero where it bears none.
+        """
+        for row in self.bearing.rows:
+            these, slices = row.rollers, standard_slices(row.bearing, laminae)
+            loads = slices.loads(self.approach[these].ravel(), self.tilt[these].ravel()).reshape(-1, 2, laminae)
+            yield slices, np.where(self.load[these, :, None] > 0.0, loads, 0.0)
 
     def plot(self, what: str = "loads", ax: Any = None) -> Any:
         """Draw the bearing, and return the axes; those of a figure of its own have it as ``figure``.

@@ -12,7 +12,7 @@ from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.quantities import SolvedBearing, further
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import CONTACT_UNITS, BearingSolution
-from nonhertz.bearing.standard import LAMINAE, standard_slices
+from nonhertz.bearing.standard import LAMINAE
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.findings import as_warnings
@@ -154,17 +154,13 @@ def _strips(solution: BearingSolution) -> Iterator[Iterable[Any]]:
 
 
 def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
-    first = 0
-    for row in solution.bearing.rows:
-        slices = standard_slices(row.bearing, laminae)
+    for row, (slices, loads) in zip(solution.bearing.rows, solution.slice_loads(laminae), strict=True):
         width = float(slices.y[1] - slices.y[0])
-        for j in range(first, first + row.bearing.rollers):
+        for j, of_roller in enumerate(loads.tolist(), start=row.first):
             for k, ring in enumerate(RINGS):
                 if solution.load[j, k] > 0.0:
-                    loads = slices.loads(solution.approach[j, k : k + 1], solution.tilt[j, k : k + 1])[0]
-                    for y, load in zip(slices.y.tolist(), loads.tolist(), strict=True):
+                    for y, load in zip(slices.y.tolist(), of_roller[k], strict=True):
                         yield j, ring, y, width, load / width
-        first += row.bearing.rollers
 
 
 @read_in("si")

@@ -12,7 +12,7 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.bearing.standard import LAMINAE, standard_slices
+from nonhertz.bearing.standard import LAMINAE
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
@@ -126,13 +126,10 @@ def _lines(contact: Solution | None) -> dict[str, Any] | None:
 def _by_slices(solution: BearingSolution, laminae: int) -> list[list[dict[str, Any] | None]]:
     """Return for every roller and ring the steps of line load, without pressure; None where there is no load."""
     found: list[list[dict[str, Any] | None]] = []
-    for row in solution.bearing.rows:
-        slices = standard_slices(row.bearing, laminae)
+    for slices, loads in solution.slice_loads(laminae):
         width = float(slices.y[1] - slices.y[0])
         edges = np.append(slices.y - 0.5 * width, slices.y[-1] + 0.5 * width)
-        for j in range(len(found), len(found) + row.bearing.rollers):
-            loads = slices.loads(solution.approach[j], solution.tilt[j]) / width
-            found.append([_steps(edges, loads[k]) if solution.load[j, k] > 0.0 else None for k in range(len(RINGS))])
+        found += [[_steps(edges, each / width) if each.any() else None for each in of_roller] for of_roller in loads]
     return found
 
 
