@@ -139,7 +139,7 @@ def test_states_are_a_line_each():
     many = B.solve_many(row(), radial=np.array([2e3, 5e3])[:, None], tilt=[0.0, 1e-3, 2e-3], method="slices")
     frame = many.to_dataframe()
     assert frame.index.names == ["axis_0", "axis_1"]
-    assert frame.loc[(1, 2), "moment_about_z"] == many.force[1, 2, 4]
+    assert frame.loc[(1, 2), "moment_z"] == many.force[1, 2, 4]
     assert frame.loc[(1, 2), "displacement_y"] == many.displacement[1, 2, 1]
     assert frame.loc[(0, 1), "max_load_outer"] == many.load[0, 1, :, 1].max()
     assert frame.loc[(0, 1), "loaded_share_0"] == many[0, 1].loaded_share[0]

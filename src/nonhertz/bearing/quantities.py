@@ -15,7 +15,7 @@ from typing import Final, Protocol
 import numpy as np
 
 from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.section import RINGS
+from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import NonhertzError
 from nonhertz.result.quantities import Quantity
@@ -66,18 +66,16 @@ def _quantities() -> Iterator[Quantity]:
         yield of(f"max_pressure_{ring}", label, "MPa", "max_pressure", partial(_pressure, ring=k))
     yield of("max_rib_load", "largest rib load", "N", "rib_load", lambda found: found.rib_load.max(initial=0.0))
     yield of("loaded_rollers", "loaded rollers", "", "load", lambda found: np.sum(found.load.min(axis=1) > 0.0))
-    forces, turns = tuple(enumerate("xyz")), tuple(enumerate("yz", 3))
-    for k, axis in forces:
-        yield part(f"displacement_{axis}", f"displacement {axis}", "mm", "um", "displacement", k)
-    for k, axis in turns:
-        yield part(f"tilt_{axis}", f"tilt about {axis}", "rad", "mrad", "displacement", k)
-    for k, axis in forces:
-        yield part(f"force_{axis}", f"force {axis}", "N", "", "force", k)
-    for k, axis in turns:
-        yield part(f"moment_{axis}", f"moment about {axis}", "N mm", "", "force", k)
-    for k, axis in forces:
+    shown = {"mm": "um", "rad": "mrad"}
+    for within, named in (("displacement", DISPLACEMENTS), ("force", FORCES)):
+        for k, (name, unit) in enumerate(named.items()):
+            kind, _, axis = name.partition("_")
+            yield part(
+                name, f"{kind} about {axis}" if k > 2 else f"{kind} {axis}", unit, shown.get(unit, ""), within, k
+            )
+    for k, axis in enumerate("xyz"):
         yield part(f"stiffness_{axis}", f"stiffness {axis}", "N/mm", "N/um", "stiffness", (k, k))
-    for k, axis in turns:
+    for k, axis in enumerate("yz", 3):
         yield part(f"tilting_stiffness_{axis}", f"stiffness about {axis}", "N mm/rad", "N m/mrad", "stiffness", (k, k))
     yield life("basic", "life L10", "L10")
     yield life("reference", "reference life", "L10r")

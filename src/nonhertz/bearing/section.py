@@ -28,8 +28,13 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 RINGS = ("inner", "outer")
-#: Motions of the inner ring: along x, y and z [mm], and about y and z [rad].
-MOTIONS = ("x", "y", "z", "about_y", "about_z")
+#: Motions of the inner ring, along x, y and z and about y and z, with their units; what they are called beside others;
+#: and the forces and moments that go with them.
+MOTIONS = {"x": "mm", "y": "mm", "z": "mm", "about_y": "rad", "about_z": "rad"}
+DISPLACEMENTS = {
+    "displacement_x": "mm", "displacement_y": "mm", "displacement_z": "mm", "tilt_y": "rad", "tilt_z": "rad",
+}  # fmt: skip
+FORCES = {"force_x": "N", "force_y": "N", "force_z": "N", "moment_y": "N mm", "moment_z": "N mm"}
 
 
 def ring_motion(angles: Array, middle: tuple[float, float]) -> Array:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
+from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution, loaded_shares
 from nonhertz.errors import ConvergenceError
 from nonhertz.result.data import library
@@ -21,11 +22,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 #: Of the numbers of a state: forces and motions of the inner ring, and the largest loads at both rings.
-STATE_UNITS = {
-    "force_x": "N", "force_y": "N", "force_z": "N", "moment_about_y": "N mm", "moment_about_z": "N mm",
-    "displacement_x": "mm", "displacement_y": "mm", "displacement_z": "mm", "rotation_about_y": "rad",
-    "rotation_about_z": "rad", "max_load_inner": "N", "max_load_outer": "N",
-}  # fmt: skip
+STATE_UNITS = FORCES | DISPLACEMENTS | {f"max_load_{ring}": "N" for ring in RINGS}
 
 
 @dataclass(frozen=True, eq=False, repr=False)

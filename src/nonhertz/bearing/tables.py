@@ -26,10 +26,6 @@ from nonhertz.result.solution import ReadOnly, read_only
 Array = NDArray[np.float64]
 Kind = Literal["linear", "cubic"]
 
-#: What holds the inner ring in the place that its motions say: forces along x, y and z, and moments about y and z.
-FORCES = ("force_x", "force_y", "force_z", "moment_y", "moment_z")
-UNITS_OF_MOTIONS = ("mm", "mm", "mm", "rad", "rad")
-UNITS_OF_FORCES = ("N", "N", "N", "N mm", "N mm")
 KINDS = ("linear", "cubic")
 MOST_STATES = 200_000
 CHECKS = 200
@@ -180,7 +176,7 @@ class ForceTable(ReadOnly):
             If the kind is unknown, or the grid too small for it.
         """
         self._check_kind(kind)
-        at = self.checked_displacement[:, [MOTIONS.index(name) for name in self.names]]
+        at = self.checked_displacement[:, [list(MOTIONS).index(name) for name in self.names]]
         off = np.abs(self._between(kind, at) - self.checked_force)
         off = off[np.all(np.isfinite(off), axis=1)]
         return SAFETY * np.max(off, axis=0) if off.size else np.full(5, np.nan)

@@ -10,7 +10,7 @@ from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.quantities import SolvedBearing, further
-from nonhertz.bearing.section import RINGS
+from nonhertz.bearing.section import FORCES, MOTIONS, RINGS
 from nonhertz.bearing.solution import CONTACT_UNITS, BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.files.bounds import FORMAT
@@ -33,11 +33,9 @@ UNITS: dict[str, Any] = {
     **CONTACT_UNITS,
     "rib_loads": _FORCE,
     "roller_load": [_FORCE, _FORCE, _MOMENT],
-    "displacement": ["mm", "mm", "mm", "rad", "rad"],
-    "force": [_FORCE, _FORCE, _FORCE, _MOMENT, _MOMENT],
-    "stiffness": [
-        [f"{force}/{motion}" for motion in ("mm",) * 3 + ("rad",) * 2] for force in ("N",) * 3 + ("N mm",) * 2
-    ],
+    "displacement": list(MOTIONS.values()),
+    "force": list(FORCES.values()),
+    "stiffness": [[f"{force}/{motion}" for motion in MOTIONS.values()] for force in FORCES.values()],
     "edge_stiffness": "N/mm",
     "x": "mm",
     "operating_clearance": {

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.section import MOTIONS
-from nonhertz.bearing.tables import FORCES, UNITS_OF_FORCES, UNITS_OF_MOTIONS, ForceTable
+from nonhertz.bearing.section import FORCES, MOTIONS
+from nonhertz.bearing.tables import ForceTable
 from nonhertz.errors import InputError
 from nonhertz.files.folder import write_file
 from nonhertz.result.tables import as_csv
@@ -83,11 +83,11 @@ def as_csv_text(table: ForceTable) -> str:
     if not isinstance(table, ForceTable):
         raise InputError("table", table, "be a ForceTable", "make one with nonhertz.bearing.table")
     columns: dict[str, Array] = {}
-    for k, (name, unit) in enumerate(zip(MOTIONS, UNITS_OF_MOTIONS, strict=True)):
+    for k, (name, unit) in enumerate(MOTIONS.items()):
         columns[f"{name} [{unit}]"] = table.displacement[..., k]
-    for k, (name, unit) in enumerate(zip(FORCES, UNITS_OF_FORCES, strict=True)):
+    for k, (name, unit) in enumerate(FORCES.items()):
         columns[f"{name} [{unit}]"] = table.force[..., k]
-    for j, (force, unit) in enumerate(zip(FORCES, UNITS_OF_FORCES, strict=True)):
-        for k, (motion, by) in enumerate(zip(MOTIONS, UNITS_OF_MOTIONS, strict=True)):
+    for j, (force, unit) in enumerate(FORCES.items()):
+        for k, (motion, by) in enumerate(MOTIONS.items()):
             columns[f"{force}_by_{motion} [{unit}/{by}]"] = table.stiffness[..., j, k]
     return as_csv(columns | {"converged": table.converged.astype(float)})
