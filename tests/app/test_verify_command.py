@@ -49,13 +49,6 @@ def test_a_section_is_printed_and_written(capsys: pytest.CaptureFixture[str]) ->
     assert "`nonhertz verify --out DIR --only half-space`" in page
 
 
-def test_sections_run_in_reading_order(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    let_it_fail(monkeypatch)
-    assert main(["verify", "--only", "edge-exponents", "half-space", "--json"]) == 1
-    names = [check["section"] for check in json.loads(capsys.readouterr().out)]
-    assert list(dict.fromkeys(names)) == ["half-space", "edge-exponents"]
-
-
 def test_a_failed_check_is_told_by_the_exit_code(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -67,21 +60,6 @@ def test_a_failed_check_is_told_by_the_exit_code(
     page = Path("page/validation.md").read_text(encoding="utf-8")
     assert "| two | counting | 3 | 2 | -3.3e-1 | 1e-6 | FAIL |" in page
     assert main(["verify", "--only", "half-space", "--json"]) == 1
-
-
-def test_a_directory_is_tried_without_a_trace(monkeypatch: pytest.MonkeyPatch) -> None:
-    seen = []
-
-    def claims() -> list[Claim]:
-        seen.append(sorted(str(path) for path in Path().rglob("*")))
-        raise RuntimeError("the computer broke")
-
-    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", claims)
-    Path("old").mkdir()
-    Path("old/notes.txt").write_text("mine", encoding="utf-8")
-    for out in ("old", "new/page"):
-        assert main(["verify", "--only", "half-space", "--out", out]) == 3
-    assert seen == [["old", str(Path("old/notes.txt"))]] * 2
 
 
 def test_the_documentation_lists_every_section() -> None:

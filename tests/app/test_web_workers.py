@@ -69,14 +69,6 @@ def with_workers(count, use, warm_up=None, **options):
     return anyio.run(run)
 
 
-def test_a_process_does_one_job_after_another():
-    async def use(workers):
-        return [await workers.run(own_number, seconds=PATIENT), await workers.run(own_number, seconds=PATIENT)]
-
-    first, second = with_workers(1, use)
-    assert first == second != os.getpid()
-
-
 posix = pytest.mark.skipif(os.name != "posix", reason="signal 0 asks whether a process lives on Unix alone")
 
 
@@ -168,18 +160,6 @@ def test_all_processes_end_with_the_server():
     number = with_workers(1, use)
     with pytest.raises(ProcessLookupError):
         os.kill(number, 0)
-
-
-@pytest.mark.slow
-def test_one_that_was_ended_may_be_replaced_with_the_next_job_only():
-    async def use(workers):
-        with pytest.raises(TooSlowError):
-            await workers.run(never_done, seconds=DEADLINE)
-        await anyio.sleep(DEADLINE)
-        assert not workers._living
-        assert await workers.run(doubled, 21, seconds=PATIENT) == 42
-
-    with_workers(1, use, waiting=PATIENT, eager=False)
 
 
 def test_a_process_that_compiles_says_so_until_it_is_done(tmp_path):

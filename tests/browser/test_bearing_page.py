@@ -108,23 +108,6 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing: Desk) -> None:
     assert bearing.round_trips()
 
 
-def test_um_are_typed_and_read(bearing: Desk, tmp_path: Path) -> None:
-    assert bearing.shown("bearing.clearance") == "12 um"
-    bearing.write("bearing.clearance", "30 um")
-    bearing.field("bearing.clearance").blur()
-    bearing.page.locator('[data-figure="polar"] .remark', has_text="by strips").wait_for()
-    found = by_command(FEW.replace("12 um", "30 um"), tmp_path)
-    assert_allclose(bearing.numbers["Largest load of a roller"], max(map(max, found["load"])), rtol=SAME)
-    bearing.write("bearing.clearance", "0.02 mm")
-    assert tomllib.loads(text_of(bearing))["bearing"]["clearance"] == "0.02 mm"
-    bearing.press("#undo")
-    assert bearing.shown("bearing.clearance") == "30 um"
-    bearing.press("#undo")
-    assert bearing.shown("bearing.clearance") == "12 um"
-    bearing.press("#redo")
-    assert bearing.shown("bearing.clearance") == "30 um"
-
-
 def test_a_clicked_roller_is_drawn(bearing: Desk) -> None:
     name = bearing.page.locator("#roller-name")
     assert name.inner_text() == "Roller 0 at 0.0°, the most loaded"
@@ -192,22 +175,6 @@ def test_another_kind_is_made_on_the_page_alone(bearing: Desk) -> None:
     bearing.slider("load.axial").wait_for()  # such a bearing bears axial loads
 
 
-def test_a_pinned_bearing_goes_with_the_link(bearing: Desk, open_bearing: Any) -> None:
-    bearing.page.locator("#pin").click()
-    before = bearing.numbers
-    bearing.write("load.radial", "7 kN")
-    shown = bearing.page.locator('[data-key="Largest load of a roller"] .pinned-number').inner_text()
-    assert shown.startswith("pinned")
-    assert "pinned" in bearing.page.locator('[data-figure="line"] figcaption').inner_text()
-    bearing.page.wait_for_url(lambda url: "&p=" in url and "&t=" in url)
-    other = open_bearing(bearing.page.evaluate("() => location.hash"))
-    assert other.numbers == bearing.numbers
-    other.page.locator(".pinned-number").first.wait_for()
-    assert text_of(other) == text_of(bearing) == FEW.replace("5 kN", "7 kN")
-    other.press("#show-pinned")
-    assert other.numbers["Largest load of a roller"] == before["Largest load of a roller"]
-
-
 def test_points_are_dropped_on_a_ring(bearing: Desk) -> None:
     before = bearing.answers
     bearing.page.locator('[data-additions="inner.profile"]').select_option("tabulated")
@@ -222,21 +189,6 @@ def test_points_are_dropped_on_a_ring(bearing: Desk) -> None:
     assert bearing.page.locator("#measured-title").inner_text() == "Measured profile for outer ring"
 
 
-def test_a_reload_loses_no_work(bearing: Desk) -> None:
-    bearing.write("load.radial", "7 kN")
-    bearing.page.wait_for_url(lambda url: "#c=" in url)
-    before = bearing.numbers
-    bearing.page.reload()
-    bearing.settle()
-    assert bearing.numbers == before
-    assert bearing.shown("load.radial") == "7 kN"
-    bearing.page.locator('[data-roller="2"] .mark').click()
-    bearing.page.wait_for_function("() => history.state?.roller === 2")
-    bearing.page.reload()
-    bearing.settle()
-    assert bearing.page.locator("#roller-name").inner_text() == "Roller 2 at 120.0°"
-
-
 def test_it_can_be_reached_from_the_contact_and_back(bearing: Desk) -> None:
     bearing.page.get_by_role("link", name="Single contact").click()
     bearing.page.locator('[name="body.a.diameter"]').wait_for()
@@ -244,13 +196,6 @@ def test_it_can_be_reached_from_the_contact_and_back(bearing: Desk) -> None:
     bearing.page.get_by_role("link", name="Whole bearing").click()
     bearing.page.locator("#polar .roller").first.wait_for()
     bearing.settle()
-
-
-@pytest.mark.parametrize(("theme", "width"), [("dark", 1400), ("light", 390)])
-def test_nothing_hangs_over_the_edge(open_bearing: Any, theme: str, width: int) -> None:
-    desk = open_bearing(color_scheme=theme, viewport={"width": width, "height": 844})
-    assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= width
-    desk.photograph(f"bearing-{theme}-{width}", whole=True)
 
 
 def test_a_template_is_where_to_start_from(bearing: Desk) -> None:
@@ -281,10 +226,3 @@ def test_a_contact_is_opened_on_the_page_of_contacts(bearing: Desk) -> None:
     assert bearing.page.locator("#roller-name").inner_text() == "Roller 1 at 60.0°"
     bearing.page.locator('[data-roller="3"]').click()
     assert bearing.page.locator("[data-contact]:disabled").count() == 2  # it bears no load
-
-
-def test_another_file_is_named_when_it_is_dropped(bearing: Desk) -> None:
-    bearing.drop("#results", "points.csv", "1 2")
-    assert bearing.mistakes == [
-        "points.csv must be a bearing file, .toml: drop a table of points or a measured profile on a body."
-    ]

@@ -64,18 +64,6 @@ def test_another_slider_that_is_dragged_is_the_next_curve(desk: Desk) -> None:
     assert "over tilt" in words(desk)
 
 
-def test_ends_that_are_no_numbers_are_told(desk: Desk) -> None:
-    desk.settle()
-    desk.page.locator("#curve-on").check()
-    drawn(desk)
-    desk.type(desk.page.locator("#curve-low"), "none")
-    desk.page.locator("#curve-low").press("Tab")
-    assert "numbers" in desk.page.locator("#curve-note").inner_text()
-    desk.type(desk.page.locator("#curve-low"), "-5")
-    desk.page.locator("#curve-low").press("Tab")
-    assert "one sign" in desk.page.locator("#curve-note").inner_text()
-
-
 def test_values_without_a_solution_are_told(desk: Desk) -> None:
     desk.settle()
     desk.page.locator("#curve-on").check()

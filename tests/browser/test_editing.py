@@ -149,42 +149,12 @@ def test_a_finger_tilts_a_body(open_desk: Any) -> None:
     assert_shows(desk, solution_of(tilt=desk.value("load.tilt")))
 
 
-def test_arrow_keys_tilt_by_the_handle(desk: Desk) -> None:
-    for side, sign in (("left", 1.0), ("right", -1.0)):
-        handle, tilt, answers = handle_of(desk, side), desk.value("load.tilt"), desk.answers
-        raised = float(handle.get_attribute("aria-valuenow"))
-        handle.press("ArrowUp")
-        desk.wait_for_answer(answers)
-        assert_allclose(desk.value("load.tilt") - tilt, sign * 5e-6, rtol=1e-6)  # a step of the slider
-        assert float(handle.get_attribute("aria-valuenow")) > raised
-        assert f"tilt {desk.field('load.tilt').input_value()} mrad" in handle.get_attribute("aria-valuetext")
-
-
-def test_a_tilt_that_is_a_result_has_no_handles(desk: Desk) -> None:
-    before = desk.answers
-    desk.page.locator("#case .field.switch select", has=desk.page.locator('option[value="moment"]')).select_option(
-        "moment"
-    )
-    desk.wait_for_answer(before)
-    assert handle_of(desk, "left").count() == handle_of(desk, "right").count() == 0
-
-
 def test_a_table_that_holds_nothing_any_more_is_left_out(desk: Desk) -> None:
     desk.page.locator("details[data-details=''] > summary").click()
     desk.write("report.author", "A. Author")
     assert b"[report]" in desk.download("case.toml")
     desk.write("report.author", "")
     assert b"[report]" not in desk.download("case.toml")
-
-
-def test_a_chamfer_is_given_and_left_out_as_a_whole(desk: Desk) -> None:
-    desk.page.locator("details[data-details='body.a'] > summary").click()
-    for choice, fields in (("given", 1), ("none", 0)):
-        before = desk.answers
-        desk.page.locator('[data-group="body.a"]').get_by_label("chamfer", exact=True).select_option(choice)
-        desk.wait_for_answer(before)
-        assert desk.mistakes == []
-        assert desk.field("body.a.chamfer.length").count() == fields
 
 
 def test_arrow_keys_move_a_slider(desk: Desk) -> None:
@@ -196,18 +166,6 @@ def test_arrow_keys_move_a_slider(desk: Desk) -> None:
     tilt = desk.value("load.tilt")
     assert 0.0 < tilt < 0.0005
     assert_shows(desk, solution_of(tilt=tilt))
-
-
-def test_a_slider_keeps_the_unit_that_its_field_is_written_in(desk: Desk) -> None:
-    desk.write("load.load", "20000 N")
-    desk.field("load.load").press("Tab")
-    assert desk.shown("load.load") == "20000 N"
-    before = desk.answers
-    desk.slider("load.load").press("ArrowRight")
-    desk.wait_for_answer(before)
-    number, _, unit = desk.shown("load.load").partition(" ")
-    assert unit == "N"
-    assert_allclose(float(number), 20000.0, rtol=0.03)  # a step of the slider is a thousandth of five decades
 
 
 def test_a_template_is_where_to_start_from(desk: Desk) -> None:
@@ -325,17 +283,6 @@ def test_profiles_are_added_removed_and_changed(desk: Desk) -> None:
     desk.press('button[data-action="remove"][data-path="body.a.profile[2]"]')
     assert profiles.count() == 1
     assert_allclose(desk.numbers["Largest pressure"], pressure, rtol=SAME)
-
-
-def test_approach_in_place_of_load(desk: Desk) -> None:
-    before = desk.answers
-    desk.page.locator("#case .field.switch select", has=desk.page.locator('option[value="approach"]')).select_option(
-        "approach"
-    )
-    desk.wait_for_answer(before)
-    desk.write("load.approach", "0.02")
-    assert_allclose(desk.numbers["Approach"], 0.02, rtol=SAME)
-    assert desk.field("load.load").count() == 0
 
 
 def test_undo_and_redo(desk: Desk) -> None:
@@ -458,20 +405,6 @@ def test_a_file_of_points_is_dropped_on_a_profile(desk: Desk) -> None:
     desk.drop(card, "points.csv", "0 0.03\n0 0\n-10 0.03\n")
     desk.wait_for_answer(before)
     assert any("body.a.profile[2]" in each for each in desk.mistakes)
-
-
-def test_a_file_dropped_where_nothing_takes_it_is_named(desk: Desk) -> None:
-    desk.drop("#results", "points.csv", "1 2\n3 4\n")
-    (sentence,) = desk.mistakes
-    assert sentence.startswith("points.csv must be a case file, .toml: drop a table of points")
-
-
-def test_a_case_file_is_taken_by_a_body_too(desk: Desk) -> None:
-    before = desk.answers
-    text = re.sub(r"(?m)^load = .*$", 'load = "12 kN"', starting_case())
-    desk.drop('fieldset[data-group="body.b.profile"]', "other.TOML", text)
-    desk.wait_for_answer(before)
-    assert_shows(desk, solution_of(load=12000.0))
 
 
 def test_what_would_take_a_file_is_outlined(desk: Desk) -> None:

@@ -70,44 +70,6 @@ def test_all_that_is_read_of_a_contact(desk: Desk) -> None:
     assert not re.search(r"ksi|lbf|\bin\b(?= |$)", " ".join(tile(desk, name)[1] for name in ("Load", "Half-width")))
 
 
-def test_axes_are_divided_in_round_numbers_of_their_unit(desk: Desk) -> None:
-    switch(desk)
-    pressure = desk.page.locator('[data-figure="pressure"] svg')
-    top = float(desk.page.locator('[data-key="Largest pressure"] .value').inner_text())
-    ticks = [
-        float(each)
-        for each in pressure.locator("text").all_text_contents()
-        if re.fullmatch(r"\d+", each.strip()) and float(each) >= 50
-    ]
-    assert ticks == [100.0, 200.0, 300.0]
-    assert top > ticks[-1]
-    # The mark of the largest is where the axis says: between the ticks around it.
-    places = pressure.evaluate(
-        """(svg) => {
-          const ticks = [...svg.querySelectorAll("text")].filter((each) => /^(200|300)$/.test(each.textContent));
-          const [dot] = svg.querySelectorAll("circle");
-          const middle = (each) => { const box = each.getBoundingClientRect(); return box.top + box.height / 2; };
-          return [...ticks.sort((a, b) => a.textContent - b.textContent), dot].map(middle);
-        }"""
-    )
-    read = 200.0 + 100.0 * (places[0] - places[2]) / (places[0] - places[1])
-    assert_allclose(read, top, atol=3.0)  # a pixel is two ksi
-
-
-def test_the_readout_at_the_pointer(desk: Desk) -> None:
-    switch(desk)
-    for name, unit in (("pressure", "ksi"), ("gap", "µin"), ("half-width", "in")):
-        drawing = desk.page.locator(f'[data-figure="{name}"] svg')
-        drawing.scroll_into_view_if_needed()
-        box = drawing.bounding_box()
-        desk.page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
-        tip = drawing.locator('[aria-label="tip"], g:has(> path) text').last
-        tip.wait_for()
-        words = " ".join(drawing.locator("tspan").all_text_contents())
-        assert re.search(rf"\d {unit}\b", words)
-        assert not OF_SI.search(words)
-
-
 def test_fields_follow_and_the_case_stays(desk: Desk) -> None:
     before = desk.numbers
     document = desk.download("case.toml")
@@ -155,16 +117,6 @@ def test_the_choice_is_kept_and_is_that_of_both_pages(open_desk: Any) -> None:
     bearing.photograph("us-units-bearing", whole=True)
     switch(bearing)
     assert "kN" in everything(bearing, "#results")
-
-
-def test_a_pinned_case_goes_along(desk: Desk) -> None:
-    desk.page.locator("#pin").click()
-    desk.write("load.load", "30 kN")
-    switch(desk)
-    pinned = desk.page.locator('[data-key="Load"] .pinned-number')
-    pinned.filter(has_text="lbf").wait_for()
-    assert pinned.inner_text() == "pinned 4496 lbf +50.0 %"
-    assert "in" in desk.page.locator('[data-key="Largest pressure"] .where').inner_text()
 
 
 @pytest.mark.parametrize(

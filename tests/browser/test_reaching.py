@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import re
-import tomllib
 from typing import Any
 
 import pytest
-from desk import Desk, packed
+from desk import Desk
 from numpy.testing import assert_allclose
-
-from nonhertz.files.casefile import starting_case
 
 pytestmark = pytest.mark.browser
 
@@ -95,19 +91,6 @@ def test_every_input_has_a_name_and_every_figure_words(desk: Desk) -> None:
     assert len(set(identifiers)) == len(identifiers)
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_pictures_of_a_wide_screen(open_desk: Any, theme: str) -> None:
-    desk = open_desk(color_scheme=theme)
-    assert desk.page.locator("html").get_attribute("data-theme") == theme
-    desk.photograph(f"wide-{theme}")
-    desk.page.locator("#theme").click()
-    other = "dark" if theme == "light" else "light"
-    assert desk.page.locator("html").get_attribute("data-theme") == other
-    desk.page.reload()
-    desk.settle()
-    assert desk.page.locator("html").get_attribute("data-theme") == other  # remembered
-
-
 def test_a_narrow_screen_shows_results_first_and_the_form_on_demand(open_desk: Any) -> None:
     desk = open_desk(viewport={"width": 390, "height": 844})
     assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= 390
@@ -119,27 +102,3 @@ def test_a_narrow_screen_shows_results_first_and_the_form_on_demand(open_desk: A
     assert_allclose(desk.numbers["Load"], 25000.0, rtol=SAME)
     assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= 390
     desk.photograph("narrow-form")
-
-
-def test_the_maximum_is_a_number_at_sharp_ends_too(open_desk: Any) -> None:
-    document = tomllib.loads(starting_case())
-    document["body"]["a"]["profile"] = []
-    document["body"]["a"]["side_faces"] = "none"
-    document["title"] = (
-        "A roller with sharp ends and a title that is much longer than the room that there is for it " * 2
-    )
-    desk = open_desk(f"#c={packed(document)}")
-    shown = desk.page.locator('[data-key="Largest pressure"]').inner_text()
-    assert re.search(r"\d{4}\s*MPa\s*at y = .* mm, away from singular ends", shown)
-    figure = desk.page.locator('[data-figure="pressure"]')
-    assert "K = " in figure.inner_text()
-    assert "away from singular ends" in figure.locator("[role=img]").get_attribute("aria-label")
-    assert desk.page.locator("#warnings li").count() == 2
-    desk.photograph("sharp-end")
-
-
-def test_a_point_contact(open_desk: Any) -> None:
-    bodies = {"a": {"diameter": 30.0, "profile": [{"kind": "crown", "radius": 40.0}]}, "b": {"kind": "plate"}}
-    desk = open_desk(f"#c={packed({'title': 'Point contact', 'body': bodies, 'load': {'load': 500.0}})}")
-    assert "true proportions" in desk.page.locator('[data-figure="footprint"] figcaption').inner_text()
-    desk.photograph("point-contact")

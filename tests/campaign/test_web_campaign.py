@@ -1,9 +1,8 @@
-"""The page's server under random edits and hostile requests: never an error of its own, never late, no memory lost."""
+"""The page's server under changed and hostile requests: never an error of its own, never late, no memory lost."""
 
 from __future__ import annotations
 
 import contextlib
-import copy
 import json
 import os
 import random
@@ -18,7 +17,6 @@ from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
 
 import httpx
 import pytest
@@ -27,41 +25,19 @@ from extent import extent
 from page_requests import PATHS, Requests
 
 from nonhertz.files.casefile import starting_case
-from nonhertz.web.form.fields import FormField
-from nonhertz.web.form.form import form
 from nonhertz.web.limits import ANSWER_SECONDS
 from nonhertz.web.server.units import HEADER
 
-EDITS, HOSTILE, CHANGED = extent(2_000, 300), 200, extent(10_000, 1_000)
+HOSTILE, CHANGED = 200, extent(10_000, 1_000)
 SLOWEST = ANSWER_SECONDS + 1.0
 """s, for any answer: a case is given up at its time limit."""
 MEMORY = 500.0
 """MB, of any process."""
-GROWTH, SHARE = 20.0, 0.05
-"""MB, or share, that memory may grow by over the second half."""
+GROWTH = 40.0
+"""MB that memory may grow by under hostile requests."""
 STARTING = tomllib.loads(starting_case())
 
-NONSENSE = [
-    "",
-    "x",
-    "20 kg",
-    "-",
-    "1e",
-    "nan",
-    "inf",
-    "0x10",
-    "9**9**9 mm",
-    "1 mm mm",
-    "\u0000",
-    "ü",
-    "'",
-    "20,5",
-    "1e999 mm",
-]
-NONSENSE += [True, [], [[]], {}, {"a": 1}, [1, "2 mm"], {"kind": "crown"}, "a" * 5000, [0.0] * 2000, -0.0, 0]
-MAGNITUDES = [1e-300, 1e-30, 1e-9, 1e-3, 1e3, 1e9, 1e30, 1e300]
 READ_IN: list[dict[str, str]] = [{}, {HEADER: "us"}, {HEADER: "imperial"}]
-UNITS = {"mm": ["um", "cm", "in"], "N": ["kN", "lbf"], "MPa": ["GPa", "psi"], "rad": ["mrad", "deg"], "N mm": ["N m"]}
 
 
 @pytest.fixture(scope="module")
@@ -109,160 +85,6 @@ def largest_of(pid: int) -> float:
             text = Path(f"/proc/{each}/status").read_text()
             largest = max([largest, *(int(kB) for kB in re.findall(r"^VmHWM:\s+(\d+) kB", text, re.MULTILINE))])
     return largest / 1024
-
-
-class Walk:
-    """A walk over the fields of a form, one random change after the other; most mistakes are taken back."""
-
-    def __init__(self, seed: int) -> None:
-        self.random = random.Random(seed)
-        self.document: dict[str, Any] = copy.deepcopy(STARTING)
-        self.sound = copy.deepcopy(STARTING)
-
-    def back(self) -> None:
-        """Take back what was mistaken, as a person would, though not at once every time."""
-        if self.random.random() < 0.6:
-            self.document = copy.deepcopy(self.sound)
-
-    def step(self) -> dict[str, Any]:
-        """Return the document with one more change."""
-        picked = self.random
-        if picked.random() < 0.08:
-            self.document = copy.deepcopy(STARTING)
-        before = copy.deepcopy(self.document)
-        try:
-            picked.choices([self.number, self.nonsense, self.structure, self.several], [6, 2, 3, 1])[0]()
-        except (KeyError, IndexError, TypeError):
-            self.document = before  # on a way that is none any more
-        if len(json.dumps(self.document)) > 200_000:
-            self.document = copy.deepcopy(STARTING)
-        return self.document
-
-    def fields(self) -> list[FormField]:
-        return [field for field in form(self.document).fields if field.path]
-
-    def number(self) -> None:
-        """Move a slider, to a magnitude that no slider has now and then, or write a unit."""
-        field = self.random.choice([field for field in self.fields() if field.slider])
-        moves = field.slider.range
-        share = self.random.random()
-        value = moves.low + share * (moves.high - moves.low)
-        if moves.scale == "log":
-            value = moves.low * (moves.high / moves.low) ** share
-        if self.random.random() < 0.15:
-            value *= self.random.choice([-1.0, 1.0]) * self.random.choice(MAGNITUDES)
-        units = UNITS.get(field.unit, [])
-        self.set(field.path, f"{value!r} {self.random.choice(units)}" if units and share < 0.2 else value)
-
-    def nonsense(self) -> None:
-        self.set(self.random.choice(self.fields()).path, copy.deepcopy(self.random.choice(NONSENSE)))
-
-    def several(self) -> None:
-        for _ in range(5):
-            self.number()
-
-    def structure(self) -> None:
-        """Take a choice, add a profile or a row, or take something away."""
-        groups = [form(self.document)]
-        for group in groups:
-            groups += [member for member in (*group.members, *group.folded) if not isinstance(member, FormField)]
-        choices = [(group.path, option) for group in groups for option in group.additions]
-        options = [option for field in form(self.document).fields for option in field.options if option.edits]
-        match self.random.randrange(4):
-            case 0 if choices:
-                path, option = self.random.choice(choices)
-                self.set(path, [*(self.get(path) or []), copy.deepcopy(option.edits[0][1])])
-            case 1 if options:
-                for path, value in self.random.choice(options).edits:
-                    self.set(path, copy.deepcopy(value))
-            case 2:
-                self.set(self.random.choice(self.fields()).path, None)
-            case _:
-                self.set(self.random.choice([group.path for group in groups if group.path]), None)
-
-    def get(self, path: str) -> Any:
-        table = self.document
-        for part in parts_of(path):
-            table = table[part] if isinstance(part, int) else table.get(part)
-            if table is None:
-                return None
-        return table
-
-    def set(self, path: str, value: Any) -> None:
-        *way, last = parts_of(path)
-        table: Any = self.document
-        for part in way:
-            table = table.setdefault(part, {}) if isinstance(part, str) else table[part]
-        if value is None:
-            if isinstance(table, list) or last in table:
-                del table[last]
-        else:
-            table[last] = value
-
-
-def parts_of(path: str) -> list[str | int]:
-    return [int(position) - 1 if position else key for key, position in re.findall(r"([\w-]+)|\[(\d+)\]", path)]
-
-
-def test_random_edits(server, capsys):
-    port, pid = server
-    walk, outcomes, times, memory = Walk(2026), Counter[str](), [], []
-    with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=2.0 * SLOWEST) as client:
-        meet_new_shapes(client)
-        for number in range(EDITS):
-            document = walk.step()
-            path = "/form" if number % 10 == 0 else "/solve"
-            asked = {"document": document} | (
-                {"stress": number % 3 != 0, "body": "ab"[number % 2]} if path == "/solve" else {}
-            )
-            begun = time.perf_counter()
-            response = client.post(path, json=asked, headers=READ_IN[number // 6 % 2])
-            times.append(time.perf_counter() - begun)
-            outcome = outcome_of(path, response)
-            assert response.status_code in {200, 422, 503}, (number, response.text, document)
-            assert "internal" not in outcome, (number, outcome, document)
-            assert times[-1] < SLOWEST, (number, times[-1], document)
-            outcomes[outcome] += 1
-            if outcome == "solved":
-                walk.sound = copy.deepcopy(document)
-            elif path == "/solve":
-                walk.back()
-            if (number + 1) % (EDITS // 20) == 0:
-                memory.append(memory_of(pid))
-    # The most of either half: memory falls where a process that took too long is ended, and rises as the next begins.
-    first, second = max(memory[: len(memory) // 2]), max(memory[len(memory) // 2 :])
-    with capsys.disabled():
-        print(f"\n{EDITS} edits: {dict(outcomes)}")
-        print(f"median {1e3 * sorted(times)[EDITS // 2]:.0f} ms, longest {1e3 * max(times):.0f} ms")
-        print(f"memory {memory[0]:.0f} MB, {first:.0f} MB at most in the first half, {second:.0f} MB in the second")
-    assert outcomes["solved"] > EDITS // 10
-    assert outcomes["mistaken"] > EDITS // 10
-    assert second - first < max(GROWTH, SHARE * first)
-
-
-def meet_new_shapes(client: httpx.Client) -> None:
-    """Let every process solve a roller of a shape of its own, for which it takes memory that it keeps from then on."""
-    for round_ in range(3):
-        documents = [copy.deepcopy(STARTING) for _ in range(2)]
-        for number, document in enumerate(documents):
-            document["body"]["a"]["length"] = 19.0 + 0.1 * (2 * round_ + number)
-        with ThreadPoolExecutor(len(documents)) as beside:
-            asked = [beside.submit(client.post, "/solve", json={"document": each}) for each in documents]
-        assert all(each.result().json()["ok"] for each in asked)
-
-
-def outcome_of(path: str, response: httpx.Response) -> str:
-    if path == "/form":
-        return "form" if response.status_code == 200 else "form refused"
-    body = response.json()
-    if body.get("internal") or response.status_code == 500:
-        return f"internal: {response.text}"
-    if response.status_code == 503:
-        return "busy"
-    if not body["ok"]:
-        assert all(mistake["sentence"].endswith(".") for mistake in body["mistakes"])
-        return "too slow" if "takes longer" in body["mistakes"][0]["sentence"] else "mistaken"
-    return "unconverged" if body["complaint"] else "solved"
 
 
 def hostile(picked: random.Random, port: int) -> bytes:
@@ -343,7 +165,7 @@ def test_hostile_requests(server, capsys):
     with capsys.disabled():
         print(f"\n{HOSTILE} hostile requests: {dict(sorted(statuses.items()))}, longest {1e3 * max(times):.0f} ms")
     assert max(times) < SLOWEST
-    assert memory_of(pid) - before < 2 * GROWTH
+    assert memory_of(pid) - before < GROWTH
 
 
 def test_changed_requests(server, capsys):
@@ -362,7 +184,7 @@ def test_changed_requests(server, capsys):
             assert answer.status_code in {200, 400, 413, 415, 422, 503}, (number, answer.text[:500])
             assert all(is_sentence(each) for each in sentences_in(path, answer)), (number, answer.text[:500])
             assert times[-1] < SLOWEST, (number, times[-1])
-            if (number + 1) % (EDITS // 20) == 0:
+            if (number + 1) % (CHANGED // 20) == 0:
                 memory = max(memory, largest_of(pid))
     with capsys.disabled():
         print(f"\n{CHANGED} changed requests: {dict(sorted(outcomes.items()))}")

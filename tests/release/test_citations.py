@@ -69,20 +69,6 @@ def test_the_paper_is_what_its_script_writes(script: ModuleType) -> None:
     assert script.text() == TEXT
 
 
-def test_the_paper_has_what_is_asked_of_one() -> None:
-    _, head, body = TEXT.split("---\n", 2)
-    fields = yaml.safe_load(head)
-    assert {"title", "tags", "authors", "date", "bibliography"} <= set(fields)
-    assert [each["name"] for each in fields["authors"]] == [each["name"] for each in PROJECT["authors"]]
-    assert (PAPER / fields["bibliography"]).is_file()
-    headings = re.findall(r"^# (.*)$", body, re.MULTILINE)
-    assert headings[:3] == ["Summary", "Statement of need", "State of the field"]
-    assert headings[-2:] == ["Acknowledgements", "References"]
-    assert 500 < len(body.split()) < 1100, "two pages"
-    for figure in re.findall(r"\]\(([^)]+)\)", body):
-        assert (PAPER / figure).is_file()
-
-
 def test_all_that_is_cited_is_in_the_bibliography_and_the_other_way_round() -> None:
     assert set(re.findall(r"@(\w+)", TEXT)) == set(entries())
 

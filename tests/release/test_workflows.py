@@ -12,7 +12,6 @@ import yaml
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / ".github"
 TEXTS = {path.name: path.read_text(encoding="utf-8") for path in sorted((FOLDER / "workflows").iterdir())}
-FORMS = {path.name: path.read_text(encoding="utf-8") for path in sorted((FOLDER / "ISSUE_TEMPLATE").iterdir())}
 # YAML 1.1 reads the key "on" as true.
 WORKFLOWS: dict[str, dict[Any, Any]] = {name: yaml.safe_load(text) for name, text in TEXTS.items()}
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -102,25 +101,3 @@ def test_all_supported_pythons_are_tested() -> None:
     for job in ("systems", "versions"):
         assert claimed <= set(jobs("tests.yml")[job]["strategy"]["matrix"]["python"])
     assert f">={min(claimed, key=lambda each: int(each.partition('.')[2]))}" == PYPROJECT["project"]["requires-python"]
-
-
-@pytest.mark.parametrize("name", FORMS)
-def test_forms_ask_questions(name: str) -> None:
-    form = yaml.safe_load(FORMS[name])
-    if name == "config.yml":
-        assert set(form) <= {"blank_issues_enabled", "contact_links"}
-        return
-    assert {"name", "description", "body"} <= set(form)
-    ids = [each["id"] for each in form["body"] if each["type"] != "markdown"]
-    assert len(ids) == len(set(ids)) > 0
-    for each in form["body"]:
-        assert each["type"] in {"markdown", "textarea", "input", "dropdown", "checkboxes"}
-        assert "value" in each["attributes"] if each["type"] == "markdown" else "label" in each["attributes"]
-
-
-@pytest.mark.parametrize("name", ["bug.yml", "wrong-number.yml"])
-def test_reports_ask_for_case_file_and_version(name: str) -> None:
-    required = [each for each in yaml.safe_load(FORMS[name])["body"] if each.get("validations", {}).get("required")]
-    asked = " ".join(f"{each['attributes']['label']} {each['attributes'].get('description', '')}" for each in required)
-    assert "case file" in asked.lower()
-    assert "nonhertz --version" in asked

@@ -2,7 +2,6 @@
 
 import csv
 import dataclasses
-import pickle
 import re
 import warnings
 
@@ -36,14 +35,6 @@ def test_its_points_are_states_of_the_bearing(found):
         assert_allclose(found.displacement[at], alone.displacement, atol=1e-15)
         assert_allclose(found.force[at], alone.force, rtol=1e-9, atol=1e-6)
         assert_allclose(found.stiffness[at], alone.stiffness, rtol=1e-7, atol=1e-3)
-
-
-def test_it_is_frozen_and_can_be_stored(found):
-    again = pickle.loads(pickle.dumps(found))
-    assert_allclose(again.force, found.force, rtol=0)
-    for array in (found.force, found.axes[0], again.stiffness):
-        with pytest.raises(ValueError, match="read-only"):
-            array[0] = 0.0
 
 
 def test_fixed_motions_are_in_it():
@@ -195,8 +186,3 @@ def test_files_that_cannot_be_are_refused(found, tmp_path, path, said):
     with pytest.raises(nh.InputError, match=said):
         force_tables.write(tmp_path / path if isinstance(path, str) else path, found)
     assert [each.name for each in tmp_path.iterdir()] == ["taken"]
-
-
-def test_only_tables_are_written():
-    with pytest.raises(nh.InputError, match="table = None must be a ForceTable"):
-        force_tables.as_csv_text(None)

@@ -221,17 +221,6 @@ def test_a_failure_says_on_what(monkeypatch, found):
         nh.compare(CASES["crown"][0], load=3e3)
 
 
-@pytest.mark.parametrize(
-    ("given", "field"),
-    [({"load": -1.0}, "load"), ({}, "load"), ({"load": 1e3, "cells": (2, 2)}, "cells"), ({"approach": -0.1}, "appr")],
-)
-def test_input_is_refused_in_one_sentence(given, field):
-    with pytest.raises(nh.InputError) as caught:
-        nh.compare(CASES["crown"][0], **given)
-    assert caught.value.field.startswith(field)
-    assert len(str(caught.value).splitlines()) == 1
-
-
 @pytest.mark.parametrize("name", CASES)
 def test_json_and_table_hold_the_same_numbers(found, name):
     one = found[name]

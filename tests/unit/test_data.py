@@ -129,8 +129,3 @@ def test_the_pressure_falls_to_where_the_contact_runs_out():
     falling = found.pressure(0.0, y)
     assert np.all(np.diff(falling) < 0.0)
     assert falling[-1] == 0.0
-
-
-def test_places_that_are_no_numbers_are_refused(solution):
-    with pytest.raises(nh.InputError, match="x = "):
-        solution.pressure("left", 0.0)

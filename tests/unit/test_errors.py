@@ -54,20 +54,6 @@ def test_a_case_error_lists_every_mistake():
     assert str(error) == "First.\nSecond."
 
 
-@pytest.mark.parametrize("kind", [nh.InputError, nh.ConvergenceError, CaseError])
-def test_every_error_is_a_nonhertz_error(kind):
-    assert issubclass(kind, nh.NonhertzError)
-
-
-def test_an_input_error_is_a_value_error_too():
-    assert issubclass(nh.InputError, ValueError)
-
-
-def test_an_accuracy_warning_is_no_error():
-    assert issubclass(nh.AccuracyWarning, UserWarning)
-    assert not issubclass(nh.AccuracyWarning, nh.NonhertzError)
-
-
 @pytest.mark.parametrize(
     "error",
     [

@@ -413,27 +413,3 @@ def test_laminae_are_compared_where_both_have_raceways_or_neither(logarithmic):
     assert with_raceway.over(with_raceway) == pytest.approx(1.0)
     assert np.isnan(with_raceway.over(without))
     assert np.isnan(without.over(with_raceway))
-
-
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        ({"rollers": 16}, "rollers = 16 must fit side by side on the pitch circle of 75 mm, 15 at most"),
-        ({"models": "palmgren"}, "model = 'palmgren' must be a fatigue model"),
-    ],
-)
-def test_an_assessment_of_nonsense_ends_in_one_sentence(logarithmic, options, words):
-    with pytest.raises(nh.InputError) as caught:
-        assess(logarithmic, **options)
-    assert str(caught.value).startswith(words)
-
-
-def test_what_is_no_solution_has_no_life(logarithmic):
-    with pytest.raises(nh.InputError, match="must be a solved contact or several with their shares"):
-        assess(logarithmic.contact)
-    with pytest.raises(nh.InputError, match="share = -1"):
-        assess([(logarithmic, -1.0)])
-    with pytest.raises(nh.InputError, match="must be a solved contact or several with their shares"):
-        assess([logarithmic])
-    with pytest.raises(nh.InputError, match="must all be of one contact"):
-        assess([(logarithmic, 0.5), (solved(ring=nh.Ring(diameter=61), strips=9), 0.5)])

@@ -265,13 +265,6 @@ def test_a_table_for_other_programs_holds_the_map(made):
         made.csv(3.0)
 
 
-def test_a_map_prints_in_a_few_lines(made):
-    said = repr(made).splitlines()
-    assert said[0] == "ContactMap"
-    assert "load 0 to 10 kN, tilt -1 to 1 mrad" in said[2]
-    assert 4 <= len(said) <= 8
-
-
 def test_a_grid_of_one_tilt_is_in_the_middle_and_of_none_is_refused(made):
     assert made.grid(3, 1).tilt.tolist() == [[0.0]] * 3
     with pytest.raises(InputError, match="rows = 0 must be a whole number of at least 1"):
@@ -342,11 +335,6 @@ def test_nonsense_is_refused_in_one_sentence(arguments, sentence):
     with pytest.raises(InputError, match=sentence) as refused:
         nh.map(CONTACT, **arguments)
     assert "\n" not in str(refused.value)
-
-
-def test_something_else_than_a_contact_is_refused():
-    with pytest.raises(InputError, match="contact = 3 must be a Contact"):
-        nh.map(3, load=(0, 1.0))  # type: ignore[arg-type]
 
 
 def test_the_tilt_coordinate_has_the_derivatives_that_it_returns():

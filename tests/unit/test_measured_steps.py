@@ -443,21 +443,6 @@ def test_many_gaps_are_told_in_one_sentence():
 
 
 @pytest.mark.parametrize(
-    ("make", "field"),
-    [
-        (lambda: Thin(2), "count"),
-        (lambda: prepare(roller(), trim="some"), "trim"),
-        (lambda: prepare(roller(), points="many"), "points"),
-    ],
-    ids=range(3),
-)
-def test_a_parameter_that_is_out_of_range_is_refused(make, field):
-    with pytest.raises(InputError) as caught:
-        make()
-    assert caught.value.field == field
-
-
-@pytest.mark.parametrize(
     ("y", "height", "field"),
     [([0, 1, 2, 3], [0, 0, 0, 0], "points"), ([0, 1, 1, 2, 3], [0] * 5, "y"), ([0, 1, 2, 3, np.nan], [0] * 5, "y"),
      ([0, 1, 2, 3, 4], [0] * 4, "height")],

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import re
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,7 @@ from numpy.testing import assert_allclose
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.casefile import read_case
-from nonhertz.files.measured import PREPARING, READING, MeasuredProfile, checked
+from nonhertz.files.measured import MeasuredProfile, checked
 from nonhertz.files.mistakes import sentence
 from nonhertz.files.profiles import read_profile
 from nonhertz.files.traces import read_trace
@@ -118,13 +117,6 @@ def test_no_file_is_read_where_none_may_be():
     assert "file = 'roller.txt' must not be read here: give y and relief, or upload" in str(mistake)
 
 
-def test_keys_are_those_of_the_functions():
-    """What the table takes, `read_trace` and `prepare` take, and the other way round."""
-    assert set(READING) == set(inspect.signature(read_trace).parameters) - {"source", "name"}
-    assert set(PREPARING) == set(inspect.signature(prepare).parameters) - {"trace"}
-    assert set(MeasuredProfile.descriptions) == {*READING, *PREPARING, "file", "interpolation"}
-
-
 def test_the_reference_lists_every_key():
     page = (DOCS / "reference" / "case-file.md").read_text(encoding="utf-8")
     section = page.split("### Measured profiles")[1].split("\n## ")[0]
@@ -138,8 +130,3 @@ def test_the_reference_lists_every_key():
 )
 def test_values_are_taken_as_meant(name, value, meant):
     assert checked(name, value) == meant
-
-
-def test_an_unknown_key_is_refused():
-    with pytest.raises(InputError, match="the nearest is 'cutoff'"):
-        checked("cut_off", 1.0)

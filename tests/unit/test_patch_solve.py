@@ -57,11 +57,6 @@ def test_what_is_refused(values, sentence):
     assert str(caught.value).startswith(sentence)
 
 
-def test_anything_but_a_contact_is_refused():
-    with pytest.raises(nh.InputError, match="contact = 'roller' must be a Contact"):
-        nh.patch.solve("roller", load=1e3)
-
-
 @pytest.mark.parametrize(
     ("gap", "condition"),
     [
@@ -97,23 +92,6 @@ def test_a_feature_that_works_in_place_cannot_move_the_cells():
 
     with pytest.raises(ValueError, match="read-only"):
         nh.patch.solve(CROWNED, load=3e3, features=[careless], cells=SMALL)
-
-
-@pytest.mark.parametrize(
-    ("call", "sentence"),
-    [
-        (lambda: undeformed_gap("x", 0, 0), "contact = 'x' must be a Contact"),
-        (lambda: undeformed_gap(CROWNED, "a", 0), "x = 'a' must be numbers"),
-        (lambda: memory("ab"), "cells = 'ab' must be a pair"),
-        (lambda: memory((-5, 8)), "cells = (-5, 8) must be whole numbers"),
-        (lambda: memory((8, 8), "x"), "contact = 'x' must be a Contact"),
-    ],
-    ids=lambda value: value if isinstance(value, str) else "",
-)
-def test_what_else_is_refused(call, sentence):
-    with pytest.raises(nh.InputError) as caught:
-        call()
-    assert str(caught.value).startswith(sentence)
 
 
 # First touch

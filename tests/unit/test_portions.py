@@ -69,11 +69,6 @@ def test_what_is_announced_does_not_depend_on_the_threads():
     assert [len(failures) for *_, failures in said[1]] == [0, 0, 0, 2]
 
 
-def test_progress_can_be_printed(capsys):
-    nh.solve_many(CROWNED, load=np.linspace(2e3, 9e3, 100), strips=5, announce=print)
-    assert capsys.readouterr().out == "64 of 100 cases finished\n100 of 100 cases finished\n"
-
-
 def test_an_error_of_the_callback_stops_the_run():
     calls = []
 
@@ -149,11 +144,6 @@ def test_a_portion_that_has_begun_is_waited_for_but_not_for_long(monkeypatch, pa
     finally:
         go_on.set()
     assert list(stopped.value.solutions.failures) == list(range(solved, 128))
-
-
-def test_no_handler_of_errors_catches_an_interruption():
-    assert issubclass(nh.Interrupted, KeyboardInterrupt)
-    assert not issubclass(nh.Interrupted, Exception)
 
 
 STOPPED = """

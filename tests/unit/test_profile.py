@@ -434,59 +434,30 @@ class TestAlgebra:
         with pytest.raises(TypeError):
             crown(1000.0) + 1.0
 
-    @pytest.mark.parametrize("by", [math.nan, math.inf, "1", None, True])
-    def test_refuses_nonsense(self, by):
-        with pytest.raises(InputError, match=r"^by = "):
-            crown(1000.0).shifted(by)
-        with pytest.raises(InputError, match=r"^by = "):
-            crown(1000.0).scaled(by)
-
 
 class TestRefusals:
     @pytest.mark.parametrize(
         ("field", "make"),
         [
-            ("radius", lambda: crown(0.0)),
-            ("radius", lambda: partial_crown(-500.0, 8.0)),
             ("straight", lambda: partial_crown(500.0, -1.0)),
             ("straight", lambda: partial_crown(5.0, 10.1, blended=False)),
-            ("end_radius", lambda: two_radius(5000.0, 0.0, 10.0)),
-            ("middle", lambda: two_radius(5000.0, 500.0, 0.0)),
             ("middle", lambda: two_radius(5.0, 500.0, 10.0)),
-            ("amplitude", lambda: logarithmic(-1e-3, 20.0)),
             ("fraction", lambda: logarithmic(1e-3, 20.0, 1.1)),
-            ("fraction", lambda: logarithmic(1e-3, 20.0, 0.0)),
-            ("straight", lambda: logarithmic(1e-3, 20.0, straight=-1.0)),
-            ("load", lambda: lundberg(0.0, 20.0, 10.0)),
             ("load", lambda: lundberg(1e9, 20.0, 10.0)),
             ("load", lambda: johns_gohar(1e9, 20.0, 10.0)),
-            ("compliance", lambda: johns_gohar(20e3, 20.0, 10.0, compliance=-1e-6)),
-            ("radius", lambda: johns_gohar(20e3, 20.0, 0.0)),
-            ("k1", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k1=0.0)),
             ("k2", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k2=1.2)),
-            ("k2", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k2=0.0)),
             ("k2", lambda: fujiwara_kawase(20e3, 20.0, 10.0, k2=1e-300)),
             ("load", lambda: johns_gohar(1e-320, 20.0, 10.0)),
             ("radius", lambda: crown(1e300)),
             ("relief", lambda: tabulated([0.0, 1.0], [0.0, 1e300])),
-            ("zm", lambda: fujiwara_kawase(20e3, 20.0, 10.0, zm=0.0)),
             ("zm", lambda: fujiwara_kawase(20e3, 20.0)),
-            ("diameter", lambda: iso_logarithmic(0.0, 20.0)),
-            ("length", lambda: iso_tapered(10.0, -20.0)),
             ("angle", lambda: conical(2.0)),
-            ("angle", lambda: tapered_ends(10.0, -1e-3)),
             ("angle", lambda: chamfer(20.0, 0.5, angle=45.0)),
             ("width", lambda: chamfer(20.0, 10.1)),
             ("y", lambda: tabulated([0.0], [0.0])),
-            ("y", lambda: tabulated([], [])),
             ("y", lambda: tabulated([0.0, 1.0, 1.0], [0.0, 1.0, 2.0])),
-            ("y", lambda: tabulated([0.0, math.nan], [0.0, 1.0])),
             ("y", lambda: tabulated([[0.0, 1.0]], [0.0, 1.0])),
             ("y", lambda: tabulated([[0.0], [1.0, 2.0]], [0.0, 1.0])),
-            ("y", lambda: tabulated("01", [0.0, 1.0])),
-            ("relief", lambda: tabulated([0.0, 1.0], ["0", "1"])),
-            ("relief", lambda: tabulated([0.0, 1.0], [0.0, math.inf])),
-            ("relief", lambda: tabulated([0.0, 1.0], [0.0, None])),
             ("relief", lambda: tabulated([0.0, 1.0], [0.0, 1.0, 2.0])),
             ("interpolation", lambda: tabulated([0.0, 1.0], [0.0, 1.0], "quintic")),
         ],
@@ -500,31 +471,8 @@ class TestRefusals:
         assert ": " in sentence
         assert "\n" not in sentence
 
-    @pytest.mark.parametrize("name", CATALOGUE)
-    def test_every_number_is_checked(self, name):
-        good = {"relief": [1.0, 2.0], "y": [1.0, 2.0], "angle": 0.1, "k2": 0.5, "fraction": 0.5, "width": 0.1}
-        good |= {"load": 10.0, "compliance": 1e-5}
-        parameters = inspect.signature(CATALOGUE[name]).parameters
-        hints = typing.get_type_hints(CATALOGUE[name])
-        arguments = {key: good.get(key, 1.0) for key in parameters if hints[key] in (float, float | None)}
-        arguments |= {key: good[key] for key in ("y", "relief") if key in parameters}
-        CATALOGUE[name](**arguments)
-        for key in arguments:
-            for nonsense in (math.nan, -math.inf, "ten", "1"):
-                with pytest.raises(InputError, match=f"^{key} = "):
-                    CATALOGUE[name](**arguments | {key: nonsense})
-
 
 class TestCatalogue:
-    def test_names_are_those_of_case_files(self):
-        assert set(CATALOGUE) == {
-            "straight", "crown", "partial-crown", "two-radius", "logarithmic", "lundberg", "johns-gohar",
-            "fujiwara-kawase", "iso-logarithmic", "iso-tapered", "iso-thrust", "conical", "tapered-ends",
-            "chamfer", "tabulated",
-        }  # fmt: skip
-        for name, make in CATALOGUE.items():
-            assert make is getattr(catalogue, name.replace("-", "_"))
-
     def test_a_name_has_the_same_unit_in_every_kind(self):
         units = {}
         for make, parameters in zip(CATALOGUE.values(), PARAMETERS.values(), strict=True):

@@ -253,13 +253,6 @@ def test_solutions_pass_through_a_pipe(tmp_path):
     assert zipfile.is_zipfile(tmp_path / "many.npz")
 
 
-@pytest.mark.parametrize("path", [None, 3, []], ids=str)
-def test_what_is_no_name_of_a_file_is_refused(path):
-    many = nh.solve_many(CROWNED, load=[2e3], strips=11)
-    with pytest.raises(nh.InputError, match=r"^file = .* must be the name of a file"):
-        many.save(path)
-
-
 @pytest.mark.slow
 def test_an_element_of_ones_own_is_not_saved(tmp_path):
     own = dataclasses.replace(nh.PARABOLIC, name="own")

@@ -371,30 +371,6 @@ def test_parabolic_strips_have_the_field_of_the_contact_that_they_stand_for():
 # Complaints
 
 
-@pytest.mark.parametrize(
-    ("points", "options", "words"),
-    [
-        ((0.0, 0.0, -0.1), {}, "z = -0.1 must not be negative"),
-        ((0.0, 10.5, 0.1), {}, r"y = 10.5 must lie between the side faces of body a, -10 and 10 mm"),
-        ((0.0, 0.0, 1e200), {}, r"z = 1e\+200 must not exceed 1e\+06 mm"),
-        ((0.0, 0.0, 0.1), {"body": "c"}, "body = 'c' must be one of the two bodies"),
-        (([0.0, 1.0], [0.0, 1.0, 2.0], 0.1), {}, "must broadcast against each other"),
-    ],
-)
-def test_points_that_are_none_end_in_one_sentence(tilted, points, options, words):
-    with pytest.raises(nh.InputError, match=words):
-        stress(tilted, *points, **options)
-
-
-def test_what_is_no_solution_or_station_is_refused(tilted):
-    with pytest.raises(nh.InputError, match="must be a solved contact"):
-        stress(tilted.contact, 0.0, 0.0, 0.1)
-    with pytest.raises(nh.InputError, match=r"station = \[0.0, 1.0\] must be a finite number"):
-        cross_section(tilted, [0.0, 1.0])
-    with pytest.raises(nh.InputError, match="station = 99 must lie between the side faces"):
-        extremes(tilted, 99)
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("depths", [(1.2, np.inf), (0.0, 0.4), (0.4, 1.0)])
 def test_the_largest_stresses_within_depths(plane_strain, depths):
@@ -412,9 +388,3 @@ def test_the_largest_stresses_within_depths(plane_strain, depths):
     assert found.shear.max == pytest.approx(exact.max_shear.max(), rel=1e-4)
     assert found.orthogonal_shear.max == pytest.approx(np.abs(exact.tau_xz).max(), rel=1e-4)
     assert all(low <= each.z <= high for each in (found.von_mises, found.shear, found.orthogonal_shear))
-
-
-@pytest.mark.parametrize("depths", [(1.0, 0.5), (0.5, 0.5), (-1.0, 1.0), (np.inf, np.inf), (0.0,), 1.0, "ab"])
-def test_depths_that_are_none_are_refused(plane_strain, depths):
-    with pytest.raises(nh.InputError, match=r"^depths = "):
-        extremes(plane_strain, depths=depths)
