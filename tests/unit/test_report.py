@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import base64
 import copy
 import json
 import re
 from dataclasses import replace
 from pathlib import Path
+from urllib.parse import unquote
 
 import numpy as np
 import pytest
@@ -108,7 +108,7 @@ def test_it_loads_nothing_and_runs_nothing(text: str, page: Page) -> None:
         for name in ("src", "href", "srcset", "xlink:href", "data", "poster"):
             value = attributes.get(name, "#")
             assert value.startswith(("#", "data:")) or (tag == "a" and value.startswith("https://")), (tag, value[:60])
-    outside = re.findall(r"@import|url\((?!#)[^)]*\)|javascript:", text)
+    outside = re.findall(r"@import|url\((?!#)[^)]*\)|javascript:", unquote(text))
     assert outside == []
 
 
@@ -123,8 +123,9 @@ def test_each_figure_tells_a_screen_reader_what_it_is(page: Page) -> None:
     assert len(drawn) == 5
     for each in drawn:
         kind, _, content = each["src"].partition(",")
-        assert kind == "data:image/svg+xml;base64"
-        assert base64.b64decode(content).startswith(b"<?xml")
+        assert kind == "data:image/svg+xml"
+        assert unquote(content).startswith("<?xml")
+        assert len(content) < 200_000
     assert [f"{TITLE}: " in each["alt"] for each in drawn] == [True, True, True, False, False]
     assert all("MPa" in each["alt"] for each in drawn)
 

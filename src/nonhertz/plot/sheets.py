@@ -72,13 +72,13 @@ def save_all(figures: Mapping[str, Figure], folder: Path) -> None:
         save(figure, folder / name)
 
 
-def image(figure: Figure, kind: Literal["svg", "png"]) -> bytes:
-    """Return what `save` writes as one of its two files."""
+def image(figure: Figure, kind: Literal["svg", "png"], dots: int = PNG_DPI) -> bytes:
+    """Return what `save` writes as one of its two files, with so many dots per inch."""
     written = io.BytesIO()
     with sheet_style(), warnings.catch_warnings():
         # A file's name may have letters that the font lacks; the number beside it identifies it anyway.
         warnings.filterwarnings("ignore", "Glyph .* missing")
-        figure.savefig(written, format=kind, dpi=PNG_DPI, metadata={"Date": None} if kind == "svg" else None)
+        figure.savefig(written, format=kind, dpi=dots, metadata={"Date": None} if kind == "svg" else None)
     return written.getvalue()
 
 

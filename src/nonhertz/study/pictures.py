@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import given, loaded, of_dimension
 from nonhertz.errors import AccuracyWarning, NonhertzError
 from nonhertz.files.spreads import Distribution
-from nonhertz.plot.axes import Measure, measure
+from nonhertz.plot.axes import ROUND, Measure, measure
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.studies import histogram, profile_band, study_lines, study_map, tornado
 from nonhertz.plot.style import sheet_style
@@ -29,9 +29,11 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PANELS, PANEL_HEIGHT = 6, 2.3  # in
+MOST_TICKS = 5  # of an axis whose numbers may be long
 FEW = 6  # lines in one panel; of more values a map is drawn
 MOST_DRAWN = 100_000  # rows
 LAND = 0.94  # of the length, on which a relief is looked at for the height of its drawing
+LEAST_BAND = 0.02  # of the height of a drawing: what is thinner is no band to look at
 BAND, PLACES, MOST_PROFILES = (0.025, 0.975), 401, 400
 _SECTIONS = ("load", "bearing", "solver", "life")  # of a file, which go without saying
 _PICTURED = {"approach", "load", "max_pressure", "max_half_width", "max_load", "reference", "modified"}
@@ -128,10 +130,26 @@ def _band(sweep: Sweep, name: str, paths: Sequence[str]) -> list[Callable[[Axes]
     samples = np.where(np.isfinite(reliefs), reliefs, np.nan)
     seen = np.all(np.isfinite(samples), axis=0) & np.isfinite(nominal.relief(y))
     low, high = np.quantile(samples[:, seen], BAND, axis=0)
-    if np.ptp(high - low) <= 0.0 and not np.any(high > low):
+    deepest = _deepest(y[seen], high)
+    if np.max((high - low)[_inner(y[seen])]) < LEAST_BAND * deepest:
         return []
     label = f"{100 * (BAND[1] - BAND[0]):g} % of the profiles of body {name}"
-    return [lambda ax: profile_band(y[seen], nominal.relief(y[seen]), (low, high), ax, label=label)]
+
+    def draw(ax: Axes) -> None:
+        profile_band(y[seen], nominal.relief(y[seen]), (low, high), ax, label=label)
+        ax.set_ylim(*measure("mm", "um")((deepest, -0.05 * deepest)))
+
+    return [draw]
+
+
+def _inner(y: NDArray[Any]) -> NDArray[np.bool_]:
+    """Return what is not near the ends, where corners are many times as deep as a profile."""
+    return np.asarray(np.abs(y - y.mean()) < LAND * 0.5 * np.ptp(y))
+
+
+def _deepest(y: NDArray[Any], *reliefs: NDArray[Any]) -> float:
+    """Return the lower end of an axis of reliefs [mm]."""
+    return 1.5 * float(np.nanmax(np.stack(reliefs)[:, _inner(y)]))
 
 
 def design_figures(found: Design) -> dict[str, Figure]:
@@ -139,9 +157,7 @@ def design_figures(found: Design) -> dict[str, Figure]:
     numbers = _worst_loads(found)
     drawings: list[Callable[[Axes], object]] = [_before_and_after(found, number) for number in numbers]
     y, best, was = found.relief
-    # Corners are many times as deep as a profile.
-    inner = np.abs(y - y.mean()) < LAND * 0.5 * np.ptp(y)
-    deepest = 1.5 * float(np.nanmax(np.stack([best, was])[:, inner]))
+    deepest = _deepest(y, best, was)
 
     def relief(ax: Axes) -> None:
         depth = measure("mm", "um")
@@ -216,6 +232,7 @@ def _along(y: NDArray[Any], lines: dict[str, NDArray[Any]], ax: Axes, label: str
 def panels(drawings: Sequence[Callable[[Axes], object]], title: str) -> Figure:
     """Return a figure of several drawings, two side by side; the last of an odd number has the whole width."""
     from matplotlib.figure import Figure
+    from matplotlib.ticker import AutoLocator, MaxNLocator
 
     columns = min(2, len(drawings))
     rows = -(-len(drawings) // columns)
@@ -226,7 +243,11 @@ def panels(drawings: Sequence[Callable[[Axes], object]], title: str) -> Figure:
         for number, draw in enumerate(drawings):
             row, column = divmod(number, columns)
             alone = number == len(drawings) - 1 and column == 0
-            draw(figure.add_subplot(grid[row, :] if alone else grid[row, column]))
+            axes = figure.add_subplot(grid[row, :] if alone else grid[row, column])
+            draw(axes)
+            for axis in (axes.xaxis, axes.yaxis):
+                if isinstance(axis.get_major_locator(), AutoLocator):
+                    axis.set_major_locator(MaxNLocator(10 if alone else MOST_TICKS, steps=ROUND))
         # Laid out while the style holds.
         figure.draw_without_rendering()
     return figure
