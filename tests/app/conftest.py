@@ -1,6 +1,5 @@
 """What tests of several commands share."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -9,9 +8,7 @@ from nonhertz.cli import main
 
 
 @pytest.fixture
-def leaves_nothing_behind(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> Callable[[object, str, list[str]], None]:
+def leaves_nothing_behind(capsys, monkeypatch):
     """Assert that a command that fails while it writes prints nothing and leaves no directory behind."""
 
     def fail(*_: object) -> None:

@@ -1,7 +1,5 @@
 """A document out of the form's HTML, by the rules that the page's own script follows."""
 
-from __future__ import annotations
-
 import json
 import re
 from html.parser import HTMLParser

@@ -1,7 +1,5 @@
 """The page's own server, on a socket, in a thread of the test."""
 
-from __future__ import annotations
-
 import http.client
 import threading
 import time

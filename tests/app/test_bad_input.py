@@ -1,10 +1,5 @@
 """Bad input through the command line: each mistake one sentence, exit code 2, and nothing solved."""
 
-from __future__ import annotations
-
-from pathlib import Path
-from typing import Any
-
 import pytest
 
 import nonhertz as nh
@@ -122,7 +117,7 @@ MISTAKES = [
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(tmp_path, monkeypatch):
     (tmp_path / "empty.csv").write_text("", encoding="utf-8")
     (tmp_path / "word.csv").write_text("0,0\n1,x\n", encoding="utf-8")
     (tmp_path / "two.csv").write_text("0,0\n1,0\n", encoding="utf-8")
@@ -131,7 +126,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.mark.parametrize("case", MISTAKES)
-def test_each_mistake_is_one_sentence_with_a_way_out(folder: Path, case: tuple[str, ...]) -> None:
+def test_each_mistake_is_one_sentence_with_a_way_out(folder, case):
     text, *beginnings = case
     with pytest.raises(nh.CaseError) as caught:
         Case.of(parsed(text, "case.toml"), folder / "case.toml")
@@ -143,9 +138,7 @@ def test_each_mistake_is_one_sentence_with_a_way_out(folder: Path, case: tuple[s
 
 
 @pytest.mark.parametrize("beginnings", [MISTAKES[0], MISTAKES[-1]])
-def test_commands_list_mistakes_and_solve_nothing(
-    folder: Path, capsys: pytest.CaptureFixture[str], beginnings: tuple[str, ...]
-) -> None:
+def test_commands_list_mistakes_and_solve_nothing(folder, capsys, beginnings):
     (folder / "case.toml").write_text(beginnings[0], encoding="utf-8")
     assert main(["solve", "case.toml", "--json", "--out", "results"]) == 2
     solved = capsys.readouterr()
@@ -179,9 +172,7 @@ FILES = {
 
 @pytest.mark.parametrize(("content", "sentence"), FILES.values(), ids=FILES)
 @pytest.mark.parametrize("command", ["solve", "check"])
-def test_files_that_cannot_be_read(
-    folder: Path, capsys: pytest.CaptureFixture[str], command: str, content: bytes | None, sentence: str
-) -> None:
+def test_files_that_cannot_be_read(folder, capsys, command, content, sentence):
     if content is not None:
         (folder / "case.toml").write_bytes(content)
     assert main([command, "case.toml"]) == 2
@@ -192,12 +183,12 @@ def test_files_that_cannot_be_read(
     assert printed.removeprefix("1. ") == f"case.toml{space}{sentence}\n"
 
 
-def test_a_directory_is_no_case_file(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_directory_is_no_case_file(folder, capsys):
     assert main(["solve", "."]) == 2
     assert capsys.readouterr().err == ". must be a file, not a directory: give the path of a case file.\n"
 
 
-def test_what_only_the_solver_sees_is_a_sentence_too(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_only_the_solver_sees_is_a_sentence_too(folder, capsys):
     # A cylinder without ends on a plane without ends: nothing ends the contact.
     (folder / "case.toml").write_text(f"[body.a]\ndiameter = 20\n{REST}", encoding="utf-8")
     assert main(["solve", "case.toml"]) == 2
@@ -208,7 +199,7 @@ def test_what_only_the_solver_sees_is_a_sentence_too(folder: Path, capsys: pytes
     assert capsys.readouterr().out == f"1. {sentence}"
 
 
-def test_a_complaint_of_the_solver_about_both_bodies_names_keys_of_the_file() -> None:
+def test_a_complaint_of_the_solver_about_both_bodies_names_keys_of_the_file():
     with pytest.raises(nh.InputError) as caught:
         nh.Contact(nh.Roller(diameter=20.0, length=20.0), nh.Ring(diameter=-10.0)).curvature(0.0)
     complaint = placed(caught.value)
@@ -216,7 +207,7 @@ def test_a_complaint_of_the_solver_about_both_bodies_names_keys_of_the_file() ->
     assert str(complaint).startswith("body.b.diameter = -10.0 must leave a positive combined curvature with body.a")
 
 
-def test_a_complaint_names_the_key_that_it_is_about(folder: Path) -> None:
+def test_a_complaint_names_the_key_that_it_is_about(folder):
     document = {"body": {"a": {"lenght": 20.0, "profile": [{"kind": "crown", "radius": 0.0}]}, "b": {}}, "load": {}}
     with pytest.raises(nh.CaseError) as caught:
         Case.of(document, folder / "case.toml")
@@ -225,7 +216,7 @@ def test_a_complaint_names_the_key_that_it_is_about(folder: Path) -> None:
     assert all(sentence.startswith(place) for place, sentence in found.items())
 
 
-def test_a_document_from_elsewhere_cannot_have_files_read(folder: Path) -> None:
+def test_a_document_from_elsewhere_cannot_have_files_read(folder):
     (folder / "points.csv").write_text("-10, 0.01\n10, 0.01\n", encoding="utf-8")
     table = {"kind": "tabulated", "file": "points.csv"}
     document = {"body": {"a": {"diameter": 20.0, "length": 20.0, "profile": [table]}, "b": {}}, "load": {"load": 1e3}}
@@ -235,7 +226,7 @@ def test_a_document_from_elsewhere_cannot_have_files_read(folder: Path) -> None:
     assert caught.value.places == ("body.a.profile[1].file",)
 
 
-def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder, capsys):
     (folder / "case.toml").write_text(f"{A}depth = '0.3 mm'\n{REST}", encoding="utf-8")
     assert main(["solve", "case.toml"]) == 2
     sentence = capsys.readouterr().err
@@ -248,7 +239,7 @@ def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder: Path, capsys
     [{"side_faces": "miror"}, {"images": 0}, {"images": "series", "depth": "none"}, {"diameter": -20.0}],
     ids=str,
 )
-def test_a_body_is_refused_in_the_words_of_python(folder: Path, keys: dict[str, Any]) -> None:
+def test_a_body_is_refused_in_the_words_of_python(folder, keys):
     given = {"diameter": 20.0, "length": 20.0} | keys
     with pytest.raises(nh.InputError) as caught:
         nh.Roller(**given)
@@ -268,7 +259,7 @@ def test_a_body_is_refused_in_the_words_of_python(folder: Path, keys: dict[str, 
         (["check"], 'Command "check" parameter FILE requires an argument'),
     ],
 )
-def test_wrong_usage_is_one_sentence(capsys: pytest.CaptureFixture[str], words: list[str], beginning: str) -> None:
+def test_wrong_usage_is_one_sentence(capsys, words, beginning):
     assert main(words) == 2
     printed = capsys.readouterr()
     assert printed.out == ""

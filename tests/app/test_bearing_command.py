@@ -1,7 +1,5 @@
 """`nonhertz bearing`, and what `new`, `check` and `solve` make of bearing files."""
 
-from __future__ import annotations
-
 import csv
 import json
 import re
@@ -16,11 +14,10 @@ from numpy.testing import assert_allclose, assert_array_equal
 import nonhertz as nh
 import nonhertz.files.bearing_results
 import nonhertz.plot
-from nonhertz.bearing import BearingSolution
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.cli import main
 from nonhertz.files.bearing_results import UNITS
-from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, read_bearing, starting_bearing
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, read_bearing, starting_bearing
 from nonhertz.files.held import as_toml
 from nonhertz.result.quantities import Quantity
 
@@ -38,7 +35,7 @@ def parsed(text: str) -> dict[str, Any]:
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name, text in (("few", FEW), ("pair", PAIR), ("sliced", FEW + SLICES)):
         Path(f"{name}.toml").write_text(text, encoding="utf-8")
@@ -46,7 +43,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture(scope="module")
-def few(tmp_path_factory: pytest.TempPathFactory) -> tuple[BearingCase, BearingSolution]:
+def few(tmp_path_factory):
     path = tmp_path_factory.mktemp("few") / "few.toml"
     path.write_text(FEW, encoding="utf-8")
     case = read_bearing(path)
@@ -54,7 +51,7 @@ def few(tmp_path_factory: pytest.TempPathFactory) -> tuple[BearingCase, BearingS
 
 
 @pytest.fixture(scope="module")
-def pair(tmp_path_factory: pytest.TempPathFactory) -> tuple[BearingCase, BearingSolution]:
+def pair(tmp_path_factory):
     path = tmp_path_factory.mktemp("pair") / "pair.toml"
     path.write_text(PAIR, encoding="utf-8")
     case = read_bearing(path)

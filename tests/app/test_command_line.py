@@ -1,7 +1,5 @@
 """The command line as a user meets it: summaries, JSON, files, exit codes."""
 
-from __future__ import annotations
-
 import csv
 import ctypes
 import dataclasses
@@ -53,14 +51,14 @@ def parsed(text: str) -> dict[str, Any]:
 
 
 @pytest.fixture
-def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def case(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("case.toml").write_text(CASE, encoding="utf-8")
     return "case.toml"
 
 
 @pytest.fixture
-def solution() -> Solution:
+def solution():
     profile = nh.profile.crown(radius=4000)
     roller = nh.Roller(diameter=20, length=20, profile=profile, side_faces="none", depth="none")
     with warnings.catch_warnings():
@@ -83,7 +81,7 @@ def stop_short(monkeypatch: pytest.MonkeyPatch, solution: Solution) -> None:
     monkeypatch.setattr(nonhertz.solver.one, "solve", solve)
 
 
-def test_the_summary_names_what_an_engineer_asks_for(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_summary_names_what_an_engineer_asks_for(case, capsys):
     assert main(["solve", case]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
@@ -100,7 +98,7 @@ def test_the_summary_names_what_an_engineer_asks_for(case: str, capsys: pytest.C
     assert "warning: " in printed.out
 
 
-def test_json_has_null_where_a_number_is_infinite(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_has_null_where_a_number_is_infinite(case, capsys):
     Path(case).write_text(CASE.replace('strips = "auto"', "strips = 1"), encoding="utf-8")
     main(["solve", case, "--json"])
     estimate = parsed(capsys.readouterr().out)["error_estimate"]
@@ -109,7 +107,7 @@ def test_json_has_null_where_a_number_is_infinite(case: str, capsys: pytest.Capt
 
 
 @pytest.mark.slow
-def test_out_writes_results_table_and_figures(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_out_writes_results_table_and_figures(case, capsys):
     assert main(["solve", case, "--out", "new/results", "--json"]) == 0
     printed = capsys.readouterr().out
     folder = Path("new/results")
@@ -135,9 +133,7 @@ def fail(*_: object) -> None:
     raise RuntimeError("the pen broke")
 
 
-def test_an_older_result_stays_when_writing_fails(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_older_result_stays_when_writing_fails(case, capsys, monkeypatch):
     Path("old").mkdir()
     Path("old/result.json").write_text("old", encoding="utf-8")
     monkeypatch.setattr("nonhertz.plot.sheets.save", fail)
@@ -148,9 +144,7 @@ def test_an_older_result_stays_when_writing_fails(
 
 
 @pytest.mark.parametrize("out", ["case.toml/below", "new/page"])
-def test_out_that_cannot_be_written_is_refused(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, out: str
-) -> None:
+def test_out_that_cannot_be_written_is_refused(case, capsys, monkeypatch, out):
     def refuse(*_: object, **__: object) -> str:
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
@@ -164,7 +158,7 @@ def test_out_that_cannot_be_written_is_refused(
 
 
 @pytest.mark.slow
-def test_out_refuses_a_directory_in_the_place_of_a_file(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_out_refuses_a_directory_in_the_place_of_a_file(case, capsys):
     Path("results/table.csv").mkdir(parents=True)
     assert main(["solve", case, "--out", "results"]) == 2
     assert "must not hold a directory named table.csv" in capsys.readouterr().err
@@ -172,9 +166,7 @@ def test_out_refuses_a_directory_in_the_place_of_a_file(case: str, capsys: pytes
 
 
 @pytest.mark.slow
-def test_an_unconverged_solve_is_shown_for_what_it_is(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, solution: Solution
-) -> None:
+def test_an_unconverged_solve_is_shown_for_what_it_is(case, capsys, monkeypatch, solution):
     stop_short(monkeypatch, solution)
     assert main(["solve", case]) == 1
     printed = capsys.readouterr()
@@ -186,7 +178,7 @@ def test_an_unconverged_solve_is_shown_for_what_it_is(
     assert parsed(Path("results/result.json").read_text(encoding="utf-8"))["status"] == "iteration-limit"
 
 
-def test_check_says_in_one_line_that_all_is_well(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_says_in_one_line_that_all_is_well(case, capsys):
     assert main(["check", case]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
@@ -194,9 +186,7 @@ def test_check_says_in_one_line_that_all_is_well(case: str, capsys: pytest.Captu
     assert printed.out.startswith("case.toml is fine: 'Roller 20 x 20 on a plate'")
 
 
-def test_new_prints_a_case_that_solves(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_new_prints_a_case_that_solves(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["new"]) == 0
     printed = capsys.readouterr().out
@@ -208,9 +198,7 @@ def test_new_prints_a_case_that_solves(
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
-def test_templates_solve_without_a_warning(
-    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_templates_solve_without_a_warning(name, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["new", "case.toml", "--template", name]) == 0
     assert Path("case.toml").read_text(encoding="utf-8") == starting_case(name)
@@ -222,9 +210,7 @@ def test_templates_solve_without_a_warning(
 
 
 @pytest.mark.parametrize("kind", ["", *TEMPLATES, *(f"--bearing --template {name}" for name in BEARING_TEMPLATES)])
-def test_a_plan_for_a_case_varies_what_that_has(
-    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_plan_for_a_case_varies_what_that_has(kind, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     words = kind.split() if kind.startswith("--") or not kind else ["--template", kind]
     assert main(["new", "own.toml", *words]) == 0
@@ -235,9 +221,7 @@ def test_a_plan_for_a_case_varies_what_that_has(
     assert "a tolerance study" in said
 
 
-def test_a_plan_names_the_file_that_it_is_for(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_plan_names_the_file_that_it_is_for(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("studies").mkdir()
     assert main(["new", "a roller.toml"]) == 0
@@ -252,7 +236,7 @@ def test_a_plan_names_the_file_that_it_is_for(
     assert "--case = 'a roller.toml' must be given with --plan" in capsys.readouterr().err
 
 
-def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_new_never_overwrites(case, capsys):
     assert main(["new", case]) == 2
     assert capsys.readouterr().err == (
         "PATH = 'case.toml' must not exist yet: choose another name, since nothing is overwritten.\n"
@@ -264,7 +248,7 @@ def test_new_never_overwrites(case: str, capsys: pytest.CaptureFixture[str]) -> 
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="a file that may not grow stands for a full disk")
-def test_new_leaves_nothing_on_a_full_disk(tmp_path: Path) -> None:
+def test_new_leaves_nothing_on_a_full_disk(tmp_path):
     import resource
 
     run = subprocess.run(
@@ -281,7 +265,7 @@ def test_new_leaves_nothing_on_a_full_disk(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_table_is_not_cut_to_a_narrow_terminal(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_table_is_not_cut_to_a_narrow_terminal(capsys):
     cells = ["0.032151 mm", "20000 N", "some words that may be broken between lines", "2060.5"]
     table = Table([cells], [f"column {position}" for position in range(len(cells))], (1, 2))
     print_result("", [Section("", [table])], piped=20)
@@ -291,18 +275,18 @@ def test_a_table_is_not_cut_to_a_narrow_terminal(capsys: pytest.CaptureFixture[s
     assert cells[2] not in printed
 
 
-def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+def test_version(capsys):
     assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"{nh.__version__}\n"
 
 
 @pytest.mark.parametrize("words", [[], ["--help"], ["solve", "--help"], ["check", "--help"], ["new", "--help"]])
-def test_help(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+def test_help(capsys, words):
     assert main(words) == 0
     assert "Usage: nonhertz" in capsys.readouterr().out
 
 
-def test_commands_are_listed_by_the_first_line_of_their_help(capsys: pytest.CaptureFixture[str]) -> None:
+def test_commands_are_listed_by_the_first_line_of_their_help(capsys):
     assert main(["--help"]) == 0
     listed = " ".join(capsys.readouterr().out.replace("│", " ").split())
     for name in COMMANDS:
@@ -311,7 +295,7 @@ def test_commands_are_listed_by_the_first_line_of_their_help(capsys: pytest.Capt
 
 
 @pytest.mark.parametrize("words", [["--help"], ["bearing", "--help"], ["design", "--help"]], ids=" ".join)
-def test_help_imports_nothing_heavy(words: list[str]) -> None:
+def test_help_imports_nothing_heavy(words):
     program = (
         "import sys\n"
         "from nonhertz.cli import main\n"
@@ -325,9 +309,7 @@ def test_help_imports_nothing_heavy(words: list[str]) -> None:
     assert (run.returncode, run.stderr) == (0, "")
 
 
-def test_an_internal_error_is_one_sentence(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_internal_error_is_one_sentence(case, capsys, monkeypatch):
     def break_down(*_: object, **__: object) -> Solution:
         raise ZeroDivisionError("float division\nby zero")
 
@@ -346,7 +328,7 @@ def test_an_internal_error_is_one_sentence(
     assert "Traceback" in capsys.readouterr().err
 
 
-def test_interruption(case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_interruption(case, capsys, monkeypatch):
     def interrupt(*_: object, **__: object) -> Solution:
         raise KeyboardInterrupt
 
@@ -355,9 +337,7 @@ def test_interruption(case: str, capsys: pytest.CaptureFixture[str], monkeypatch
     assert capsys.readouterr().err == "Interrupted.\n"
 
 
-def test_an_interruption_of_a_callback_ends_the_program(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interruption_of_a_callback_ends_the_program(case, capsys, monkeypatch):
     # As LLVM calls Numba back: C code ignores what a callback raises, and Python drops it.
     callback = ctypes.CFUNCTYPE(None)(lambda: signal.raise_signal(signal.SIGINT))
 
@@ -378,9 +358,7 @@ def test_an_interruption_of_a_callback_ends_the_program(
 
 @pytest.mark.parametrize("command", ["solve", "bearing", "report", "map", "nodes", "sweep", "schema", "verify"])
 @pytest.mark.parametrize("words", [["--out", ""], ["--out="]])
-def test_an_empty_name_for_results_is_refused(
-    case: str, capsys: pytest.CaptureFixture[str], command: str, words: list[str]
-) -> None:
+def test_an_empty_name_for_results_is_refused(case, capsys, command, words):
     assert main([command, case, *words]) == 2
     error = "--out = '' must name a directory or a file: write --out . for the current directory.\n"
     assert capsys.readouterr().err == error
@@ -389,7 +367,7 @@ def test_an_empty_name_for_results_is_refused(
 
 @pytest.mark.parametrize("package", ["cyclopts", "pint", "matplotlib"])
 @pytest.mark.slow
-def test_a_missing_extra_says_how_to_install_it(case: str, package: str) -> None:
+def test_a_missing_extra_says_how_to_install_it(case, package):
     Path(case).write_text(CASE.replace("diameter = 20.0", 'diameter = "20 mm"'), encoding="utf-8")
     program = (
         "import sys\n"
@@ -409,7 +387,7 @@ def test_a_missing_extra_says_how_to_install_it(case: str, package: str) -> None
 
 
 @pytest.mark.slow
-def test_the_module_is_the_command(case: str) -> None:
+def test_the_module_is_the_command(case):
     command = [sys.executable, "-m", "nonhertz", "solve", case, "--json"]
     run = subprocess.run(command, capture_output=True, text=True, check=False, env=environment())
     assert (run.returncode, run.stderr) == (0, "")
@@ -419,7 +397,7 @@ def test_the_module_is_the_command(case: str) -> None:
 
 
 @pytest.mark.slow
-def test_a_title_in_greek_survives_a_terminal_that_knows_ascii_only(case: str) -> None:
+def test_a_title_in_greek_survives_a_terminal_that_knows_ascii_only(case):
     Path(case).write_text(CASE.replace("Roller 20", "Rolle \u0394 [bold]"), encoding="utf-8")
     command = [sys.executable, "-m", "nonhertz", "solve", case]
     ascii_only = environment(PYTHONIOENCODING="ascii")

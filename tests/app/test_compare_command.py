@@ -1,7 +1,5 @@
 """``nonhertz compare`` as a user meets it: table, files, exit codes."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path
@@ -17,13 +15,13 @@ FILES = {"comparison.json", "comparison.csv", "comparison.svg", "comparison.png"
 
 
 @pytest.fixture
-def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def case(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("case.toml").write_text((EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8"), encoding="utf-8")
     return "case.toml"
 
 
-def test_the_table_has_all_three_methods_and_their_times(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_table_has_all_three_methods_and_their_times(case, capsys):
     assert main(["compare", case, *CELLS]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
@@ -42,7 +40,7 @@ def test_the_table_has_all_three_methods_and_their_times(case: str, capsys: pyte
     assert "warning: On the plane grid: " in text
 
 
-def test_json_is_one_object_and_nothing_else(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_is_one_object_and_nothing_else(case, capsys):
     assert main(["compare", case, *CELLS, "--json", "--out", "new/folder"]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
@@ -54,7 +52,7 @@ def test_json_is_one_object_and_nothing_else(case: str, capsys: pytest.CaptureFi
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_every_example_can_be_compared(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_every_example_can_be_compared(path, capsys):
     assert main(["compare", str(path), *CELLS, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     approach = found["quantities"][0]
@@ -62,7 +60,7 @@ def test_every_example_can_be_compared(path: Path, capsys: pytest.CaptureFixture
     assert abs(approach["differences"]["semi_elliptic"]) < 1e-2
 
 
-def test_the_strips_of_the_file_are_taken(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_strips_of_the_file_are_taken(case, capsys):
     text = Path(case).read_text(encoding="utf-8").replace('"auto"', "21").replace('"semi-elliptic"', '"parabolic"')
     Path(case).write_text(text, encoding="utf-8")
     assert main(["compare", case, *CELLS, "--json"]) == 0
@@ -78,9 +76,7 @@ def test_the_strips_of_the_file_are_taken(case: str, capsys: pytest.CaptureFixtu
         ('depth = "none"', "depth = 0.3", "body.a.depth = 0.3 must be large compared with the half-width"),
     ],
 )
-def test_mistakes_are_named_as_the_file_has_them(
-    case: str, capsys: pytest.CaptureFixture[str], old: str, new: str, sentence: str
-) -> None:
+def test_mistakes_are_named_as_the_file_has_them(case, capsys, old, new, sentence):
     text = Path(case).read_text(encoding="utf-8").replace(old, new, 1)
     Path(case).write_text(text, encoding="utf-8")
     assert main(["compare", case, *CELLS]) == 2

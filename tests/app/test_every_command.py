@@ -1,7 +1,5 @@
 """What all commands do alike: they refuse in a sentence, leave nothing half done, and say what they are doing."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any
@@ -39,7 +37,7 @@ SOLVING = {
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     six = changed(SIX, ('clearance = "12 um"\n', ""))
     texts = {"case": CASE, "six": six, "sliced": f'{six}[solver]\nmethod = "slices"\n', "plan": TOLERANCE}
@@ -128,9 +126,7 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("words", "sentence"), REFUSED, ids=[words for words, _ in REFUSED])
-def test_what_cannot_be_is_refused_in_a_sentence(
-    words: str, sentence: str, folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_cannot_be_is_refused_in_a_sentence(words, sentence, folder, capsys):
     before = sorted(folder.rglob("*"))
     assert main(words.split()) == 2
     printed = capsys.readouterr()
@@ -141,9 +137,7 @@ def test_what_cannot_be_is_refused_in_a_sentence(
 
 
 @pytest.mark.parametrize("words", [*SOLVING.values(), ("bearing", "six.toml", "--compare"), ("verify",)], ids=" ".join)
-def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(
-    words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(words, capsys, monkeypatch):
     if words[0] != "solve":  # one case alone is solved first
         instead_of_solving(monkeypatch, lambda *_, **__: pytest.fail("it ran"))
     monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: pytest.fail("it ran"))
@@ -156,9 +150,7 @@ def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(
 
 @pytest.mark.parametrize("words", [*SOLVING.values(), ("report", "case.toml", "--no-stress")], ids=" ".join)
 @pytest.mark.slow
-def test_nothing_is_left_behind_when_drawing_fails(
-    words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_nothing_is_left_behind_when_drawing_fails(words, capsys, monkeypatch):
     def fail(*_: object, **__: object) -> None:
         raise RuntimeError("the pen broke")
 
@@ -178,9 +170,7 @@ def test_nothing_is_left_behind_when_drawing_fails(
     ],
     ids=" ".join,
 )
-def test_without_a_solution_there_is_a_sentence_and_no_file(
-    words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_a_solution_there_is_a_sentence_and_no_file(words, capsys, monkeypatch):
     def stop(*_: object, **__: object) -> None:
         raise nh.ConvergenceError("It stopped.", None)
 
@@ -202,9 +192,7 @@ def test_without_a_solution_there_is_a_sentence_and_no_file(
     ],
 )
 @pytest.mark.slow
-def test_a_terminal_sees_what_is_being_done(
-    words: tuple[str, ...], said: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_terminal_sees_what_is_being_done(words, said, capsys, monkeypatch):
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
     claims = [Claim("two", "counting", 2.0, lambda: 2.0, 1e-6)]
     monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: claims)
@@ -216,7 +204,7 @@ def test_a_terminal_sees_what_is_being_done(
 
 @pytest.mark.parametrize("name", ["stress", "life", "compare", "bearing"])
 @pytest.mark.slow
-def test_json_is_one_object_and_that_of_the_file(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_is_one_object_and_that_of_the_file(name, capsys):
     assert main([*SOLVING[name], "--json", "--out", "new/folder"]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""

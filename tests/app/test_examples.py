@@ -1,7 +1,5 @@
 """Every example runs, and each gives a number that is known from elsewhere; so does the tutorial."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import re

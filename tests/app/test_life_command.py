@@ -1,7 +1,5 @@
 """``nonhertz life`` as a user meets it: table, spectrum, comparison, files, exit codes."""
 
-from __future__ import annotations
-
 import csv
 import html
 import json
@@ -49,7 +47,7 @@ QUICK = ["--model", "iso-16281"]
 
 
 @pytest.fixture
-def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def case(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("case.toml").write_text(CASE, encoding="utf-8")
     return "case.toml"
@@ -83,7 +81,7 @@ def solved(path: str) -> nh.Solution:
     return nh.solve(problem.contact, **problem.prescribed, **problem.solver)
 
 
-def test_the_table_says_what_its_numbers_mean(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_table_says_what_its_numbers_mean(case, capsys):
     assert main(["life", case, "--model", "lundberg-palmgren", "iso-16281"]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
@@ -105,7 +103,7 @@ def test_the_table_says_what_its_numbers_mean(case: str, capsys: pytest.CaptureF
     assert "There is no absolute life" not in text
 
 
-def test_a_spectrum_takes_the_place_of_the_load(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_spectrum_takes_the_place_of_the_load(case, capsys):
     Path(case).write_text(CASE + SPECTRUM, encoding="utf-8")
     found = found_in([case, *QUICK], capsys)
     contact = read_case(case).contact
@@ -125,7 +123,7 @@ def test_a_spectrum_takes_the_place_of_the_load(case: str, capsys: pytest.Captur
     assert json.loads(capsys.readouterr().out)["load"] == pytest.approx(12e3, rel=1e-12)
 
 
-def test_parameters_come_from_the_file_and_models_from_either(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_parameters_come_from_the_file_and_models_from_either(case, capsys):
     table = 'rollers = 14\nmodels = ["iso-16281"]\nlaminae = 40\nfatigue_limit = "0.3 GPa"\nslope = 1.5'
     path = changed("rollers = 14", table)
     (of_file,) = found_in([path], capsys)["models"]
@@ -136,7 +134,7 @@ def test_parameters_come_from_the_file_and_models_from_either(case: str, capsys:
     assert asked["relative_life"]["b"] == life.relative
 
 
-def test_another_case_is_compared_by_the_models_of_the_first(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_another_case_is_compared_by_the_models_of_the_first(case, capsys):
     table = 'rollers = 15\nmodels = ["zaretsky"]\nlaminae = 100\n' + SPECTRUM
     other = changed("rollers = 14", table)
     found = found_in([case, *QUICK, "--compare", other], capsys)
@@ -156,7 +154,7 @@ def test_another_case_is_compared_by_the_models_of_the_first(case: str, capsys: 
     assert float(row[-1]) == pytest.approx(of_first.over(of_other), rel=1e-3)
 
 
-def test_all_files_are_written(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_all_files_are_written(case, capsys):
     models = ["--model", "lundberg-palmgren", "iso-16281"]
     found = found_in([case, *models, "--out", "new/folder", "--compare", case], capsys)
     folder = Path("new/folder")
@@ -173,7 +171,7 @@ def test_all_files_are_written(case: str, capsys: pytest.CaptureFixture[str]) ->
     assert found["compared_with"]["models"][0]["ratio"] == {"a": 1.0, "b": 1.0}
 
 
-def test_what_is_no_number_is_null_and_said_in_words(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_no_number_is_null_and_said_in_words(case, capsys):
     unbounded = Path("endless.toml")
     text = re.sub("(?m)^(kind|length) .*\n", "", CASE).replace("12 kN", "1 kN")
     unbounded.write_text(text.replace('"iso-logarithmic"', '"crown", radius = 100'), encoding="utf-8")
@@ -188,7 +186,7 @@ def test_what_is_no_number_is_null_and_said_in_words(case: str, capsys: pytest.C
     assert sentence.startswith("body.a.length must be given for laminae: ")
 
 
-def test_mistakes_of_the_other_file_are_named_with_its_path(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_mistakes_of_the_other_file_are_named_with_its_path(case, capsys):
     other = changed("rollers = 14", "rollers = -1\nslope = 0")
     first, second = refused([case, "--compare", other], capsys).splitlines()
     assert first.startswith("1. other.toml: life.rollers = -1 must be a whole number of at least 1: ")
@@ -196,9 +194,7 @@ def test_mistakes_of_the_other_file_are_named_with_its_path(case: str, capsys: p
 
 
 @pytest.mark.parametrize("name", ["first", "other"])
-def test_no_life_without_a_solution(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, name: str
-) -> None:
+def test_no_life_without_a_solution(case, capsys, monkeypatch, name):
     def stop(contact: nh.Contact, *_: object, **__: object) -> Any:
         raise nh.ConvergenceError("It stopped.", None)
 
@@ -232,9 +228,7 @@ dents = 10
 """
 
 
-def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     Path("dent.toml").write_text(DENTED, encoding="utf-8")
     dent, contact = nh.patch.Dent(depth=0.002, diameter=0.3, shoulder=0.0005), read_case("dent.toml").contact
@@ -259,9 +253,7 @@ def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(
     assert "The largest stress around the dent while it is rolled over" in page
 
 
-def test_dents_are_refused_by_their_keys(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_dents_are_refused_by_their_keys(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     for old, new, words in (
         ('depth = "2 um"', "depth = -1", "life.dent.depth = -1.0 must be positive"),

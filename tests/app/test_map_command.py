@@ -1,7 +1,5 @@
 """``nonhertz map`` as a user meets it: tables, files, refusals."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -28,7 +26,7 @@ tilt = "0.1 mrad"
 
 
 @pytest.fixture
-def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def case(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("case.toml").write_text(CASE, encoding="utf-8")
     return "case.toml"

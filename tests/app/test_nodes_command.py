@@ -1,7 +1,5 @@
 """Pressures and forces at the nodes of a finite element mesh, from Python and from the command line."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -21,7 +19,7 @@ LOAD = 15000.0
 
 
 @pytest.fixture(scope="module")
-def solution() -> nh.Solution:
+def solution():
     case = nh.read_case(CASE, {"load.tilt": "0.3 mrad"})
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
@@ -34,7 +32,7 @@ def grid(across: int, along: int, half: float = 0.6, length: float = 10.0) -> tu
 
 
 @pytest.mark.parametrize("size", [(7, 9), (25, 40), (80, 120)])
-def test_forces_have_load_and_moments_of_the_contact_on_any_mesh(solution: nh.Solution, size: tuple[int, int]) -> None:
+def test_forces_have_load_and_moments_of_the_contact_on_any_mesh(solution, size):
     x, y = grid(*size)
     found = solution.at_nodes(x, y)
     assert found.outside == 0.0
@@ -46,7 +44,7 @@ def test_forces_have_load_and_moments_of_the_contact_on_any_mesh(solution: nh.So
     assert found.area.sum() == pytest.approx(1.2 * 20.0, rel=1e-9)
 
 
-def test_on_scattered_nodes_too(solution: nh.Solution) -> None:
+def test_on_scattered_nodes_too(solution):
     random = np.random.default_rng(1)
     x, y = grid(3, 3)  # corners around the contact
     x, y = np.append(x, random.uniform(-0.6, 0.6, 500)), np.append(y, random.uniform(-10.0, 10.0, 500))
@@ -56,7 +54,7 @@ def test_on_scattered_nodes_too(solution: nh.Solution) -> None:
 
 
 @pytest.mark.slow
-def test_the_interpolated_load_tends_to_the_load_as_the_mesh_is_refined(solution: nh.Solution) -> None:
+def test_the_interpolated_load_tends_to_the_load_as_the_mesh_is_refined(solution):
     errors = [abs(solution.at_nodes(*grid(n, 2 * n)).interpolated_load / solution.load - 1.0) for n in (10, 40, 160)]
     assert errors[0] > 0.01
     # What the pressure between strips adds or takes: see Solution.pressure.
@@ -64,7 +62,7 @@ def test_the_interpolated_load_tends_to_the_load_as_the_mesh_is_refined(solution
     assert errors[2] < 2e-3
 
 
-def test_force_over_area_is_the_pressure_where_the_mesh_is_fine(solution: nh.Solution) -> None:
+def test_force_over_area_is_the_pressure_where_the_mesh_is_fine(solution):
     x, y = grid(161, 161)
     found = solution.at_nodes(x, y)
     inside = (found.pressure > 0.5 * solution.max_pressure) & (np.abs(y) < 7.0)
@@ -76,14 +74,14 @@ def test_force_over_area_is_the_pressure_where_the_mesh_is_fine(solution: nh.Sol
     assert np.max(np.abs(ratio - 1.0)) < 0.1
 
 
-def test_load_outside_of_the_nodes_is_counted(solution: nh.Solution) -> None:
+def test_load_outside_of_the_nodes_is_counted(solution):
     x, y = grid(30, 30)
     half = solution.at_nodes(x[y >= 0.0], y[y >= 0.0])
     assert half.outside > 0.2 * solution.load
     assert half.force.sum() + half.outside == pytest.approx(solution.load, rel=1e-9)
 
 
-def test_nodes_on_a_line_have_pressures_and_no_forces(solution: nh.Solution) -> None:
+def test_nodes_on_a_line_have_pressures_and_no_forces(solution):
     found = solution.at_nodes(np.zeros(21), np.linspace(-10.0, 10.0, 21))
     assert np.all(np.isnan(found.force))
     assert found.pressure.max() > 1000.0
@@ -96,7 +94,7 @@ def written(name: str, text: str) -> Path:
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -112,7 +110,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     ],
 )
 @pytest.mark.usefixtures("folder")
-def test_heads_say_which_column_is_what_in_which_unit(text: str) -> None:
+def test_heads_say_which_column_is_what_in_which_unit(text):
     found = read_nodes(written("nodes.csv", text))
     np.testing.assert_allclose(found.x, [0.1, 0.0], rtol=1e-15)
     np.testing.assert_allclose(found.y, [-2.5, 3.0], rtol=1e-15)
@@ -131,16 +129,14 @@ def test_heads_say_which_column_is_what_in_which_unit(text: str) -> None:
     ],
 )
 @pytest.mark.usefixtures("folder")
-def test_what_is_wrong_with_a_file_of_nodes_is_said(
-    text: str, expected: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_is_wrong_with_a_file_of_nodes_is_said(text, expected, capsys):
     assert main(["nodes", CASE, str(written("nodes.csv", text))]) == 2
     assert expected in capsys.readouterr().err
     assert not Path("nodes-pressure.csv").exists()
 
 
 @pytest.mark.usefixtures("folder")
-def test_the_command_writes_a_table_and_says_what_the_sums_are(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_writes_a_table_and_says_what_the_sums_are(capsys):
     x, y = grid(25, 41)
     lines = [f"{k}; {1e3 * a!r}; {b!r}; 0" for k, (a, b) in enumerate(zip(x.tolist(), y.tolist(), strict=True))]
     written("surface.csv", "\n".join(["node; x [um]; y [mm]; z", *lines]))
@@ -162,7 +158,7 @@ def test_the_command_writes_a_table_and_says_what_the_sums_are(capsys: pytest.Ca
 
 
 @pytest.mark.usefixtures("folder")
-def test_the_file_of_the_nodes_is_not_overwritten(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_file_of_the_nodes_is_not_overwritten(capsys):
     written("nodes.csv", "x, y\n0, 0\n")
     assert main(["nodes", CASE, "nodes.csv", "--out", "nodes.csv"]) == 2
     assert "not that of the nodes" in capsys.readouterr().err

@@ -1,7 +1,5 @@
 """``nonhertz profile`` as a user meets it: steps, numbers, files, refusals, exit codes."""
 
-from __future__ import annotations
-
 import json
 import tomllib
 from pathlib import Path
@@ -19,7 +17,7 @@ FILES = {"profile.csv", "profile.json", "profile.toml", "profile-steps.svg", "pr
 
 
 @pytest.fixture
-def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def file(tmp_path, monkeypatch):
     """A crown with chamfers, tilted, rough by 0.1 um, heights in um without saying so."""
     monkeypatch.chdir(tmp_path)
     y = np.linspace(0.0, 10.0, 2001)

@@ -1,7 +1,5 @@
 """``nonhertz report`` of whole bearings: what the page says, what is in it, and what is refused."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path
@@ -57,22 +55,22 @@ def found_in(text: str, *, compare: bool = False) -> BearingResults:
 
 
 @pytest.fixture(scope="module")
-def few() -> BearingResults:
+def few():
     return found_in(PLAIN)
 
 
 @pytest.fixture(scope="module")
-def pair() -> BearingResults:
+def pair():
     return found_in(TAPERED)
 
 
 @pytest.fixture
-def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+def undrawn(monkeypatch):
     monkeypatch.setattr(nonhertz.report.layout, "image", lambda *_: b"<svg></svg>")
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, undrawn: None) -> Path:
+def folder(tmp_path, monkeypatch, undrawn):
     monkeypatch.chdir(tmp_path)
     Path("points").mkdir()
     Path("points/crown.csv").write_text(POINTS, encoding="utf-8")

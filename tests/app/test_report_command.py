@@ -1,7 +1,5 @@
 """``nonhertz report`` as a user meets it: file, names, what is refused, exit codes."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -33,7 +31,7 @@ QUICK = ["--no-stress"]
 
 
 @pytest.fixture(autouse=True)
-def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def case(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     # Figures take the time, and tests/unit/test_report.py looks at them.
     monkeypatch.setattr(nonhertz.report.layout, "image", lambda *_: b"<svg></svg>")
@@ -50,7 +48,7 @@ def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> list[str]:
     return printed.err.splitlines()
 
 
-def test_a_report_is_written_beside_and_replaced(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_report_is_written_beside_and_replaced(case, capsys):
     assert main(["report", case, *QUICK]) == 0
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == ("wrote case-report.html\n", "")
@@ -64,7 +62,7 @@ def test_a_report_is_written_beside_and_replaced(case: str, capsys: pytest.Captu
 
 
 @pytest.mark.slow
-def test_several_cases_become_one_report(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_several_cases_become_one_report(case, capsys):
     Path("other.toml").write_text(CASE.replace("6 kN", "7 kN"), encoding="utf-8")
     assert main(["report", case, "other.toml", *QUICK, "--out", "new/both.html"]) == 0
     assert capsys.readouterr().out == "wrote new/both.html\n"
@@ -73,7 +71,7 @@ def test_several_cases_become_one_report(case: str, capsys: pytest.CaptureFixtur
     assert [path.name for path in Path("new").iterdir()] == ["both.html"]
 
 
-def test_only_reports_are_replaced(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_only_reports_are_replaced(case, capsys):
     (line,) = refused([case, "--out", case], capsys)
     assert line.startswith("--out = 'case.toml' must be a new file or an older nonhertz report: ")
     assert Path(case).read_text(encoding="utf-8") == CASE
@@ -84,7 +82,7 @@ def test_only_reports_are_replaced(case: str, capsys: pytest.CaptureFixture[str]
     assert line.startswith("--out = 'case.toml' must be a directory")
 
 
-def test_the_head_says_what_the_file_and_the_options_say(case: str) -> None:
+def test_the_head_says_what_the_file_and_the_options_say(case):
     table = '[report]\nproject = "Gearbox & sons"\nauthor = "A"\n'
     Path(case).write_text(CASE + table, encoding="utf-8")
     assert main(["report", case, *QUICK, "--author", "B"]) == 0
@@ -104,14 +102,12 @@ def test_the_head_says_what_the_file_and_the_options_say(case: str) -> None:
         (["--project", "one\ntwo"], "--project = 'one\\ntwo' must be one line of text"),
     ],
 )
-def test_a_head_that_cannot_be_is_refused(
-    words: list[str], sentence: str, case: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_head_that_cannot_be_is_refused(words, sentence, case, capsys):
     (line,) = refused([case, *words], capsys)
     assert line.startswith(sentence)
 
 
-def test_all_mistakes_of_all_files_are_named(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_all_mistakes_of_all_files_are_named(case, capsys):
     Path("wrong.toml").write_text(CASE.replace("length = 20", "length = -20"), encoding="utf-8")
     lines = refused([case, "wrong.toml", "nothing.toml"], capsys)
     assert [line.split(" ")[1] for line in lines] == ["wrong.toml:", "nothing.toml"]
@@ -122,9 +118,7 @@ def test_all_mistakes_of_all_files_are_named(case: str, capsys: pytest.CaptureFi
 
 
 @pytest.mark.slow
-def test_a_case_that_has_not_converged_is_reported_and_told(
-    case: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_case_that_has_not_converged_is_reported_and_told(case, capsys, monkeypatch):
     solution = nonhertz.show.analysis.solved(read_case(case))
 
     def stop(*_: object, **__: object) -> None:

@@ -1,7 +1,5 @@
 """The published JSON schemas, by a validator that knows nothing of the program."""
 
-from __future__ import annotations
-
 import copy
 import json
 import math
@@ -36,7 +34,7 @@ def mistakes(kind: str, found: Any) -> list[list[str]]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_schema_is_one(kind: str, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_a_schema_is_one(kind, capsys, tmp_path):
     assert main(["schema", kind]) == 0
     printed = capsys.readouterr().out
     assert json.loads(printed) == schema_of(kind)
@@ -46,25 +44,25 @@ def test_a_schema_is_one(kind: str, capsys: pytest.CaptureFixture[str], tmp_path
     assert file.read_text(encoding="utf-8") == printed
 
 
-def test_there_is_no_schema_of_anything_else(capsys: pytest.CaptureFixture[str]) -> None:
+def test_there_is_no_schema_of_anything_else(capsys):
     assert main(["schema", "roller"]) == 2
     assert "choose from case, bearing, plan, result" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
-def test_examples_are_valid(file: Path) -> None:
+def test_examples_are_valid(file):
     found = tomllib.loads(file.read_text(encoding="utf-8"))
     assert mistakes(meant_as(found), found) == [[], []]
 
 
-def test_so_are_changes_of_a_profile() -> None:
+def test_so_are_changes_of_a_profile():
     found = document("crowned-roller")
     changes = {"shift": "20 um", "scale": 1.1, "flip": True, "drop": "9 um", "at": 8.0}
     found["body"]["a"]["profile"] = {"kind": "crown", **changes}
     assert mistakes("case", found) == [[], []]
 
 
-def test_so_are_the_files_to_start_from() -> None:
+def test_so_are_the_files_to_start_from():
     assert mistakes("case", tomllib.loads(starting_case())) == [[], []]
     assert mistakes("bearing", tomllib.loads(starting_bearing())) == [[], []]
     assert {meant_as(tomllib.loads(file.read_text(encoding="utf-8"))) for file in FILES} == {"case", "bearing", "plan"}
@@ -90,7 +88,7 @@ def test_so_are_the_files_to_start_from() -> None:
         ("roller-15x20-design", ("design", "goal"), "beauty"),
     ],
 )
-def test_mistakes_are_found(name: str, place: tuple[str, ...], value: Any) -> None:
+def test_mistakes_are_found(name, place, value):
     whole = document(name)
     kind = meant_as(whole)
     *tables, last = place
@@ -106,7 +104,7 @@ def test_mistakes_are_found(name: str, place: tuple[str, ...], value: Any) -> No
 
 
 @pytest.fixture(scope="module")
-def results() -> list[dict[str, Any]]:
+def results():
     """Return the results of all kinds of ends, of an approach, of both elements, and one that did not converge."""
     changes: list[tuple[str, dict[str, Any]]] = [
         (file.stem, {}) for file in FILES if meant_as(tomllib.loads(file.read_text(encoding="utf-8"))) == "case"
@@ -130,7 +128,7 @@ def results() -> list[dict[str, Any]]:
     return found
 
 
-def test_every_result_is_valid(results: list[dict[str, Any]]) -> None:
+def test_every_result_is_valid(results):
     for result in results:
         assert mistakes("result", result) == [[], []], result["title"]
     kinds = {edge["kind"] for result in results for edge in result["edge_pressure"]}
@@ -138,7 +136,7 @@ def test_every_result_is_valid(results: list[dict[str, Any]]) -> None:
     assert any(result["error_estimate"]["max_pressure"] is None for result in results)
 
 
-def test_a_result_with_a_key_too_few_or_too_many_is_not(results: list[dict[str, Any]]) -> None:
+def test_a_result_with_a_key_too_few_or_too_many_is_not(results):
     for key in results[0]:
         less = {name: value for name, value in results[0].items() if name != key}
         assert all(mistakes("result", less)), key
@@ -149,7 +147,7 @@ def test_a_result_with_a_key_too_few_or_too_many_is_not(results: list[dict[str, 
     assert all(mistakes("result", wrong))
 
 
-def test_what_python_writes_is_what_the_command_prints(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_python_writes_is_what_the_command_prints(capsys):
     file = EXAMPLES / "roller-15x20.toml"
     assert main(["solve", str(file), "--json"]) == 0
     case = nh.read_case(file)

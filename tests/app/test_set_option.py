@@ -1,7 +1,5 @@
 """``--set``: values in place of those in a file, on every command that reads one."""
 
-from __future__ import annotations
-
 import json
 import tomllib
 from pathlib import Path
@@ -24,9 +22,7 @@ def refused(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     return printed.err + printed.out
 
 
-def test_a_value_counts_as_if_the_file_held_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_value_counts_as_if_the_file_held_it(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     text = Path(CASE).read_text(encoding="utf-8")
     assert "load = 20000.0" in text
@@ -52,15 +48,13 @@ def test_a_value_counts_as_if_the_file_held_it(
         ("--set", "load.load=5kN", "load.tilt=1mrad", "--", CASE),
     ],
 )
-def test_several_may_follow_one_option(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+def test_several_may_follow_one_option(words, capsys):
     assert main(["solve", "--json", *words]) == 0
     found = json.loads(capsys.readouterr().out)
     assert (found["load"], found["tilt"]) == pytest.approx((5000.0, 1e-3))
 
 
-def test_a_file_whose_name_looks_like_a_change_is_a_file(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_file_whose_name_looks_like_a_change_is_a_file(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     Path("load=low.toml").write_text(Path(CASE).read_text(encoding="utf-8"), encoding="utf-8")
     assert main(["solve", "--json", "--set", "load.load=5kN", "load=low.toml"]) == 0
@@ -68,23 +62,21 @@ def test_a_file_whose_name_looks_like_a_change_is_a_file(
 
 
 @pytest.mark.parametrize("words", [("load.approach=20um",), ("load.approach=20um", "load.load=")])
-def test_a_key_makes_room_for_what_is_given_in_its_place(
-    words: tuple[str, ...], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_key_makes_room_for_what_is_given_in_its_place(words, capsys):
     assert main(["solve", CASE, "--set", *words, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["approach"] == 0.02
     assert "load" not in found["case"]["load"]
 
 
-def test_a_parameter_takes_the_place_of_the_drop_that_determines_it() -> None:
+def test_a_parameter_takes_the_place_of_the_drop_that_determines_it():
     dropped = nh.read_case(CASE, {"body.a.profile.drop": "12 um"})
     assert dropped.origin is not None
     case = type(dropped).of(dropped.document, Path(CASE), changes={"body.a.profile.radius": "2 m"})
     assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "2 m"}]
 
 
-def test_values_may_be_numbers_words_lists_and_tables() -> None:
+def test_values_may_be_numbers_words_lists_and_tables():
     words = ["solver.strips=41", 'body.a.side_faces=["calibrated", 1.2]', "solver.element=parabolic", "load.tilt=0"]
     assert changes_in(words) == {
         "solver.strips": 41,
@@ -97,14 +89,14 @@ def test_values_may_be_numbers_words_lists_and_tables() -> None:
     assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "1 m"}]
 
 
-def test_what_was_set_is_in_the_text_of_the_case() -> None:
+def test_what_was_set_is_in_the_text_of_the_case():
     case = nh.read_case(CASE, {"load.load": "5 kN", "load.tilt": None})
     assert case.text.startswith("# Set in place of what the file held: load.load = 5 kN, without load.tilt\n")
     assert tomllib.loads(case.text) == case.document
     assert nh.read_case(CASE).prescribed["load"] == 20000.0
 
 
-def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(capsys):
     said = refused(capsys, "solve", CASE, "--set", "load.laod=5kN", "--set", "body.a.profile.radus=1m")
     assert said.splitlines() == [
         "1. load.laod must be a path to a value of the file: the nearest is 'load.load'.",
@@ -123,16 +115,16 @@ def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(capsys: pytest.
         ("=5", "--set = '=5' must have an equals sign"),
     ],
 )
-def test_values_go_through_all_checks_of_the_file(word: str, expected: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_values_go_through_all_checks_of_the_file(word, expected, capsys):
     assert expected in refused(capsys, "solve", CASE, "--set", word)
 
 
-def test_a_path_is_set_once(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_path_is_set_once(capsys):
     said = refused(capsys, "solve", CASE, "--set", "load.load=5kN", "--set", "load.load=6kN")
     assert "must set each path once" in said
 
 
-def test_a_file_with_mistakes_is_read_to_the_end(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_file_with_mistakes_is_read_to_the_end(tmp_path, capsys):
     broken = tmp_path / "broken.toml"
     broken.write_text("body = 3\nload = 4\n", encoding="utf-8")
     assert "load.load must be a path" in refused(capsys, "check", str(broken), "--set", "load.load=5kN")
@@ -142,7 +134,7 @@ def test_a_file_with_mistakes_is_read_to_the_end(tmp_path: Path, capsys: pytest.
     assert "load = 5000 N" in capsys.readouterr().out
 
 
-def test_a_bearing_takes_it_too(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_bearing_takes_it_too(capsys):
     file = str(EXAMPLES / "nu206.toml")
     words = ["--set", "load.radial=5kN", "--set", "solver.method=slices", "--json"]
     assert main(["bearing", file, *words]) == 0
@@ -153,9 +145,7 @@ def test_a_bearing_takes_it_too(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.slow
-def test_every_command_with_a_case_takes_what_was_set(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_every_command_with_a_case_takes_what_was_set(tmp_path, monkeypatch, capsys):
     (tmp_path / "edited").mkdir()
     text = Path(CASE).read_text(encoding="utf-8")
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
@@ -176,9 +166,7 @@ def test_every_command_with_a_case_takes_what_was_set(
 
 
 @pytest.mark.slow
-def test_reports_plans_and_designs_take_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_reports_plans_and_designs_take_it(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["report", CASE, "--no-stress", "--out", "r.html", "--set", "load.load=6kN"]) == 0
     report = Path("r.html").read_text(encoding="utf-8")

@@ -1,7 +1,5 @@
 """``nonhertz solve`` with several case files: one row each, whatever becomes of the others."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -21,7 +19,7 @@ FIGURES = {f"{name}.{ending}" for name in ("pressure", "footprint", "profile") f
 
 
 @pytest.fixture
-def cases(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+def cases(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("other").mkdir()
     Path("one.toml").write_text(CROWNED, encoding="utf-8")
@@ -29,7 +27,7 @@ def cases(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return ["one.toml", "other/one.toml"]
 
 
-def test_a_row_for_each_case(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_row_for_each_case(cases, capsys):
     assert main(["solve", *cases]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
@@ -45,7 +43,7 @@ def test_a_row_for_each_case(cases: list[str], capsys: pytest.CaptureFixture[str
     assert sum(line[:1] == ["warning:"] for line in lines) == sum(len(each.warnings) for each in expected)
 
 
-def test_json_is_a_list_of_what_each_alone_prints(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_is_a_list_of_what_each_alone_prints(cases, capsys):
     assert main(["solve", *cases, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert [each["file"] for each in found] == cases
@@ -55,7 +53,7 @@ def test_json_is_a_list_of_what_each_alone_prints(cases: list[str], capsys: pyte
         assert each["complaints"] == []
 
 
-def test_one_that_fails_does_not_hide_the_others(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_one_that_fails_does_not_hide_the_others(cases, capsys):
     Path("bad.toml").write_text(CROWNED.replace("load = 20000.0", "load = -1.0\nlaod = 3"), encoding="utf-8")
     bearing = str(EXAMPLES / "nu206.toml")
     files = ["bad.toml", cases[0], "missing.toml", bearing]
@@ -74,9 +72,7 @@ def test_one_that_fails_does_not_hide_the_others(cases: list[str], capsys: pytes
 
 
 @pytest.mark.slow
-def test_one_that_does_not_converge_is_said_and_shown(
-    cases: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_one_that_does_not_converge_is_said_and_shown(cases, monkeypatch, capsys):
     whole = nonhertz.solver.one.solve
 
     def solve(contact: nh.Contact, **given: object) -> nh.Solution:
@@ -97,7 +93,7 @@ def test_one_that_does_not_converge_is_said_and_shown(
 
 
 @pytest.mark.slow
-def test_each_has_a_folder_of_its_own_beside_the_table(cases: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_each_has_a_folder_of_its_own_beside_the_table(cases, capsys):
     assert main(["solve", *cases, "missing.toml", "--out", "results"]) == 2
     printed = capsys.readouterr().out
     assert {path.name for path in Path("results").iterdir()} == {"one", "one-2", "cases.csv"}

@@ -1,7 +1,5 @@
 """Standard streams that are closed, full or read by nobody, and an environment that is meant for others."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -30,24 +28,24 @@ def ran(words: str, streams: str = "", **environment: str) -> subprocess.Complet
     )
 
 
-def test_a_closed_output_is_told_and_nothing_is_done(tmp_path: Path) -> None:
+def test_a_closed_output_is_told_and_nothing_is_done(tmp_path):
     done = ran(f"solve {CASE} --out {tmp_path / 'out'}", ">&-")
     assert (done.returncode, done.stderr) == (3, CLOSED)
     assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.slow
-def test_a_closed_error_stream_ends_no_solve() -> None:
+def test_a_closed_error_stream_ends_no_solve():
     done = ran(f"solve {CASE}", "2>&-")
     assert done.returncode == 0
     assert done.stdout.startswith("Roller 20 x 20 on a plate\n")
 
 
-def test_with_all_streams_closed_the_code_alone_tells() -> None:
+def test_with_all_streams_closed_the_code_alone_tells():
     assert ran("new", "<&- >&- 2>&-").returncode == 3
 
 
-def test_what_is_opened_does_not_end_up_in_the_place_of_a_closed_stream(tmp_path: Path) -> None:
+def test_what_is_opened_does_not_end_up_in_the_place_of_a_closed_stream(tmp_path):
     program = (
         "import sys, nonhertz.cli\nnonhertz.cli.main(['--version'])\nsys.exit(min(open(sys.argv[1], 'w').fileno(), 3))"
     )
@@ -58,7 +56,7 @@ def test_what_is_opened_does_not_end_up_in_the_place_of_a_closed_stream(tmp_path
 
 @pytest.mark.parametrize("words", ["--help", "--version", "new", f"solve {CASE}"])
 @pytest.mark.slow
-def test_a_command_that_nobody_reads_ends_as_others_do(words: str) -> None:
+def test_a_command_that_nobody_reads_ends_as_others_do(words):
     read, write = os.pipe()
     os.close(read)
     try:
@@ -71,12 +69,12 @@ def test_a_command_that_nobody_reads_ends_as_others_do(words: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device that is always full")
-def test_a_full_disk_below_the_output_is_one_sentence() -> None:
+def test_a_full_disk_below_the_output_is_one_sentence():
     done = ran("new", ">/dev/full")
     assert (done.returncode, done.stderr) == (3, "The output could not be written: No space left on device.\n")
 
 
-def test_no_screen_is_asked_for_figures() -> None:
+def test_no_screen_is_asked_for_figures():
     program = (
         "import nonhertz.cli; nonhertz.cli.main(['--version']); import matplotlib; print(matplotlib.get_backend())"
     )

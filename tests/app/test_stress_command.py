@@ -1,7 +1,5 @@
 """``nonhertz stress`` as a user meets it: numbers, files, refusals, exit codes."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any
@@ -44,7 +42,7 @@ strips = 7
 
 
 @pytest.fixture
-def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+def case(tmp_path, monkeypatch):
     """An elliptical point contact, 0.262 by 1.179 mm, 1546 MPa."""
     monkeypatch.chdir(tmp_path)
     text = (EXAMPLES / "elliptical-point-contact.toml").read_text(encoding="utf-8")
@@ -53,7 +51,7 @@ def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
 
 
 @pytest.fixture
-def sharp(case: str) -> str:
+def sharp(case):
     Path(case).write_text((EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8"), encoding="utf-8")
     return case
 
@@ -66,14 +64,14 @@ def found(capsys: pytest.CaptureFixture[str], *words: str) -> Any:
 
 
 @pytest.mark.slow
-def test_without_a_station_the_section_is_the_worst(sharp: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_a_station_the_section_is_the_worst(sharp, capsys):
     told = found(capsys, sharp)
     assert told["section"]["y"] == told["overall"]["von_mises"]["y"] > 9.0
     assert_allclose(told["section"]["von_mises"]["max"], told["overall"]["von_mises"]["max"], rtol=1e-6)
 
 
 @pytest.mark.slow
-def test_the_table_has_both_and_the_warnings(sharp: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_table_has_both_and_the_warnings(sharp, capsys):
     assert main(["stress", sharp, "--station", "9.9"]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
@@ -102,7 +100,7 @@ def test_the_table_has_both_and_the_warnings(sharp: str, capsys: pytest.CaptureF
 
 
 @pytest.mark.slow
-def test_files_are_the_json_and_both_planes(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_files_are_the_json_and_both_planes(case, capsys):
     told = found(capsys, case, "--station", "0.5", "--out", "new/folder")
     folder = Path("new/folder")
     assert {path.name for path in folder.iterdir()} == FILES
@@ -131,7 +129,7 @@ material = { modulus = 207000, poisson = 0.3, yield_strength = 400, core_yield_s
 
 
 @pytest.mark.slow
-def test_whether_the_body_bears_it_is_told(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_whether_the_body_bears_it_is_told(case, capsys):
     Path(case).write_text(STRONG, encoding="utf-8")
     told = found(capsys, case)
     strength, pressure = told["strength"], told["max_pressure"]

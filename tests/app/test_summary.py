@@ -1,7 +1,5 @@
 """What the summary and the result say about the pressure where a contact ends."""
 
-from __future__ import annotations
-
 import re
 import warnings
 
@@ -22,14 +20,14 @@ def solved(roller: nh.Body, against: nh.Body, tilt: float = 0.0, load: float = 2
 
 
 @pytest.fixture(scope="module")
-def sharp() -> Solution:
+def sharp():
     """A straight roller on a plate, both half-spaces."""
     roller = nh.Roller(diameter=20, length=20, side_faces="none", depth="none")
     return solved(roller, nh.Plate(depth="none"), tilt=0.5e-3)
 
 
 @pytest.fixture(scope="module")
-def coincident() -> Solution:
+def coincident():
     roller = nh.Roller(diameter=20, length=20)
     return solved(roller, roller)
 
@@ -44,7 +42,7 @@ def rows(solution: Solution) -> dict[str, tuple[str, str]]:
     return found
 
 
-def test_a_singular_end_has_a_strength_beside_the_maximum(sharp: Solution) -> None:
+def test_a_singular_end_has_a_strength_beside_the_maximum(sharp):
     shown = rows(sharp)
     high = sharp.edge_pressure[1]
     assert shown["edge at y = 10 mm"] == ("singular", f"p ~ K / s^0.5, K = {high.strength:.4g} MPa mm^0.5")
@@ -52,7 +50,7 @@ def test_a_singular_end_has_a_strength_beside_the_maximum(sharp: Solution) -> No
     assert f"{sharp.centre_pressure.max():.0f}" not in str(shown)
 
 
-def test_the_maximum_is_a_half_width_from_a_singular_end(sharp: Solution) -> None:
+def test_the_maximum_is_a_half_width_from_a_singular_end(sharp):
     shown = rows(sharp)
     pressure, error = shown["maximum pressure"]
     where, away = shown["maximum pressure+"]
@@ -66,14 +64,14 @@ def test_the_maximum_is_a_half_width_from_a_singular_end(sharp: Solution) -> Non
     assert between < 0.5 * sharp.centre_pressure.max()
 
 
-def test_a_strength_that_too_few_strips_leave_unknown_is_called_so() -> None:
+def test_a_strength_that_too_few_strips_leave_unknown_is_called_so():
     coarse = solved(nh.Roller(diameter=20, length=20), nh.Plate(), strips=7)
     shown = rows(coarse)
     assert shown["edge at y = 10 mm"] == ("singular", "p ~ K / s^0.226, K unknown")
     assert shown["maximum pressure+"][1] == "away from singular ends"
 
 
-def test_strips_that_end_before_the_contact_are_said_to_cut_it_off() -> None:
+def test_strips_that_end_before_the_contact_are_said_to_cut_it_off():
     cut = solved(nh.Roller(diameter=20, length=20), nh.Plate(), strips=np.linspace(-5.0, 6.0, 45))
     shown = rows(cut)
     value, remark = shown["edge at y = 6 mm"]
@@ -83,14 +81,14 @@ def test_strips_that_end_before_the_contact_are_said_to_cut_it_off() -> None:
     assert shown["maximum pressure"][1] == "cut off by the strips"
 
 
-def test_a_maximum_at_a_corner_of_the_profile_has_no_limit() -> None:
+def test_a_maximum_at_a_corner_of_the_profile_has_no_limit():
     tapered = nh.Roller(diameter=20, length=20, profile=nh.profile.tapered_ends(straight=10, angle=10e-3))
     cornered = solved(tapered, nh.Plate(), load=5e3)
     assert {edge.kind for edge in cornered.edge_pressure} == {nh.EdgeKind.RUN_OUT}
     assert rows(cornered)["maximum pressure"][1] == "no limit, at a corner of the profile"
 
 
-def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident: Solution) -> None:
+def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident):
     shown = rows(coincident)
     for edge in coincident.edge_pressure:
         value, remark = shown[f"edge at y = {edge.y:.5g} mm"]
@@ -100,7 +98,7 @@ def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident: So
     assert "away from the ends" not in shown
 
 
-def test_the_rows_fit_a_narrow_terminal(sharp: Solution, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_rows_fit_a_narrow_terminal(sharp, capsys):
     print_result("sharp", sections(sharp), verdict=of_contact(sharp), warnings=sharp.warnings, piped=None)
     lines = [line.rstrip() for line in capsys.readouterr().out.splitlines() if not line.startswith("warning")]
     # A row that is broken begins with the remark's column.

@@ -1,7 +1,5 @@
 """``nonhertz sweep``: what people type, and what survives a crash."""
 
-from __future__ import annotations
-
 import json
 import os
 import random
@@ -9,7 +7,6 @@ import sqlite3
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -19,7 +16,7 @@ from nonhertz.cli import main
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch) -> Path:
+def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")
     return tmp_path
@@ -104,7 +101,7 @@ def changed(file: Path) -> int:
 
 
 @pytest.fixture(scope="module")
-def whole(tmp_path_factory) -> bytes:
+def whole(tmp_path_factory):
     """Give the rows of a sweep that nothing disturbs."""
     folder = tmp_path_factory.mktemp("whole")
     (folder / "roller.toml").write_text(CASE, encoding="utf-8")
@@ -135,7 +132,7 @@ def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder, whole):
 
 
 @pytest.fixture
-def cluster() -> Iterator[tuple[str, list[subprocess.Popen[bytes]]]]:
+def cluster():
     """Give the address of a scheduler and two workers, in processes of their own."""
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "env": os.environ | {"OMP_NUM_THREADS": "1"}}
     words = ["distributed.cli.dask_scheduler", "--port", "0", "--host", "127.0.0.1", "--no-dashboard"]

@@ -1,9 +1,6 @@
 """``nonhertz tolerance``: what people type."""
 
-from __future__ import annotations
-
 import json
-from pathlib import Path
 
 import pytest
 from crowned_roller import CASE
@@ -22,7 +19,7 @@ count = 80
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch) -> Path:
+def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")
     (tmp_path / "plan.toml").write_text(PLAN, encoding="utf-8")

@@ -1,7 +1,5 @@
 """What the page makes of a long measured file before its steps."""
 
-from __future__ import annotations
-
 import json
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Results in US units: numbers converted, words as they were, figures with ticks that are round; files stay in SI."""
 
-from __future__ import annotations
-
 import html
 import math
 import re
@@ -101,9 +99,7 @@ EXTREMES, EXPOSURE = once(nh.subsurface.extremes), once(nh.life.exposure)
 
 
 @pytest.fixture(name="printed")
-def printed_to(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> Callable[..., str]:
+def printed_to(capsys, monkeypatch, tmp_path):
     """Return what a command prints, on lines as long as need be: otherwise cells would break in different places."""
 
     def wide(**how: Any) -> Console:
@@ -168,7 +164,7 @@ def report_text(*words: str) -> str:
      ["roller-15x20", "measured-roller"], ["nu206", "nu206-mounted"]],
     ids=" ".join,
 )  # fmt: skip
-def test_every_unit_of_reports_is_converted_with_its_numbers(names: list[str], printed: Callable[..., str]) -> None:
+def test_every_unit_of_reports_is_converted_with_its_numbers(names, printed):
     names = [str(EXAMPLES / f"{each}.toml") if not each.startswith("-") else each for each in names]
     said, read = report_text(*names), report_text(*names, "--units", "us")
     compare_words(said, read)
@@ -177,9 +173,7 @@ def test_every_unit_of_reports_is_converted_with_its_numbers(names: list[str], p
 
 @pytest.mark.slow
 @pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
-def test_every_unit_of_the_examples_is_converted_with_its_numbers(
-    words: list[str], printed: Callable[..., str]
-) -> None:
+def test_every_unit_of_the_examples_is_converted_with_its_numbers(words, printed):
     words = [str(EXAMPLES / f"{each}.toml") if (EXAMPLES / f"{each}.toml").exists() else each for each in words]
     said, read = printed(*words), printed(*words, "--units", "us")
     compare_words(said, read)
@@ -187,7 +181,7 @@ def test_every_unit_of_the_examples_is_converted_with_its_numbers(
 
 
 @pytest.mark.slow
-def test_json_and_files_never_change_units(printed: Callable[..., str]) -> None:
+def test_json_and_files_never_change_units(printed):
     case = str(EXAMPLES / "roller-15x20.toml")
     assert printed("solve", case, "--json", "--units", "us") == printed("solve", case, "--json")
     printed("solve", case, "--out", "si")
@@ -234,7 +228,7 @@ def sections_in(units: str, made: Callable[[], list[Section]]) -> list[Section]:
 
 
 @pytest.mark.slow
-def test_columns_are_converted_with_their_heads() -> None:
+def test_columns_are_converted_with_their_heads():
     contact, nu206 = solved(read_case(CASE)), read_bearing(EXAMPLES / "nu206.toml")
     strips, slices = nu206.solve("strips"), nu206.solve("slices")
     largest, text = largest_stresses(contact), CASE.read_text(encoding="utf-8")
@@ -296,12 +290,12 @@ def figures_in(units: str) -> dict[str, Figure]:
 
 
 @pytest.fixture(scope="module", name="figures")
-def figures_once() -> dict[str, Figure]:
+def figures_once():
     return figures_in("us")
 
 
 @pytest.fixture(scope="module", name="usual")
-def usual_once() -> dict[str, Figure]:
+def usual_once():
     return figures_in("si")
 
 
@@ -313,7 +307,7 @@ def usual_once() -> dict[str, Figure]:
         *("bearing-pressure", "bearing-roller", "bearing-displacement"),
     ],
 )
-def test_ticks_are_round_and_where_they_say(figures: dict[str, Figure], usual: dict[str, Figure], name: str) -> None:
+def test_ticks_are_round_and_where_they_say(figures, usual, name):
     found = ticks(figures[name])
     assert len(found) >= 2
     for (label, places), (_, before) in zip(found, ticks(usual[name]), strict=True):
@@ -327,7 +321,7 @@ def test_ticks_are_round_and_where_they_say(figures: dict[str, Figure], usual: d
 
 
 @pytest.mark.slow
-def test_what_is_drawn_is_what_is_drawn_in_si_units(figures: dict[str, Figure], usual: dict[str, Figure]) -> None:
+def test_what_is_drawn_is_what_is_drawn_in_si_units(figures, usual):
     compared = 0
     for name, figure in figures.items():
         for axes, before in zip(figure.axes, usual[name].axes, strict=True):
@@ -349,7 +343,7 @@ def test_what_is_drawn_is_what_is_drawn_in_si_units(figures: dict[str, Figure], 
 
 
 @pytest.mark.slow
-def test_no_unit_of_a_figure_is_left(figures: dict[str, Figure]) -> None:
+def test_no_unit_of_a_figure_is_left(figures):
     for name, figure in figures.items():
         for text in figure.findobj(Text):
             assert not re.search(r"(?<![\w/])(mm|um|µm|MPa|kN|N)(?![\w])", text.get_text()), (name, text.get_text())
@@ -359,7 +353,7 @@ def test_no_unit_of_a_figure_is_left(figures: dict[str, Figure]) -> None:
 
 
 @pytest.mark.slow
-def test_figures_of_files_stay_in_si(tmp_path: Path) -> None:
+def test_figures_of_files_stay_in_si(tmp_path):
     for units in ("si", "us"):
         assert main(["stress", str(CASE), "--out", str(tmp_path / units), "--units", units]) == 0
     for path in (tmp_path / "si").iterdir():
@@ -367,7 +361,7 @@ def test_figures_of_files_stay_in_si(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_files_in_a_report_stay_in_si() -> None:
+def test_the_files_in_a_report_stay_in_si():
     def files(page: str) -> list[str]:
         return re.findall(r'<ul class="files">.*?</details>', page, re.DOTALL)
 
@@ -379,7 +373,7 @@ def test_the_files_in_a_report_stay_in_si() -> None:
 
 
 @pytest.mark.slow
-def test_what_the_user_wrote_stays(tmp_path: Path) -> None:
+def test_what_the_user_wrote_stays(tmp_path):
     text = CASE.read_text(encoding="utf-8").replace("Roller 15 x 20 on a ring of 80", "Roller 20 mm, 5 kN")
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
     case = read_case(tmp_path / "case.toml")

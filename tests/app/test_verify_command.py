@@ -1,7 +1,5 @@
 """``nonhertz verify`` as a user meets it: tables, page, JSON, exit codes."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path
@@ -17,7 +15,7 @@ TEXTS = {"validation.md", "verify.json"}
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
@@ -28,7 +26,7 @@ def let_it_fail(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
-def test_a_section_is_printed_and_written(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_section_is_printed_and_written(capsys):
     assert main(["verify", "--only", "half-space", "--out", "new/page"]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
@@ -49,9 +47,7 @@ def test_a_section_is_printed_and_written(capsys: pytest.CaptureFixture[str]) ->
     assert "`nonhertz verify --out DIR --only half-space`" in page
 
 
-def test_a_failed_check_is_told_by_the_exit_code(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_failed_check_is_told_by_the_exit_code(capsys, monkeypatch):
     let_it_fail(monkeypatch)
     assert main(["verify", "--only", "half-space", "--out", "page"]) == 1
     lines = capsys.readouterr().out.splitlines()
@@ -62,7 +58,7 @@ def test_a_failed_check_is_told_by_the_exit_code(
     assert main(["verify", "--only", "half-space", "--json"]) == 1
 
 
-def test_the_documentation_lists_every_section() -> None:
+def test_the_documentation_lists_every_section():
     page = Path(__file__).parents[2] / "docs" / "reference" / "command-line.md"
     text = page.read_text(encoding="utf-8")
     assert all(f"`{name}`" in text for name in CATALOGUE)

@@ -1,7 +1,5 @@
 """The bearing page: its numbers are those of the solver, its mistakes those of the command line, its limits hold."""
 
-from __future__ import annotations
-
 import copy
 import json
 import random
@@ -302,7 +300,7 @@ def test_no_file_is_read(tmp_path, monkeypatch):
 
 
 @pytest.fixture(scope="module")
-def page() -> Iterator[httpx.Client]:
+def page():
     with (
         running(FEW, text=FEW_TEXT) as port,
         httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=workers.WARM_UP_SECONDS) as made,

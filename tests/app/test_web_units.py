@@ -1,7 +1,5 @@
 """The page in US units: the same numbers, sentences and fields in those, files as they are."""
 
-from __future__ import annotations
-
 import copy
 import json
 import re

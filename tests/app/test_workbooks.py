@@ -1,7 +1,5 @@
 """Tables as Excel workbooks, read back by openpyxl."""
 
-from __future__ import annotations
-
 import builtins
 import csv
 import io
@@ -32,12 +30,12 @@ def sheets(path: Path) -> dict[str, list[tuple[Any, ...]]]:
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
 
-def test_cases_are_rows_of_numbers_and_inputs_a_second_sheet(capsys: pytest.CaptureFixture[str]) -> None:
+def test_cases_are_rows_of_numbers_and_inputs_a_second_sheet(capsys):
     assert main(["solve", *CASES, "missing.toml", "--set", "load.tilt=0.4 mrad", "--out", "r.xlsx"]) == 2
     assert "wrote r.xlsx" in capsys.readouterr().out
     assert [path.name for path in Path().iterdir()] == ["r.xlsx"]
@@ -57,7 +55,7 @@ def test_cases_are_rows_of_numbers_and_inputs_a_second_sheet(capsys: pytest.Capt
     assert inputs[CASES[0], "body.a.profile[1].radius"] == 4000.0
 
 
-def test_one_case_makes_a_table_too_and_csv_has_the_same() -> None:
+def test_one_case_makes_a_table_too_and_csv_has_the_same():
     assert main(["solve", CASES[0], "--out", "one.xlsx"]) == 0
     assert main(["solve", CASES[0], "--out", "one.csv"]) == 0
     assert len(sheets(Path("one.xlsx"))["cases"]) == 2
@@ -68,7 +66,7 @@ def test_one_case_makes_a_table_too_and_csv_has_the_same() -> None:
 
 
 @pytest.mark.slow
-def test_rows_of_a_sweep(capsys: pytest.CaptureFixture[str]) -> None:
+def test_rows_of_a_sweep(capsys):
     words = ["sweep", CASES[0], "--over", "load.load=5kN:20kN:4", "--excel", "--out", "found"]
     assert main(words) == 0
     assert str(Path("found", "rows.xlsx")) in capsys.readouterr().out
@@ -81,7 +79,7 @@ def test_rows_of_a_sweep(capsys: pytest.CaptureFixture[str]) -> None:
     assert "body.a.diameter" in {path for _, path, _ in found["inputs"]}
 
 
-def test_text_is_text_and_what_is_not_finite_is_empty() -> None:
+def test_text_is_text_and_what_is_not_finite_is_empty():
     write_workbook(Path("t.xlsx"), {"s": (("=1+1", "b"), [["=2*3", 1.5], [math.nan, math.inf], [None, 7]])})
     book = openpyxl.load_workbook("t.xlsx")
     assert [cell.data_type for cell in book["s"]["A"]] == ["s", "s", "n", "n"]
@@ -90,15 +88,13 @@ def test_text_is_text_and_what_is_not_finite_is_empty() -> None:
     book.close()
 
 
-def test_more_rows_than_a_sheet_holds_are_refused() -> None:
+def test_more_rows_than_a_sheet_holds_are_refused():
     refuse_too_many("excel", MOST_ROWS - 1)
     with pytest.raises(InputError, match="at most 1,048,575 rows"):
         refuse_too_many("excel", MOST_ROWS)
 
 
-def test_without_openpyxl_the_way_out_is_said_before_the_work(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_without_openpyxl_the_way_out_is_said_before_the_work(monkeypatch, capsys):
     whole = builtins.__import__
 
     def without(name: str, *rest: Any, **more: Any) -> Any:

@@ -1,7 +1,5 @@
 """The page in a real browser: one server and one browser for all tests, a fresh page for each."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil
@@ -36,7 +34,7 @@ def executable(engine: str) -> str | None:
 
 
 @pytest.fixture(scope="session")
-def browser() -> Iterator[Any]:
+def browser():
     """A headless browser, NONHERTZ_ENGINE; tests are skipped without one, unless NONHERTZ_BROWSER is "required"."""
     engine = os.environ.get("NONHERTZ_ENGINE", "chromium")
     path = executable(engine)
@@ -60,7 +58,7 @@ def browser() -> Iterator[Any]:
 
 
 @pytest.fixture(scope="session")
-def address() -> Iterator[str]:
+def address():
     """The address of a page that the command line serves."""
     yield from served()
 
@@ -100,7 +98,7 @@ def context_of(browser: Any, **options: Any) -> Any:
 
 
 @pytest.fixture(scope="session")
-def usual(browser: Any) -> Iterator[Any]:
+def usual(browser):
     """The context of most pages, which compiles the page's programs once for all of them."""
     context = context_of(browser)
     yield context
@@ -108,7 +106,7 @@ def usual(browser: Any) -> Iterator[Any]:
 
 
 @pytest.fixture
-def open_desk(browser: Any, usual: Any, address: str) -> Iterator[Any]:
+def open_desk(browser, usual, address):
     """Open pages that must make no complaint in the console and ask no other machine for anything."""
     yield from desks(browser, usual, address)
 
@@ -140,7 +138,7 @@ def desks(browser: Any, usual: Any, address: str) -> Iterator[Any]:
 
 
 @pytest.fixture
-def desk(open_desk: Any) -> Desk:
+def desk(open_desk):
     return open_desk()
 
 

@@ -1,7 +1,5 @@
 """The page as whoever works at it sees it."""
 
-from __future__ import annotations
-
 import base64
 import json
 import re

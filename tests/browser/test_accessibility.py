@@ -1,7 +1,5 @@
 """axe finds nothing to complain of, in any state of the page."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 
@@ -63,12 +61,12 @@ STATES: dict[str, Callable[[Desk], Any]] = {
 
 
 @pytest.mark.parametrize("state", STATES)
-def test_of_a_contact(desk: Desk, state: str) -> None:
+def test_of_a_contact(desk, state):
     STATES[state](desk)
     assert violations(desk) == []
 
 
-def test_of_a_contact_on_a_phone(open_desk: Any) -> None:
+def test_of_a_contact_on_a_phone(open_desk):
     desk = open_desk(viewport={"width": 390, "height": 844})
     assert violations(desk) == []
     desk.page.locator("#editor > summary").click()
@@ -76,7 +74,7 @@ def test_of_a_contact_on_a_phone(open_desk: Any) -> None:
 
 
 @pytest.mark.parametrize("width", [1400, 390])
-def test_of_a_bearing(open_desk: Any, width: int) -> None:
+def test_of_a_bearing(open_desk, width):
     desk = open_desk("bearing", viewport={"width": width, "height": 900})
     assert violations(desk) == []
     desk.page.locator("#theme").click()

@@ -1,12 +1,9 @@
 """The bearing page at work: dragged, clicked and typed into."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys
 import tomllib
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -25,19 +22,19 @@ SAME = 1e-9  # the same solve of the same numbers, through JSON or TOML, which k
 
 
 @pytest.fixture(scope="module")
-def bearing_address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+def bearing_address(tmp_path_factory):
     path = tmp_path_factory.mktemp("bearing") / "six.toml"
     path.write_text(FEW, encoding="utf-8")
     yield from served(str(path))
 
 
 @pytest.fixture
-def open_bearing(browser: Any, usual: Any, bearing_address: str) -> Iterator[Any]:
+def open_bearing(browser, usual, bearing_address):
     yield from desks(browser, usual, bearing_address)
 
 
 @pytest.fixture
-def bearing(open_bearing: Any) -> Desk:
+def bearing(open_bearing):
     return open_bearing()
 
 
@@ -64,7 +61,7 @@ def bar(desk: Desk, roller: int, ring: str) -> str:
     return shape
 
 
-def test_it_shows_what_the_command_line_says(bearing: Desk, tmp_path: Path) -> None:
+def test_it_shows_what_the_command_line_says(bearing, tmp_path):
     found, shown = by_command(FEW, tmp_path), bearing.numbers
     assert method_of(bearing) == "by strips"
     assert_allclose(shown["Largest load of a roller"], max(map(max, found["load"])), rtol=SAME)
@@ -75,7 +72,7 @@ def test_it_shows_what_the_command_line_says(bearing: Desk, tmp_path: Path) -> N
     bearing.photograph("bearing")
 
 
-def test_dragging_redraws_by_slices_and_strips_follow(bearing: Desk) -> None:
+def test_dragging_redraws_by_slices_and_strips_follow(bearing):
     slider = bearing.slider("load.radial")
     box = slider.bounding_box()
     across = lambda share: box["x"] + (0.05 + 0.9 * share) * box["width"]  # noqa: E731
@@ -108,7 +105,7 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing: Desk) -> None:
     assert bearing.round_trips()
 
 
-def test_a_clicked_roller_is_drawn(bearing: Desk) -> None:
+def test_a_clicked_roller_is_drawn(bearing):
     name = bearing.page.locator("#roller-name")
     assert name.inner_text() == "Roller 0 at 0.0°, the most loaded"
     pressure = bearing.page.locator('[data-figure="pressure"] svg').first
@@ -126,7 +123,7 @@ def test_a_clicked_roller_is_drawn(bearing: Desk) -> None:
     assert name.inner_text() == "Roller 0 at 0.0°, the most loaded"
 
 
-def test_mistakes_are_at_their_fields_and_in_the_list(bearing: Desk) -> None:
+def test_mistakes_are_at_their_fields_and_in_the_list(bearing):
     bearing.write("bearing.clearance", "12 kg")
     (sentence,) = bearing.mistakes
     assert "must have a unit of length" in sentence
@@ -143,7 +140,7 @@ def opened(desk: Desk, text: str) -> None:
     desk.wait_for_answer(before)
 
 
-def test_a_file_is_read_with_all_its_mistakes(bearing: Desk) -> None:
+def test_a_file_is_read_with_all_its_mistakes(bearing):
     opened(bearing, FEW.replace("rollers = 6", "rollers = 0").replace("37.5", '"x"'))
     assert len(bearing.mistakes) == 2
     right = FEW.replace("rollers = 6", "rollers = 8").replace("tilt =", "# tilt =")
@@ -154,7 +151,7 @@ def test_a_file_is_read_with_all_its_mistakes(bearing: Desk) -> None:
     assert text_of(bearing) == right
 
 
-def test_the_downloaded_file_is_the_bearing_as_changed(bearing: Desk) -> None:
+def test_the_downloaded_file_is_the_bearing_as_changed(bearing):
     bearing.write("roller.profile.drop", "45 um")
     document = tomllib.loads(bearing.download("bearing.toml").decode())
     assert document["roller"]["profile"] == {"kind": "crown", "drop": "45 um"}
@@ -163,7 +160,7 @@ def test_the_downloaded_file_is_the_bearing_as_changed(bearing: Desk) -> None:
     assert b"six" in bearing.download("report.html")
 
 
-def test_another_kind_is_made_on_the_page_alone(bearing: Desk) -> None:
+def test_another_kind_is_made_on_the_page_alone(bearing):
     before = bearing.answers
     bearing.field("bearing.kind").select_option("thrust")
     bearing.wait_for_answer(before)
@@ -175,7 +172,7 @@ def test_another_kind_is_made_on_the_page_alone(bearing: Desk) -> None:
     bearing.slider("load.axial").wait_for()  # such a bearing bears axial loads
 
 
-def test_points_are_dropped_on_a_ring(bearing: Desk) -> None:
+def test_points_are_dropped_on_a_ring(bearing):
     before = bearing.answers
     bearing.page.locator('[data-additions="inner.profile"]').select_option("tabulated")
     bearing.page.locator('[data-action="add"][data-path="inner.profile"]').click()
@@ -189,7 +186,7 @@ def test_points_are_dropped_on_a_ring(bearing: Desk) -> None:
     assert bearing.page.locator("#measured-title").inner_text() == "Measured profile for outer ring"
 
 
-def test_it_can_be_reached_from_the_contact_and_back(bearing: Desk) -> None:
+def test_it_can_be_reached_from_the_contact_and_back(bearing):
     bearing.page.get_by_role("link", name="Single contact").click()
     bearing.page.locator('[name="body.a.diameter"]').wait_for()
     bearing.settle()
@@ -198,7 +195,7 @@ def test_it_can_be_reached_from_the_contact_and_back(bearing: Desk) -> None:
     bearing.settle()
 
 
-def test_a_template_is_where_to_start_from(bearing: Desk) -> None:
+def test_a_template_is_where_to_start_from(bearing):
     bearing.page.locator("#templates summary").click()
     bearing.press('[data-template="needle"]')
     assert text_of(bearing) == starting_bearing("needle"), "with its comments"
@@ -209,7 +206,7 @@ def test_a_template_is_where_to_start_from(bearing: Desk) -> None:
     assert bearing.page.locator("h1").inner_text() == "six"
 
 
-def test_a_contact_is_opened_on_the_page_of_contacts(bearing: Desk) -> None:
+def test_a_contact_is_opened_on_the_page_of_contacts(bearing):
     bearing.page.locator('[data-roller="1"]').click()
     loads = bearing.page.locator('[data-roller="1"]').get_attribute("aria-label")
     bearing.page.locator('[data-contact="outer"]').click()

@@ -1,7 +1,5 @@
 """The parameter curve: drawn while it is worked out, and kept while the slider is dragged."""
 
-from __future__ import annotations
-
 import re
 
 import pytest
@@ -22,7 +20,7 @@ def words(desk: Desk) -> str:
     return desk.page.locator('[data-figure="curve"] svg[role=img]').get_attribute("aria-label")
 
 
-def test_a_slider_becomes_a_curve(desk: Desk) -> None:
+def test_a_slider_becomes_a_curve(desk):
     desk.settle()
     assert desk.page.locator("#curve-choices").is_hidden()
     desk.page.locator("#curve-on").check()
@@ -37,7 +35,7 @@ def test_a_slider_becomes_a_curve(desk: Desk) -> None:
     desk.photograph("curve", whole=True)
 
 
-def test_while_its_slider_is_dragged_the_curve_stays_and_the_mark_moves(desk: Desk) -> None:
+def test_while_its_slider_is_dragged_the_curve_stays_and_the_mark_moves(desk):
     desk.settle()
     desk.page.locator("#curve-on").check()
     drawn(desk)
@@ -54,7 +52,7 @@ def test_while_its_slider_is_dragged_the_curve_stays_and_the_mark_moves(desk: De
     assert [url for url in asked if url.endswith("/curve")]
 
 
-def test_another_slider_that_is_dragged_is_the_next_curve(desk: Desk) -> None:
+def test_another_slider_that_is_dragged_is_the_next_curve(desk):
     desk.settle()
     desk.page.locator("#curve-on").check()
     drawn(desk)
@@ -64,7 +62,7 @@ def test_another_slider_that_is_dragged_is_the_next_curve(desk: Desk) -> None:
     assert "over tilt" in words(desk)
 
 
-def test_values_without_a_solution_are_told(desk: Desk) -> None:
+def test_values_without_a_solution_are_told(desk):
     desk.settle()
     desk.page.locator("#curve-on").check()
     drawn(desk)

@@ -1,7 +1,5 @@
 """Typing, dragging, choosing: the result follows, and is what `nonhertz.solve` gives."""
 
-from __future__ import annotations
-
 import re
 import statistics
 import tomllib
@@ -36,7 +34,7 @@ def assert_shows(desk: Desk, solution: nh.Solution) -> None:
     assert_allclose(shown["Half-width"], solution.half_width.max(), rtol=SAME)
 
 
-def test_a_number_that_is_typed_changes_the_result(desk: Desk) -> None:
+def test_a_number_that_is_typed_changes_the_result(desk):
     assert_shows(desk, solution_of())
     before = desk.page.locator('[data-figure="pressure"] svg').inner_html()
     desk.write("load.load", "26500")
@@ -49,7 +47,7 @@ def test_a_number_that_is_typed_changes_the_result(desk: Desk) -> None:
     assert "approach" in spoken.inner_text()
 
 
-def test_dragging_a_slider_shows_results_on_the_way_and_ends_with_the_last(desk: Desk) -> None:
+def test_dragging_a_slider_shows_results_on_the_way_and_ends_with_the_last(desk):
     slider = desk.slider("load.load")
     box = slider.bounding_box()
     before, trips = desk.answers, len(desk.round_trips())
@@ -77,7 +75,7 @@ def places(desk: Desk) -> list[list[float]]:
 
 
 @pytest.mark.parametrize("width", [1400, 390])
-def test_a_notice_that_comes_or_goes_moves_nothing(open_desk: Any, width: int) -> None:
+def test_a_notice_that_comes_or_goes_moves_nothing(open_desk, width):
     desk = open_desk(viewport={"width": width, "height": 844})
     without = places(desk)
     desk.page.route("**/status", lambda route: route.fulfill(json={"ready": False, "compiling": True}))
@@ -101,7 +99,7 @@ def middle_of(handle: Any) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("units", ["SI", "US"])
-def test_a_body_is_tilted_by_the_ends_of_its_surface(desk: Desk, units: str) -> None:
+def test_a_body_is_tilted_by_the_ends_of_its_surface(desk, units):
     if units == "US":
         desk.press("#units")
     before = desk.value("load.tilt")
@@ -129,7 +127,7 @@ def test_a_body_is_tilted_by_the_ends_of_its_surface(desk: Desk, units: str) -> 
         assert_allclose(desk.value("load.tilt"), before, rtol=SAME)
 
 
-def test_a_finger_tilts_a_body(open_desk: Any) -> None:
+def test_a_finger_tilts_a_body(open_desk):
     desk = open_desk(viewport={"width": 390, "height": 844}, has_touch=True)
     if desk.is_firefox:
         pytest.skip("playwright moves no finger in Firefox")
@@ -149,7 +147,7 @@ def test_a_finger_tilts_a_body(open_desk: Any) -> None:
     assert_shows(desk, solution_of(tilt=desk.value("load.tilt")))
 
 
-def test_a_table_that_holds_nothing_any_more_is_left_out(desk: Desk) -> None:
+def test_a_table_that_holds_nothing_any_more_is_left_out(desk):
     desk.page.locator("details[data-details=''] > summary").click()
     desk.write("report.author", "A. Author")
     assert b"[report]" in desk.download("case.toml")
@@ -157,7 +155,7 @@ def test_a_table_that_holds_nothing_any_more_is_left_out(desk: Desk) -> None:
     assert b"[report]" not in desk.download("case.toml")
 
 
-def test_arrow_keys_move_a_slider(desk: Desk) -> None:
+def test_arrow_keys_move_a_slider(desk):
     slider = desk.slider("load.tilt")
     slider.focus()
     before = desk.answers
@@ -168,7 +166,7 @@ def test_arrow_keys_move_a_slider(desk: Desk) -> None:
     assert_shows(desk, solution_of(tilt=tilt))
 
 
-def test_a_template_is_where_to_start_from(desk: Desk) -> None:
+def test_a_template_is_where_to_start_from(desk):
     desk.page.locator("#templates summary").click()
     desk.press('[data-template="needle"]')
     assert desk.page.locator("h1").inner_text() == "Needle 3 x 15.8 on a shaft of 25"
@@ -178,7 +176,7 @@ def test_a_template_is_where_to_start_from(desk: Desk) -> None:
     assert_shows(desk, solution_of())
 
 
-def test_what_was_drawn_goes_when_another_case_is_begun_and_comes_with_its_answer(desk: Desk) -> None:
+def test_what_was_drawn_goes_when_another_case_is_begun_and_comes_with_its_answer(desk):
     held: list[Any] = []
 
     def hold(route: Any) -> None:
@@ -197,7 +195,7 @@ def test_what_was_drawn_goes_when_another_case_is_begun_and_comes_with_its_answe
     desk.settle()
 
 
-def test_a_sketch_shows_what_is_pressed_on_what_and_marks_what_is_changed(desk: Desk) -> None:
+def test_a_sketch_shows_what_is_pressed_on_what_and_marks_what_is_changed(desk):
     sketch, marked = desk.page.locator("#sketch > svg"), desk.page.locator("#sketch .changed")
     bodies = "body a, diameter 20.00 mm, 20.00 mm long pressed on body b, flat"
     assert sketch.get_attribute("aria-label") == f"At scale: {bodies}."
@@ -219,7 +217,7 @@ def test_a_sketch_shows_what_is_pressed_on_what_and_marks_what_is_changed(desk: 
     desk.photograph("sketch")
 
 
-def test_a_slow_answer_is_waited_for_and_given_up(desk: Desk) -> None:
+def test_a_slow_answer_is_waited_for_and_given_up(desk):
     before = desk.numbers
     desk.page.route("**/solve", lambda route: None, times=1)
     desk.type(desk.field("load.load"), "25 kN")
@@ -234,7 +232,7 @@ def test_a_slow_answer_is_waited_for_and_given_up(desk: Desk) -> None:
     assert_shows(desk, solution_of(load=26000.0))
 
 
-def test_what_is_written_with_a_unit_is_taken_apart_when_the_field_is_left(desk: Desk) -> None:
+def test_what_is_written_with_a_unit_is_taken_apart_when_the_field_is_left(desk):
     desk.write("load.load", "4.2 kN")
     assert desk.field("load.load").input_value() == "4.2 kN"  # while it is being written
     desk.field("load.load").press("Tab")
@@ -250,7 +248,7 @@ def test_what_is_written_with_a_unit_is_taken_apart_when_the_field_is_left(desk:
     assert "force" in " ".join(desk.mistakes)
 
 
-def test_another_unit_shows_the_same_value(desk: Desk) -> None:
+def test_another_unit_shows_the_same_value(desk):
     before = desk.numbers
     for path, unit, number in (
         *(("load.load", "lbf", 4496.17886), ("load.load", "N", 20000.0), ("load.tilt", "arcmin", 1.71887339)),
@@ -264,7 +262,7 @@ def test_another_unit_shows_the_same_value(desk: Desk) -> None:
             assert_allclose(desk.numbers[name], value, rtol=1e-6)
 
 
-def test_profiles_are_added_removed_and_changed(desk: Desk) -> None:
+def test_profiles_are_added_removed_and_changed(desk):
     profiles = desk.page.locator('fieldset[data-group^="body.a.profile["]')
     pressure = desk.numbers["Largest pressure"]
     desk.page.locator('[data-additions="body.a.profile"]').select_option("crown")
@@ -285,7 +283,7 @@ def test_profiles_are_added_removed_and_changed(desk: Desk) -> None:
     assert_allclose(desk.numbers["Largest pressure"], pressure, rtol=SAME)
 
 
-def test_undo_and_redo(desk: Desk) -> None:
+def test_undo_and_redo(desk):
     first = desk.numbers["Largest pressure"]
     desk.write("load.load", "30000")
     desk.page.locator("#undo:enabled").wait_for()
@@ -299,7 +297,7 @@ def test_undo_and_redo(desk: Desk) -> None:
     assert_allclose(desk.numbers["Largest pressure"], second, rtol=SAME)
 
 
-def test_an_edit_while_an_undo_waits_is_kept(desk: Desk) -> None:
+def test_an_edit_while_an_undo_waits_is_kept(desk):
     tilt = desk.value("load.tilt")
     desk.write("load.tilt", "0.0001")
     desk.page.locator("#undo:enabled").wait_for()
@@ -320,7 +318,7 @@ def test_an_edit_while_an_undo_waits_is_kept(desk: Desk) -> None:
     assert_shows(desk, solution_of(tilt=tilt))
 
 
-def test_stress_of_either_body_or_none(desk: Desk) -> None:
+def test_stress_of_either_body_or_none(desk):
     of_a = desk.numbers["von Mises stress"]
     section = desk.page.locator('[data-figure="section"]')
     assert (
@@ -338,7 +336,7 @@ def test_stress_of_either_body_or_none(desk: Desk) -> None:
     assert desk.page.locator('[data-key="von Mises stress"] .value').inner_text() == "–"
 
 
-def test_what_a_body_bears_is_said_when_the_slider_rests(open_desk: Any) -> None:
+def test_what_a_body_bears_is_said_when_the_slider_rests(open_desk):
     document = tomllib.loads(starting_case())
     steel = {"modulus": 207000, "poisson": 0.3, "yield_strength": 1100, "pressure_limit": 4000}
     document["body"]["a"]["material"] = steel
@@ -366,7 +364,7 @@ def test_what_a_body_bears_is_said_when_the_slider_rests(open_desk: Any) -> None
     assert not desk.page.locator("#strength").is_visible()
 
 
-def test_a_table_is_pasted_into_the_points_of_a_profile(desk: Desk) -> None:
+def test_a_table_is_pasted_into_the_points_of_a_profile(desk):
     desk.page.locator('[data-additions="body.a.profile"]').select_option("tabulated")
     desk.press('button[data-action="add"][data-path="body.a.profile"]')
     assert desk.field("body.a.profile[2].file").count() == 0
@@ -387,7 +385,7 @@ def test_a_table_is_pasted_into_the_points_of_a_profile(desk: Desk) -> None:
     assert desk.field("body.a.profile[2].relief").input_value() == "0.02 0 0.02"
 
 
-def test_a_file_of_points_is_dropped_on_a_profile(desk: Desk) -> None:
+def test_a_file_of_points_is_dropped_on_a_profile(desk):
     desk.page.locator('[data-additions="body.a.profile"]').select_option("tabulated")
     desk.press('button[data-action="add"][data-path="body.a.profile"]')
     card, before = 'fieldset[data-group="body.a.profile[2]"]', desk.answers
@@ -407,7 +405,7 @@ def test_a_file_of_points_is_dropped_on_a_profile(desk: Desk) -> None:
     assert any("body.a.profile[2]" in each for each in desk.mistakes)
 
 
-def test_what_would_take_a_file_is_outlined(desk: Desk) -> None:
+def test_what_would_take_a_file_is_outlined(desk):
     outlined = desk.page.locator(".drop-target")
     for over, target in (("#results", "body"), ('[data-path="body.a.diameter"]', '[data-group="body.a"]')):
         desk.page.locator(over).first.evaluate(
@@ -424,7 +422,7 @@ def test_what_would_take_a_file_is_outlined(desk: Desk) -> None:
 
 
 @pytest.mark.parametrize("kind", ["SVG", "PNG"])
-def test_every_figure_is_saved(desk: Desk, tmp_path: Path, kind: str) -> None:
+def test_every_figure_is_saved(desk, tmp_path, kind):
     desk.settle()
     figures = desk.page.locator(f'figure .savers button:has-text("{kind}")')
     assert figures.count() == 6

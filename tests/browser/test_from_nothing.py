@@ -1,9 +1,5 @@
 """A bearing made on the page alone: by keyboard, and with a finger on a phone."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import pytest
 from conftest import STARTING
 from desk import Desk
@@ -35,7 +31,7 @@ def assert_bears(desk: Desk, rollers: int) -> None:
     assert desk.page.locator("#rollers tbody tr").count() == rollers
 
 
-def test_by_keyboard_alone(desk: Desk) -> None:
+def test_by_keyboard_alone(desk):
     keys = desk.page.keyboard
     tab_to(desk, "a.other")
     keys.press("Enter")
@@ -66,7 +62,7 @@ def test_by_keyboard_alone(desk: Desk) -> None:
     assert desk.shown("load.axial") != "15 kN"
 
 
-def test_with_a_finger(open_desk: Any) -> None:
+def test_with_a_finger(open_desk):
     desk = open_desk(viewport={"width": WIDTH, "height": 844}, has_touch=True)
     tap = lambda selector: desk.page.locator(selector).tap()  # noqa: E731
     tap("a.other")

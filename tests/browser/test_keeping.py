@@ -1,16 +1,12 @@
 """Pinning, links, files: what is on the page can be kept, compared and carried elsewhere."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys
 import tomllib
-from pathlib import Path
-from typing import Any
 
 import pytest
-from desk import Desk, packed, unpacked
+from desk import packed, unpacked
 from numpy.testing import assert_allclose
 
 from nonhertz.files.casefile import starting_case
@@ -20,7 +16,7 @@ pytestmark = pytest.mark.browser
 SAME = 1e-9  # the same solve of the same numbers, through JSON or TOML, which keep all digits
 
 
-def test_a_pinned_case_stays_beside_the_next(desk: Desk) -> None:
+def test_a_pinned_case_stays_beside_the_next(desk):
     pinned = desk.numbers
     desk.page.locator("#pin").click()
     assert desk.page.locator("#pin").get_attribute("aria-pressed") == "true"
@@ -42,7 +38,7 @@ def test_a_pinned_case_stays_beside_the_next(desk: Desk) -> None:
     assert desk.page.locator(".pinned-number").count() == 0
 
 
-def test_a_link_brings_the_case_and_the_pinned_one(desk: Desk, open_desk: Any) -> None:
+def test_a_link_brings_the_case_and_the_pinned_one(desk, open_desk):
     desk.page.locator("#pin").click()
     desk.write("load.load", "31 kN")
     desk.write("body.a.profile[1].amplitude", "6 um")
@@ -59,7 +55,7 @@ def test_a_link_brings_the_case_and_the_pinned_one(desk: Desk, open_desk: Any) -
     assert document["body"]["b"] == tomllib.loads(starting_case())["body"]["b"]
 
 
-def test_going_back_loses_no_work(desk: Desk) -> None:
+def test_going_back_loses_no_work(desk):
     desk.write("load.load", "31 kN")
     desk.page.wait_for_url(lambda url: "#c=" in url)
     before = desk.numbers
@@ -71,13 +67,13 @@ def test_going_back_loses_no_work(desk: Desk) -> None:
 @pytest.mark.parametrize(
     "fragment", ["#c=%%%", "#c=AAAA", "#c=" + packed({"title": "x" * 2_000_000}), "#c=" + "A" * 5000]
 )
-def test_a_link_that_was_cut_says_so_and_the_page_goes_on(open_desk: Any, fragment: str) -> None:
+def test_a_link_that_was_cut_says_so_and_the_page_goes_on(open_desk, fragment):
     desk = open_desk(fragment)
     assert_allclose(desk.numbers["Load"], 20000.0, rtol=SAME)
     assert "copy it again" in desk.page.locator("#notice").inner_text()
 
 
-def test_the_downloaded_case_solves_to_what_the_page_shows(desk: Desk, tmp_path: Path) -> None:
+def test_the_downloaded_case_solves_to_what_the_page_shows(desk, tmp_path):
     desk.write("load.load", "23.5 kN")
     desk.write("body.a.profile[1].amplitude", "0.004")
     path = tmp_path / "case.toml"
@@ -91,7 +87,7 @@ def test_the_downloaded_case_solves_to_what_the_page_shows(desk: Desk, tmp_path:
     assert_allclose(json.loads(desk.download("result.json"))["centre_pressure"], found["centre_pressure"], rtol=SAME)
 
 
-def test_a_case_file_is_opened_or_dropped(desk: Desk, tmp_path: Path) -> None:
+def test_a_case_file_is_opened_or_dropped(desk, tmp_path):
     text = starting_case().replace("load = 20000.0", 'load = "12 kN"')
     path = tmp_path / "another.toml"
     path.write_text(text, encoding="utf-8")

@@ -1,7 +1,5 @@
 """A measured profile: uploaded, looked at step by step, used."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 
@@ -27,7 +25,7 @@ def trace() -> str:
 
 
 @pytest.fixture
-def path(tmp_path: Path) -> Path:
+def path(tmp_path):
     made = tmp_path / "roller 7.csv"
     made.write_text(trace(), encoding="utf-8")
     return made
@@ -45,7 +43,7 @@ def steps(desk: Desk) -> list[str]:
     return names
 
 
-def test_a_measured_profile_is_prepared_and_used(desk: Desk, path: Path) -> None:
+def test_a_measured_profile_is_prepared_and_used(desk, path):
     ideal = desk.numbers["Largest pressure"]
     upload(desk, path)
     assert {"level", "align", "outliers", "smooth"} <= set(steps(desk))
@@ -59,7 +57,7 @@ def test_a_measured_profile_is_prepared_and_used(desk: Desk, path: Path) -> None
     desk.photograph("measured-used")
 
 
-def test_a_step_is_switched_off_and_on_again(desk: Desk, path: Path) -> None:
+def test_a_step_is_switched_off_and_on_again(desk, path):
     upload(desk, path)
     everything = steps(desk)
     words = desk.page.locator('.step[data-step="smooth"] figcaption').inner_text()
@@ -73,7 +71,7 @@ def test_a_step_is_switched_off_and_on_again(desk: Desk, path: Path) -> None:
     assert desk.page.locator('.step[data-step="smooth"] figcaption').inner_text() == words
 
 
-def test_what_is_no_trace_is_refused_in_a_sentence(desk: Desk, tmp_path: Path) -> None:
+def test_what_is_no_trace_is_refused_in_a_sentence(desk, tmp_path):
     nonsense = tmp_path / "picture.png"
     nonsense.write_bytes(bytes(range(256)) * 20)
     desk.page.locator('[data-measured="b"]').click()
@@ -88,7 +86,7 @@ def test_what_is_no_trace_is_refused_in_a_sentence(desk: Desk, tmp_path: Path) -
     assert_allclose(desk.numbers["Load"], 21000.0, rtol=SAME)
 
 
-def test_a_file_dropped_on_a_body_is_a_measured_profile(desk: Desk) -> None:
+def test_a_file_dropped_on_a_body_is_a_measured_profile(desk):
     desk.drop('fieldset[data-group="body.b.profile"]', "plate.csv", trace())
     desk.page.locator("#measured-use").wait_for()
     assert "body b" in desk.page.locator("#measured-title").inner_text()

@@ -1,7 +1,5 @@
 """Mistakes stand at their fields, in the sentences of the command line, and go when they are mended."""
 
-from __future__ import annotations
-
 import copy
 import json
 import tomllib
@@ -9,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from desk import Desk, packed
+from desk import packed
 from numpy.testing import assert_allclose
 
 from nonhertz.errors import CaseError
@@ -33,7 +31,7 @@ def sentences_of(path: str, value: Any) -> tuple[str, ...]:
     return caught.value.mistakes
 
 
-def test_a_mistake_stands_at_its_field_until_it_is_mended(desk: Desk) -> None:
+def test_a_mistake_stands_at_its_field_until_it_is_mended(desk):
     good = desk.numbers
     desk.write("load.load", "20 furlong")
     (sentence,) = sentences_of("load.load", "20 furlong")
@@ -53,7 +51,7 @@ def test_a_mistake_stands_at_its_field_until_it_is_mended(desk: Desk) -> None:
     assert desk.numbers == good
 
 
-def test_the_list_on_top_leads_to_the_fields(desk: Desk) -> None:
+def test_the_list_on_top_leads_to_the_fields(desk):
     desk.write("body.a.diameter", "-20")
     desk.page.wait_for_function("() => location.hash !== ''")  # written a moment after the last key
     first = desk.page.evaluate("() => location.hash")
@@ -68,7 +66,7 @@ def test_the_list_on_top_leads_to_the_fields(desk: Desk) -> None:
     desk.photograph("mistakes")
 
 
-def test_a_mistake_without_a_field_is_in_the_list(open_desk: Any) -> None:
+def test_a_mistake_without_a_field_is_in_the_list(open_desk):
     document = tomllib.loads(starting_case())
     document["body"]["a"]["profile"] = [{"kind": "crown"}]
     desk = open_desk(f"#c={packed(document)}")
@@ -80,7 +78,7 @@ def test_a_mistake_without_a_field_is_in_the_list(open_desk: Any) -> None:
     assert desk.numbers["Largest pressure"] > 0.0
 
 
-def test_what_is_written_in_a_case_is_never_html(open_desk: Any) -> None:
+def test_what_is_written_in_a_case_is_never_html(open_desk):
     document = tomllib.loads(starting_case())
     nasty = '<img src=x onerror="document.title=1"></script><b>bold</b>'
     document["title"] = nasty
@@ -97,7 +95,7 @@ def test_what_is_written_in_a_case_is_never_html(open_desk: Any) -> None:
     assert desk.page.locator("img").count() == 0
 
 
-def test_the_program_may_be_away_for_a_while(open_desk: Any) -> None:
+def test_the_program_may_be_away_for_a_while(open_desk):
     desk = open_desk()
     desk.page.route("**/solve", lambda route: route.abort(), times=1)
     before = desk.answers
@@ -112,7 +110,7 @@ def test_the_program_may_be_away_for_a_while(open_desk: Any) -> None:
 
 
 @pytest.mark.parametrize("said", [False, True])
-def test_the_page_says_that_the_solver_is_being_compiled_unless_it_is_only_starting(desk: Desk, said: bool) -> None:
+def test_the_page_says_that_the_solver_is_being_compiled_unless_it_is_only_starting(desk, said):
     asked, times = 0, 3
 
     def answer(route: Any) -> None:
@@ -137,7 +135,7 @@ def test_the_page_says_that_the_solver_is_being_compiled_unless_it_is_only_start
     assert desk.page.evaluate("() => Boolean(window.told)") is said
 
 
-def test_a_mistaken_file_is_refused_in_a_sentence(desk: Desk, tmp_path: Path) -> None:
+def test_a_mistaken_file_is_refused_in_a_sentence(desk, tmp_path):
     path = tmp_path / "case.toml"
     path.write_text("[body.a\ndiameter = 20", encoding="utf-8")
     good = desk.numbers

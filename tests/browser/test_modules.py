@@ -1,7 +1,5 @@
 """The page's own pure functions, run where they are at home."""
 
-from __future__ import annotations
-
 import hashlib
 import re
 from importlib import resources
@@ -22,7 +20,7 @@ def calling(desk: Desk, module: str, name: str, *arguments: Any) -> Any:
 
 
 @pytest.fixture(scope="module")
-def anywhere(browser: Any, address: str, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def anywhere(browser, address, tmp_path_factory):
     page = browser.new_page()
     page.goto(address)
     yield Desk(page, tmp_path_factory.mktemp("pictures"))
@@ -36,7 +34,7 @@ def anywhere(browser: Any, address: str, tmp_path_factory: pytest.TempPathFactor
         ("0x10", "0x10"), ("Infinity", "Infinity"), ("1e999", "1e999"), ("NaN", "NaN"), ("auto", "auto"),
     ],
 )  # fmt: skip
-def test_quantity(anywhere: Desk, text: str, value: Any) -> None:
+def test_quantity(anywhere, text, value):
     assert calling(anywhere, "numbers", "quantity", text) == value
 
 
@@ -50,7 +48,7 @@ def test_quantity(anywhere: Desk, text: str, value: Any) -> None:
         ("", None),
     ],
 )
-def test_list(anywhere: Desk, text: str, value: Any) -> None:
+def test_list(anywhere, text, value):
     assert calling(anywhere, "numbers", "list", text) == value
 
 
@@ -67,7 +65,7 @@ def test_list(anywhere: Desk, text: str, value: Any) -> None:
         ("1 2 3", None), ("1\n2 3", None), ("a\nb", None), ("1\n\n2", None), ("", None), ("1\nx", None),
     ],
 )  # fmt: skip
-def test_columns(anywhere: Desk, text: str, table: Any) -> None:
+def test_columns(anywhere, text, table):
     assert calling(anywhere, "numbers", "columns", text) == table
 
 
@@ -79,7 +77,7 @@ def test_columns(anywhere: Desk, text: str, table: Any) -> None:
         ("auto", None), ("", None), ("1e3", None),
     ],
 )  # fmt: skip
-def test_split(anywhere: Desk, text: str, parts: list[str] | None) -> None:
+def test_split(anywhere, text, parts):
     found = calling(anywhere, "numbers", "split", text)
     assert (found and [found["number"], found["unit"]]) == parts
 
@@ -96,7 +94,7 @@ def test_split(anywhere: Desk, text: str, parts: list[str] | None) -> None:
         (3e-7, "3.000e-7"),
     ],
 )
-def test_digits(anywhere: Desk, number: float | None, text: str) -> None:
+def test_digits(anywhere, number, text):
     assert calling(anywhere, "numbers", "digits", number) == text
 
 
@@ -111,7 +109,7 @@ def test_digits(anywhere: Desk, number: float | None, text: str) -> None:
         (-2, -1, "\u2212100 %"),
     ],
 )
-def test_difference(anywhere: Desk, value: float | None, before: float, text: str) -> None:
+def test_difference(anywhere, value, before, text):
     assert calling(anywhere, "numbers", "difference", value, before) == text
 
 
@@ -124,11 +122,11 @@ def test_difference(anywhere: Desk, value: float | None, before: float, text: st
         ('"a.b".c', ["a.b", "c"]),
     ],
 )
-def test_parts_of_a_path(anywhere: Desk, path: str, parts: list[Any]) -> None:
+def test_parts_of_a_path(anywhere, path, parts):
     assert calling(anywhere, "paths", "parts", path) == parts
 
 
-def test_values_are_set_and_taken_away_in_a_copy(anywhere: Desk) -> None:
+def test_values_are_set_and_taken_away_in_a_copy(anywhere):
     document = {"body": {"a": {"material": "steel", "profile": [{"kind": "crown"}, {"kind": "straight"}]}}}
     changed = calling(anywhere, "paths", "withValue", document, "body.a.material.modulus", 1.0)
     assert changed["body"]["a"]["material"] == {"modulus": 1.0}
@@ -139,11 +137,11 @@ def test_values_are_set_and_taken_away_in_a_copy(anywhere: Desk) -> None:
 
 
 @pytest.mark.parametrize(("path", "around"), [("a.b[2]", "a.b"), ("a.b", "a"), ("a", ""), ('a."x.y"', "a")])
-def test_the_path_around_another(anywhere: Desk, path: str, around: str) -> None:
+def test_the_path_around_another(anywhere, path, around):
     assert calling(anywhere, "paths", "outer", path) == around
 
 
-def test_links_are_deflated_json(anywhere: Desk) -> None:
+def test_links_are_deflated_json(anywhere):
     document = {"title": "Käfig µm \u2028 💡", "load": {"load": 20000.0}}
     fragment = calling(anywhere, "link", "fragment", document, None)
     assert unpacked(fragment.removeprefix("#c=")) == document
@@ -158,7 +156,7 @@ def test_links_are_deflated_json(anywhere: Desk) -> None:
     assert calling(anywhere, "link", "shared", "#results") is None
 
 
-def test_uneven_grids_are_made_even(anywhere: Desk) -> None:
+def test_uneven_grids_are_made_even(anywhere):
     # Linear values are reproduced exactly between the points, up to the rounding of their weights.
     y, z = [-1.0, 0.2, 3.0], [0.0, 0.1, 0.5, 2.0]
     rows = [[10.0 + 2.0 * along - 3.0 * down for along in y] for down in z]
@@ -224,7 +222,7 @@ DRAGGED = """async ([delays, bodies]) => {
 }"""
 
 
-def test_stresses_come_with_every_answer_while_that_is_quick(anywhere: Desk) -> None:
+def test_stresses_come_with_every_answer_while_that_is_quick(anywhere):
     asked, shown = anywhere.page.evaluate(DRAGGED, [[0, 0, 0], ["a"]])
     assert asked == shown == ["a", "a", "a"]
     # Slow three times after the first, which does not count; then without, and for themselves once the hand rests.
@@ -235,12 +233,12 @@ def test_stresses_come_with_every_answer_while_that_is_quick(anywhere: Desk) -> 
     assert asked == ["a", "a", "", "a", "a"]
 
 
-def test_stresses_of_a_body_that_is_chosen_meanwhile_are_asked_for(anywhere: Desk) -> None:
+def test_stresses_of_a_body_that_is_chosen_meanwhile_are_asked_for(anywhere):
     asked, shown = anywhere.page.evaluate(DRAGGED, [[0], ["a", "b"]])
     assert asked == shown == ["a", "b"]
 
 
-def test_libraries_are_those_that_their_readme_names() -> None:
+def test_libraries_are_those_that_their_readme_names():
     folder = resources.files("nonhertz.web").joinpath("static", "vendor")
     named = dict(
         re.findall(r"^\| `([^`]+\.js)` .*`([0-9a-f]{64})` \|$", folder.joinpath("README.md").read_text(), re.MULTILINE)

@@ -1,10 +1,7 @@
 """The page in US units: everything that is read, and nothing else."""
 
-from __future__ import annotations
-
 import re
 import tomllib
-from typing import Any
 
 import pytest
 from desk import Desk
@@ -42,7 +39,7 @@ def tile(desk: Desk, name: str) -> tuple[float, str]:
     return float(number), shown.locator(".unit").inner_text()
 
 
-def test_all_that_is_read_of_a_contact(desk: Desk) -> None:
+def test_all_that_is_read_of_a_contact(desk):
     desk.page.locator("#curve-on").check()
     desk.page.locator('#curve[data-state="done"]').wait_for()
     before, words = desk.numbers, everything(desk, "#results")
@@ -70,7 +67,7 @@ def test_all_that_is_read_of_a_contact(desk: Desk) -> None:
     assert not re.search(r"ksi|lbf|\bin\b(?= |$)", " ".join(tile(desk, name)[1] for name in ("Load", "Half-width")))
 
 
-def test_fields_follow_and_the_case_stays(desk: Desk) -> None:
+def test_fields_follow_and_the_case_stays(desk):
     before = desk.numbers
     document = desk.download("case.toml")
     switch(desk)
@@ -92,7 +89,7 @@ def test_fields_follow_and_the_case_stays(desk: Desk) -> None:
     assert tomllib.loads(desk.download("case.toml").decode())["load"]["load"] == "5000 lbf"
 
 
-def test_the_choice_is_kept_and_is_that_of_both_pages(open_desk: Any) -> None:
+def test_the_choice_is_kept_and_is_that_of_both_pages(open_desk):
     desk = open_desk()
     assert desk.page.locator("#units").inner_text() == "US units"
     switch(desk)
@@ -134,7 +131,7 @@ def test_the_choice_is_kept_and_is_that_of_both_pages(open_desk: Any) -> None:
         ("scaled", ["MPa", [-1, 0]], {"domain": [-1, 0]}, {"domain": [-0.14503773773020923, 0]}),
     ],
 )
-def test_words_and_axes(desk: Desk, name: str, arguments: list[Any], si: Any, us: Any) -> None:
+def test_words_and_axes(desk, name, arguments, si, us):
     # The module asks what is kept when it is loaded; under another address it is loaded again.
     found = [
         desk.page.evaluate(

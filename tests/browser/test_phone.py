@@ -1,11 +1,5 @@
 """The report on a phone: nothing makes the page scroll sideways, and figures fit until they are touched."""
 
-from __future__ import annotations
-
-from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
-
 import pytest
 
 from nonhertz.files.bearingfile import starting_bearing
@@ -24,7 +18,7 @@ WIDTHS = """() => [...document.querySelectorAll(".sheet")].map((each) => [each.s
 
 
 @pytest.fixture(scope="module")
-def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def reports(tmp_path_factory):
     """A folder with reports of a contact, of two compared, and of a bearing."""
     from nonhertz.files.bearingfile import read_bearing
 
@@ -45,14 +39,14 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def phone(browser: Any) -> Iterator[Any]:
+def phone(browser):
     page = browser.new_page(viewport=PHONE)
     yield page
     page.close()
 
 
 @pytest.mark.parametrize("name", ["one", "two", "bearing"])
-def test_a_phone_shows_it_without_scrolling_sideways(name: str, reports: Path, phone: Any) -> None:
+def test_a_phone_shows_it_without_scrolling_sideways(name, reports, phone):
     phone.goto((reports / f"{name}.html").as_uri())
     assert phone.evaluate(ASIDE) <= 0
     assert phone.evaluate(BEYOND) == []

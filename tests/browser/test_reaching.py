@@ -1,11 +1,6 @@
 """By keyboard alone, on a narrow screen, in the dark: everything is within reach."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import pytest
-from desk import Desk
 from numpy.testing import assert_allclose
 
 pytestmark = pytest.mark.browser
@@ -24,7 +19,7 @@ WALK = """() => {
 }"""
 
 
-def test_everything_is_reached_with_tab_in_the_order_of_the_page(desk: Desk) -> None:
+def test_everything_is_reached_with_tab_in_the_order_of_the_page(desk):
     walked = []
     for _ in range(120):
         desk.page.keyboard.press("Tab")
@@ -41,14 +36,14 @@ def test_everything_is_reached_with_tab_in_the_order_of_the_page(desk: Desk) -> 
     assert all(each["outlined"] for each in walked)
 
 
-def test_the_first_link_skips_to_the_results(desk: Desk) -> None:
+def test_the_first_link_skips_to_the_results(desk):
     desk.page.keyboard.press("Tab")
     desk.page.keyboard.press("Enter")
     assert desk.page.evaluate("() => document.activeElement.id") == "results"
     assert_allclose(desk.numbers["Load"], 20000.0, rtol=SAME)
 
 
-def test_menus_and_dialogs_are_left_with_escape(desk: Desk) -> None:
+def test_menus_and_dialogs_are_left_with_escape(desk):
     desk.page.locator("#downloads summary").focus()
     desk.page.keyboard.press("Enter")
     assert desk.page.locator('[data-download="case.toml"]').is_visible()
@@ -61,7 +56,7 @@ def test_menus_and_dialogs_are_left_with_escape(desk: Desk) -> None:
     assert desk.page.evaluate("() => document.activeElement.dataset.measured") == "a"
 
 
-def test_the_focus_stays_where_the_form_is_made_anew(desk: Desk) -> None:
+def test_the_focus_stays_where_the_form_is_made_anew(desk):
     where = "() => document.activeElement.name || document.activeElement.dataset.action"
     kind = desk.field("body.a.profile[1].kind")
     kind.focus()
@@ -77,7 +72,7 @@ def test_the_focus_stays_where_the_form_is_made_anew(desk: Desk) -> None:
     assert desk.page.evaluate(where) == "add"
 
 
-def test_every_input_has_a_name_and_every_figure_words(desk: Desk) -> None:
+def test_every_input_has_a_name_and_every_figure_words(desk):
     nameless = desk.page.locator("input:not([type=hidden]):not([hidden]), select").evaluate_all(
         "all => all.filter(each => !each.labels.length && !each.getAttribute('aria-label')).map(each => each.outerHTML)"
     )
@@ -91,7 +86,7 @@ def test_every_input_has_a_name_and_every_figure_words(desk: Desk) -> None:
     assert len(set(identifiers)) == len(identifiers)
 
 
-def test_a_narrow_screen_shows_results_first_and_the_form_on_demand(open_desk: Any) -> None:
+def test_a_narrow_screen_shows_results_first_and_the_form_on_demand(open_desk):
     desk = open_desk(viewport={"width": 390, "height": 844})
     assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= 390
     assert not desk.field("load.load").is_visible()

@@ -1,12 +1,9 @@
 """Case and bearing files changed at random: each is read, or refused in a sentence for each mistake, soon."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
-from pathlib import Path
 
 import pytest
 from case_texts import read_all
@@ -23,7 +20,7 @@ MEMORY = 500.0
 @pytest.mark.campaign
 @pytest.mark.skipif(os.name != "posix", reason="files are devices, and memory is asked for, as on Unix")
 @pytest.mark.parametrize("kind", CASES)
-def test_changed_files(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_changed_files(kind, tmp_path, capsys):
     count = CASES[kind]
     portions = [range(start, min(start + PORTION, count)) for start in range(0, count, PORTION)]
     some = len(portions)

@@ -1,13 +1,11 @@
 """Files of measuring machines, damaged in a hundred thousand ways: a trace or a sentence, soon and in little memory."""
 
-from __future__ import annotations
-
 import hashlib
 import io
 import multiprocessing
 import time
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
@@ -161,7 +159,7 @@ def outcome(data: bytes, **options: object) -> str:
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", SEEDS)
-def test_a_damaged_file_is_a_trace_or_one_sentence(name: str):
+def test_a_damaged_file_is_a_trace_or_one_sentence(name):
     @settings(
         max_examples=FILES // len(SEEDS),
         deadline=None,
@@ -241,7 +239,7 @@ def read_large(name: str) -> tuple[str, float]:
 
 
 @pytest.fixture(scope="module")
-def reader() -> Iterator[ProcessPoolExecutor]:
+def reader():
     """One process of its own, whose memory is what the worst of the files took."""
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as process:
         yield process
@@ -249,7 +247,7 @@ def reader() -> Iterator[ProcessPoolExecutor]:
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", LARGE)
-def test_the_largest_files_fit_into_memory(reader: ProcessPoolExecutor, name: str):
+def test_the_largest_files_fit_into_memory(reader, name):
     said, most = reader.submit(read_large, name).result()
     assert "\n" not in said
     assert most < MEMORY

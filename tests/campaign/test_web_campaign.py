@@ -1,7 +1,5 @@
 """The page's server under changed and hostile requests: never an error of its own, never late, no memory lost."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os
@@ -14,7 +12,6 @@ import sys
 import time
 import tomllib
 from collections import Counter
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -41,7 +38,7 @@ READ_IN: list[dict[str, str]] = [{}, {HEADER: "us"}, {HEADER: "imperial"}]
 
 
 @pytest.fixture(scope="module")
-def server() -> Iterator[tuple[int, int]]:
+def server():
     """Run the command and yield the port and the number of its process."""
     command = [sys.executable, "-m", "nonhertz", "serve", "--port", "0", "--no-browser"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:

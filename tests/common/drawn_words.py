@@ -1,7 +1,5 @@
 """Words of a figure, and whether they can be read."""
 
-from __future__ import annotations
-
 import itertools
 
 from matplotlib.figure import Figure

@@ -1,7 +1,5 @@
 """Arguments that public functions and methods take, by their names; what they need is solved here."""
 
-from __future__ import annotations
-
 import atexit
 import shutil
 import tempfile

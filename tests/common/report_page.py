@@ -1,7 +1,5 @@
 """What stands in the HTML of a report."""
 
-from __future__ import annotations
-
 import base64
 from html.parser import HTMLParser
 

@@ -1,7 +1,5 @@
 """What a machine's zero, tilt and direction have no part in: the profile that comes out."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

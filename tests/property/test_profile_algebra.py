@@ -1,7 +1,5 @@
 """Laws that hold for every profile: adding, shifting, scaling, flipping, mirror symmetry, similarity."""
 
-from __future__ import annotations
-
 import math
 import pickle
 
@@ -11,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonhertz.model.profile import (
-    Profile,
     chamfer,
     conical,
     crown,
@@ -73,7 +70,7 @@ profiles = st.one_of(symmetric, st.builds(conical, number(-0.1, 0.1)), tables)
 
 @untimed
 @given(profiles, profiles)
-def test_reliefs_add_in_any_order(a: Profile, b: Profile) -> None:
+def test_reliefs_add_in_any_order(a, b):
     expected = a.relief(Y) + b.relief(Y)
     np.testing.assert_array_equal((a + b).relief(Y), expected)
     np.testing.assert_array_equal((b + a).relief(Y), expected)
@@ -83,13 +80,13 @@ def test_reliefs_add_in_any_order(a: Profile, b: Profile) -> None:
 
 @untimed
 @given(profiles, profiles, profiles)
-def test_sums_associate(a: Profile, b: Profile, c: Profile) -> None:
+def test_sums_associate(a, b, c):
     assert (a + b) + c == a + (b + c)
 
 
 @untimed
 @given(profiles, number(-30.0, 30.0))
-def test_shift_moves_relief_bends_and_extent(profile: Profile, by: float) -> None:
+def test_shift_moves_relief_bends_and_extent(profile, by):
     moved = profile.shifted(by)
     np.testing.assert_array_equal(moved.relief(Y), profile.relief(Y - by))
     assert moved.bends == tuple(bend + by for bend in profile.bends)
@@ -98,7 +95,7 @@ def test_shift_moves_relief_bends_and_extent(profile: Profile, by: float) -> Non
 
 @untimed
 @given(profiles, number(-10.0, 10.0))
-def test_scale_multiplies_what_is_finite(profile: Profile, by: float) -> None:
+def test_scale_multiplies_what_is_finite(profile, by):
     relief, scaled = profile.relief(Y), profile.scaled(by).relief(Y)
     present = np.isfinite(relief)
     np.testing.assert_array_equal(scaled[present], by * relief[present])
@@ -107,7 +104,7 @@ def test_scale_multiplies_what_is_finite(profile: Profile, by: float) -> None:
 
 @untimed
 @given(profiles, number(-30.0, 30.0), number(-2.0, 2.0))
-def test_flipping_mirrors_relief_bends_and_extent(profile: Profile, by: float, factor: float) -> None:
+def test_flipping_mirrors_relief_bends_and_extent(profile, by, factor):
     made = (profile.shifted(by).scaled(factor)) + crown(500.0, 2.0)
     flipped = made.flipped()
     np.testing.assert_array_equal(flipped.relief(Y), made.relief(-Y))
@@ -119,7 +116,7 @@ def test_flipping_mirrors_relief_bends_and_extent(profile: Profile, by: float, f
 
 @untimed
 @given(symmetric)
-def test_both_sides_are_alike_and_fall_off(profile: Profile) -> None:
+def test_both_sides_are_alike_and_fall_off(profile):
     relief = profile.relief(Y)
     np.testing.assert_allclose(relief, relief[::-1], rtol=1e-12, atol=1e-17)
     assert relief[40] == pytest.approx(0.0, abs=1e-15)
@@ -130,7 +127,7 @@ def test_both_sides_are_alike_and_fall_off(profile: Profile) -> None:
 
 @untimed
 @given(profiles)
-def test_survives_pickling(profile: Profile) -> None:
+def test_survives_pickling(profile):
     again = pickle.loads(pickle.dumps(profile))
     assert again == profile
     np.testing.assert_array_equal(again.relief(Y), profile.relief(Y))
@@ -138,9 +135,7 @@ def test_survives_pickling(profile: Profile) -> None:
 
 @untimed
 @given(number(0.1, 10.0), loads, number(1.0, 20.0), number(1.0, 30.0), number(0.5, 2.0))
-def test_twice_the_size_is_twice_the_relief(
-    size: float, load: float, radius: float, diameter: float, k1: float
-) -> None:
+def test_twice_the_size_is_twice_the_relief(size, load, radius, diameter, k1):
     # All lengths by one factor and loads by its square leave stresses and shapes as they were.
     y = np.linspace(-9.9, 9.9, 41)
 
@@ -163,7 +158,7 @@ def test_twice_the_size_is_twice_the_relief(
 
 @untimed
 @given(loads, number(1.0, 20.0))
-def test_lundberg_and_johns_gohar_tell_nearly_the_same(load: float, radius: float) -> None:
+def test_lundberg_and_johns_gohar_tell_nearly_the_same(load, radius):
     exact, fitted = lundberg(load, LENGTH, radius), johns_gohar(load, LENGTH, radius)
     difference = np.abs(exact.relief(Y) - fitted.relief(Y))
     # Found for a half-width of 0.002 to 1.1: 0.103 amplitudes, half a half-width before the end.

@@ -4,8 +4,6 @@ Half of the drawn bodies are half-spaces, half are finite: faces free, mirrored 
 or not.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Laws that hold for every field below a contact: equilibrium, Hooke, traction on the surface, similarity, symmetry."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -4,7 +4,6 @@ import importlib.util
 import re
 import tomllib
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import pytest
@@ -33,7 +32,7 @@ def plain(title: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def script() -> ModuleType:
+def script():
     spec = importlib.util.spec_from_file_location("paper_figures", PAPER / "figures.py")
     assert spec is not None
     assert spec.loader is not None
@@ -42,7 +41,7 @@ def script() -> ModuleType:
     return module
 
 
-def test_the_citation_is_of_this_package() -> None:
+def test_the_citation_is_of_this_package():
     assert CITATION["cff-version"] == "1.2.0"
     assert {"message", "title", "authors", "type"} <= set(CITATION)
     assert CITATION["title"] == PROJECT["name"]
@@ -52,7 +51,7 @@ def test_the_citation_is_of_this_package() -> None:
     assert CITATION["license"] == PROJECT["license"].split(" AND ")[0]
 
 
-def test_the_citation_names_the_papers_of_the_methods() -> None:
+def test_the_citation_names_the_papers_of_the_methods():
     """Strips, and the plane grid that they are compared with."""
     cited = {plain(each["title"]): each for each in CITATION["references"]}
     for key in ("deMul1998", "deMul1986"):
@@ -64,16 +63,16 @@ def test_the_citation_names_the_papers_of_the_methods() -> None:
         assert reference.get("doi") == entry.get("doi")
 
 
-def test_the_paper_is_what_its_script_writes(script: ModuleType) -> None:
+def test_the_paper_is_what_its_script_writes(script):
     """Numbers of the validation or of the benchmarks that change are written anew by paper/figures.py."""
     assert script.text() == TEXT
 
 
-def test_all_that_is_cited_is_in_the_bibliography_and_the_other_way_round() -> None:
+def test_all_that_is_cited_is_in_the_bibliography_and_the_other_way_round():
     assert set(re.findall(r"@(\w+)", TEXT)) == set(entries())
 
 
-def test_entries_are_whole_and_agree_with_the_documents() -> None:
+def test_entries_are_whole_and_agree_with_the_documents():
     texts = [
         path.read_text(encoding="utf-8") for path in (*ROOT.glob("src/nonhertz/**/*.py"), *ROOT.glob("docs/**/*.md"))
     ]

@@ -28,12 +28,12 @@ def texts_of(row: list[str]) -> list[str]:
     return [re.sub(r"\s+", " ", (VENDOR / name).read_text(encoding="utf-8")) for name in re.findall(r"`(.+?)`", row[4])]
 
 
-def test_every_file_of_others_is_listed() -> None:
+def test_every_file_of_others_is_listed():
     listed = {name for row in ROWS for cell in (row[0], row[4]) for name in re.findall(r"`(.+?)`", cell)}
     assert listed == {path.name for path in VENDOR.iterdir()} - {"README.md"}
 
 
-def test_nothing_of_others_lies_elsewhere() -> None:
+def test_nothing_of_others_lies_elsewhere():
     """A head that names somebody's copyright is the mark of a file that was taken over."""
     package = ROOT / "src/nonhertz"
     heads = {path: path.read_bytes()[:2000] for path in package.rglob("*") if path.is_file() and path.suffix != ".pyc"}
@@ -43,24 +43,24 @@ def test_nothing_of_others_lies_elsewhere() -> None:
 
 
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row[1])
-def test_each_has_the_text_of_its_licence(row: list[str]) -> None:
+def test_each_has_the_text_of_its_licence(row):
     licences = {name for name, words in WORDS.items() if any(words in text for text in texts_of(row))}
     assert licences == set(row[3].split(", "))
 
 
 @pytest.mark.parametrize("name", ["d3.min.js", "plot.umd.min.js"])
-def test_the_head_of_a_bundle_agrees_with_what_is_listed(name: str) -> None:
+def test_the_head_of_a_bundle_agrees_with_what_is_listed(name):
     head = (VENDOR / name).read_text(encoding="utf-8").partition("\n")[0]
     (row,) = [row for row in ROWS if row[0] == f"`{name}`" and row[2]]
     assert f"v{row[2]} " in head
     assert head[head.index("Copyright") :] in texts_of(row)[0]
 
 
-def test_the_metadata_names_all_licences() -> None:
+def test_the_metadata_names_all_licences():
     listed = {licence for row in ROWS for licence in row[3].split(", ")}
     assert set(PROJECT["license"].split(" AND ")) == {"MIT"} | listed
 
 
-def test_all_texts_are_licence_files_of_the_distributions() -> None:
+def test_all_texts_are_licence_files_of_the_distributions():
     found = {path for pattern in PROJECT["license-files"] for path in ROOT.glob(pattern)}
     assert found == {ROOT / "LICENSE", ROOT / "NOTICE.md", *VENDOR.glob("*.LICENSE")}

@@ -32,20 +32,20 @@ def extra(name: str) -> dict[str, str]:
     return bounds([each for each in PROJECT["optional-dependencies"][name] if not each.startswith("nonhertz[")])
 
 
-def test_it_brings_what_core_command_line_and_page_need() -> None:
+def test_it_brings_what_core_command_line_and_page_need():
     needed = bounds(PROJECT["dependencies"]) | extra("cli") | extra("web")
     python = {"python": ">=${{ python_min }}"}
     assert bounds(RECIPE["requirements"]["run"]) == python | {k: v for k, v in needed.items() if k not in UNPACKED}
 
 
-def test_it_bounds_what_the_other_extras_need() -> None:
+def test_it_bounds_what_the_other_extras_need():
     needed: dict[str, str] = {name: extra("cli")[name] for name in UNPACKED}
     for name in set(PROJECT["optional-dependencies"]) - {"cli", "web"} - LEFT_OUT:
         needed |= extra(name)
     assert bounds(RECIPE["requirements"]["run_constraints"]) == needed
 
 
-def test_it_is_built_by_what_builds_the_wheel() -> None:
+def test_it_is_built_by_what_builds_the_wheel():
     host = bounds(RECIPE["requirements"]["host"][1:])
     assert host == {"pip": ""} | bounds(PYPROJECT["build-system"]["requires"])
     assert PROJECT["requires-python"] == f">={RECIPE['context']['python_min']}"
@@ -63,5 +63,5 @@ def test_it_is_built_by_what_builds_the_wheel() -> None:
     ],
     ids=["version", "name", "licence", "texts", "summary", "commands"],
 )
-def test_it_says_the_same_of_the_package(said: object, meant: object) -> None:
+def test_it_says_the_same_of_the_package(said, meant):
     assert said == meant

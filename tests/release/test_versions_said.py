@@ -16,11 +16,11 @@ VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["
 PAGE = (ROOT / "docs/explain/versions.md").read_text(encoding="utf-8")
 
 
-def test_the_package_has_the_version_of_the_project() -> None:
+def test_the_package_has_the_version_of_the_project():
     assert nh.__version__ == VERSION
 
 
-def test_a_tag_needs_the_version_and_a_date_in_the_changelog() -> None:
+def test_a_tag_needs_the_version_and_a_date_in_the_changelog():
     spec = importlib.util.spec_from_file_location("tag", Path(__file__).with_name("tag.py"))
     assert spec is not None
     assert spec.loader is not None
@@ -33,7 +33,7 @@ def test_a_tag_needs_the_version_and_a_date_in_the_changelog() -> None:
     assert len(tag.mistakes(f"v{VERSION}")) == (heading[1] == "unreleased")
 
 
-def test_a_newer_format_is_refused_as_documented(tmp_path: Path) -> None:
+def test_a_newer_format_is_refused_as_documented(tmp_path):
     path = tmp_path / "case.toml"
     path.write_text(f"format = {FORMAT + 1}\n{starting_case()}", encoding="utf-8")
     with pytest.raises(nh.CaseError) as caught:
@@ -42,7 +42,7 @@ def test_a_newer_format_is_refused_as_documented(tmp_path: Path) -> None:
     assert f"    {mistake.removeprefix(f'{path}: ')}\n" in PAGE
 
 
-def test_a_file_without_the_key_is_of_the_first_format(tmp_path: Path) -> None:
+def test_a_file_without_the_key_is_of_the_first_format(tmp_path):
     path, other = tmp_path / "case.toml", tmp_path / "other.toml"
     path.write_text(starting_case(), encoding="utf-8")
     other.write_text(f"format = 1\n{starting_case()}", encoding="utf-8")

@@ -36,7 +36,7 @@ def commands(name: str) -> Iterator[str]:
 
 
 @EACH
-def test_targets_files_groups_and_markers_exist(name: str) -> None:
+def test_targets_files_groups_and_markers_exist(name):
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
     targets = set(re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split())  # type: ignore[index]
     seen = 0
@@ -57,7 +57,7 @@ def test_targets_files_groups_and_markers_exist(name: str) -> None:
 
 
 @EACH
-def test_actions_are_of_a_major_version(name: str) -> None:
+def test_actions_are_of_a_major_version(name):
     used = [job["uses"] for job in jobs(name).values() if "uses" in job]
     used += [step["uses"] for job in jobs(name).values() for step in job.get("steps", []) if "uses" in step]
     assert used
@@ -70,7 +70,7 @@ def test_actions_are_of_a_major_version(name: str) -> None:
 
 
 @EACH
-def test_no_job_may_do_more_than_it_needs(name: str) -> None:
+def test_no_job_may_do_more_than_it_needs(name):
     assert WORKFLOWS[name]["permissions"] == {"contents": "read"}
     granted = {job: content["permissions"] for job, content in jobs(name).items() if "permissions" in content}
     assert granted == ({"publish": {"id-token": "write"}} if name == "release.yml" else {})
@@ -80,22 +80,22 @@ def test_no_job_may_do_more_than_it_needs(name: str) -> None:
 
 
 @EACH
-def test_jobs_name_only_jobs_and_end_in_time(name: str) -> None:
+def test_jobs_name_only_jobs_and_end_in_time(name):
     for job in jobs(name).values():
         assert set(job.get("needs", [])) <= set(jobs(name))
         assert "timeout-minutes" in job or "uses" in job or "id-token" in job["permissions"]
 
 
 @EACH
-def test_no_host_is_named(name: str) -> None:
+def test_no_host_is_named(name):
     assert "://" not in TEXTS[name]
 
 
-def test_a_release_waits_for_everything() -> None:
+def test_a_release_waits_for_everything():
     assert set(jobs("release.yml")["publish"]["needs"]) == set(jobs("release.yml")) - {"publish"}
 
 
-def test_all_supported_pythons_are_tested() -> None:
+def test_all_supported_pythons_are_tested():
     prefix = "Programming Language :: Python :: 3."
     claimed = {each.rpartition(" ")[2] for each in PYPROJECT["project"]["classifiers"] if each.startswith(prefix)}
     for job in ("systems", "versions"):

@@ -1,7 +1,5 @@
 """Numbers with their units as people read them, in SI and in US units."""
 
-from __future__ import annotations
-
 import re
 from contextvars import copy_context
 
@@ -13,7 +11,6 @@ from nonhertz.amounts import (
     POUND_FORCE,
     SI,
     US,
-    Amount,
     EndStrength,
     amount,
     choose_units,
@@ -34,7 +31,7 @@ SPELLED = {"um": "micrometer", "µm": "micrometer", "uin": "microinch", "µin": 
 
 
 @pytest.mark.parametrize("unit", US.table)
-def test_every_unit_is_as_large_as_what_stands_for_it(unit: str) -> None:
+def test_every_unit_is_as_large_as_what_stands_for_it(unit):
     word, factor = US.of(unit)
     assert size(unit) / size(word) == pytest.approx(factor, rel=1e-12)
 
@@ -45,7 +42,7 @@ def size(unit: str) -> float:
     return float(PINT.Quantity(1.0, PINT.parse_units(words)).to_base_units().magnitude)
 
 
-def test_inch_and_pound_are_exact() -> None:
+def test_inch_and_pound_are_exact():
     assert INCH == 25.4
     assert POUND_FORCE == 0.45359237 * 9.80665
 
@@ -73,30 +70,30 @@ def test_inch_and_pound_are_exact() -> None:
         (amount((1.0, float("inf")), "MPa"), "4", "1.000, inf MPa", "145.0, inf psi"),
     ],
 )
-def test_text_of_amounts(found: Amount, spec: str, si: str, us: str) -> None:
+def test_text_of_amounts(found, spec, si, us):
     assert format(found, spec) == si
     with read_in("us"):
         assert format(found, spec) == us
 
 
-def test_errors_keep_their_second_digit() -> None:
+def test_errors_keep_their_second_digit():
     with read_in("us"):
         assert with_error(mm(4361.8), 1034.0) == "172 +- 41 in"
         assert with_error(mpa(1308.0), 5.0) == "189.71 +- 0.73 ksi"
 
 
-def test_the_strength_of_an_end_has_a_power_of_a_length() -> None:
+def test_the_strength_of_an_end_has_a_power_of_a_length():
     with read_in("us"):
         assert str(EndStrength(348.4, 0.5)) == "10.03 ksi in^0.5"
 
 
-def test_units_are_chosen_for_a_context() -> None:
+def test_units_are_chosen_for_a_context():
     inside = copy_context()
     inside.run(choose_units, "us")
     assert inside.run(chosen) is US
     assert chosen() is SI
 
 
-def test_other_units_are_refused() -> None:
+def test_other_units_are_refused():
     with pytest.raises(InputError, match="units = 'cgs' must be 'si' or 'us'"):
         choose_units("cgs")

@@ -1,7 +1,5 @@
 """Every public function and method against wrong types and values: the right answer or one sentence, nothing else."""
 
-from __future__ import annotations
-
 import importlib
 import inspect
 import types

@@ -1,7 +1,5 @@
 """Bearing files: what is read, how it is written, and every mistake in a sentence."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 import re

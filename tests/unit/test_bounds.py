@@ -1,7 +1,5 @@
 """What a case file may hold at most, and that nothing is read, parsed or looked at beyond that."""
 
-from __future__ import annotations
-
 import os
 import re
 import subprocess
@@ -60,20 +58,20 @@ def sentence_of(statement: str) -> str:
 
 
 @posix
-def test_a_device_without_an_end_is_not_read_to_its_end() -> None:
+def test_a_device_without_an_end_is_not_read_to_its_end():
     assert sentence_of("read_case('/dev/zero')") == (
         "/dev/zero must be readable (larger than 1 MB): put measured points into a file that it names.\n"
     )
 
 
 @posix
-def test_a_pipe_that_nobody_writes_to_is_an_empty_case(tmp_path: Path) -> None:
+def test_a_pipe_that_nobody_writes_to_is_an_empty_case(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     assert sentence_of(f"read_case({str(tmp_path / 'pipe')!r})").startswith("body must be given")
 
 
 @posix
-def test_a_case_comes_through_a_pipe() -> None:
+def test_a_case_comes_through_a_pipe():
     read, write = os.pipe()
     os.write(write, CASE.encode())
     os.close(write)
@@ -84,7 +82,7 @@ def test_a_case_comes_through_a_pipe() -> None:
 
 
 @posix
-def test_a_case_names_no_device_and_no_pipe(tmp_path: Path) -> None:
+def test_a_case_names_no_device_and_no_pipe(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     tables = [f"{{ kind = '{kind}', file = '{name}' }}" for kind in ("tabulated", "measured") for name in NO_FILES]
     (tmp_path / "case.toml").write_text(BODIES.format(keys=f"profile = [{', '.join(tables)}]") + LOAD)
@@ -95,7 +93,7 @@ def test_a_case_names_no_device_and_no_pipe(tmp_path: Path) -> None:
         assert "not a device or a pipe" in sentence
 
 
-def test_a_case_file_has_a_largest_size(tmp_path: Path) -> None:
+def test_a_case_file_has_a_largest_size(tmp_path):
     largest = CASE + "#" * (LARGEST_CASE - len(CASE))
     (tmp_path / "case.toml").write_text(largest)
     assert read_case(tmp_path / "case.toml").prescribed == {"load": 20000.0}
@@ -104,7 +102,7 @@ def test_a_case_file_has_a_largest_size(tmp_path: Path) -> None:
     )
 
 
-def test_a_tabulated_file_has_a_largest_size(tmp_path: Path) -> None:
+def test_a_tabulated_file_has_a_largest_size(tmp_path):
     path = tmp_path / "points.csv"
     path.write_text("0 0\n1 0\n" + "#" * (LARGEST_FILE - 8))
     assert from_file(path).extent == (0.0, 1.0)
@@ -113,7 +111,7 @@ def test_a_tabulated_file_has_a_largest_size(tmp_path: Path) -> None:
         from_file(path)
 
 
-def test_a_tabulated_file_has_most_points(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_tabulated_file_has_most_points(tmp_path, monkeypatch):
     monkeypatch.setattr(table, "MOST_POINTS", 3)
     path = tmp_path / "points.csv"
     path.write_text("0 0\n1 0\n2 0\n")
@@ -136,7 +134,7 @@ def test_a_tabulated_file_has_most_points(tmp_path: Path, monkeypatch: pytest.Mo
     ],
     ids=lambda text: text[:12],
 )
-def test_a_case_is_not_nested_without_end(tmp_path: Path, text: str) -> None:
+def test_a_case_is_not_nested_without_end(tmp_path, text):
     assert mistakes_in(tmp_path, text) == ("must be a case file: lists or tables are nested too deeply.",)
 
 
@@ -144,12 +142,12 @@ def test_a_case_is_not_nested_without_end(tmp_path: Path, text: str) -> None:
     "text",
     ["a = 1.5", "a = 'x.y.z'", ".".join("a" * NESTING) + " = 1", "a = [" + "1.0, " * 100 + "]", "a = 2020-01-01"],
 )
-def test_what_is_no_key_of_many_parts(text: str) -> None:
+def test_what_is_no_key_of_many_parts(text):
     assert tomllib.loads(text)
     assert not has_long_key(text)
 
 
-def test_many_unknown_keys_are_counted_and_not_told_one_by_one(tmp_path: Path) -> None:
+def test_many_unknown_keys_are_counted_and_not_told_one_by_one(tmp_path):
     number = 3000
     told = mistakes_in(tmp_path, "".join(f"key{n} = 1\n" for n in range(number)) + CASE)
     assert len(told) == MISTAKES + 1
@@ -158,7 +156,7 @@ def test_many_unknown_keys_are_counted_and_not_told_one_by_one(tmp_path: Path) -
     assert told[MISTAKES] == f"There are {number - MISTAKES} more mistakes."
 
 
-def test_one_mistake_more_is_one(tmp_path: Path) -> None:
+def test_one_mistake_more_is_one(tmp_path):
     told = mistakes_in(tmp_path, "".join(f"key{n} = 1\n" for n in range(MISTAKES + 1)) + CASE)
     assert told[MISTAKES:] == ("There is one more mistake.",)
 
@@ -172,7 +170,7 @@ def test_one_mistake_more_is_one(tmp_path: Path) -> None:
     ],
     ids=["one table", "tables", "tables of a list"],
 )
-def test_a_case_has_so_many_keys(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+def test_a_case_has_so_many_keys(tmp_path, monkeypatch, text):
     def compared(*_: object) -> None:
         raise AssertionError("no key is looked at")
 
@@ -180,7 +178,7 @@ def test_a_case_has_so_many_keys(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert mistakes_in(tmp_path, text) == (f"must be a case file: there are more than {KEYS} keys.",)
 
 
-def test_a_body_has_so_many_profiles(tmp_path: Path) -> None:
+def test_a_body_has_so_many_profiles(tmp_path):
     table = "{ kind = 'crown', radius = 4000.0 },"
     read = parsed(BODIES.format(keys=f"profile = [{table * PROFILES}]") + LOAD, "case.toml")
     assert len(read["body"]["a"]["profile"]) == PROFILES
@@ -189,7 +187,7 @@ def test_a_body_has_so_many_profiles(tmp_path: Path) -> None:
     assert told.endswith("must have at most 100 profiles: add them up in one of kind 'tabulated'.")
 
 
-def test_a_spectrum_has_so_many_loads(tmp_path: Path) -> None:
+def test_a_spectrum_has_so_many_loads(tmp_path):
     row = f"[[life.spectrum]]\nload = 1000\nshare = {1.0 / LOADS}\n"
     (tmp_path / "case.toml").write_text(CASE + row * LOADS)
     assert len(read_case(tmp_path / "case.toml").life.spectrum) == LOADS
@@ -197,18 +195,18 @@ def test_a_spectrum_has_so_many_loads(tmp_path: Path) -> None:
     assert f"must have at most {LOADS} tables" in told
 
 
-def test_many_models_are_not_looked_up(tmp_path: Path) -> None:
+def test_many_models_are_not_looked_up(tmp_path):
     (told,) = mistakes_in(tmp_path, CASE + f"[life]\nmodels = {['x'] * 1000}\n")
     assert told.startswith("life.models = ['x', ")
 
 
 @pytest.mark.parametrize("place", ["title", "solver.strips", "life.rollers", "life.laminae", "body.a.kind"])
-def test_a_number_of_thousands_of_digits_has_a_complaint(tmp_path: Path, place: str) -> None:
+def test_a_number_of_thousands_of_digits_has_a_complaint(tmp_path, place):
     told = mistakes_in(tmp_path, f"{place} = 0x{'f' * 20_000}\n")
     assert any(each.startswith(f"{place} = ") for each in told)
 
 
-def test_a_number_beyond_all_floats_is_infinite_for_a_measured_profile_too(tmp_path: Path) -> None:
+def test_a_number_beyond_all_floats_is_infinite_for_a_measured_profile_too(tmp_path):
     (tmp_path / "trace.txt").write_text("".join(f"{y} 0\n" for y in range(-9, 10)))
     told = mistakes_in(
         tmp_path,
@@ -218,12 +216,12 @@ def test_a_number_beyond_all_floats_is_infinite_for_a_measured_profile_too(tmp_p
     assert told[0].endswith("must be a finite number: give a wavelength in mm, such as 0.8.")
 
 
-def test_a_list_with_a_number_of_thousands_of_digits_has_a_complaint(tmp_path: Path) -> None:
+def test_a_list_with_a_number_of_thousands_of_digits_has_a_complaint(tmp_path):
     told = mistakes_in(tmp_path, f"life.models = ['x', 0x{'f' * 20_000}]\n{CASE}")
     assert [each.partition(" = ")[0] for each in told] == ["life.models[1]", "life.models[2]"]
 
 
-def test_a_key_of_any_length_is_shown_in_a_line(tmp_path: Path) -> None:
+def test_a_key_of_any_length_is_shown_in_a_line(tmp_path):
     (told,) = mistakes_in(tmp_path, f"{'key' * 1000} = 1\n{CASE}")
     assert told.startswith('"keykey')
     assert '..." = 1 must be a known key' in told
@@ -231,7 +229,7 @@ def test_a_key_of_any_length_is_shown_in_a_line(tmp_path: Path) -> None:
 
 
 @posix
-def test_a_name_that_is_no_text_makes_a_title_that_is(tmp_path: Path) -> None:
+def test_a_name_that_is_no_text_makes_a_title_that_is(tmp_path):
     path = tmp_path / os.fsdecode(b"roller\xff.toml")
     path.write_text(CASE)
     assert read_case(path).title == "roller\ufffd"
@@ -239,7 +237,7 @@ def test_a_name_that_is_no_text_makes_a_title_that_is(tmp_path: Path) -> None:
 
 
 @posix
-def test_a_file_whose_name_has_two_lines_is_complained_of_in_one(tmp_path: Path) -> None:
+def test_a_file_whose_name_has_two_lines_is_complained_of_in_one(tmp_path):
     (tmp_path / "a\nb").write_text("0 0\n1 nan\n")
     for name in ("a\\nb", "no\\nfile"):
         keys = f'profile = {{ kind = "tabulated", file = "{name}" }}'

@@ -1,7 +1,5 @@
 """Case files: what the keys mean, and that nothing but a list of sentences comes of a wrong one."""
 
-from __future__ import annotations
-
 import datetime
 import inspect
 import json
@@ -47,7 +45,7 @@ def mistakes_of(document: dict[str, Any]) -> tuple[str, ...]:
     return ()
 
 
-def test_the_case_file_of_the_specification(tmp_path: Path) -> None:
+def test_the_case_file_of_the_specification(tmp_path):
     case = read(tmp_path, PRINTED)
     steel = nh.Material(modulus=207000, poisson=0.3)
     assert case.title == "Roller 20 x 20 on a plate"
@@ -64,7 +62,7 @@ def test_the_case_file_of_the_specification(tmp_path: Path) -> None:
     assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto", "accuracy": None}
 
 
-def test_everything_but_the_bodies_and_the_load_can_be_left_out(tmp_path: Path) -> None:
+def test_everything_but_the_bodies_and_the_load_can_be_left_out(tmp_path):
     case = read(tmp_path, with_body("diameter = 20"))
     assert case.title == "case"
     assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto", "accuracy": None}
@@ -83,7 +81,7 @@ def test_everything_but_the_bodies_and_the_load_can_be_left_out(tmp_path: Path) 
         ("kind = 'plate'\nlength = 16", nh.Plate(length=16.0)),
     ],
 )
-def test_what_is_left_out_is_as_in_python(tmp_path: Path, keys: str, expected: nh.Body) -> None:
+def test_what_is_left_out_is_as_in_python(tmp_path, keys, expected):
     other = "kind = 'roller'\ndiameter = 30\nlength = 20"
     case = read(tmp_path, f"[body.a]\n{keys}\n[body.b]\n{other}\n[load]\nload = 1000\n")
     assert case.contact.a == expected
@@ -113,13 +111,13 @@ def test_what_is_left_out_is_as_in_python(tmp_path: Path, keys: str, expected: n
         ("depth = '.5 in'", {"depth": 12.7}),
     ],
 )
-def test_what_makes_a_body_finite(tmp_path: Path, keys: str, expected: dict[str, Any]) -> None:
+def test_what_makes_a_body_finite(tmp_path, keys, expected):
     case = read(tmp_path, with_body(f"kind = 'roller'\ndiameter = 20\nlength = 20\n{keys}"))
     assert case.contact.a == nh.Roller(diameter=20.0, length=20.0, **expected)
     assert type(case.contact.a.images) is type(expected.get("images", 1))
 
 
-def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path: Path) -> None:
+def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path):
     case = read(
         tmp_path,
         """
@@ -159,34 +157,34 @@ def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path: Path) -> None
     assert case.prescribed == {"approach": 0.012, "moment": 5000.0}
 
 
-def test_profiles_take_length_and_diameter_from_their_body(tmp_path: Path) -> None:
+def test_profiles_take_length_and_diameter_from_their_body(tmp_path):
     case = read(tmp_path, with_body('diameter = 15\nlength = 18\nprofile = [{ kind = "iso-logarithmic" }]'))
     expected = nh.profile.iso_logarithmic(diameter=15.0, length=18.0)
     np.testing.assert_array_equal(case.contact.a.relief(0.9 * Y), expected.relief(0.9 * Y))
 
 
-def test_a_profile_s_own_length_comes_before_the_body_s(tmp_path: Path) -> None:
+def test_a_profile_s_own_length_comes_before_the_body_s(tmp_path):
     table = '{ kind = "logarithmic", amplitude = 0.005, length = 24 }'
     case = read(tmp_path, with_body(f"diameter = 15\nlength = 18\nprofile = {table}"))
     expected = nh.profile.logarithmic(amplitude=0.005, length=24.0)
     np.testing.assert_array_equal(case.contact.a.relief(0.9 * Y), expected.relief(0.9 * Y))
 
 
-def test_the_logarithmic_profile_of_the_specification(tmp_path: Path) -> None:
+def test_the_logarithmic_profile_of_the_specification(tmp_path):
     table = '{ kind = "logarithmic", amplitude = 0.005, fraction = 0.9999 }'
     case = read(tmp_path, with_body(f"diameter = 20\nlength = 20\nprofile = [{table}]"))
     expected = 0.005 * np.log(1.0 / (1.0 - (2.0 * Y * 0.9999 / 20.0) ** 2))
     np.testing.assert_allclose(case.contact.a.relief(Y), expected, rtol=1e-12)
 
 
-def test_a_straight_middle_leaves_the_rest_of_the_body_to_the_curve(tmp_path: Path) -> None:
+def test_a_straight_middle_leaves_the_rest_of_the_body_to_the_curve(tmp_path):
     table = '{ kind = "logarithmic", amplitude = 0.005, straight = 8, fraction = 0.99 }'
     case = read(tmp_path, with_body(f"diameter = 15\nlength = 20\nprofile = [{table}]"))
     end = -0.005 * np.log(1.0 - 0.99**2)
     np.testing.assert_allclose(case.contact.a.relief([4.0, 10.0]), [0.0, end], rtol=1e-12)
 
 
-def test_profiles_shift_and_scale(tmp_path: Path) -> None:
+def test_profiles_shift_and_scale(tmp_path):
     case = read(
         tmp_path,
         with_body('diameter = 20\nprofile = { kind = "crown", radius = 1000, shift = 2, scale = 3 }'),
@@ -196,7 +194,7 @@ def test_profiles_shift_and_scale(tmp_path: Path) -> None:
     )
 
 
-def test_a_profile_file_is_found_beside_the_case_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_profile_file_is_found_beside_the_case_file(tmp_path, monkeypatch):
     (tmp_path / "points.csv").write_text("y,relief\n-10,0.01\n0,0\n10,0.01\n", encoding="utf-8")
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
@@ -208,17 +206,17 @@ def test_a_profile_file_is_found_beside_the_case_file(tmp_path: Path, monkeypatc
 
 @pytest.mark.parametrize("bom", ["", "\ufeff"])
 @pytest.mark.parametrize("ending", ["\n", "\r\n"])
-def test_files_of_other_editors_are_read(tmp_path: Path, bom: str, ending: str) -> None:
+def test_files_of_other_editors_are_read(tmp_path, bom, ending):
     path = tmp_path / "case.toml"
     path.write_bytes((bom + PRINTED.replace("\n", ending)).encode())
     assert read_case(path).prescribed["load"] == 20000.0
 
 
-def test_the_starting_case_is_read(tmp_path: Path) -> None:
+def test_the_starting_case_is_read(tmp_path):
     assert read(tmp_path, starting_case()).contact.interval == (-10.0, 10.0)
 
 
-def test_mistakes_are_listed_in_the_order_of_the_file() -> None:
+def test_mistakes_are_listed_in_the_order_of_the_file():
     document = {
         "titel": "x",
         "load": {"tilt": "5 kg", "load": -5},
@@ -234,12 +232,12 @@ def test_mistakes_are_listed_in_the_order_of_the_file() -> None:
     ]
 
 
-def test_a_mistaken_length_does_not_accuse_the_profiles_that_need_it() -> None:
+def test_a_mistaken_length_does_not_accuse_the_profiles_that_need_it():
     body = {"length": -20.0, "diameter": 20.0, "profile": [{"kind": "chamfer", "width": 2.0}]}
     assert len(mistakes_of({"body": {"a": body, "b": {}}, "load": {"load": 1.0}})) == 1
 
 
-def test_a_mistaken_key_does_not_accuse_the_keys_that_need_it() -> None:
+def test_a_mistaken_key_does_not_accuse_the_keys_that_need_it():
     """One mistake in a body that uses everything is one sentence, whichever it is."""
     sound = {
         "kind": "roller",
@@ -256,7 +254,7 @@ def test_a_mistaken_key_does_not_accuse_the_keys_that_need_it() -> None:
         assert mistake.startswith(f"body.a.{key} = True must ")
 
 
-def test_all_mistaken_parameters_of_one_profile_are_found() -> None:
+def test_all_mistaken_parameters_of_one_profile_are_found():
     table = {
         "kind": "fujiwara-kawase",
         "load": -1,
@@ -271,12 +269,12 @@ def test_all_mistaken_parameters_of_one_profile_are_found() -> None:
     assert found == table.keys() - {"kind"}
 
 
-def test_the_catalogue_leaves_the_common_keys_free() -> None:
+def test_the_catalogue_leaves_the_common_keys_free():
     for kind in CATALOGUE:
         assert not {"kind", "shift", "scale", "file"} & inspect.signature(CATALOGUE[kind]).parameters.keys()
 
 
-def test_the_schema_describes_every_key() -> None:
+def test_the_schema_describes_every_key():
     whole = schema_of("case")
     assert json.loads(json.dumps(whole)) == whole
     tables = whole["$defs"]
@@ -292,7 +290,7 @@ def test_the_schema_describes_every_key() -> None:
 
 
 @pytest.mark.parametrize("kind", ["roller", None])
-def test_the_schema_allows_what_a_body_takes(kind: str | None) -> None:
+def test_the_schema_allows_what_a_body_takes(kind):
     properties = schema_of("case")["$defs"]["Body"]["properties"]
     body = {"diameter": 20.0, "length": 20.0} | ({"kind": kind} if kind else {})
 
@@ -321,14 +319,14 @@ def test_the_schema_allows_what_a_body_takes(kind: str | None) -> None:
     assert not any(re.search(text["pattern"], word) for word in words["enum"])
 
 
-def test_the_schema_names_the_defaults_of_a_body() -> None:
+def test_the_schema_names_the_defaults_of_a_body():
     properties = schema_of("case")["$defs"]["Body"]["properties"]
     for name in ("position", "side_faces", "images"):
         assert properties[name]["default"] == getattr(nh.Body(), name)
     assert "default" not in properties["depth"]  # of which TOML, without null, could say nothing
 
 
-def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
+def test_the_schema_and_the_solver_agree_on_the_number_of_strips():
     strips = schema_of("case")["$defs"]["Solver"]["properties"]["strips"]["anyOf"][1]
     assert (strips["minimum"], strips["maximum"]) == (FEWEST_STRIPS, MOST_STRIPS)
     for count in (FEWEST_STRIPS, MOST_STRIPS):
@@ -337,7 +335,7 @@ def test_the_schema_and_the_solver_agree_on_the_number_of_strips() -> None:
         assert len(mistakes_of(WHOLE | {"solver": {"strips": count}})) == 1
 
 
-def test_a_life_table_holds_models_and_a_spectrum() -> None:
+def test_a_life_table_holds_models_and_a_spectrum():
     life = Case.of(WHOLE, Path()).life
     assert life.contact_angle == pytest.approx(np.radians(12.0))
     assert (life.rollers, life.models) == (14, ("zaretsky", "iso-16281"))
@@ -348,7 +346,7 @@ def test_a_life_table_holds_models_and_a_spectrum() -> None:
     assert life.made_models(["ioannides-harris"]) == (ioannides_harris(slope=1.5, fatigue_limit=300.0),)
 
 
-def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
+def test_without_a_life_table_all_models_are_wanted_as_they_are():
     document = {name: table for name, table in WHOLE.items() if name != "life"}
     assert Case.of(document, Path()).life.made_models() == tuple(make() for make in MODELS.values())
 
@@ -393,7 +391,7 @@ def test_without_a_life_table_all_models_are_wanted_as_they_are() -> None:
         ({"spectrum": [{"load": 1, "share": 1.5}]}, ["spectrum[1].share = 1.5 must not exceed 1"]),
     ],
 )
-def test_mistakes_in_a_life_table(life: dict[str, Any], sentences: list[str]) -> None:
+def test_mistakes_in_a_life_table(life, sentences):
     mistakes = mistakes_of(WHOLE | {"life": life})
     assert [each[: len(f"life.{start}")] for each, start in zip(mistakes, sentences, strict=True)] == [
         f"life.{start}" for start in sentences
@@ -401,14 +399,14 @@ def test_mistakes_in_a_life_table(life: dict[str, Any], sentences: list[str]) ->
 
 
 @pytest.mark.parametrize("short", [0.9e-3, -0.9e-3])
-def test_shares_are_taken_to_a_thousandth(short: float) -> None:
+def test_shares_are_taken_to_a_thousandth(short):
     spectrum = [{"load": 1, "share": 0.5}, {"load": 2, "share": 0.5 - short}]
     assert len(Case.of(WHOLE | {"life": {"spectrum": spectrum}}, Path()).life.spectrum) == 2
     spectrum[1]["share"] -= 0.2e-3 if short > 0.0 else -0.2e-3
     assert len(mistakes_of(WHOLE | {"life": {"spectrum": spectrum}})) == 1
 
 
-def test_the_schema_and_the_models_agree_on_the_number_of_laminae() -> None:
+def test_the_schema_and_the_models_agree_on_the_number_of_laminae():
     laminae = schema_of("case")["$defs"]["Life"]["properties"]["laminae"]
     assert (laminae["minimum"], laminae["maximum"]) == (FEWEST, MOST)
 
@@ -475,13 +473,13 @@ def places(value: Any, place: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     return [place] * bool(place) + [inner for key in keys for inner in places(value[key], (*place, key))]
 
 
-def test_the_whole_document_is_sound() -> None:
+def test_the_whole_document_is_sound():
     assert Case.of(WHOLE, Path()).solver["strips"] == 41
 
 
 @settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(place=st.sampled_from(places(WHOLE)), value=VALUES, extra=st.text(max_size=8))
-def test_any_value_anywhere_is_read_or_refused_in_words(place: tuple[Any, ...], value: Any, extra: str) -> None:
+def test_any_value_anywhere_is_read_or_refused_in_words(place, value, extra):
     document = deepcopy(WHOLE)
     holder: Any = document
     for key in place[:-1]:
@@ -498,7 +496,7 @@ def test_any_value_anywhere_is_read_or_refused_in_words(place: tuple[Any, ...], 
 DOCS = Path(__file__).parents[2] / "docs" / "reference"
 
 
-def test_the_reference_names_the_parameters_of_every_profile() -> None:
+def test_the_reference_names_the_parameters_of_every_profile():
     page = (DOCS / "case-file.md").read_text(encoding="utf-8")
     for kind, function in CATALOGUE.items():
         row = [line for line in page.splitlines() if line.startswith(f"| `{kind}` |")][-1]  # `chamfer` is a key, too
@@ -507,13 +505,13 @@ def test_the_reference_names_the_parameters_of_every_profile() -> None:
         assert named - allowed == inspect.signature(function).parameters.keys()
 
 
-def test_the_reference_s_example_is_sound(tmp_path: Path) -> None:
+def test_the_reference_s_example_is_sound(tmp_path):
     page = (DOCS / "case-file.md").read_text(encoding="utf-8")
     for text in re.findall(r"```toml\n(.*?)```", page, re.DOTALL):
         assert read(tmp_path, text).contact.interval
 
 
-def test_a_profile_for_the_length_of_the_body_is_cut_off_where_corners_begin(tmp_path: Path) -> None:
+def test_a_profile_for_the_length_of_the_body_is_cut_off_where_corners_begin(tmp_path):
     text = (
         "[body.a]\nkind = 'roller'\ndiameter = 20\nlength = 20\nprofile = { kind = 'iso-logarithmic' }\n"
         "corner_radius = '500 um'\n[body.b]\nkind = 'plate'\n[load]\nload = 1000\n"
@@ -524,7 +522,7 @@ def test_a_profile_for_the_length_of_the_body_is_cut_off_where_corners_begin(tmp
     assert body.interval == (-10.0, 10.0)
 
 
-def test_a_profile_is_flipped_about_the_middle_of_the_body_after_its_shift(tmp_path: Path) -> None:
+def test_a_profile_is_flipped_about_the_middle_of_the_body_after_its_shift(tmp_path):
     table = "{ kind = 'crown', radius = 4000, centre = 1, shift = 2, flip = true }"
     body = read(tmp_path, with_body(f"diameter = 20\nlength = 20\nprofile = {table}")).contact.a
     assert float(body.relief(-3.0)) == 0.0

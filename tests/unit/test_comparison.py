@@ -1,7 +1,5 @@
 """Strips beside a plane grid: what is compared, and where they are said to differ."""
 
-from __future__ import annotations
-
 import csv
 import dataclasses
 import io

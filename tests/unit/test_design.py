@@ -1,7 +1,5 @@
 """Designs: gradients along variables, optima that are known, and what must hold."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

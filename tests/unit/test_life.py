@@ -1,7 +1,5 @@
 """Fatigue life: models, laminae, capacities, spectra, and what an assessment says."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 import warnings

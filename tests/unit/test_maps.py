@@ -1,7 +1,5 @@
 """Maps: errors as sampled, exact derivatives, nothing out of contact, files, compiled callers."""
 
-from __future__ import annotations
-
 import math
 import pickle
 import zipfile
@@ -27,13 +25,13 @@ CONTACT = nh.Contact(ROLLER, nh.Plate())
 
 
 @pytest.fixture(scope="module")
-def made() -> ContactMap:
+def made():
     """A rough map of a crowned roller: small enough to be made in the tests."""
     return nh.map(CONTACT, load=(0.0, MOST), tilt=(-TILT, TILT), accuracy=ACCURACY, checks=40)
 
 
 @pytest.fixture
-def points(made: ContactMap) -> tuple[np.ndarray, np.ndarray]:
+def points(made):
     """Approaches and tilts of states in contact, well inside the range."""
     random = np.random.default_rng(7)
     load, tilt = MOST * random.uniform(0.02, 0.98, 30), TILT * random.uniform(-0.98, 0.98, 30)

@@ -1,7 +1,5 @@
 """A measured profile as a whole: truth comes back, steps can be undone, roughness is told and warned of."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -27,7 +25,7 @@ def rough_roller() -> Trace:
 
 
 @pytest.fixture(scope="module")
-def measured() -> Measured:
+def measured():
     return prepare(rough_roller())
 
 

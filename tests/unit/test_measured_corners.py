@@ -1,7 +1,5 @@
 """Corners that a trace holds: land and corner are prepared apart, and contacts end within the corner."""
 
-from __future__ import annotations
-
 import math
 import warnings
 

@@ -1,7 +1,5 @@
 """Fits: parameters come back, kinds are told apart, and what nobody can tell is refused."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose

@@ -1,7 +1,5 @@
 """Measured profiles: each step does what it says, on lines whose truth is known."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 

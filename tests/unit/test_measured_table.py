@@ -1,7 +1,5 @@
 """Profiles of kind "measured" in a case file: options, mistakes, and the schema."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import Any
@@ -23,7 +21,7 @@ RADIUS = 900.0
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path):
     y = np.linspace(0.0, 10.0, 2001)
     height = -1e3 * ((y - 5.0) ** 2 / (2.0 * RADIUS) + np.maximum(np.abs(y - 5.0) - 4.5, 0.0)) + 1.5 * y
     height += 0.1 * np.random.default_rng(1).standard_normal(len(y))

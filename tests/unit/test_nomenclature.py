@@ -1,7 +1,5 @@
 """The nomenclature page and the code name the same things, with the same units."""
 
-from __future__ import annotations
-
 import dataclasses
 import importlib
 import inspect

@@ -1,7 +1,5 @@
 """The life of a raceway with a dent that is rolled over."""
 
-from __future__ import annotations
-
 import math
 import runpy
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Values of a file by dotted paths."""
 
-from __future__ import annotations
-
 import pytest
 
 import nonhertz as nh

@@ -1,7 +1,5 @@
 """Plan files: what they hold, and all their mistakes at once."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +13,7 @@ from nonhertz.files.spreads import Distribution
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path):
     (tmp_path / "case.toml").write_text(starting_case(), encoding="utf-8")
     return tmp_path
 

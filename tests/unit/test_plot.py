@@ -1,21 +1,17 @@
 """Drawings of a solution: what is drawn is what the solution says, and files come out the same every time."""
 
-from __future__ import annotations
-
 import gc
 import subprocess
 import sys
 import warnings
 import weakref
 from dataclasses import dataclass, replace
-from pathlib import Path
 from xml.etree import ElementTree
 
 import matplotlib as mpl
 import numpy as np
 import pytest
 from drawn_words import can_be_read, words
-from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
 from numpy.testing import assert_allclose
@@ -175,17 +171,17 @@ CASES["spiked"] = SPIKED
 
 
 @pytest.fixture(params=CASES)
-def solution(request: pytest.FixtureRequest) -> Solution:
+def solution(request):
     return CASES[request.param]
 
 
 @pytest.fixture
-def ax() -> Axes:
+def ax():
     return Figure().add_subplot()
 
 
 class TestPressure:
-    def test_lines_are_the_strips(self, solution: Solution, ax: Axes) -> None:
+    def test_lines_are_the_strips(self, solution, ax):
         assert plot.pressure(solution, ax) is ax
         left, right = ax.figure.axes
         pressure, half_width = left.lines, right.lines[0]
@@ -195,7 +191,7 @@ class TestPressure:
         assert_allclose(half_width.get_xdata(), solution.y, rtol=0, atol=0)
         assert_allclose(half_width.get_ydata(), solution.half_width, rtol=0, atol=0)
 
-    def test_everything_is_inside_the_axes_and_starts_from_zero(self, solution: Solution, ax: Axes) -> None:
+    def test_everything_is_inside_the_axes_and_starts_from_zero(self, solution, ax):
         plot.pressure(solution, ax)
         left, right = ax.figure.axes
         assert left.get_ylim()[0] == right.get_ylim()[0] == 0.0
@@ -205,14 +201,14 @@ class TestPressure:
         assert low < solution.contact_y[0][0]
         assert high > solution.contact_y[-1][1]
 
-    def test_a_maximum_at_a_corner_says_so(self, ax: Axes) -> None:
+    def test_a_maximum_at_a_corner_says_so(self, ax):
         plot.pressure(judged(crowned(), peaks_at_corner=True), ax)
         (shown,) = (text.get_text() for text in ax.texts if "MPa" in text.get_text())
         assert shown.endswith(" mm (corner: rises with refinement)")
 
     @pytest.mark.slow
     @pytest.mark.parametrize(("load", "largest"), [(20e3, False), (60e3, True)])
-    def test_a_pressure_that_rises_again_at_a_land_end_says_so(self, load: float, largest: bool, ax: Axes) -> None:
+    def test_a_pressure_that_rises_again_at_a_land_end_says_so(self, load, largest, ax):
         roller = Roller(diameter=20.0, length=20.0, profile=nh.profile.crown(1500.0), corner_radius=0.8)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", nh.AccuracyWarning)
@@ -232,7 +228,7 @@ class TestPressure:
         assert sum(text.startswith("land end, ") for text in beside) == 4
         assert solution.max_pressure > 1500.0
 
-    def test_singular_ends_have_exponent_and_strength(self, ax: Axes) -> None:
+    def test_singular_ends_have_exponent_and_strength(self, ax):
         plot.pressure(CASES["straight"], ax)
         labels = [text for text in ax.texts if "singular" in text.get_text()]
         expected = "singular: $p$ ∼ $K$ / $s^{0.333}$\n$K$ = 656.4 MPa mm$^{0.333}$"
@@ -244,7 +240,7 @@ class TestPressure:
         assert high.xy[0] > 9.0  # type: ignore[attr-defined]
         assert [line.get_xdata()[0] for line in ax.lines if line.get_marker() == "^"] == [-10.0, 10.0]
 
-    def test_singular_end_does_not_set_the_scale(self, ax: Axes) -> None:
+    def test_singular_end_does_not_set_the_scale(self, ax):
         plot.pressure(SPIKED, ax)
         crest = crowned().max_pressure
         assert_allclose(ax.get_ylim()[1], 1.6 * crest, rtol=1e-12)
@@ -254,7 +250,7 @@ class TestPressure:
         assert f"{spike:.0f}" not in shown
         assert f"{crest:.0f} MPa" in shown
 
-    def test_the_maximum_near_a_singular_end_is_beyond_a_half_width(self, ax: Axes) -> None:
+    def test_the_maximum_near_a_singular_end_is_beyond_a_half_width(self, ax):
         solution = CASES["sharp"]
         plot.pressure(solution, ax)
         marker = next(line for line in ax.lines if line.get_marker() == "o")
@@ -264,20 +260,20 @@ class TestPressure:
         assert solution.y[away].max() < y < solution.y[~away].min()
         assert_allclose(10.0 - y, np.interp(y, solution.y, solution.half_width), rtol=1e-12)
 
-    def test_both_of_two_equal_maxima_are_marked(self, ax: Axes) -> None:
+    def test_both_of_two_equal_maxima_are_marked(self, ax):
         plot.pressure(TWINS, ax)
         marker = next(line for line in ax.lines if line.get_marker() == "o")
         low, high = marker.get_xdata()
         assert_allclose(low, -high, rtol=1e-12)
         assert f"MPa at $y$ = −{high:.2f} and {high:.2f} mm" in " ".join(text.get_text() for text in ax.texts)
 
-    def test_unconverged_result_says_so(self, ax: Axes) -> None:
+    def test_unconverged_result_says_so(self, ax):
         plot.pressure(crowned(status=Status.STAGNATED), ax)
         assert ax.get_title(loc="left").endswith("NOT CONVERGED")
 
 
 class TestFootprint:
-    def test_outline_is_the_half_width(self, solution: Solution, ax: Axes) -> None:
+    def test_outline_is_the_half_width(self, solution, ax):
         plot.footprint(solution, ax)
         pieces = [line.get_xydata() for line in ax.lines if line.get_color() == INK]
         assert len(pieces) == len(solution.contact_y)
@@ -293,7 +289,7 @@ class TestFootprint:
                     rtol=1e-15,
                 )
 
-    def test_colours_are_the_pressure(self, solution: Solution, ax: Axes) -> None:
+    def test_colours_are_the_pressure(self, solution, ax):
         plot.footprint(solution, ax)
         meshes = [item for item in ax.collections if isinstance(item, QuadMesh)]
         highest = max(float(mesh.get_array().max()) for mesh in meshes)
@@ -305,7 +301,7 @@ class TestFootprint:
         assert {mesh.get_clim() for mesh in meshes} == {(0.0, last)}
 
     @pytest.mark.parametrize(("name", "factor"), [("crowned", np.pi / 2.0), ("parabolic", 4.0 / 3.0)])
-    def test_integral_of_the_colours_is_the_line_load(self, name: str, factor: float, ax: Axes) -> None:
+    def test_integral_of_the_colours_is_the_line_load(self, name, factor, ax):
         solution = CASES[name]
         plot.footprint(solution, ax)
         (mesh,) = (item for item in ax.collections if isinstance(item, QuadMesh))
@@ -316,7 +312,7 @@ class TestFootprint:
         assert_allclose(integral, solution.line_load[touching], rtol=2e-3)
         assert_allclose(integral, factor * field[field.shape[0] // 2] * across[-1], rtol=2e-3)
 
-    def test_parabola_shows_the_hertz_half_width_as_well(self, ax: Axes) -> None:
+    def test_parabola_shows_the_hertz_half_width_as_well(self, ax):
         solution = CASES["parabolic"]
         plot.footprint(solution, ax)
         dotted = [line for line in ax.lines if line.get_color() == "white"]
@@ -325,7 +321,7 @@ class TestFootprint:
 
 
 class TestProfile:
-    def test_lines_are_the_surfaces_in_micrometres(self, solution: Solution, ax: Axes) -> None:
+    def test_lines_are_the_surfaces_in_micrometres(self, solution, ax):
         assert plot.profile(solution, ax) is ax
         before, after = (line for line in ax.lines if len(line.get_xdata()) == solution.strips)
         finite = np.isfinite(solution.interference)
@@ -334,7 +330,7 @@ class TestProfile:
             assert_allclose(line.get_ydata()[finite], expected[finite], rtol=1e-15)
             assert np.all(np.isnan(line.get_ydata()[~finite]))
 
-    def test_a_cut_axis_says_so(self, ax: Axes) -> None:
+    def test_a_cut_axis_says_so(self, ax):
         plot.profile(CASES["endless"], ax)
         assert ax.get_title(loc="left").endswith("; axis cut, the relief is infinite at an end")
         steep = springs(Contact(Roller(diameter=20.0, length=20.0, profile=Even(1e-3)), Plate()), 0.01)
@@ -345,17 +341,17 @@ class TestProfile:
 
 @pytest.mark.slow
 class TestFigures:
-    def test_title_is_taken_as_it_is_written(self, tmp_path: Path) -> None:
+    def test_title_is_taken_as_it_is_written(self, tmp_path):
         sheet = plot.figures(CASES["point"], title="$5_{ and $6^^")["pressure"]
         assert "$5_{ and $6^^" in words(sheet)
         plot.save(sheet, tmp_path / "dollars")
 
     @pytest.mark.slow
-    def test_no_words_overlap_or_leave_the_paper(self, solution: Solution) -> None:
+    def test_no_words_overlap_or_leave_the_paper(self, solution):
         for sheet in plot.figures(solution, title="A roller").values():
             can_be_read(sheet)
 
-    def test_footprint_has_a_true_panel_and_a_stretched_one(self) -> None:
+    def test_footprint_has_a_true_panel_and_a_stretched_one(self):
         sheet = plot.figures(CASES["crowned"])["footprint"]
         sheet.draw_without_rendering()
         true, stretched, _ = sheet.axes
@@ -367,13 +363,13 @@ class TestFigures:
             assert_allclose((across - origin)[1] / (along - origin)[0], expected, rtol=1e-2)
         assert_allclose(true.get_xlim(), stretched.get_xlim(), rtol=1e-2)
 
-    def test_nothing_in_contact_is_drawn_too(self, tmp_path: Path) -> None:
+    def test_nothing_in_contact_is_drawn_too(self, tmp_path):
         apart = springs(Contact(Roller(diameter=20.0, length=20.0), Plate()), -0.01)
         for name, sheet in plot.figures(apart).items():
             plot.save(sheet, tmp_path / name)
 
     @pytest.mark.slow
-    def test_neither_pyplot_nor_matplotlib_is_imported_before_drawing(self) -> None:
+    def test_neither_pyplot_nor_matplotlib_is_imported_before_drawing(self):
         check = "import sys, nonhertz.plot; sys.exit('matplotlib' in sys.modules)"
         subprocess.run([sys.executable, "-c", check], check=True)
         check = (
@@ -385,7 +381,7 @@ class TestFigures:
 
 @pytest.mark.slow
 class TestSave:
-    def test_writes_both_files_beside_the_stem(self, tmp_path: Path) -> None:
+    def test_writes_both_files_beside_the_stem(self, tmp_path):
         sheet = plot.figures(CASES["point"])["footprint"]
         svg, png = plot.save(sheet, tmp_path / "case.v2")
         assert (svg, png) == (tmp_path / "case.v2.svg", tmp_path / "case.v2.png")
@@ -395,7 +391,7 @@ class TestSave:
 
     @pytest.mark.parametrize("name", ["pressure", "footprint", "profile"])
     @pytest.mark.slow
-    def test_same_solution_gives_the_same_file(self, name: str, tmp_path: Path) -> None:
+    def test_same_solution_gives_the_same_file(self, name, tmp_path):
         first, again, anew = tmp_path / "first", tmp_path / "again", tmp_path / "anew"
         sheet = plot.figures(CASES["hollow"], title="Twice")[name]
         svg, _ = plot.save(sheet, first)
@@ -404,14 +400,14 @@ class TestSave:
             plot.save(plot.figures(CASES["hollow"], title="Twice")[name], str(anew))[0].read_bytes() == svg.read_bytes()
         )
 
-    def test_file_does_not_depend_on_the_settings_around(self, tmp_path: Path) -> None:
+    def test_file_does_not_depend_on_the_settings_around(self, tmp_path):
         sheets = plot.figures(CASES["hollow"])
         svg = {name: plot.save(sheet, tmp_path / name)[0].read_bytes() for name, sheet in sheets.items()}
         with mpl.rc_context({"font.size": 14.0, "font.family": "DejaVu Serif", "svg.hashsalt": None}):
             for name, sheet in plot.figures(CASES["hollow"]).items():
                 assert plot.save(sheet, tmp_path / name)[0].read_bytes() == svg[name]
 
-    def test_figures_leave_nothing_behind(self) -> None:
+    def test_figures_leave_nothing_behind(self):
         sheet = plot.figures(CASES["crowned"])["pressure"]
         remains = weakref.ref(sheet)
         sheet.draw_without_rendering()
@@ -420,7 +416,7 @@ class TestSave:
         assert remains() is None
 
 
-def test_what_has_no_limit_is_said_at_its_end() -> None:
+def test_what_has_no_limit_is_said_at_its_end():
     sharp = solve_one(Contact(Roller(diameter=15.0, length=20.0), Plate()), load=8e3, strips=21)
     chamfered = Roller(diameter=15.0, length=20.0, chamfer=Chamfer(length=2.0, angle=0.3, blend_radius=0.0))
     cornered = solve_one(Contact(chamfered, Plate()), load=8e3)
@@ -441,7 +437,7 @@ def test_what_has_no_limit_is_said_at_its_end() -> None:
 
 
 @pytest.mark.parametrize("what", ["pressure", "footprint", "profile"])
-def test_a_solution_draws_itself(what: str, ax: Axes) -> None:
+def test_a_solution_draws_itself(what, ax):
     solution = crowned()
     assert solution.plot(what, ax) is ax
     own = solution.plot(what)
@@ -452,7 +448,7 @@ def test_a_solution_draws_itself(what: str, ax: Axes) -> None:
         solution.plot("shape")
 
 
-def test_strips_are_a_dataframe() -> None:
+def test_strips_are_a_dataframe():
     solution = crowned()
     frame = solution.to_dataframe()
     assert list(frame.columns) == list(frame.attrs["units"]) == list(solution.table())

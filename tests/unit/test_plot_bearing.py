@@ -1,7 +1,5 @@
 """Figures of bearings: what is drawn are the solution's numbers, and every figure says what it is of."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Where bodies fatigue, drawn: lines are the densities, and the key tells the lives."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -18,14 +16,14 @@ NAMES = ("lundberg-palmgren", "iso-16281")
 
 
 @pytest.fixture(scope="module")
-def solution() -> nh.Solution:
+def solution():
     profile = nh.profile.iso_logarithmic(diameter=15, length=15)
     roller = nh.Roller(diameter=15, length=15, profile=profile)
     return nh.solve(nh.Contact(roller, nh.Ring(diameter=60)), load=5e3, strips=15)
 
 
 @pytest.fixture(scope="module")
-def lives(solution: nh.Solution) -> tuple[Life, ...]:
+def lives(solution):
     return assess(solution, NAMES, body="b")
 
 
@@ -41,7 +39,7 @@ def peaked(life: Life) -> Life:
 
 
 @pytest.mark.slow
-def test_lines_are_densities_and_laminae_steps(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
+def test_lines_are_densities_and_laminae_steps(solution, lives):
     volume, laminae = lives
     axes = life_density([(solution, 1.0)], lives, Figure().add_subplot())
     np.testing.assert_array_equal(axes.lines[0].get_xydata(), np.column_stack([volume.y, volume.density]))
@@ -54,14 +52,14 @@ def test_lines_are_densities_and_laminae_steps(solution: nh.Solution, lives: tup
     assert high > max(life.density.max() for life in lives)
 
 
-def test_a_peak_makes_the_axis_logarithmic(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
+def test_a_peak_makes_the_axis_logarithmic(solution, lives):
     axes = life_density([(solution, 1.0)], [peaked(lives[0])], Figure().add_subplot())
     assert axes.get_yscale() == "log"
     assert axes.get_ylim()[0] == FAINTEST
     assert axes.get_ylim()[1] > 10.0 * PEAKED
 
 
-def test_what_has_no_number_is_told_in_words(solution: nh.Solution, lives: tuple[Life, ...]) -> None:
+def test_what_has_no_number_is_told_in_words(solution, lives):
     nothing = np.full(lives[0].y.size, np.nan)
     no_ideal = replace(lives[0], reference=np.nan, density=nothing)
     figure = life_figure([(solution, 1.0)], {"a": [no_ideal], "b": [no_ideal]})

@@ -1,7 +1,5 @@
 """Drawings of the stress below a contact: fields, landmarks and scales are those of the solution."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -27,7 +25,7 @@ class Found:
     planes: dict[str, Field]
 
     @classmethod
-    def of(cls, solution: Solution, body: str, station: float | None = None) -> Found:
+    def of(cls, solution: Solution, body: str, station: float | None = None):
         overall = extremes(solution, body=body)
         section = extremes(solution, overall.von_mises.y if station is None else station, body=body)
         return cls(solution, overall, section, plot.stress_planes(solution, section))
@@ -49,18 +47,18 @@ def solved(crown: float, load: float, tilt: float, **body: object) -> Solution:
 
 
 @pytest.fixture(scope="module")
-def point() -> Found:
+def point():
     # The combined radii are 10 and 100 mm; off the middle, so that y is seen to be y.
     return Found.of(solved(100.0, 1000.0, 0.003), "b", station=0.5)
 
 
 @pytest.fixture(scope="module")
-def sharp() -> Found:
+def sharp():
     return Found.of(solved(4000.0, 20e3, 0.5e-3, length=20.0), "a")
 
 
 @pytest.fixture
-def ax() -> Axes:
+def ax():
     return Figure().add_subplot()
 
 
@@ -80,7 +78,7 @@ def key(ax: Axes) -> list[str]:
 
 
 @pytest.mark.slow
-def test_contour_lines_lie_where_the_stress_is_theirs(point: Found, ax: Axes) -> None:
+def test_contour_lines_lie_where_the_stress_is_theirs(point, ax):
     assert point.axial(ax) is ax
     _, lines = contours(ax)
     assert len(lines.levels) >= 5
@@ -94,7 +92,7 @@ def test_contour_lines_lie_where_the_stress_is_theirs(point: Found, ax: Axes) ->
     assert drawn > 30
 
 
-def test_the_axial_plane_points_down_and_marks_the_largest_of_the_body(point: Found, ax: Axes) -> None:
+def test_the_axial_plane_points_down_and_marks_the_largest_of_the_body(point, ax):
     point.axial(ax)
     deepest, surface = ax.get_ylim()
     assert_allclose((deepest, surface), (3.0 * point.solution.half_width.max(), 0.0), rtol=1e-12)
@@ -107,7 +105,7 @@ def test_the_axial_plane_points_down_and_marks_the_largest_of_the_body(point: Fo
     assert [aside in label for label in key(ax)[:3]] == [False, False, True]
 
 
-def test_the_cross_section_is_true_and_marks_both_sides(point: Found, ax: Axes) -> None:
+def test_the_cross_section_is_true_and_marks_both_sides(point, ax):
     assert point.across(ax) is ax
     ax.figure.draw_without_rendering()
     origin, across, down = ax.transData.transform([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)])
@@ -126,7 +124,7 @@ def test_the_cross_section_is_true_and_marks_both_sides(point: Found, ax: Axes) 
 
 
 @pytest.mark.slow
-def test_a_sharp_end_does_not_set_the_colours(sharp: Found, point: Found, ax: Axes) -> None:
+def test_a_sharp_end_does_not_set_the_colours(sharp, point, ax):
     sharp.axial(ax)
     bands, _ = contours(ax)
     assert bands.levels[-2] < sharp.overall.von_mises.max <= bands.levels[-1]
@@ -138,7 +136,7 @@ def test_a_sharp_end_does_not_set_the_colours(sharp: Found, point: Found, ax: Ax
 
 
 @pytest.mark.parametrize("name", ["point", "sharp"])
-def test_sheets_are_to_scale_and_no_words_overlap(name: str, request: pytest.FixtureRequest) -> None:
+def test_sheets_are_to_scale_and_no_words_overlap(name, request):
     sheets = request.getfixturevalue(name).sheets
     assert list(sheets) == ["axial-plane", "cross-section"]
     for sheet in sheets.values():

@@ -1,7 +1,5 @@
 """Profiles: what each kind does at its landmarks, how they combine, and what they refuse."""
 
-from __future__ import annotations
-
 import inspect
 import math
 import pickle

@@ -1,7 +1,5 @@
 """Profiles by their drop at a place: every kind of the catalogue, and what no parameter makes."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 
@@ -47,14 +45,14 @@ def drop_of(profile: Profile, at: float) -> float:
     return float(there - middle)
 
 
-def test_every_kind_and_every_parameter_is_tried() -> None:
+def test_every_kind_and_every_parameter_is_tried():
     expected = {(kind, name) for kind in CATALOGUE for name in PARAMETERS[kind].by_drop or ("scale",)}
     assert set(GIVEN) == expected - {("straight", "scale")}
 
 
 @pytest.mark.parametrize(("kind", "name"), GIVEN)
 @pytest.mark.parametrize("drop", [0.004, 0.006])
-def test_the_relief_at_the_place_is_the_stated_one(kind: str, name: str, drop: float) -> None:
+def test_the_relief_at_the_place_is_the_stated_one(kind, name, drop):
     parameters = GIVEN[kind, name]
     assert determined(kind, parameters) == name
     made = with_drop(kind, drop, AT, **parameters)
@@ -68,7 +66,7 @@ def test_the_relief_at_the_place_is_the_stated_one(kind: str, name: str, drop: f
         assert made == CATALOGUE[kind](**parameters, **{name: made.catalogue_entry[1][name]})
 
 
-def test_the_radius_of_a_crown_is_that_of_the_circle_through_three_points() -> None:
+def test_the_radius_of_a_crown_is_that_of_the_circle_through_three_points():
     entry = with_drop("crown", 0.02, AT).catalogue_entry
     assert entry is not None
     assert entry[1]["radius"] == pytest.approx((AT**2 + 0.02**2) / 0.04, rel=1e-13)
@@ -77,13 +75,13 @@ def test_the_radius_of_a_crown_is_that_of_the_circle_through_three_points() -> N
     assert hollow[1]["radius"] == pytest.approx(-(AT**2 + 0.02**2) / 0.04, rel=1e-13)
 
 
-def test_the_amplitude_of_a_logarithm_is_the_drop_over_the_logarithm() -> None:
+def test_the_amplitude_of_a_logarithm_is_the_drop_over_the_logarithm():
     entry = with_drop("logarithmic", 0.02, AT, length=LENGTH).catalogue_entry
     assert entry is not None
     assert entry[1]["amplitude"] == pytest.approx(0.02 / math.log(1 / (1 - 0.95**2)), rel=1e-13)
 
 
-def test_a_place_on_the_other_side_counts_there() -> None:
+def test_a_place_on_the_other_side_counts_there():
     assert drop_of(with_drop("crown", 0.02, -AT, centre=1.0), -AT) == pytest.approx(0.02, rel=1e-12)
     assert drop_of(with_drop("conical", 0.02, -AT), AT) == pytest.approx(-0.02, rel=1e-12)
 
@@ -91,7 +89,7 @@ def test_a_place_on_the_other_side_counts_there() -> None:
 @pytest.mark.slow
 @settings(deadline=None)
 @given(radius=st.floats(30.0, 1e6), at=st.floats(0.1, 20.0), centre=st.floats(-0.04, 0.04))
-def test_a_crown_is_found_from_its_drop(radius: float, at: float, centre: float) -> None:
+def test_a_crown_is_found_from_its_drop(radius, at, centre):
     profile = crown(radius, centre)
     entry = with_drop("crown", drop_of(profile, at), at, centre=centre).catalogue_entry
     assert entry is not None
@@ -101,7 +99,7 @@ def test_a_crown_is_found_from_its_drop(radius: float, at: float, centre: float)
 
 @settings(deadline=None)
 @given(amplitude=st.floats(1e-5, 0.1), at=st.floats(0.1, 9.99), fraction=st.floats(0.5, 1.0))
-def test_a_logarithm_is_found_from_its_drop(amplitude: float, at: float, fraction: float) -> None:
+def test_a_logarithm_is_found_from_its_drop(amplitude, at, fraction):
     profile = logarithmic(amplitude, LENGTH, fraction)
     again = with_drop("logarithmic", float(profile.relief(at)), at, length=LENGTH, fraction=fraction)
     np.testing.assert_allclose(again.relief([1.0, 5.0, 9.0]), profile.relief([1.0, 5.0, 9.0]), rtol=1e-13)
@@ -130,16 +128,14 @@ def test_a_logarithm_is_found_from_its_drop(amplitude: float, at: float, fractio
         (("tabulated", 0.02, AT), {"y": [1.0, 9.9], "relief": [0.0, 1.0]}, "at = 9.5 must be where 'tabulated' has"),
     ],
 )
-def test_what_no_parameter_makes_is_refused_in_a_sentence(
-    arguments: tuple[str, float, float], parameters: dict[str, Any], sentence: str
-) -> None:
+def test_what_no_parameter_makes_is_refused_in_a_sentence(arguments, parameters, sentence):
     with pytest.raises(InputError) as caught:
         with_drop(*arguments, **parameters)
     assert str(caught.value).startswith(sentence)
     assert "\n" not in str(caught.value)
 
 
-def test_a_table_is_scaled_about_its_own_middle() -> None:
+def test_a_table_is_scaled_about_its_own_middle():
     y, relief = [-10.0, 0.0, 10.0], [0.01, 0.002, 0.02]
     made = with_drop("tabulated", 0.05, 10.0, y=y, relief=relief, interpolation="linear")
     np.testing.assert_allclose(made.relief(y), np.array(relief) * 0.05 / 0.018, rtol=1e-14)

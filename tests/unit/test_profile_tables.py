@@ -1,7 +1,5 @@
 """Profiles in case files as drawings state them: drops, and dimensions that are taken from the bodies."""
 
-from __future__ import annotations
-
 import math
 import tomllib
 from pathlib import Path
@@ -48,7 +46,7 @@ def parameters(made: Case) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("kind", [kind for kind in CATALOGUE if kind != "straight"])
-def test_every_kind_has_the_drop_at_the_end_of_the_land(kind: str) -> None:
+def test_every_kind_has_the_drop_at_the_end_of_the_land(kind):
     more = f", {NEEDED[kind]}" if kind in NEEDED else ""
     made = case(f"kind = '{kind}', drop = '5 um'{more}", CORNERED)
     relief = made.contact.a.relief([9.5, 0.0])
@@ -71,7 +69,7 @@ def test_every_kind_has_the_drop_at_the_end_of_the_land(kind: str) -> None:
         ("diameter = 16\neffective_length = 15", 7.5),
     ],
 )
-def test_the_land_ends_where_corners_begin(body: str, end: float) -> None:
+def test_the_land_ends_where_corners_begin(body, end):
     made = case("kind = 'crown', drop = 0.02", body)
     assert float(made.contact.a.profile.relief(end)) == pytest.approx(0.02, rel=1e-13)
     elsewhere = case("kind = 'crown', drop = 0.02, at = '-5 mm'", body)
@@ -79,7 +77,7 @@ def test_the_land_ends_where_corners_begin(body: str, end: float) -> None:
 
 
 @pytest.mark.parametrize("kind", ["iso-logarithmic", "iso-tapered", "iso-thrust", "logarithmic"])
-def test_corners_leave_a_logarithm_for_the_whole_body_finite(kind: str) -> None:
+def test_corners_leave_a_logarithm_for_the_whole_body_finite(kind):
     made = case(f"kind = '{kind}', drop = '20 um'", CORNERED).contact.a
     assert float(made.relief(9.5)) == pytest.approx(0.02, rel=1e-12)
     assert math.isinf(made.profile.relief(10.0))
@@ -88,21 +86,21 @@ def test_corners_leave_a_logarithm_for_the_whole_body_finite(kind: str) -> None:
     ]
 
 
-def test_a_drop_is_that_before_shift_and_flip() -> None:
+def test_a_drop_is_that_before_shift_and_flip():
     plain = case("kind = 'crown', drop = 0.02, at = 9, centre = 1").contact.a.profile
     moved = case("kind = 'crown', drop = 0.02, at = 9, centre = 1, shift = 0.5, flip = true").contact.a.profile
     y = np.linspace(-9.0, 9.0, 19)
     np.testing.assert_allclose(moved.relief(y), plain.relief(-y - 0.5), rtol=1e-13, atol=1e-18)
 
 
-def test_points_in_a_file_are_scaled(tmp_path: Path) -> None:
+def test_points_in_a_file_are_scaled(tmp_path):
     (tmp_path / "points.csv").write_text("-10, 1\n0, 0\n10, 3\n", encoding="utf-8")
     made = case("kind = 'tabulated', file = 'points.csv', drop = '30 um'", folder=tmp_path)
     np.testing.assert_allclose(made.contact.a.profile.relief([-10.0, 10.0]), [0.01, 0.03], rtol=1e-14)
 
 
 @pytest.mark.parametrize("kind", ["lundberg", "johns-gohar", "fujiwara-kawase"])
-def test_the_radius_of_a_design_load_is_that_of_both_bodies(kind: str) -> None:
+def test_the_radius_of_a_design_load_is_that_of_both_bodies(kind):
     for other, radius in (("diameter = 60", 8 * 30 / 38), ("diameter = -60", 8 * 30 / 22), ("", 8.0)):
         found = parameters(case(f"kind = '{kind}', load = '20 kN'", other=other))
         assert found["radius"] == pytest.approx(radius, rel=1e-14)
@@ -119,19 +117,19 @@ def test_the_radius_of_a_design_load_is_that_of_both_bodies(kind: str) -> None:
     assert made.contact.b.profile == case(f"kind = '{kind}', load = '20 kN'").contact.a.profile
 
 
-def test_the_radius_counts_in_the_middle_of_a_table_of_diameters() -> None:
+def test_the_radius_counts_in_the_middle_of_a_table_of_diameters():
     found = parameters(
         case("kind = 'lundberg', load = '20 kN'", "diameter = { y = [-10, 10], diameter = [14, 18] }\nlength = 20")
     )
     assert found["radius"] == pytest.approx(8 * 30 / 38, rel=1e-14)
 
 
-def test_no_radius_is_taken_where_the_relief_at_the_end_is_given() -> None:
+def test_no_radius_is_taken_where_the_relief_at_the_end_is_given():
     assert "radius" not in parameters(case("kind = 'fujiwara-kawase', load = '20 kN', zm = 0.02"))
 
 
 @pytest.mark.parametrize("kind", ["iso-tapered", "iso-logarithmic", "iso-thrust"])
-def test_the_diameter_of_a_cone_is_that_normal_to_its_axis(kind: str) -> None:
+def test_the_diameter_of_a_cone_is_that_normal_to_its_axis(kind):
     # As in the how-to: 12 mm and 14 mm normal to the axis, 18 mm apart along the surface.
     cosine = math.sqrt(1.0 - (1.0 / 18.0) ** 2)
     ends = [12.0 / cosine, 14.0 / cosine]
@@ -210,7 +208,7 @@ def test_the_diameter_of_a_cone_is_that_normal_to_its_axis(kind: str) -> None:
         ),
     ],
 )
-def test_nonsense_is_refused_once_and_at_its_key(table: str, body: str, expected: list[str]) -> None:
+def test_nonsense_is_refused_once_and_at_its_key(table, body, expected):
     found = mistakes(table, body)
     assert len(found) == len(expected)
     for sentence, beginning in zip(found, expected, strict=True):
@@ -218,7 +216,7 @@ def test_nonsense_is_refused_once_and_at_its_key(table: str, body: str, expected
 
 
 @pytest.mark.parametrize("kind", ["lundberg", "johns-gohar", "fujiwara-kawase"])
-def test_bodies_without_a_radius_are_the_mistake(kind: str) -> None:
+def test_bodies_without_a_radius_are_the_mistake(kind):
     table = f"kind = '{kind}', drop = '20 um'"
     (sentence,) = mistakes(table, ROLLER, "diameter = 'x'")
     assert sentence.startswith("body.b.diameter = 'x' must be a number with a unit")
@@ -229,7 +227,7 @@ def test_bodies_without_a_radius_are_the_mistake(kind: str) -> None:
     )
 
 
-def test_the_schema_needs_a_size_or_a_drop() -> None:
+def test_the_schema_needs_a_size_or_a_drop():
 
     kinds = schema_of("case")["$defs"]["Body"]["properties"]["profile"]["anyOf"][0]["anyOf"]
     found = {each["properties"]["kind"]["const"]: each for each in kinds}
@@ -240,7 +238,7 @@ def test_the_schema_needs_a_size_or_a_drop() -> None:
     assert "oneOf" not in found["iso-tapered"]
 
 
-def test_a_report_shows_what_a_drop_determined() -> None:
+def test_a_report_shows_what_a_drop_determined():
     (profile,) = inputs(case("kind = 'crown', drop = '20 um'", CORNERED))[0].profiles
     shown = {entry.key: (f"{entry.value} {entry.unit}".strip(), entry.default) for entry in profile.entries}
     assert shown["radius"] == ("2256.26 mm", False)
@@ -252,7 +250,7 @@ def test_a_report_shows_what_a_drop_determined() -> None:
     assert {entry.key: entry.value for entry in profile.entries}["radius"] == "from both bodies"
 
 
-def test_a_case_of_python_with_a_drop_is_written() -> None:
+def test_a_case_of_python_with_a_drop_is_written():
     profile = nh.profile.with_drop("iso-logarithmic", 0.02, 9.5, diameter=16.0, length=20.0).flipped()
     roller = nh.Roller(diameter=16.0, length=20.0, corner_radius=0.5, profile=profile)
     made = nh.Case(nh.Contact(roller, nh.Ring(diameter=60.0)), {"load": 5e3})

@@ -1,7 +1,5 @@
 """The report: what it tells, that it stands alone, and that nothing a user writes becomes markup."""
 
-from __future__ import annotations
-
 import copy
 import json
 import re
@@ -69,7 +67,7 @@ def numbers_of(found: CaseResults) -> dict[str, tuple[str, str]]:
 
 
 @pytest.fixture(scope="module")
-def results_of_case(tmp_path_factory: pytest.TempPathFactory) -> CaseResults:
+def results_of_case(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report")
     (folder / "points").mkdir()
     (folder / "points/a.csv").write_text(POINTS, encoding="utf-8")
@@ -79,28 +77,28 @@ def results_of_case(tmp_path_factory: pytest.TempPathFactory) -> CaseResults:
 
 
 @pytest.fixture(scope="module")
-def text(results_of_case: CaseResults) -> str:
+def text(results_of_case):
     return rendered([results_of_case])
 
 
 @pytest.fixture(scope="module")
-def page(text: str) -> Page:
+def page(text):
     return Page(text)
 
 
 @pytest.fixture
-def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+def undrawn(monkeypatch):
     """Leave the figures out, which take the time."""
     monkeypatch.setattr("nonhertz.report.layout.image", lambda *_: b"<svg></svg>")
 
 
-def test_every_identifier_stands_once_and_every_reference_meets_one(page: Page) -> None:
+def test_every_identifier_stands_once_and_every_reference_meets_one(page):
     identifiers = page.values("id")
     assert len(identifiers) == len(set(identifiers)) > 10
     assert {value[1:] for value in page.values("href") if value.startswith("#")} <= set(identifiers)
 
 
-def test_it_loads_nothing_and_runs_nothing(text: str, page: Page) -> None:
+def test_it_loads_nothing_and_runs_nothing(text, page):
     tags = {tag for tag, _ in page.elements}
     assert not tags & {"script", "link", "iframe", "object", "embed", "base", "form"}
     for tag, attributes in page.elements:
@@ -112,13 +110,13 @@ def test_it_loads_nothing_and_runs_nothing(text: str, page: Page) -> None:
     assert outside == []
 
 
-def test_what_a_user_writes_stays_text(text: str, page: Page) -> None:
+def test_what_a_user_writes_stays_text(text, page):
     assert TITLE in page.text
     assert "<script" not in text
     assert "<b>a comment" not in text
 
 
-def test_each_figure_tells_a_screen_reader_what_it_is(page: Page) -> None:
+def test_each_figure_tells_a_screen_reader_what_it_is(page):
     drawn = [attributes for tag, attributes in page.elements if tag == "img"]
     assert len(drawn) == 5
     for each in drawn:
@@ -130,7 +128,7 @@ def test_each_figure_tells_a_screen_reader_what_it_is(page: Page) -> None:
     assert all("MPa" in each["alt"] for each in drawn)
 
 
-def test_the_files_inside_solve_to_the_same_numbers(page: Page, results_of_case: CaseResults, tmp_path: Path) -> None:
+def test_the_files_inside_solve_to_the_same_numbers(page, results_of_case, tmp_path):
     files = page.files()
     assert set(files) == {"roller.toml", "a.csv", "roller-table.csv", "roller-result.json", "roller-stress.json"}
     assert files["roller.toml"].decode() == CASE
@@ -144,11 +142,11 @@ def test_the_files_inside_solve_to_the_same_numbers(page: Page, results_of_case:
 
 
 @pytest.mark.slow
-def test_it_is_the_same_file_every_time(text: str, results_of_case: CaseResults) -> None:
+def test_it_is_the_same_file_every_time(text, results_of_case):
     assert rendered([results_of_case]) == text
 
 
-def test_key_numbers_stand_first(results_of_case: CaseResults) -> None:
+def test_key_numbers_stand_first(results_of_case):
     shown = {name: float(value.split()[0]) for name, (value, _) in numbers_of(results_of_case).items()}
     assert shown["maximum pressure"] == pytest.approx(results_of_case.solution.max_pressure, rel=1e-4)
     assert shown["approach"] == pytest.approx(1e3 * results_of_case.solution.approach, rel=1e-4)
@@ -160,7 +158,7 @@ def test_key_numbers_stand_first(results_of_case: CaseResults) -> None:
     )
 
 
-def test_where_the_pressure_has_no_limit_its_strength_is_told() -> None:
+def test_where_the_pressure_has_no_limit_its_strength_is_told():
     found = found_in(PLAIN.replace('{ kind = "iso-logarithmic" }, ', ""))
     value, remark = numbers_of(found)["maximum pressure"]
     assert float(value.split()[0]) == pytest.approx(found.solution.max_pressure, rel=1e-4)
@@ -171,7 +169,7 @@ def test_where_the_pressure_has_no_limit_its_strength_is_told() -> None:
     assert any("Comninou" in each for each in method(found)[1])
 
 
-def test_inputs_have_value_unit_meaning_and_say_what_is_a_default() -> None:
+def test_inputs_have_value_unit_meaning_and_say_what_is_a_default():
     body, other, load, solver = inputs(case_of(PLAIN))
     entries = {entry.place: entry for entry in (*body.entries, *other.entries, *load.entries, *solver.entries)}
     assert (entries["body.a.diameter"].value, entries["body.a.diameter"].unit) == ("15", "mm")
@@ -204,7 +202,7 @@ def told_of_steps(case: Case) -> dict[str, str]:
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_what_was_done_to_a_measured_profile_is_told_and_drawn(tmp_path: Path) -> None:
+def test_what_was_done_to_a_measured_profile_is_told_and_drawn(tmp_path):
     # A crown of 500 mm that lies askew by 2 mrad and 4 mm off the middle of the trace.
     rows = (f"{y:.3f}\t{2.0 * y - (y - 4.0) ** 2:.4f}" for y in np.linspace(-1.0, 9.0, 401))
     (tmp_path / "roller.txt").write_text("\n".join(rows), encoding="utf-8")
@@ -243,7 +241,7 @@ STRAINED = {
 
 
 @pytest.mark.parametrize("name", STRAINED)
-def test_a_strained_assumption_is_one_that_the_solver_warns_of(name: str) -> None:
+def test_a_strained_assumption_is_one_that_the_solver_warns_of(name):
     old, new, assumption, verdict = STRAINED[name]
     changed = PLAIN.replace(old, new)
     assert changed != PLAIN
@@ -260,7 +258,7 @@ def test_a_strained_assumption_is_one_that_the_solver_warns_of(name: str) -> Non
     assert {each.verdict for each in assumptions(fine)} == {Verdict.HOLDS, Verdict.OPEN}
 
 
-def test_defaults_are_folded_and_the_contents_lead_to_every_part(text: str, page: Page) -> None:
+def test_defaults_are_folded_and_the_contents_lead_to_every_part(text, page):
     body_a = text.partition("<caption>Body a</caption>")[2].partition("<caption>")[0]
     shown, _, folded = body_a.partition("<details>")
     assert re.findall(r"<code>(\w+)</code>", shown) == ["kind", "diameter", "length", "kind", "file", "kind", "angle"]
@@ -273,7 +271,7 @@ def test_defaults_are_folded_and_the_contents_lead_to_every_part(text: str, page
     assert parts[-1][1] == "Files"
 
 
-def test_only_publications_that_apply_are_named(results_of_case: CaseResults) -> None:
+def test_only_publications_that_apply_are_named(results_of_case):
     told = " ".join(method(results_of_case)[1])
     assert "de Mul" in told
     assert "Love" in told
@@ -282,7 +280,7 @@ def test_only_publications_that_apply_are_named(results_of_case: CaseResults) ->
         assert name not in told
 
 
-def test_formula_and_source_come_from_a_docstring() -> None:
+def test_formula_and_source_come_from_a_docstring():
     def documented() -> None:
         """Return nothing.
 
@@ -306,7 +304,7 @@ def test_formula_and_source_come_from_a_docstring() -> None:
     assert formula(None) == source(None) == ""
 
 
-def test_references_become_links_and_stay_escaped() -> None:
+def test_references_become_links_and_stay_escaped():
     told = str(linked("A & B, doi:10.1000/1.2; https://example.org/a.html, <i>."))
     assert '<a href="https://doi.org/10.1000/1.2" rel="noreferrer">doi:10.1000/1.2</a>;' in told
     assert '<a href="https://example.org/a.html" rel="noreferrer">https://example.org/a.html</a>,' in told
@@ -315,7 +313,7 @@ def test_references_become_links_and_stay_escaped() -> None:
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_two_cases_are_compared_by_what_differs() -> None:
+def test_two_cases_are_compared_by_what_differs():
     other = PLAIN.replace("4 kN", "8 kN").replace("diameter = 60", "diameter = 60\nposition = 0")
     pair = [case_of(PLAIN, "first.toml"), case_of(other, "second.toml")]
     # A default that is written down is no difference.
@@ -354,7 +352,7 @@ def test_two_cases_are_compared_by_what_differs() -> None:
         (["inner.material", "bearing.clearance"], ["inner.material", "bearing.clearance"]),
     ],
 )
-def test_what_keeps_numbers_from_being_compared_is_told(paths: list[str], told: list[str]) -> None:
+def test_what_keeps_numbers_from_being_compared_is_told(paths, told):
     said = basis(paths)
     assert said == ([f"Not all numbers compare, since more than shapes differs: {', '.join(told)}."] if told else [])
 
@@ -368,12 +366,12 @@ def test_what_keeps_numbers_from_being_compared_is_told(paths: list[str], told: 
     ],
     ids=["names", "folders", "numbers"],
 )
-def test_cases_of_one_title_are_told_apart(names: tuple[str, str], told: list[str]) -> None:
+def test_cases_of_one_title_are_told_apart(names, told):
     cases = [case_of(PLAIN, name) for name in names]
     assert [each.label for each in settled(cases)] == told
 
 
-def test_lives_are_told_where_the_case_asks_and_compared() -> None:
+def test_lives_are_told_where_the_case_asks_and_compared():
     asked = PLAIN + '[life]\nmodels = ["iso-16281"]\n'
     pair = settled([case_of(asked, "a.toml"), case_of(asked.replace("4 kN", "2 kN"), "b.toml")])
     assert [steps(pair, life=life, stress=False) for life in (None, True, False)] == [4, 4, 0]
@@ -392,7 +390,7 @@ def test_lives_are_told_where_the_case_asks_and_compared() -> None:
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_case_that_has_not_converged_is_told_as_such(results_of_case: CaseResults) -> None:
+def test_a_case_that_has_not_converged_is_told_as_such(results_of_case):
     without_points = copy.copy(results_of_case.case)
     object.__setattr__(without_points, "origin", replace(without_points.origin, folder=None))
     stopped = replace(
@@ -412,7 +410,7 @@ def test_a_case_that_has_not_converged_is_told_as_such(results_of_case: CaseResu
     assert "points/a.csv is named by the case file but not included here" in page.text
 
 
-def test_what_the_solver_refuses_is_named_by_its_file() -> None:
+def test_what_the_solver_refuses_is_named_by_its_file():
     never = PLAIN.replace('load = "4 kN"', "approach = -1.0")
     with pytest.raises(CaseError) as caught:
         compose([case_of(never, "a.toml"), case_of(PLAIN, "b.toml"), case_of(never, "c.toml")])
@@ -421,7 +419,7 @@ def test_what_the_solver_refuses_is_named_by_its_file() -> None:
         compose([case_of(never)])
 
 
-def test_files_that_are_too_large_are_left_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_that_are_too_large_are_left_out(tmp_path, monkeypatch):
     monkeypatch.setattr("nonhertz.files.held.MOST_ATTACHED", 10)
     (tmp_path / "points").mkdir()
     (tmp_path / "points/a.csv").write_text(POINTS, encoding="utf-8")
@@ -432,7 +430,7 @@ def test_files_that_are_too_large_are_left_out(tmp_path: Path, monkeypatch: pyte
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_case_that_was_made_in_python_has_a_report_and_a_file_of_its_own() -> None:
+def test_a_case_that_was_made_in_python_has_a_report_and_a_file_of_its_own():
     roller = nh.Roller(diameter=10, length=10, profile=nh.profile.crown(radius=500))
     case = nh.Case(nh.Contact(roller, nh.Plate()), {"load": 300.0}, title="Made in Python")
     page = Page(compose([case], stress=False))
@@ -441,7 +439,7 @@ def test_a_case_that_was_made_in_python_has_a_report_and_a_file_of_its_own() -> 
     assert again == case
 
 
-def test_a_changed_copy_of_a_case_does_not_carry_the_text_of_the_case_it_was_made_from() -> None:
+def test_a_changed_copy_of_a_case_does_not_carry_the_text_of_the_case_it_was_made_from():
     case = case_of(PLAIN)
     heavier = replace(case, prescribed={"load": 8e3})
     assert case.text == PLAIN
@@ -449,7 +447,7 @@ def test_a_changed_copy_of_a_case_does_not_carry_the_text_of_the_case_it_was_mad
     assert case_of(heavier.text) == heavier
 
 
-def test_a_case_that_no_file_can_hold_is_refused_before_it_is_solved(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_case_that_no_file_can_hold_is_refused_before_it_is_solved(monkeypatch):
     class Own(nh.profile.Profile):
         def relief(self, y: np.ndarray) -> np.ndarray:
             return 0.0 * np.asarray(y)
@@ -461,7 +459,7 @@ def test_a_case_that_no_file_can_hold_is_refused_before_it_is_solved(monkeypatch
 
 
 @pytest.mark.slow
-def test_whether_both_bodies_bear_it_is_told() -> None:
+def test_whether_both_bodies_bear_it_is_told():
     strong = 'material = { modulus = 207000, poisson = 0.3, yield_strength = 1500, hardness = "60 HRC" }'
     weak = strong.replace("1500", "100")
     text = PLAIN.replace("[body.b]", f"{strong}\n[body.b]\n{weak}")
@@ -482,7 +480,7 @@ def test_whether_both_bodies_bear_it_is_told() -> None:
     assert material == "E = 207000 MPa, ν = 0.3, yield strength 100 MPa, hardness 60 HRC"
 
 
-def test_without_strengths_the_report_leaves_the_question_open(results_of_case: CaseResults) -> None:
+def test_without_strengths_the_report_leaves_the_question_open(results_of_case):
     (only,) = results_of_case.strengths
     assert only.body == "a"
     shown = {each.name: each for each in assumptions(results_of_case)}

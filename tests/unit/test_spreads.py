@@ -1,7 +1,5 @@
 """What parameters run over: ranges, lists and distributions."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy import stats

@@ -1,7 +1,5 @@
 """Stress below solved contacts: the verbs, their values and their complaints."""
 
-from __future__ import annotations
-
 import pickle
 
 import numpy as np

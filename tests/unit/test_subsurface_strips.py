@@ -1,7 +1,5 @@
 """The field of single strips and of their tails, against quadrature of Boussinesq's point load."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

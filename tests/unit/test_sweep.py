@@ -1,7 +1,5 @@
 """Sweeps: rows are those of single solves, and survive being stopped."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import sqlite3

@@ -1,9 +1,6 @@
 """The heads of reports in case files and bearing files: what is read, written and refused."""
 
-from __future__ import annotations
-
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -18,14 +15,14 @@ TABLE = '\n[report]\nproject = "Gearbox"\n'
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
+def folder(tmp_path):
     (tmp_path / "case.toml").write_text(starting_case() + TABLE, encoding="utf-8")
     (tmp_path / "bearing.toml").write_text(starting_bearing() + TABLE, encoding="utf-8")
     return tmp_path
 
 
 @pytest.mark.parametrize(("name", "read"), [("case.toml", nh.read_case), ("bearing.toml", nh.read_bearing)])
-def test_a_title_block_is_read_and_written(folder: Path, name, read) -> None:
+def test_a_title_block_is_read_and_written(folder, name, read):
     case = read(folder / name)
     assert case.title_block.lines == {"project": "Gearbox"}
     (folder / "new").mkdir()
@@ -34,7 +31,7 @@ def test_a_title_block_is_read_and_written(folder: Path, name, read) -> None:
     assert replace(case, title_block=TitleBlock(author="A")).document["report"] == {"author": "A"}
 
 
-def test_all_mistakes_of_a_title_block_are_named(folder: Path) -> None:
+def test_all_mistakes_of_a_title_block_are_named(folder):
     wrong = '\n[report]\nproject = 7\nauthor = "two\\nlines"\ndate = 2026-11-23\nauthors = "A"\n'
     (folder / "case.toml").write_text(starting_case() + wrong, encoding="utf-8")
     with pytest.raises(CaseError) as caught:
@@ -42,11 +39,11 @@ def test_all_mistakes_of_a_title_block_are_named(folder: Path) -> None:
     assert set(caught.value.places) == {f"report.{name}" for name in ("project", "author", "date", "authors")}
 
 
-def test_what_is_given_stands_over_another() -> None:
+def test_what_is_given_stands_over_another():
     found = TitleBlock(author="B", date=" ").over(TitleBlock(project="Gearbox", author="A", date="today"))
     assert found.lines == {"project": "Gearbox", "author": "B", "date": "today"}
 
 
-def test_the_page_has_the_fields() -> None:
+def test_the_page_has_the_fields():
     (group,) = [each for each in form({}).folded if each.path == "report"]
     assert [field.path for field in group.members] == ["report.project", "report.author", "report.date"]

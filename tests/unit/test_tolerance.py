@@ -1,7 +1,5 @@
 """Tolerances: quantiles and indices of functions whose are known."""
 
-from __future__ import annotations
-
 import contextlib
 import math
 import sqlite3

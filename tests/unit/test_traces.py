@@ -1,7 +1,5 @@
 """Files of measuring machines: every dialect gives the same line, every damaged file one sentence."""
 
-from __future__ import annotations
-
 import hashlib
 import io
 import re
@@ -551,7 +549,7 @@ def test_a_damaged_file_ends_in_one_sentence(name):
     assert len(str(caught.value)) < 400
 
 
-def test_a_zip_that_unpacks_to_too_much_is_refused(monkeypatch: pytest.MonkeyPatch):
+def test_a_zip_that_unpacks_to_too_much_is_refused(monkeypatch):
     """By what it declares, so that nothing is unpacked to find out."""
     monkeypatch.setattr("nonhertz.files.traces.x3p._LARGEST_UNPACKED", 2_000_000)
     stream = io.BytesIO()
@@ -585,7 +583,7 @@ def test_a_bomb_of_elements_is_refused_before_there_is_a_tree_of_them():
     assert most < 30_000_000
 
 
-def test_an_x3p_of_too_many_points_is_refused_by_its_description(monkeypatch: pytest.MonkeyPatch):
+def test_an_x3p_of_too_many_points_is_refused_by_its_description(monkeypatch):
     monkeypatch.setattr("nonhertz.files.traces.x3p.MOST_POINTS", 5)
     with pytest.raises(InputError, match="must hold no more than 5 points"):
         read_trace(x3p())
@@ -596,13 +594,13 @@ def test_a_binary_profile_of_mahr_is_told_by_its_name():
         read_trace(bytes(range(256)), "P000_123.PCD")
 
 
-def test_what_is_no_file_is_refused(tmp_path: Path):
+def test_what_is_no_file_is_refused(tmp_path):
     for path in (tmp_path / "none.txt", tmp_path, Path("a\0b")):
         with pytest.raises(InputError, match="must be a file that can be read"):
             read_trace(path)
 
 
-def test_an_empty_or_too_large_file_is_refused_in_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_an_empty_or_too_large_file_is_refused_in_one_sentence(tmp_path, monkeypatch):
     monkeypatch.setattr("nonhertz.files.traces.LARGEST_FILE", 10)
     for content, reason in ((b"", "not be empty"), (b"0 1\n" * 3, "be no larger than 0 MB")):
         path = tmp_path / "roller.txt"
@@ -612,7 +610,7 @@ def test_an_empty_or_too_large_file_is_refused_in_one_sentence(tmp_path: Path, m
         assert str(caught.value).startswith(f"file = 'roller.txt' must {reason}: ")
 
 
-def test_a_file_is_called_by_its_name(tmp_path: Path):
+def test_a_file_is_called_by_its_name(tmp_path):
     path = tmp_path / "roller 7.txt"
     path.write_bytes(lines("{} {}"))
     assert read_trace(path, height_unit="um").name == "roller 7.txt"

@@ -1,7 +1,5 @@
 """Quantities as text: what is read, to what number, and what is refused."""
 
-from __future__ import annotations
-
 import math
 import subprocess
 import sys
@@ -58,12 +56,12 @@ UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
         ("5 Nmm", "N mm", 5.0),
     ],
 )
-def test_text_with_a_unit_is_read(text: str, unit: str, number: float) -> None:
+def test_text_with_a_unit_is_read(text, unit, number):
     # One rounding of the factor and one of the product.
     assert in_unit("field", text, unit) == pytest.approx(number, rel=4e-16, abs=0.0)
 
 
-def test_decimal_submultiples_do_not_gain_digits() -> None:
+def test_decimal_submultiples_do_not_gain_digits():
     assert [in_unit("field", f"0.{i} um", "mm") for i in range(1, 10)] == [float(f"0.{i}e-3") for i in range(1, 10)]
 
 
@@ -109,7 +107,7 @@ def test_decimal_submultiples_do_not_gain_digits() -> None:
         ("0.3", "", "length = '0.3' must be a plain number: write it without quotes and without a unit."),
     ],
 )
-def test_a_refusal_is_one_sentence(text: str, unit: str, sentence: str) -> None:
+def test_a_refusal_is_one_sentence(text, unit, sentence):
     with pytest.raises(InputError) as caught:
         in_unit("length", text, unit)
     assert str(caught.value) == sentence
@@ -145,17 +143,17 @@ def test_a_refusal_is_one_sentence(text: str, unit: str, sentence: str) -> None:
         ("5 import os", "mm"),
     ],
 )
-def test_what_is_no_quantity_of_the_kind_is_refused(text: str, unit: str) -> None:
+def test_what_is_no_quantity_of_the_kind_is_refused(text, unit):
     with pytest.raises(InputError):
         in_unit("field", text, unit)
 
 
 @pytest.mark.parametrize("value", [True, None, [1.0], {"a": 1}])
-def test_what_is_neither_number_nor_text_is_left_to_the_model(value: object) -> None:
+def test_what_is_neither_number_nor_text_is_left_to_the_model(value):
     assert in_unit("field", value, "mm") is value
 
 
-def test_integers_too_large_for_a_float_become_infinite() -> None:
+def test_integers_too_large_for_a_float_become_infinite():
     assert in_unit("field", 10**400, "mm") == math.inf
     assert in_unit("field", -(10**400), "mm") == -math.inf
 
@@ -171,7 +169,7 @@ def read_or_refused(text: str, unit: str) -> float | str:
 # The first text with a unit imports pint.
 @settings(deadline=None)
 @given(rise=st.floats(-100.0, 100.0), run=st.floats(1e-3, 100.0))
-def test_a_slope_is_the_angle_of_that_tangent(rise: float, run: float) -> None:
+def test_a_slope_is_the_angle_of_that_tangent(rise, run):
     angle = in_unit("field", f"{rise} um/{run} mm", "rad")
     assert math.tan(angle) == pytest.approx(1e-3 * rise / run, rel=1e-13)
     assert in_unit("field", f"{rise / run!r} um/mm", "rad") == pytest.approx(angle, rel=1e-14)
@@ -180,7 +178,7 @@ def test_a_slope_is_the_angle_of_that_tangent(rise: float, run: float) -> None:
 # The first text with a unit imports pint.
 @settings(deadline=None)
 @given(text=st.text(max_size=30), unit=st.sampled_from(UNITS))
-def test_any_text_is_read_or_refused_in_a_sentence(text: str, unit: str) -> None:
+def test_any_text_is_read_or_refused_in_a_sentence(text, unit):
     outcome = read_or_refused(text, unit)
     assert isinstance(outcome, float) or (outcome.startswith("field = ") and "\n" not in outcome)
 
@@ -189,14 +187,14 @@ def test_any_text_is_read_or_refused_in_a_sentence(text: str, unit: str) -> None
 @pytest.mark.slow
 @settings(deadline=None)
 @given(text=st.from_regex(r"[0-9]{1,3} ?[a-zA-Z]{1,4}([ */^][a-zA-Z0-9]{1,3})?", fullmatch=True))
-def test_whatever_looks_like_a_quantity_is_read_or_refused(text: str) -> None:
+def test_whatever_looks_like_a_quantity_is_read_or_refused(text):
     for unit in UNITS:
         outcome = read_or_refused(text, unit)
         assert isinstance(outcome, float) or outcome.startswith("field = ")
 
 
 @pytest.mark.slow
-def test_pint_is_not_imported_for_numbers() -> None:
+def test_pint_is_not_imported_for_numbers():
     program = (
         "import sys\n"
         "from nonhertz.inputs.units import in_unit\n"

@@ -7,8 +7,6 @@ degree 6 in a section along the axis, graded to the face, then a sum over k. Of 
 Run as ``python free_face_elements.py``; it goes on where it was stopped.
 """
 
-from __future__ import annotations
-
 import json
 from itertools import pairwise
 from pathlib import Path

@@ -6,8 +6,6 @@ loads and half-widths of the strips of a solved contact. Half the size of the el
 0.02 % (bores of half the diameter and more; 0.3 % at 0.3, 3 % at 0.15), in the middle of the wall by 0.5 %.
 """
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np
