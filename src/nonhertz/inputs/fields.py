@@ -657,9 +657,9 @@ def _naming_the_nearest(cls: type[Any]) -> Callable[..., None]:
             if name not in names:
                 error = unknown(name, value, f"field of {cls.__name__}", name, names)
                 raise TypeError(str(error))
-        missing = [name for name in names[len(values) :] if name in cls.required and name not in given]
-        if missing:
-            raise InputsError(InputError(name, None, "be given", _remedy(cls.descriptions[name])) for name in missing)
+        if missing := cls.required.difference(given, names[: len(values)]):
+            remedies = {name: _remedy(cls.descriptions[name]) for name in names if name in missing}
+            raise InputsError(InputError(name, None, "be given", remedy) for name, remedy in remedies.items())
         plain(self, *values, **given)
 
     return constructor
