@@ -316,9 +316,14 @@ class RollerBearing(Input):
         return self.nominal_angle <= _MOST_ANGLE
 
     @property
+    def radial_clearance(self) -> float | None:
+        """From one side to the other the inner ring moves by so much across the axis [mm]; None of thrust bearings."""
+        return getattr(self, "clearance", None)
+
+    @property
     def gap(self) -> float:
         """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
-        return float(0.25 * getattr(self, "clearance", 0.0) * math.cos(self.nominal_angle))
+        return 0.25 * (self.radial_clearance or 0.0) * math.cos(self.nominal_angle)
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -554,9 +559,9 @@ class TaperedRollerBearing(RollerBearing):
         return self.contact_angle - 2.0 * self.half_cone_angle, self.contact_angle
 
     @property
-    def gap(self) -> float:
-        """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
-        return 0.5 * self.clearance * math.sin(self.contact_angle)
+    def radial_clearance(self) -> float:
+        """From one side to the other the inner ring moves by so much across the axis [mm], up to this row alone."""
+        return 2.0 * math.tan(self.contact_angle) * self.clearance
 
     @cached_property
     def contacts(self) -> tuple[Contact, Contact]:

@@ -21,10 +21,8 @@ from typing import Annotated
 
 from nonhertz.amounts import digits, given, mm, mpa, um
 from nonhertz.bearing.bearings import (
-    CylindricalRollerBearing,
     Paired,
     RollerBearing,
-    SphericalRollerBearing,
     TaperedRollerBearing,
 )
 from nonhertz.bearing.thick_rings import ThickRing
@@ -228,7 +226,10 @@ class Mounting(Input):
             If the speed is out of range, a seat does not fit the rings, or a warm part's expansion or a turning part's
             density is neither given nor known.
         """
-        angle, unmounted = _check_bearing(bearing)
+        unmounted = bearing.radial_clearance if isinstance(bearing, RollerBearing) else None
+        if unmounted is None:
+            remedy = "give a cylindrical, needle, tapered or spherical one of one row"
+            raise InputError("bearing", bearing, "be a radial roller bearing", remedy)
         not_negative("speed", speed, "give that of the inner ring in 1/min")
         of_shaft = _density("shaft.density", self.shaft.density, self.shaft.material, speed)
         of_ring = _density("ring_density", self.ring_density, bearing.inner.material, speed)
@@ -244,7 +245,7 @@ class Mounting(Input):
             )
         )
         warm = _Grown(on_shaft, inner), _Grown(outer, in_housing)
-        rollers = 2.0 * bearing.roller_diameter / math.cos(angle) * of_rollers
+        rollers = 2.0 * bearing.roller_diameter / math.cos(bearing.nominal_angle) * of_rollers
         turning = speed * _PER_MINUTE
         mounted = [fit.raceway() for fit in fits]
         warmed = [fit.raceway(by) for fit, by in zip(fits, warm, strict=True)]
@@ -541,13 +542,3 @@ def _fits(
         _Joint(*on_shaft, shaft.effective_interference, True),
         _Joint(*in_housing, housing.effective_interference, False),
     )
-
-
-def _check_bearing(bearing: RollerBearing) -> tuple[float, float]:
-    """Return the contact angle and the radial clearance of a bearing."""
-    if isinstance(bearing, TaperedRollerBearing):
-        return bearing.nominal_angle, 2.0 * math.tan(bearing.nominal_angle) * bearing.clearance
-    if isinstance(bearing, CylindricalRollerBearing | SphericalRollerBearing):
-        return bearing.nominal_angle, bearing.clearance
-    remedy = "give a cylindrical, needle, tapered or spherical one of one row"
-    raise InputError("bearing", bearing, "be a radial roller bearing", remedy)
