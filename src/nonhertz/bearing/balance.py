@@ -46,147 +46,69 @@ TOGETHER, IN_TURN = 0, 1
 
 
 class Parts(NamedTuple):
-    """Rollers and their contacts as arrays.
+    """Rollers and their contacts as arrays, one row a roller."""
 
-    Attributes
-    ----------
-    ring : ndarray, shape (rollers, 3, 5)
-        Motion at each roller per motion of the inner ring.
-    motion : ndarray, shape (rollers, columns, 2, 3)
-        Approach and tilt of each contact per motion of ring against roller.
-    gap : ndarray, shape (rollers, columns)
-        What the approach of a centred ring and roller is short of contact [mm].
-    inner : ndarray of bool, shape (rollers, columns)
-        Whether the other body is the inner ring.
-    law : ndarray of int, shape (rollers, columns)
-        Which law of the book, or `NOT_IN_BOOK`.
-    book : Book
-        The laws.
-    load : ndarray, shape (rollers, 3)
-        Load on every roller.
-    scale : ndarray, shape (3,)
-        Lengths by which rotations of rollers are made comparable with displacements: 1, 1 and a lever [mm].
-    reach : ndarray, shape (5,)
-        The same of the ring.
-    stiffness : float
-        About the load on a roller per deflection to the power `STIFFENING`, see `nonhertz.life.lamina`.
-    """
-
-    ring: Array
-    motion: Array
-    gap: Array
-    inner: Flags
-    law: Indices
+    ring: Array  # motion at each roller per motion of the inner ring, shape (rollers, 3, 5)
+    motion: Array  # approach and tilt of each contact per motion of ring against roller, (rollers, columns, 2, 3)
+    gap: Array  # what the approach of a centred ring and roller is short of contact [mm], (rollers, columns)
+    inner: Flags  # whether the other body is the inner ring, (rollers, columns)
+    law: Indices  # which law of the book, or `NOT_IN_BOOK`, (rollers, columns)
     book: Book
-    load: Array
-    scale: Array
-    reach: Array
-    stiffness: float
+    load: Array  # on every roller, (rollers, 3)
+    scale: Array  # lengths that make rotations of rollers comparable with displacements: 1, 1 and a lever [mm]
+    reach: Array  # the same of the ring, (5,)
+    stiffness: float  # about the load on a roller per deflection to the power `STIFFENING`, see `nonhertz.life.lamina`
 
 
 class Tries(NamedTuple):
-    """Steps that are tried and shortened, of the ring or of every roller.
+    """Steps that are tried and shortened, of the ring or of every roller."""
 
-    Attributes
-    ----------
-    slope, share : ndarray
-        Slope along the step at its beginning, and how much of it is tried.
-    shortened, steps : ndarray of int
-        How often this step was shortened, and how many were taken.
-    searching : ndarray of bool
-        Whether a step is under way.
-    """
-
-    slope: Array
-    share: Array
-    shortened: Indices
-    steps: Indices
-    searching: Flags
+    slope: Array  # along the step at its beginning
+    share: Array  # how much of it is tried
+    shortened: Indices  # how often this step was
+    steps: Indices  # how many were taken
+    searching: Flags  # whether a step is under way
 
 
 class Ring(NamedTuple):
-    """The inner ring.
+    """The inner ring."""
 
-    Attributes
-    ----------
-    motion, before, step : ndarray, shape (5,)
-        Its motion, where its step began, and the whole step.
-    force, stiffness : ndarray, shape (5,) and (5, 5)
-        Forces on it, and their derivatives with rollers that follow in balance.
-    off : ndarray, shape (5,)
-        What is left of its balance.
-    tries : Tries
-        Its steps, arrays of length 1.
-    """
-
-    motion: Array
-    before: Array
-    step: Array
-    force: Array
-    stiffness: Array
-    off: Array
-    tries: Tries
+    motion: Array  # (5,)
+    before: Array  # where its step began
+    step: Array  # the whole step
+    force: Array  # on it
+    stiffness: Array  # derivatives of the forces with rollers that follow in balance, (5, 5)
+    off: Array  # what is left of its balance
+    tries: Tries  # arrays of length 1
 
 
 class Rollers(NamedTuple):
-    """The rollers.
+    """The rollers."""
 
-    Attributes
-    ----------
-    motion, before, step : ndarray, shape (rollers, 3)
-        Their motions, where their own steps began, and the whole steps.
-    resting, follows : ndarray, shape (rollers, 3)
-        Where they were when the ring's step began, and how they follow the whole of it.
-    pose, answer : ndarray, shape (rollers, columns, 2) and (rollers, columns, ANSWER)
-        Approach and tilt at which contacts are asked, and what they answer.
-    off, on_ring : ndarray, shape (rollers, 3)
-        What is left of their balance, and the forces of the inner ring on them.
-    left : ndarray, shape (rollers,)
-        The largest of what is left [N].
-    whole, of_ring : ndarray, shape (rollers, 3, 3)
-        Stiffness of all contacts of a roller, and of those with the inner ring.
-    asked : ndarray of bool, shape (rollers,)
-        Whose contacts are asked.
-    tries : Tries
-        Their steps.
-    """
-
-    motion: Array
-    before: Array
-    step: Array
-    resting: Array
-    follows: Array
-    pose: Array
-    answer: Array
-    off: Array
-    on_ring: Array
-    left: Array
-    whole: Array
-    of_ring: Array
-    asked: Flags
+    motion: Array  # (rollers, 3)
+    before: Array  # where their own steps began
+    step: Array  # the whole steps
+    resting: Array  # where they were when the ring's step began
+    follows: Array  # how they follow the whole of it
+    pose: Array  # approach and tilt at which contacts are asked, (rollers, columns, 2)
+    answer: Array  # what they answer, (rollers, columns, ANSWER)
+    off: Array  # what is left of their balance, (rollers, 3)
+    on_ring: Array  # forces of the inner ring on them, (rollers, 3)
+    left: Array  # the largest of what is left [N], (rollers,)
+    whole: Array  # stiffness of all contacts of a roller, (rollers, 3, 3)
+    of_ring: Array  # and of those with the inner ring
+    asked: Flags  # whose contacts are asked
     tries: Tries
 
 
 class Search(NamedTuple):
-    """How far the search for one state has come.
-
-    Attributes
-    ----------
-    ring, rollers : Ring, Rollers
-        The bodies.
-    phase : ndarray of int, shape (1,)
-        `TOGETHER` or `IN_TURN`.
-    limit : ndarray, shape (1,)
-        What may be left of the balance, over the loads, for the next step of ring and rollers together.
-    left : ndarray, shape (1,)
-        What is left, over the loads.
-    """
+    """How far the search for one state has come; arrays of length 1 are numbers that change."""
 
     ring: Ring
     rollers: Rollers
-    phase: Indices
-    limit: Array
-    left: Array
+    phase: Indices  # `TOGETHER` or `IN_TURN`
+    limit: Array  # what may be left of the balance, over the loads, for the next step of ring and rollers together
+    left: Array  # what is left, over the loads
 
     @classmethod
     def blank(cls, rollers: int, columns: int) -> Search:
@@ -205,55 +127,25 @@ class Search(NamedTuple):
 
 
 class Conditions(NamedTuple):
-    """What is given, and how well it is to be met.
+    """What is given, and how well it is to be met."""
 
-    Attributes
-    ----------
-    by_force : ndarray of bool, shape (5,)
-        Of which motions of the ring the force or moment is given.
-    depth : float
-        A penetration of the size to be expected [mm].
-    tolerance : float
-        What may be left of the balance of the ring, over the loads.
-    steps : int
-        The most steps that the ring takes, and a roller for each of them.
-    """
-
-    by_force: Flags
-    depth: float
-    tolerance: float
-    steps: int
+    by_force: Flags  # of which motions of the ring the force or moment is given, (5,)
+    depth: float  # a penetration of the size to be expected [mm]
+    tolerance: float  # what may be left of the balance of the ring, over the loads
+    steps: int  # the most that the ring takes, and a roller for each of them
 
 
 class States(NamedTuple):
-    """States of a bearing, a row each.
+    """States of a bearing, a row each."""
 
-    Attributes
-    ----------
-    ring, force : ndarray, shape (states, 5)
-        Motion of the inner ring, and forces and moments on it that hold it there.
-    stiffness : ndarray, shape (states, 5, 5)
-        d(force) / d(ring).
-    residual : ndarray, shape (states,)
-        What is left of the balance of ring and rollers, over the loads.
-    steps : ndarray of int, shape (states,)
-        Newton steps of the ring.
-    motion : ndarray, shape (states, rollers, 3)
-        Of the rollers along x and r [mm] and about the tangent [rad].
-    pose : ndarray, shape (states, rollers, columns, 2)
-        Approach and tilt of their contacts [mm, rad].
-    answer : ndarray, shape (states, rollers, columns, ANSWER)
-        What contacts answer.
-    """
-
-    ring: Array
-    force: Array
-    stiffness: Array
-    residual: Array
-    steps: Indices
-    motion: Array
-    pose: Array
-    answer: Array
+    ring: Array  # motion of the inner ring, (states, 5)
+    force: Array  # forces and moments on it that hold it there, (states, 5)
+    stiffness: Array  # d(force) / d(ring), (states, 5, 5)
+    residual: Array  # what is left of the balance of ring and rollers, over the loads, (states,)
+    steps: Indices  # Newton steps of the ring, (states,)
+    motion: Array  # of the rollers along x and r [mm] and about the tangent [rad], (states, rollers, 3)
+    pose: Array  # approach and tilt of their contacts [mm, rad], (states, rollers, columns, 2)
+    answer: Array  # what contacts answer, (states, rollers, columns, ANSWER)
 
     @classmethod
     def blank(cls, states: int, rollers: int, columns: int) -> States:

@@ -40,22 +40,12 @@ _RIB_HEIGHT, _RIB_ANGLE = 0.7, math.radians(0.5)
 
 
 class Inertia(NamedTuple):
-    """Mass of a roller and how it is spread.
+    """Mass of a roller and how it is spread."""
 
-    Attributes
-    ----------
-    mass : float
-        [t].
-    middle : float
-        Where along the roller its centre of mass lies [mm].
-    polar, transverse : float
-        Moments of inertia about the roller's axis, and square to it about its centre of mass [t mm^2].
-    """
-
-    mass: float
-    middle: float
-    polar: float
-    transverse: float
+    mass: float  # [t]
+    middle: float  # where along the roller its centre of mass lies [mm]
+    polar: float  # moment of inertia about the roller's axis [t mm^2]
+    transverse: float  # and square to it about its centre of mass
 
 
 def _function_of_angle(name: str, value: Any, remedy: str) -> None:

@@ -52,30 +52,14 @@ _PORTION = 64  # states, below which a thread of its own does not pay
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """One contact of every roller of a row.
+    """One contact of every roller of a row; those of a roller with the same `OutsideLaw` are asked together."""
 
-    Attributes
-    ----------
-    inner : bool
-        Whether the other body is the inner ring, which moves; the outer one is at rest.
-    motion : ndarray, shape (2, 3)
-        Approach and tilt per motion of ring against roller.
-    gap : ndarray, shape (rollers of the row,)
-        What the approach of a centred ring and roller is short of contact [mm].
-    law : Slices or MapLaw or OutsideLaw
-        How it answers; the contacts of a roller that have the same `OutsideLaw` are asked together.
-    column : int
-        Which of a roller's contacts it is, from 0.
-    first : int
-        The number of the row's first roller.
-    """
-
-    inner: bool
-    motion: Array
-    gap: Array
+    inner: bool  # whether the other body is the inner ring, which moves; the outer one is at rest
+    motion: Array  # approach and tilt per motion of ring against roller, shape (2, 3)
+    gap: Array  # what the approach of a centred ring and roller is short of contact [mm], (rollers of the row,)
     law: ContactLaw
-    column: int
-    first: int = 0
+    column: int  # which of a roller's contacts it is, from 0
+    first: int = 0  # the number of the row's first roller
 
     @property
     def rollers(self) -> slice:
@@ -85,24 +69,12 @@ class Joint:
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """Rollers and their contacts.
+    """Rollers and their contacts."""
 
-    Attributes
-    ----------
-    ring : ndarray, shape (rollers, 3, 5)
-        Motion at each roller per motion of the inner ring.
-    joints : tuple of Joint
-        The contacts.
-    load : ndarray, shape (rollers, 3)
-        Load on every roller along x, along r, and its moment [N, N, N mm].
-    lever : float
-        Length by which rotations of rollers are made comparable with displacements [mm].
-    """
-
-    ring: Array
+    ring: Array  # motion at each roller per motion of the inner ring, shape (rollers, 3, 5)
     joints: tuple[Joint, ...]
-    load: Array
-    lever: float
+    load: Array  # on every roller along x, along r, and its moment [N, N, N mm], (rollers, 3)
+    lever: float  # length by which rotations of rollers are made comparable with displacements [mm]
 
     @property
     def rollers(self) -> int:

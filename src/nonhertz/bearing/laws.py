@@ -94,26 +94,14 @@ ContactLaw = Slices | MapLaw | OutsideLaw
 
 
 class Book(NamedTuple):
-    """Laws as numbers, a row each; shorter rows are padded.
+    """Laws as numbers, a row each; shorter rows are padded."""
 
-    Attributes
-    ----------
-    slices : ndarray of int, shape (laws,)
-        Number of slices; 0 of a map.
-    stiffness, exponent : ndarray, shape (laws,)
-        Of `Slices`.
-    y, relief : ndarray, shape (laws, most slices)
-        Of `Slices`.
-    maps : ndarray, shape (laws, most numbers)
-        Tables of mean approaches, see `nonhertz.maps.evaluation`.
-    """
-
-    slices: Indices
-    stiffness: Array
+    slices: Indices  # their number; 0 of a map
+    stiffness: Array  # of `Slices`,
     exponent: Array
     y: Array
     relief: Array
-    maps: Array
+    maps: Array  # tables of mean approaches, see `nonhertz.maps.evaluation`
 
     @classmethod
     def of(cls, laws: Iterable[Slices | MapLaw]) -> Book:

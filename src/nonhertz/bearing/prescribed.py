@@ -94,18 +94,10 @@ class BearingLoad(Input):
 
 
 class Prescribed(NamedTuple):
-    """What is given.
+    """What is given."""
 
-    Attributes
-    ----------
-    by_force : ndarray of bool, shape (5,)
-        Of which motions of the ring the force or moment is given; of the others the displacement or rotation.
-    target : ndarray, shape (states, 5)
-        What is given [N, N mm, mm, rad].
-    """
-
-    by_force: NDArray[np.bool_]
-    target: Array
+    by_force: NDArray[np.bool_]  # of which motions of the ring the force or moment is; of the others the motion, (5,)
+    target: Array  # what is given [N, N mm, mm, rad], (states, 5)
 
 
 class _Pair(NamedTuple):

@@ -113,31 +113,15 @@ class Rib(Input):
 
 @dataclass(frozen=True, eq=False)
 class RibContact:
-    """The contact of the rollers' ends with one rib of a row.
+    """The contact of the rollers' ends with one rib of a row."""
 
-    Attributes
-    ----------
-    ring : {"inner", "outer"}
-        Whose rib it is.
-    motion : ndarray, shape (2, 3)
-        Approach per motion of ring against roller; there is no tilt.
-    gap : float
-        What a centred roller is short of touching it [mm].
-    radius_around, radius_along : float
-        Combined radii of curvature around the bearing's axis and along the flank [mm].
-    compliance : float
-        Of both bodies [1/MPa].
-    room : float
-        How far the contact may reach along the flank, to the edge of the roller's end or of the flank [mm].
-    """
-
-    ring: str
-    motion: Array
-    gap: float
-    radius_around: float
-    radius_along: float
-    compliance: float
-    room: float
+    ring: str  # "inner" or "outer": whose rib it is
+    motion: Array  # approach per motion of ring against roller, shape (2, 3); there is no tilt
+    gap: float  # what a centred roller is short of touching it [mm]
+    radius_around: float  # combined radii of curvature around the bearing's axis
+    radius_along: float  # and along the flank [mm]
+    compliance: float  # of both bodies [1/MPa]
+    room: float  # how far the contact may reach along the flank, to the edge of the roller's end or of the flank [mm]
 
     def under(self, load: float) -> PointContact:
         """Return the contact under a load [N]."""
@@ -158,24 +142,12 @@ class RibContact:
 
 @dataclass(frozen=True)
 class End:
-    """The end of a roller, on which ribs press.
+    """The end of a roller, on which ribs press."""
 
-    Attributes
-    ----------
-    half : float
-        Half of the roller's length [mm].
-    radius : float
-        From the roller's axis to the edge of its end [mm].
-    inclined : float
-        By how much the roller's axis is inclined against the bearing's, falling towards high x [rad].
-    pitch : float
-        Diameter of the circle of the rollers' middles [mm].
-    """
-
-    half: float
-    radius: float
-    inclined: float
-    pitch: float
+    half: float  # half of the roller's length [mm]
+    radius: float  # from the roller's axis to the edge of its end [mm]
+    inclined: float  # of the roller's axis against the bearing's, falling towards high x [rad]
+    pitch: float  # diameter of the circle of the rollers' middles [mm]
 
     def contact(self, rib: Rib, place: Place, gap: float, compliance: float) -> RibContact:
         """Return the contact with a rib.

@@ -42,28 +42,14 @@ KEPT_REMOTE = 32  # for each contact; each of them takes about half a megabyte
 
 @dataclass(frozen=True, eq=False)
 class LaidContact:
-    """A contact solved on strips.
-
-    Attributes
-    ----------
-    grids : Grids
-        Its strips.
-    laid_for, depth : (float, float), float
-        The approach and tilt that they were laid for, and the penetration there [mm, rad].
-    pose : (float, float)
-        Approach and tilt at which it is solved.
-    states : States
-        The solution.
-    answer : ndarray, shape (OVERLAP,)
-        Load, moment and their derivatives, times K.
-    """
+    """A contact solved on strips."""
 
     grids: Grids
-    laid_for: Pose
-    depth: float
-    pose: Pose
+    laid_for: Pose  # the approach and tilt that the strips were laid for [mm, rad]
+    depth: float  # and the penetration there [mm]
+    pose: Pose  # approach and tilt at which it is solved
     states: States
-    answer: Array
+    answer: Array  # load, moment and their derivatives, times K, shape (OVERLAP,)
 
 
 class StrippedContact:

@@ -20,22 +20,12 @@ from nonhertz.model.material import Material
 
 @dataclass(frozen=True)
 class ThickRing:
-    """A ring of rectangular section, a disc if its inner radius is zero, a plate with a hole if its outer is infinite.
+    """A ring of rectangular section: a disc without an inner radius, a plate with a hole if the outer is infinite."""
 
-    Attributes
-    ----------
-    inner, outer : float
-        Radii a and b [mm].
-    material : Material
-        What it is made of.
-    density : float
-        [t/mm^3].
-    """
-
-    inner: float
-    outer: float
+    inner: float  # a [mm]
+    outer: float  # b [mm]
     material: Material
-    density: float
+    density: float  # [t/mm^3]
 
     def hoop_stress(self, radius: float, *, inside: float = 0.0, outside: float = 0.0, speed: float = 0.0) -> float:
         """Return the tangential stress at a radius [MPa], under pressures [MPa] and a speed [rad/s]."""

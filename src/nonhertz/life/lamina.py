@@ -18,12 +18,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import one_of, text, whole
+from nonhertz.inputs.checks import text
+from nonhertz.inputs.fields import Count, Input, Word, described
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL, STEEL_MODULUS
 from nonhertz.patch.solution import PatchSolution
@@ -68,23 +70,17 @@ def lamina_stiffness(length: float, laminae: int, compliance: float = _OF_STEEL)
     return float(roller_stiffness(length, compliance) / laminae * 2.0**STIFFENING)
 
 
-@dataclass(frozen=True)
-class LaminaModel:
+@described()
+class LaminaModel(Input):
     """The lamina life of ISO/TS 16281, as made by `iso_16281`."""
 
-    name: str
-    laminae: int
-    edge_stress: str
-    line_loads: str
-    source: str
-
-    def __post_init__(self) -> None:
-        text("name", self.name, "give the name of the model")
-        text("source", self.source, "say where it has been published")
-        laminae = whole("laminae", self.laminae, FEWEST, MOST, "give the number of slices, 60 say")
-        object.__setattr__(self, "laminae", laminae)
-        one_of("edge_stress", self.edge_stress, EDGE_STRESS, "use 'pressure' for what was solved")
-        one_of("line_loads", self.line_loads, LINE_LOADS, "use 'solution' for what was solved")
+    name: Annotated[str, Word("the name that files and commands use", "give the name of the model", condition=text)]
+    laminae: Annotated[int, Count("number of slices", FEWEST, MOST, "give the number of slices, 60 say")]
+    edge_stress: Annotated[
+        str, Word("how severely edges are stressed", "use 'pressure' for what was solved", EDGE_STRESS)
+    ]
+    line_loads: Annotated[str, Word("which line loads count", "use 'solution' for what was solved", LINE_LOADS)]
+    source: Annotated[str, Word("where it was published", "say where it has been published", condition=text)]
 
     @property
     def slope(self) -> float:
@@ -121,23 +117,12 @@ def iso_16281(*, laminae: int = 60, edge_stress: str = "pressure", line_loads: s
 
 @dataclass(frozen=True, eq=False)
 class Laminae:
-    """A contact cut into laminae of equal length.
+    """A contact cut into laminae of equal length."""
 
-    Attributes
-    ----------
-    edges : ndarray, shape (laminae + 1,)
-        Their edges [mm], from end to end of the effective length, which is that without corners.
-    load : ndarray, shape (laminae,)
-        q_k [N].
-    factor : ndarray, shape (laminae,)
-        f_k [-].
-    sharp : tuple of float
-        Where pressures were left out, near a sharp end or near a corner of the profile at which the contact ends [mm].
-    """
-
-    edges: Array
-    load: Array
-    factor: Array
+    edges: Array  # [mm], from end to end of the effective length, which is that without corners, shape (laminae + 1,)
+    load: Array  # q_k [N], shape (laminae,)
+    factor: Array  # f_k [-]
+    # Where pressures were left out, near a sharp end or a corner of the profile at which the contact ends [mm].
     sharp: tuple[float, ...] = ()
 
     def damage(self, capacity: float) -> Array:

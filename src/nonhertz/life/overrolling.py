@@ -337,31 +337,15 @@ def _passed(
 
 @dataclass(frozen=True, eq=False)
 class _Surroundings:
-    """The points that travel with the dent, and the stress below them.
+    """The points that travel with the dent, and the stress below them."""
 
-    Attributes
-    ----------
-    x, y : ndarray, shape (nx,) and (ny,)
-        The points [mm], by the middle of the dent across, and along the contact.
-    columns : ndarray of int, shape (half of nx,)
-        Columns of cells from the middle of the dent to the points on one side.
-    window : int
-        Columns of cells to either side of the contact below which there is a stress.
-    shallow : int
-        Number of `levels` that are less than half a cell deep.
-    smooth : ndarray, shape (2 window + 1, ny, depths, 6)
-        Stress of the smooth contact [MPa].
-    added : callable
-        Differences of the pressure on cells -> the stress [MPa] they add, of that shape.
-    """
-
-    x: Array
-    y: Array
-    columns: NDArray[np.int64]
-    window: int
-    shallow: int
-    smooth: Array
-    added: Callable[[Array], Array]
+    x: Array  # the points [mm], by the middle of the dent across
+    y: Array  # and along the contact
+    columns: NDArray[np.int64]  # of cells, from the middle of the dent to the points on one side
+    window: int  # columns of cells to either side of the contact below which there is a stress
+    shallow: int  # number of `levels` that are less than half a cell deep
+    smooth: Array  # stress of the smooth contact [MPa], shape (2 window + 1, ny, depths, 6)
+    added: Callable[[Array], Array]  # differences of the pressure on cells -> the stress [MPa] they add, of that shape
 
     @classmethod
     def of(cls, solution: Solved, dent: Dent, body: BodyName, cells: PatchSolution, reach: float) -> _Surroundings:

@@ -33,21 +33,11 @@ _LOW_STEP, _HIGH_STEP = 0.02, 0.2
 
 @dataclass(frozen=True)
 class SurfaceStep:
-    """A step from one height of a surface to another at the same slope.
+    """A step from one height of a surface to another at the same slope."""
 
-    Attributes
-    ----------
-    y : float
-        Where it is [mm].
-    height : float
-        By how much the surface rises towards positive y [mm].
-    within : bool
-        Whether both sides of it belong to the land.
-    """
-
-    y: float
-    height: float
-    within: bool
+    y: float  # where it is [mm]
+    height: float  # by how much the surface rises towards positive y [mm]
+    within: bool  # whether both sides of it belong to the land
 
 
 def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:

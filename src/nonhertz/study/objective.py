@@ -47,22 +47,12 @@ _WITH_GRADIENT = ("approach", "load", "moment", "max_pressure", "max_half_width"
 
 @dataclass(frozen=True)
 class Variable:
-    """Something that a design may choose: a number between bounds, or an increment of a free profile.
+    """Something that a design may choose: a number between bounds, or an increment of a free profile."""
 
-    Attributes
-    ----------
-    path : str
-        The path of the number, or that of the profile.
-    low, high : float
-        Bounds, in the base unit.
-    form : FreeForm or None
-        The free profile.
-    """
-
-    path: str
-    low: float
+    path: str  # of the number, or that of the profile
+    low: float  # bounds, in the base unit
     high: float
-    form: FreeForm | None = None
+    form: FreeForm | None = None  # the free profile
 
     @property
     def logarithmic(self) -> bool:
@@ -108,32 +98,15 @@ class Limit:
 
 @dataclass(frozen=True)
 class Task:
-    """A design's question, in a form that can be sent to other processes.
+    """A design's question, in a form that can be sent to other processes."""
 
-    Attributes
-    ----------
-    template : Template
-        The case.
-    variables : tuple of Variable
-        What may be chosen.
-    loads : tuple of LoadCase
-        The loads, with their shares of the revolutions.
-    goal : {"pressure", "life"}
-        The least largest pressure, or the longest life.
-    model : Model
-        The fatigue model of lives.
-    limits : tuple of Limit
-        What must hold.
-    caps : tuple of float or None
-        The most pressure that each load may have [MPa]; None of those whose pressure is the goal, as all are if empty.
-    """
-
-    template: Template
-    variables: tuple[Variable, ...]
-    loads: tuple[LoadCase, ...]
-    goal: str
-    model: Model
-    limits: tuple[Limit, ...] = ()
+    template: Template  # the case
+    variables: tuple[Variable, ...]  # what may be chosen
+    loads: tuple[LoadCase, ...]  # with their shares of the revolutions
+    goal: str  # "pressure", the least largest one, or "life", the longest
+    model: Model  # of fatigue
+    limits: tuple[Limit, ...] = ()  # what must hold
+    # The most pressure that each load may have [MPa]; None of those whose pressure is the goal, as all are if empty.
     caps: tuple[float | None, ...] = ()
 
     @property

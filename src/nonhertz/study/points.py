@@ -28,23 +28,12 @@ class Points:
 
     Rows are numbered with the last axis changing fastest, the samples last of all. They are solved in an order in which
     loads change fastest: rows of the same bodies follow one another, each similar to the one before.
-
-    Attributes
-    ----------
-    paths : tuple of str
-        What is varied: first what has a list of values, then what is distributed.
-    lists : tuple of tuple
-        The values of each of the first.
-    distributions : tuple of Distribution
-        Those of the others.
-    sampling : Sampling
-        How samples are drawn.
     """
 
-    paths: tuple[str, ...]
-    lists: tuple[tuple[Any, ...], ...]
-    distributions: tuple[Distribution, ...]
-    sampling: Sampling
+    paths: tuple[str, ...]  # what is varied: first what has a list of values, then what is distributed
+    lists: tuple[tuple[Any, ...], ...]  # the values of each of the first
+    distributions: tuple[Distribution, ...]  # those of the others
+    sampling: Sampling  # how samples are drawn
 
     @classmethod
     def of(cls, plan: Plan) -> Points:

@@ -48,21 +48,11 @@ class Row:
 
 @dataclass(frozen=True)
 class Work:
-    """What all rows of a study share, in a form that can be sent to other processes and machines.
+    """What all rows of a study share, in a form that can be sent to other processes and machines."""
 
-    Attributes
-    ----------
-    template : Template
-        The case.
-    files : mapping
-        Contents of the files that the case names, for machines that do not have them.
-    names : tuple of str
-        The numbers asked for.
-    """
-
-    template: Template
-    files: Mapping[str, bytes]
-    names: tuple[str, ...]
+    template: Template  # the case
+    files: Mapping[str, bytes]  # contents of the files that the case names, for machines that do not have them
+    names: tuple[str, ...]  # of the numbers asked for
 
     @cached_property
     def quantities(self) -> tuple[Quantity, ...]:
