@@ -100,10 +100,7 @@ class _Sizes(NamedTuple):
 
     low: float
     high: float
-    places: Array
-    widths: Array
-    slow: Array
-    marks: Array
+    features: Array  # a row each, its columns below
     sample_low: float
     sample_step: float
     sample_width: Array
@@ -111,6 +108,10 @@ class _Sizes(NamedTuple):
     largest: float
     largest_outside: float
     growth: float
+
+
+# Where a feature is, the strip width there, up to which distance widths grow slowly, and whether an edge lies there.
+PLACE, WIDTH, SLOW, MARKED = range(4)
 
 
 def uniform(low: float, high: float, count: int) -> Array:
@@ -232,7 +233,7 @@ def _laid(
     contact = intervals(edges, m)
     sizes = _sizes(edges, m, rigid, contact, surface, case, extras, fineness.coarseness[case])
     limit = fineness.limit / min(fineness.coarseness[case], 1.0) * min(contact.shape[0], 2)
-    by = 1.0
+    by, marks = 1.0, _marks(sizes.features)
     centre = _centre(sizes)
     right = _walk(centre, sizes.high, sizes, 1.0)
     left = _walk(centre, sizes.low, sizes, 1.0)
@@ -246,9 +247,9 @@ def _laid(
     half = 0.5 / share
     # Too close to an end for half a strip and another one beside it.
     if min(right[1, -1], left[1, -1]) < half + LEAST_STRIP / share:
-        return _from_end(left, right, sizes.marks, share)
+        return _from_end(left, right, marks, share)
     reach = min(_read(right[1], right[0], half) - centre, centre - _read(left[1], left[0], half))
-    after, before = _cut(right, centre + reach, sizes.marks, share), _cut(left, centre - reach, sizes.marks, share)
+    after, before = _cut(right, centre + reach, marks, share), _cut(left, centre - reach, marks, share)
     joined = np.empty(after.size + before.size)
     for i in range(before.size):
         joined[i] = before[before.size - 1 - i]
@@ -265,83 +266,83 @@ def _sizes(
     n, touched = m.size, contact.shape[0]
     length = contact[touched - 1, 1] - contact[0, 0]
     low, high = edges[0], edges[n]
-    room = 2 * touched + surface.kinks.size + extras.shape[1]
-    places, widths, slow, marks = np.empty(room), np.empty(room), np.zeros(room), np.empty(room)
-    used = marked = 0
+    features, used = np.zeros((2 * touched + surface.kinks.size + extras.shape[1], 4)), 0
     for k in range(touched):
         for end in range(2):
             place, side = contact[k, end], 2 * end - 1
             local = width_near(edges, m, place)
-            floor = NARROWEST * local
             reached = place == (low if end == 0 else high) and reaches(edges, m, side)
             cut = reached and (low > surface.low if end == 0 else high < surface.high)
-            places[used], widths[used], slow[used] = place, floor, NEAR_SHARP_ENDS * local
+            width, slow = NARROWEST * local, NEAR_SHARP_ENDS * local
             if not reached or cut:
-                slow[used] = 0.0
-                widths[used] = max(floor, END_SHARE * coarseness * fall(edges, m, contact[k, 0], contact[k, 1], side))
-            if not reached:
-                marks[marked] = place
-                marked += 1
+                falls = fall(edges, m, contact[k, 0], contact[k, 1], side)
+                width, slow = max(width, END_SHARE * coarseness * falls), 0.0
+            used = _add(features, used, place, width, slow, not reached)
             if cut and end == 0:
                 low = max(low - EXTENSION * length, surface.low)
             elif cut:
                 high = min(high + EXTENSION * length, surface.high)
-            used += 1
     sample_low = surface.sampled_low[case]
     samples = surface.samples[surface.row[case]]
     step = (surface.sampled_high[case] - sample_low) / (samples.size - 1)
     deepest = _deepest(sample_low, step, samples, rigid)
-    used, marked = _at_kinks(edges, m, surface, coarseness * deepest, places, widths, marks, used, marked)
+    used = _add_kinks(edges, m, surface, coarseness * deepest, features, used)
     for k in range(extras.shape[1]):
         if math.isfinite(extras[0, k]):
-            places[used], widths[used] = extras[0, k], extras[1, k]
             low = min(low, max(extras[0, k] - 5.0 * extras[1, k], surface.low))
             high = max(high, min(extras[0, k] + 5.0 * extras[1, k], surface.high))
-            used += 1
+            used = _add(features, used, extras[0, k], extras[1, k], 0.0, False)
     finest = _resolved(low, high)
     for k in range(used):
-        widths[k] = max(min(widths[k], length / 8.0), finest)
+        features[k, WIDTH] = max(min(features[k, WIDTH], length / 8.0), finest)
     widest = 0.0
     for i in range(n):
         widest = max(widest, m[i])
     narrowest = max(NARROWEST * math.sqrt(widest), _resolved(sample_low, sample_low + step * samples.size))
     bound = _sagging(step, sample_low, samples, rigid, deepest, coarseness, narrowest)
     return _Sizes(
-        low, high, places[:used], widths[:used], slow[:used], _ascending(marks[:marked]), sample_low + step, step,
-        bound, contact, coarseness * length / STRIPS_PER_CONTACT, (high - low) / 8.0, min(GROWTH * coarseness, 1.0),
+        low, high, features[:used], sample_low + step, step, bound, contact, coarseness * length / STRIPS_PER_CONTACT,
+        (high - low) / 8.0, min(GROWTH * coarseness, 1.0),
     )  # fmt: skip
 
 
 @compiled
-def _ascending(values: Array) -> Array:
-    """Return values in ascending order."""
-    for i in range(1, values.size):
-        k, value = i, values[i]
-        while k > 0 and values[k - 1] > value:
-            values[k] = values[k - 1]
-            k -= 1
-        values[k] = value
-    return values
+def _add(features: Array, used: int, place: float, width: float, slow: float, marked: bool) -> int:
+    """Write a feature, and return how many there are."""
+    features[used, PLACE], features[used, WIDTH] = place, width
+    features[used, SLOW], features[used, MARKED] = slow, 1.0 if marked else 0.0
+    return used + 1
 
 
 @compiled
-def _at_kinks(
-    edges: Array, m: Array, surface: Surface, depth: float, places: Array, widths: Array, marks: Array, used: int,
-    marked: int,
-) -> tuple[int, int]:  # fmt: skip
-    """Add features and marks at kinks in or beside contact, unless they are too many for any to stand out."""
+def _add_kinks(edges: Array, m: Array, surface: Surface, depth: float, features: Array, used: int) -> int:
+    """Add kinks in or beside contact, unless they are too many for any to stand out; return how many features are."""
     beside = 0
     for k in range(surface.kinks.size):
         beside += 1 if nearly_touching(edges, m, surface.kinks[k]) else 0
     if beside > MOST_BENDS:
-        return used, marked
+        return used
     for k in range(surface.kinks.size):
         place = surface.kinks[k]
         if edges[0] < place < edges[m.size] and nearly_touching(edges, m, place):
-            places[used] = marks[marked] = place
-            widths[used] = max(KINK_SHARE * depth / surface.turns[k], NARROWEST * width_near(edges, m, place))
-            used, marked = used + 1, marked + 1
-    return used, marked
+            width = max(KINK_SHARE * depth / surface.turns[k], NARROWEST * width_near(edges, m, place))
+            used = _add(features, used, place, width, 0.0, True)
+    return used
+
+
+@compiled
+def _marks(features: Array) -> Array:
+    """Return the places of features at which edges lie, ascending."""
+    marks, used = np.empty(features.shape[0]), 0
+    for feature in features:
+        if feature[MARKED] > 0.0:
+            k = used
+            while k > 0 and marks[k - 1] > feature[PLACE]:
+                marks[k] = marks[k - 1]
+                k -= 1
+            marks[k] = feature[PLACE]
+            used += 1
+    return marks[:used]
 
 
 @compiled
@@ -496,16 +497,16 @@ def _walk(start: float, stop: float, sizes: _Sizes, by: float) -> Array:
 def _size(y: float, sizes: _Sizes, by: float) -> float:
     """Return the target strip width at ``y``."""
     inside = False
-    contact, places, widths = sizes.contact, sizes.places, sizes.widths
+    contact = sizes.contact
     for k in range(contact.shape[0]):
         inside = inside or (contact[k, 0] <= y <= contact[k, 1])
     growth = min(sizes.growth * math.sqrt(by), 1.0)
     rate = growth if inside else GROWTH_OUTSIDE
     width = by * (sizes.largest if inside else sizes.largest_outside)
-    for k in range(places.size):
-        away = abs(y - places[k])
-        near = min(away, sizes.slow[k])
-        width = min(width, widths[k] + min(GROWTH_AT_SHARP_ENDS, rate) * near + rate * (away - near))
+    for feature in sizes.features:
+        away = abs(y - feature[PLACE])
+        near = min(away, feature[SLOW])
+        width = min(width, feature[WIDTH] + min(GROWTH_AT_SHARP_ENDS, rate) * near + rate * (away - near))
     if inside:
         # The narrower of the two samples around y, so that a symmetric profile has a symmetric grid. But a kink shows
         # at one sample only, however far away the next is, so its width grows with the distance.
