@@ -31,10 +31,9 @@ def unknowns_from(r, m, rigid, gap=None):
 
 def run(r, m, rigid, *, relaxation=1.0, eager=True, element=nh.SEMI_ELLIPTIC, influence=HALF_SPACES):
     """Press a tilted crowned roller by a load, from a given start: status, steps, residual."""
-    options = NewtonOptions(loop.TOLERANCE, relaxation, eager)
-    return loop.newton(
-        crowned(influence), GIVEN, kernel_of(element, influence.terms), unknowns_from(r, m, rigid), options
-    )
+    strips, kernel = crowned(influence), kernel_of(element, influence.terms)
+    options, remote = NewtonOptions(loop.TOLERANCE, relaxation, eager, False), remote_of(strips, kernel, m)
+    return loop.newton(strips, GIVEN, kernel, unknowns_from(r, m, rigid), options, remote, np.empty(2))
 
 
 def start(m=0.05):
@@ -103,17 +102,17 @@ def test_nothing_in_contact_stagnates():
     assert (status, steps) == (STAGNATED, 0)
 
 
-def hurried(strips, conditions, kernel, unknowns, options):
-    return loop.newton(strips, conditions, kernel, unknowns, NewtonOptions(options.tolerance, 1e-3, True))
+def hurried(strips, conditions, kernel, unknowns, options, *others):
+    return loop.newton(strips, conditions, kernel, unknowns, options._replace(relaxation=1e-3), *others)
 
 
 def lost(*arguments):
     return STAGNATED, 1, np.inf
 
 
-def emptied(strips, conditions, kernel, unknowns, options):
+def emptied(strips, conditions, kernel, unknowns, *others):
     unknowns.m[:] = 0.0
-    return loop.newton(strips, conditions, kernel, unknowns, options)
+    return loop.newton(strips, conditions, kernel, unknowns, *others)
 
 
 @pytest.mark.parametrize(

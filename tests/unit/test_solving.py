@@ -27,7 +27,7 @@ def raised(problem):
     grids, found = problem.model.deep(problem.model.grids(*STRIPS)), States.unsolved(*STRIPS, 1)
     unknowns = solving.unknowns_of(found, 0, found.m.shape[1])
     conditions = BoundaryConditions(problem.prescribed, problem.target)
-    options = NewtonOptions(TOLERANCE, 1.0, True)
+    options = NewtonOptions(TOLERANCE, 1.0, True, False)
     status, *_ = solving.loop(
         solving.strips_of(grids, 0), conditions, problem.model.kernel, unknowns, grids.min_depth[0], options, True
     )
@@ -37,9 +37,9 @@ def raised(problem):
 def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monkeypatch):
     begun, ended, newton = [], [], solving.newton
 
-    def noting(strips, conditions, kernel, unknowns, options):
+    def noting(strips, conditions, kernel, unknowns, *others):
         begun.append(unknowns.m.copy())
-        done = newton(strips, conditions, kernel, unknowns, options)
+        done = newton(strips, conditions, kernel, unknowns, *others)
         ended.append(unknowns.m.copy())
         return done
 

@@ -27,7 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from nonhertz.compiled import compiled, inlined
-from nonhertz.strip.influence import Remote, coefficients, keep_up, lift, remote_of, self_displacement
+from nonhertz.strip.influence import Remote, coefficients, keep_up, lift, self_displacement
 from nonhertz.strip.linear import blank, padded, solve_in_place, subtract_product
 from nonhertz.strip.records import (
     CONVERGED,
@@ -88,9 +88,15 @@ class _Equations(NamedTuple):
     off: Array
 
 
-@inlined
+@compiled
 def newton(
-    strips: Strips, conditions: BoundaryConditions, kernel: Kernel, unknowns: Unknowns, options: NewtonOptions
+    strips: Strips,
+    conditions: BoundaryConditions,
+    kernel: Kernel,
+    unknowns: Unknowns,
+    options: NewtonOptions,
+    remote: Remote,
+    resultant: Array,
 ) -> tuple[int, int, float]:
     """Solve the contact of strips, starting from the r, m and rigid motion in ``unknowns`` and overwriting it.
 
@@ -100,6 +106,11 @@ def newton(
         At least one.
     conditions, kernel, unknowns, options
         See `nonhertz.strip.records`.
+    remote : Remote
+        What strips do far away, kept up.
+    resultant : ndarray, shape (2,)
+        Result of a contact that follows: K Q and K T, with what the last step would still add, so that their errors are
+        the square of that step.
 
     Returns
     -------
@@ -109,12 +120,12 @@ def newton(
     half = 0.5 * (strips.high[-1] - strips.low[0])
     rough = options.tolerance > TOLERANCE
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
-    residual, remote = np.inf, remote_of(strips, kernel, unknowns.m)
-    for step in range(STEP_LIMIT):
+    step, residual = 0, np.inf
+    for step in range(FOLLOWING if options.follows else STEP_LIMIT):
         pair_lone_strip(strips, conditions, unknowns)
         active = touching(unknowns.m)
         if active.size == 0:
-            return STAGNATED, step, residual
+            break
         keep_up(strips, kernel, unknowns.m, remote)
         equations, scale, noise, unsettled = _weighed(
             strips, conditions, kernel, remote, unknowns, active, half, options.eager
@@ -122,12 +133,12 @@ def newton(
         residual = worse(unsettled, -(_least(unknowns.gap) + noise) / scale)
         # A strip whose m is NaN is not active and appears in no residual.
         if not math.isfinite(residual) or not math.isfinite(_sum(unknowns.m)):
-            return STAGNATED, step, residual
+            break
 
         d_r, d_q = _directions(equations)
         response = _border(equations, d_q)
         _store_stiffness(response, half, unknowns.stiffness)
-        if residual < options.tolerance:
+        if residual < options.tolerance and not options.follows:
             for k in range(active.size):
                 unknowns.gap[active[k]] = equations.unclosed[k]
             return CONVERGED, step, residual
@@ -135,66 +146,27 @@ def newton(
         first, second = _rigid_step(response, conditions, equations, d_q)
         largest = _combine(d_r, d_q, first, second)
         if _widest(unknowns.m) > (WIDEST * half) ** 2 or not math.isfinite(largest):
-            return STAGNATED, step, residual
+            break
+        if options.follows and residual < nearly and largest < small_step:
+            for k in range(2):
+                resultant[k] = response[k, 0]
+            for k in range(active.size):
+                resultant[0] += equations.weights[k]
+                resultant[1] += equations.weights[k] * equations.lever[k]
+            resultant[1] *= half
+            return CONVERGED, step, residual
         unknowns.rigid[0] += options.relaxation * first
         unknowns.rigid[1] += options.relaxation * second / half
         changed = _update(strips, kernel, equations, d_r, d_q, options.relaxation, unknowns)
         entered = _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
-        if residual < nearly and largest < small_step and not changed and not entered:
+        if not options.follows and residual < nearly and largest < small_step and not changed and not entered:
             keep_up(strips, kernel, unknowns.m, remote)
             left = violation(strips, conditions, kernel, remote, unknowns)
             if left < options.tolerance:
                 return CONVERGED, step + 1, left
-    return ITERATION_LIMIT, STEP_LIMIT, residual
-
-
-@compiled
-def followed(
-    strips: Strips, conditions: BoundaryConditions, kernel: Kernel, unknowns: Unknowns, remote: Remote
-) -> tuple[bool, float, float]:
-    """Let a contact on the strips where it was solved follow a given approach and tilt, overwriting ``unknowns``.
-
-    Parameters
-    ----------
-    strips, conditions, kernel
-        See `nonhertz.strip.records`; approach and tilt are given.
-    unknowns : Unknowns
-        A solution at another approach and tilt.
-    remote : Remote
-        What strips do far away, kept up.
-
-    Returns
-    -------
-    done : bool
-        Whether it could, without the help that `nonhertz.strip.solving` knows.
-    load, moment : float
-        Times K. What the last step would still add is in them: their error is the square of that step.
-    """
-    half = 0.5 * (strips.high[-1] - strips.low[0])
-    for k in range(2):
-        unknowns.rigid[k] = conditions.target[k]
-    for _ in range(FOLLOWING):
-        active = touching(unknowns.m)
-        if active.size == 0 or _widest(unknowns.m) > (WIDEST * half) ** 2:
-            break
-        keep_up(strips, kernel, unknowns.m, remote)
-        equations, scale, noise, unsettled = _weighed(strips, conditions, kernel, remote, unknowns, active, half, True)
-        residual = worse(unsettled, -(_least(unknowns.gap) + noise) / scale)
-        d_r, d_q = _directions(equations)
-        response = _border(equations, d_q)
-        largest = _combine(d_r, d_q, 0.0, 0.0)
-        if not math.isfinite(residual) or not math.isfinite(largest) or not math.isfinite(_sum(unknowns.m)):
-            break
-        if residual < NEARLY and largest < SMALL_STEP:
-            _store_stiffness(response, half, unknowns.stiffness)
-            load, moment = response[0, 0], response[1, 0]
-            for i in range(active.size):
-                load += equations.weights[i]
-                moment += equations.weights[i] * equations.lever[i]
-            return True, load, moment * half
-        _update(strips, kernel, equations, d_r, d_q, 1.0, unknowns)
-        _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
-    return False, 0.0, 0.0
+    else:
+        return ITERATION_LIMIT, STEP_LIMIT, residual
+    return STAGNATED, step, residual
 
 
 @inlined

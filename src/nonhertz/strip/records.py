@@ -287,8 +287,12 @@ class NewtonOptions(NamedTuple):
         Fraction of each Newton step to take; 1 except as a fallback.
     eager : bool
         Whether the curvature rows are solved for r before every step; true except as a fallback.
+    follows : bool
+        Whether a solved contact only follows another approach and tilt: it stops as soon as load and moment are
+        accurate, and is not checked.
     """
 
     tolerance: float
     relaxation: float
     eager: bool
+    follows: bool

@@ -12,8 +12,8 @@ import math
 import numpy as np
 
 from nonhertz.compiled import compiled, inlined
-from nonhertz.strip.influence import Remote
-from nonhertz.strip.newton import TOLERANCE, followed, newton
+from nonhertz.strip.influence import Remote, remote_of
+from nonhertz.strip.newton import TOLERANCE, newton
 from nonhertz.strip.records import (
     CONVERGED,
     STAGNATED,
@@ -91,7 +91,7 @@ def solve_on_strips(
             if not possible:
                 continue
             options = NewtonOptions(
-                tolerance if start < RAISED else TOLERANCE, 0.5 if start == SHORTENED else 1.0, start != TOGETHER
+                tolerance if start < RAISED else TOLERANCE, 0.5 if start == SHORTENED else 1.0, start != TOGETHER, False
             )
             # In this one place alone: wherever else the loop was called, it would be compiled again.
             again, more, left = loop(strips, conditions, kernel, trial, min_depth, options, start == RAISED)
@@ -164,7 +164,8 @@ def loop(
             unknowns.stiffness[i // 2, i % 2] = 0.0
         status, steps, residual = STAGNATED, 0, np.inf
         if not too_thin(min_depth, kernel, unknowns.m, HOPELESS):
-            status, steps, residual = newton(strips, conditions, kernel, unknowns, options)
+            remote, resultant = remote_of(strips, kernel, unknowns.m), np.empty(2)
+            status, steps, residual = newton(strips, conditions, kernel, unknowns, options, remote, resultant)
         if not raised or (status == CONVERGED and share == 1.0):
             return status, steps, residual
         if share - reached < LEAST_RISE:
@@ -208,10 +209,12 @@ def follow(
     _foresee(strips, conditions, unknowns)
     if too_thin(grids.min_depth[0], kernel, unknowns.m, HOPELESS):
         return False
-    done, load, moment = followed(strips, conditions, kernel, unknowns, remote)
+    for k in range(2):
+        unknowns.rigid[k] = conditions.target[k]
+    options = NewtonOptions(TOLERANCE, 1.0, True, True)
+    done = newton(strips, conditions, kernel, unknowns, options, remote, answer[:2])[0] == CONVERGED
     if done:
         take(unknowns, kept)
-        answer[0], answer[1] = load, moment
         for k in range(4):
             answer[2 + k] = unknowns.stiffness[k // 2, k % 2]
     return done
