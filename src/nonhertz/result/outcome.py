@@ -31,10 +31,12 @@ from nonhertz.strip.grid import MOST_BENDS, contact_of, nearly_touching
 from nonhertz.strip.levels import Levels, Solved, levels_from
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, STAGNATED, Grids, States
+from nonhertz.strip.solving import PATIENT_STRIPS
 
 Array = NDArray[np.float64]
 
 _WAY_OUT = "Try another number of strips, or a smaller load first."
+_FEWER = f"Give fewer strips: on more than {PATIENT_STRIPS}, where a step takes seconds, few other starts are tried."
 _STATUS = {CONVERGED: Status.CONVERGED, ITERATION_LIMIT: Status.ITERATION_LIMIT, STAGNATED: Status.STAGNATED}
 
 
@@ -54,7 +56,8 @@ def outcome(problem: Problem, solved: Solved) -> Solution:
         refuse_wide(solution, problem)
     refuse_wide_series(solution)
     if solution.status is not Status.CONVERGED:
-        raise ConvergenceError(f"{solution.status.value} {_WAY_OUT}", solution)
+        way_out = _FEWER if solution.strips > PATIENT_STRIPS else _WAY_OUT
+        raise ConvergenceError(f"{solution.status.value} {way_out}", solution)
     unmet = _shortfall(solution, problem, grids)
     if unmet is not None:
         raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))

@@ -41,7 +41,6 @@ Interval = tuple[float, float]
 STRIP_LIMIT = 40  # of an automatic grid of coarseness 1 on one interval of contact
 COARSE_STRIPS = 24
 COARSEST_LEVEL = 5
-PATIENT_STRIPS = 400
 MORE_STRIPS = (1, 5, 25)  # times as many to begin with, in case fewer miss the contact
 FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has no solution
 # Fractions of the strips: a rough grid that grades the final one, then half of the final one before all of it; and so
@@ -169,11 +168,9 @@ def on_given_strips(problem: Problem, levels: Sequence[Array], targets: Array) -
     found: list[States] = []
     for edges in reversed(levels):
         grids, last = problem.model.kept_grid(edges), edges is levels[0]
-        # Where no coarser grid has a solution, hours of retries on very many strips would not find one either.
-        patient = last and (edges.size <= PATIENT_STRIPS or any(bool(np.any(level.converged)) for level in found))
         tolerance = TOLERANCE if last else ROUGH_TOLERANCE
         near = found[0] if found else None
-        found.insert(0, solved_on(problem, grids, targets, near, tolerance=tolerance, patient=patient))
+        found.insert(0, solved_on(problem, grids, targets, near, tolerance=tolerance, patient=last))
     return Solved(np.arange(len(targets)), found, grids)
 
 

@@ -35,6 +35,9 @@ LEAST_RISE = 1e-3  # of the load: a smaller increment is not attempted
 # thin body.
 HOPELESS, BEYOND_HELP, SCARCELY = 0.7, 2.0, 4.0
 RISES = 40
+# Up to so many strips all starts are tried. On more, a step costs the cube of the strips, and on 2,000 some seconds: no
+# other start is tried once those that failed have cost so many steps on the first, nor is the load raised.
+PATIENT_STRIPS, RETRIED = 400, 360
 # Starts, in the order in which they are tried.
 BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS = range(7)
 
@@ -75,8 +78,10 @@ def solve_on_strips(
         if not within_reach(strips, conditions):
             continue
         unknowns, trial = unknowns_of(found, case, n), blank_unknowns(n)
-        status, steps, residual = STAGNATED, 0, np.inf
+        status, steps, residual, spent = STAGNATED, 0, np.inf, 0.0
         for start in range(STARTS if patient else TOGETHER):
+            if n > PATIENT_STRIPS and (spent > RETRIED or start == RAISED):
+                break
             if start == BEFORE:
                 # On the way to a grid of its own a case depends on no other.
                 possible = grids.counts.size == 1 and tolerance == TOLERANCE and case > 0
@@ -95,6 +100,7 @@ def solve_on_strips(
             )
             # In this one place alone: wherever else the loop was called, it would be compiled again.
             again, more, left = loop(strips, conditions, kernel, trial, min_depth, options, start == RAISED)
+            spent += more * (n / PATIENT_STRIPS) ** 3
             if start <= SPRINGS or again == CONVERGED or left < residual:
                 take(trial, unknowns)
                 status, steps, residual = again, more, left
