@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from nonhertz.bearing.lubrication import MOST_FACTOR, life_factor
 from nonhertz.bearing.ratings import Rating
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of
 from nonhertz.result.solution import SingularEnd
 
@@ -90,7 +90,7 @@ def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Arra
     """Return f q of every lamina [N], shape (rollers, 2, laminae)."""
     found = np.zeros((*solution.load.shape, laminae))
     if solution.method == "slices":
-        found = np.concatenate([loads for _, loads in solution.slice_loads(laminae)])
+        found = np.concatenate([loads for _, loads in slice_loads(solution, laminae)])
         return found * (edge_function(laminae) if edge_stress == "standard" else 1.0)
     model = iso_16281(laminae=laminae, edge_stress=edge_stress)
     known: dict[int, Array] = {}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -416,24 +415,6 @@ class BearingSolution(ReadOnly):
                 of_roller[:] = known[id(contact)]
         return UnrolledPressure(ring, row, self.angle[these], places, pressure)
 
-    def slice_loads(self, laminae: int = LAMINAE) -> Iterator[tuple[Slices, Array]]:
-        """Yield the slices of each row of a bearing that was solved by them, and their loads.
-
-        Parameters
-        ----------
-        laminae : int
-            Number of slices.
-
-        Yields
-        ------
-        Slices, ndarray of shape (rollers, 2, laminae)
-            Of one contact; and the loads of those of every contact [N], zero where it bears none.
-        """
-        for row in self.bearing.rows:
-            these, slices = row.rollers, standard_slices(row.bearing, laminae)
-            loads = slices.loads(self.approach[these].ravel(), self.tilt[these].ravel()).reshape(-1, 2, laminae)
-            yield slices, np.where(self.load[these, :, None] > 0.0, loads, 0.0)
-
     def plot(self, what: str = "loads", ax: Any = None) -> Any:
         """Draw the bearing, and return the axes; those of a figure of its own have it as ``figure``.
 
@@ -514,3 +495,16 @@ def loaded_shares(bearing: RollerBearing | Paired, load: Array) -> Array:
     # At speed every roller presses on the outer ring; between the rings only these bear load.
     loaded = load[..., 0] > 0.0
     return np.stack([loaded[..., row.rollers].mean(axis=-1) for row in bearing.rows], axis=-1)
+
+
+def slice_loads(solution: BearingSolution, laminae: int = LAMINAE) -> list[tuple[Slices, Array]]:
+    """Return the slices of each row of a bearing that was solved by so many, and the loads of all [N].
+
+    The latter, of shape (rollers, 2, laminae), are those of every contact; zero where it bears none.
+    """
+    found = []
+    for row in solution.bearing.rows:
+        these, slices = row.rollers, standard_slices(row.bearing, laminae)
+        loads = slices.loads(solution.approach[these].ravel(), solution.tilt[these].ravel()).reshape(-1, 2, laminae)
+        found.append((slices, np.where(solution.load[these, :, None] > 0.0, loads, 0.0)))
+    return found

@@ -11,7 +11,7 @@ from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.quantities import SolvedBearing, further
 from nonhertz.bearing.section import FORCES, MOTIONS, RINGS
-from nonhertz.bearing.solution import CONTACT_UNITS, BearingSolution
+from nonhertz.bearing.solution import CONTACT_UNITS, BearingSolution, slice_loads
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.results import key_by_key, plain
@@ -152,7 +152,7 @@ def _strips(solution: BearingSolution) -> Iterator[Iterable[Any]]:
 
 
 def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
-    for row, (slices, loads) in zip(solution.bearing.rows, solution.slice_loads(laminae), strict=True):
+    for row, (slices, loads) in zip(solution.bearing.rows, slice_loads(solution, laminae), strict=True):
         width = float(slices.y[1] - slices.y[0])
         for j, of_roller in enumerate(loads.tolist(), start=row.first):
             for k, ring in enumerate(RINGS):

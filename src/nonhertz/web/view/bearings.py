@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
@@ -126,7 +126,7 @@ def _lines(contact: Solution | None) -> dict[str, Any] | None:
 def _by_slices(solution: BearingSolution, laminae: int) -> list[list[dict[str, Any] | None]]:
     """Return for every roller and ring the steps of line load, without pressure; None where there is no load."""
     found: list[list[dict[str, Any] | None]] = []
-    for slices, loads in solution.slice_loads(laminae):
+    for slices, loads in slice_loads(solution, laminae):
         width = float(slices.y[1] - slices.y[0])
         edges = np.append(slices.y - 0.5 * width, slices.y[-1] + 0.5 * width)
         found += [[_steps(edges, each / width) if each.any() else None for each in of_roller] for of_roller in loads]
