@@ -156,6 +156,16 @@ def test_commands_list_mistakes_and_solve_nothing(folder, capsys, beginnings):
 FILES = {
     "not there": (None, "must exist: give the path of a case file, or begin with one from 'nonhertz new case.toml'."),
     "not TOML": (b"[body.a]\nlength = \n", "must be valid TOML: invalid value (at line 2, column 10)."),
+    "a decimal comma": (
+        b"load = 20,5\n",
+        "must be valid TOML: expected newline or end of document after a statement (at line 1, column 10); "
+        "use a decimal point.",
+    ),
+    "a bare unit": (
+        b"load = 20 kN  # down\n",
+        "must be valid TOML: expected newline or end of document after a statement (at line 1, column 11); "
+        'quote a number with its unit, "20 kN".',
+    ),
     "a key twice": (b"a = 1\na = 2\n", "must be valid TOML: cannot overwrite a value (at line 2, column 6)."),
     "not closed": (
         b"[body",
@@ -254,7 +264,7 @@ def test_a_body_is_refused_in_the_words_of_python(folder, keys):
     [
         (["slove", "case.toml"], 'Unknown command "slove". Did you mean "solve"? See \''),
         (["solve"], 'Command "solve" parameter CASE requires an argument'),
-        (["check", "a", "b"], "This command takes no 'b'; see"),
+        (["stress", "a", "b"], "This command takes no 'b'; see"),
         (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
         (["check"], 'Command "check" parameter FILE requires an argument'),
     ],

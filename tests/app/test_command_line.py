@@ -9,6 +9,7 @@ import io
 import json
 import os
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -25,7 +26,7 @@ import nonhertz.plot
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
-from nonhertz.cli.commands import COMMANDS, app
+from nonhertz.cli.commands import COMMANDS, EXAMPLES, app, each_with_option
 from nonhertz.cli.printing import print_result
 from nonhertz.files.bearingfile import BEARING_TEMPLATES
 from nonhertz.files.casefile import TEMPLATES, starting_case
@@ -280,7 +281,37 @@ def test_version(capsys):
     assert capsys.readouterr().out == f"{nh.__version__}\n"
 
 
-@pytest.mark.parametrize("words", [[], ["--help"], ["solve", "--help"], ["check", "--help"], ["new", "--help"]])
+@pytest.mark.parametrize(
+    ("change", "doubt"),
+    [
+        ("body.b.material.modulus=207", "body b has a modulus of 207 MPa, and steel one of 207000 MPa"),
+        ("body.a.profile=[{kind='crown', radius=60}]", "body a drops by 0.209 mm half-way to its end, over 1 %"),
+        ("load.load=3MN", "no metal bears the largest pressure, "),
+    ],
+    ids=range(3),
+)
+def test_check_doubts_slips_of_units(case, capsys, change, doubt):
+    assert main(["check", case, "--set", "body.b.material={modulus=207000, poisson=0.3}", change]) == 0
+    assert f"\ndoubtful: {doubt}" in capsys.readouterr().out
+
+
+def test_check_names_each_of_several_files(case, capsys):
+    assert main(["check", case, "none.toml"]) == 2
+    first, second, third = capsys.readouterr().out.splitlines()
+    assert first.startswith("case.toml is fine: ")
+    assert (second, third[:27]) == ("none.toml:", "1. none.toml must exist: gi")
+
+
+def test_every_command_has_an_example_that_is_understood():
+    assert set(EXAMPLES) == set(COMMANDS)
+    for name, example in EXAMPLES.items():
+        for words in example.split(", nonhertz "):
+            command, *_ = app.parse_args(each_with_option(shlex.split(words)), exit_on_error=False, print_error=False)
+            assert words.startswith(name)
+            assert command.__wrapped__ is app[name].default_command.__wrapped__
+
+
+@pytest.mark.parametrize("words", [[], ["--help"], ["help"], ["solve", "--help"], ["help", "new"]])
 def test_help(capsys, words):
     assert main(words) == 0
     assert "Usage: nonhertz" in capsys.readouterr().out

@@ -87,7 +87,7 @@ REFUSED = [
     ("map case.toml --approach -9um:-5um", "--approach = -0.005 must exceed"),
     (
         "sweep case.toml --over load.laod=1kN:2kN:3",
-        "--over load.laod = 'load.laod' must be a path to a value",
+        "--over load.laod = 'load.laod' must be an input of the file",
     ),
     ("sweep case.toml --over load.load", "must have an equals sign between path and values"),
     ("sweep case.toml --over load.load=2kN:1kN:3", "must ascend"),

@@ -99,8 +99,8 @@ def test_what_was_set_is_in_the_text_of_the_case():
 def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(capsys):
     said = refused(capsys, "solve", CASE, "--set", "load.laod=5kN", "--set", "body.a.profile.radus=1m")
     assert said.splitlines() == [
-        "1. load.laod must be a path to a value of the file: the nearest is 'load.load'.",
-        "2. body.a.profile.radus must be a path to a value of the file: the nearest is 'body.a.profile.radius'.",
+        "1. load.laod must be an input of the file: the nearest is 'load.load'.",
+        "2. body.a.profile.radus must be an input of the file: the nearest is 'body.a.profile.radius'.",
     ]
 
 
@@ -127,7 +127,7 @@ def test_a_path_is_set_once(capsys):
 def test_a_file_with_mistakes_is_read_to_the_end(tmp_path, capsys):
     broken = tmp_path / "broken.toml"
     broken.write_text("body = 3\nload = 4\n", encoding="utf-8")
-    assert "load.load must be a path" in refused(capsys, "check", str(broken), "--set", "load.load=5kN")
+    assert "load.load must be an input" in refused(capsys, "check", str(broken), "--set", "load.load=5kN")
     misspelled = tmp_path / "misspelled.toml"
     misspelled.write_text(Path(CASE).read_text(encoding="utf-8").replace("20000.0", "-1.0"), encoding="utf-8")
     assert main(["check", str(misspelled), "--set", "load.load=5kN"]) == 0

@@ -74,6 +74,8 @@ def test_decimal_submultiples_do_not_gain_digits():
             "length = '5 kg' must have a unit of length: "
             "write a number in mm, or text with a unit of length such as '20 mm'.",
         ),
+        ("2,5 um", "mm", "length = '2,5 um' must have a decimal point: write 2.5 um."),
+        ("20 kn", "N", "length = '20 kn' must have a unit of force: write 20 kN."),
         ("5", "mm", "length = '5' must have a unit: write 5 without quotes if it is in mm."),
         (
             "five mm",

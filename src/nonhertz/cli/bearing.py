@@ -32,7 +32,7 @@ def bearing(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Solve a bearing file and print loads, pressures and life of the whole bearing.
+    """Solve a whole bearing: loads, pressures and life.
 
     Parameters
     ----------

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from nonhertz.amounts import mm
+import numpy as np
+
+from nonhertz.amounts import mm, mpa
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.cli import BAD_INPUT, FINE
 from nonhertz.cli.options import Changes
@@ -18,29 +21,48 @@ from nonhertz.files.changes import changes_in
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.keys import table_of, unit_of
 from nonhertz.files.planfile import DESIGN, Plan, case_or_bearing_in, design_in
+from nonhertz.model.body import BODIES
 from nonhertz.model.prescription import Prescription
+from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import attempted
 from nonhertz.study.design import checked as checked_design
 from nonhertz.study.points import Points
 from nonhertz.study.quantities import chosen
 
+SOFT, METAL = (
+    500.0,
+    40e3,
+)  # MPa, moduli below which a number may have been meant in GPa, and above which bodies are metals
+BEYOND_METALS = 5000.0  # MPa
+DEEP = 0.01  # of the diameter
 
-def check(file: Path, /, *, changes: Changes = ()) -> int:
-    """List all mistakes in a case file, a bearing file or a plan.
+
+def check(file: Path, /, *more: Path, changes: Changes = ()) -> int:
+    """List all mistakes in case files, bearing files or plans.
 
     Parameters
     ----------
     file : Path
         The file.
+    more : tuple of Path
+        More files.
     """
+    mistaken = [path for path in (file, *more) if not _is_fine(path, changes_in(changes), named=bool(more))]
+    return BAD_INPUT if mistaken else FINE
+
+
+def _is_fine(path: Path, changes: Mapping[str, Any], *, named: bool) -> bool:
+    """Print the mistakes in a file, of several under its name, or what it holds; return whether there are none."""
     try:
-        said = _held(file, changes_in(changes))
+        said = _held(path, changes)
     except CaseError as error:
+        if named:
+            print(f"{path}:")
         for number, mistake in enumerate(error.mistakes, start=1):
             print(f"{number}. {mistake}")
-        return BAD_INPUT
-    print(f"{file} is fine: {said}.")
-    return FINE
+        return False
+    print(f"{path} is fine: {said}.")
+    return True
 
 
 def _held(path: Path, changes: Mapping[str, Any]) -> str:
@@ -54,9 +76,25 @@ def _held(path: Path, changes: Mapping[str, Any]) -> str:
 
 def _contact(case: Case) -> str:
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
-    attempted(case)
+    solution, _ = attempted(case)
     ends, pressed = mm(*case.contact.interval, between=" to "), _listed(case.prescribed, Prescription)
-    return f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
+    said = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
+    return ".\ndoubtful: ".join((said, *_doubts(case, solution)))
+
+
+def _doubts(case: Case, solution: Solution | None) -> Iterator[str]:
+    """Yield what is allowed but looks like a slip of units."""
+    bodies = {name: getattr(case.contact, name) for name in BODIES}
+    for name, body in bodies.items():
+        if body.material.modulus < SOFT:
+            yield f"body {name} has a modulus of {body.material.modulus:g} MPa, and steel one of 207000 MPa"
+        half = 0.5 * np.asarray(body.interval)
+        relief = float(np.max(body.relief(half))) if np.isfinite(half).all() else 0.0
+        if isinstance(body.diameter, float) and DEEP * abs(body.diameter) < relief < math.inf:
+            yield f"body {name} drops by {relief:.3g} mm half-way to its end, over 1 % of its diameter"
+    metals = all(body.material.modulus > METAL for body in bodies.values())
+    if solution is not None and metals and solution.max_pressure > BEYOND_METALS:
+        yield f"no metal bears the largest pressure, {mpa(solution.max_pressure)}; check load, tilt and units"
 
 
 def _bearing(case: BearingCase) -> str:

@@ -20,19 +20,47 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from cyclopts import App, CycloptsError, UnusedCliTokensError
+from cyclopts import App, CycloptsError, Group, UnusedCliTokensError
 
 from nonhertz import __version__
 from nonhertz.amounts import choose_units
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.errors import ConvergenceError, InputError
 
-#: A command is a module, and a function in it of the same name unless another is named here.
-COMMANDS = (
-    *("solve", "bearing", "compare", "stress", "life", "report", "profile", "map", "nodes", "design", "sweep"),
-    *("tolerance", "check", "materials", "new", "schema", "serve", "warm", "verify"),
-)
+#: Commands by the group that they stand in. A command is a module, and a function in it of the same name unless another
+#: is named below.
+GROUPS = {
+    "Start": ("new", "check", "materials", "schema", "serve"),
+    "Solve": ("solve", "bearing", "stress", "life", "report"),
+    "Study": ("sweep", "tolerance", "design"),
+    "Exchange": ("profile", "map", "nodes"),
+    "Verify": ("compare", "verify", "warm"),
+}
+COMMANDS = tuple(itertools.chain.from_iterable(GROUPS.values()))
+#: What a command may be called with.
+EXAMPLES = {
+    "new": "new roller.toml, nonhertz new --bearing nu206.toml, nonhertz new --template needle needle.toml",
+    "check": "check roller.toml plan.toml",
+    "materials": "materials 100Cr6",
+    "schema": "schema case --out nonhertz-case.schema.json",
+    "serve": "serve roller.toml",
+    "solve": "solve roller.toml --out results --set load.load=5kN load.tilt=1mrad",
+    "bearing": "bearing nu206.toml --out results",
+    "stress": "stress roller.toml --body b",
+    "life": "life new.toml --compare old.toml",
+    "report": 'report roller.toml --life --author "M. Muster"',
+    "sweep": "sweep roller.toml --over load.load=5kN:40kN:8 load.tilt=0,0.5mrad",
+    "tolerance": "tolerance roller.toml --over 'load.load=normal(nominal,1kN)'",
+    "design": "design plan.toml --front 9",
+    "profile": "profile trace.txt --height-unit um --fit best --out profile",
+    "map": "map roller.toml --load 0:20kN --tilt -1mrad:1mrad --out k.npz",
+    "nodes": "nodes roller.toml surface.csv",
+    "compare": "compare roller.toml --cells 64 256",
+    "verify": "verify --only hertz-ellipse bearings",
+    "warm": "warm",
+}
 _FUNCTIONS = {"map": "contact_map", "sweep": "sweep_plan", "tolerance": "study_tolerance"}
+_EXIT_CODES = "Exit codes: 0 success, 1 not converged or not verified, 2 bad input, 3 internal error."
 _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 
 
@@ -45,14 +73,26 @@ def _application() -> App:
     found = App(
         name="nonhertz",
         help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
-        help_epilogue="Exit codes: 0 success, 1 not converged or not verified, 2 bad input, 3 internal error.",
+        help_epilogue="Begin with: nonhertz new roller.toml, nonhertz solve roller.toml. "
+        "All of a command: nonhertz COMMAND --help. " + _EXIT_CODES,
         version=__version__,
         exit_on_error=False,
         print_error=False,
         suppress_keyboard_interrupt=False,
     )
-    for name in COMMANDS:
-        found.command(_command(name, _FUNCTIONS.get(name, name)), name=name)
+    for title, names in GROUPS.items():
+        group = Group.create_ordered(title)
+        for place, name in enumerate(names):
+            found.command(
+                _command(name, _FUNCTIONS.get(name, name)),
+                name=name,
+                group=group,
+                sort_key=place,
+                help_epilogue=f"Example: nonhertz {EXAMPLES[name]}\n\n{_EXIT_CODES}",
+            )
+    help_too = Group.create_ordered("Help")
+    for flag in ("--help", "--version"):
+        found[flag].group = help_too
     return found
 
 
@@ -78,12 +118,14 @@ app = _application()
 
 def run(words: Sequence[str]) -> int:
     """Run one command and return its exit code."""
+    if words[:1] == ["help"]:
+        words = [*words[1:], "--help"]
     if ("--out", "") in itertools.pairwise(words) or "--out=" in words:
         raise InputError("--out", "", "name a directory or a file", "write --out . for the current directory")
     try:
         with _plain_warnings():
             # In a context of its own, which ends with the units that the command has chosen.
-            return contextvars.copy_context().run(_run, _each_with_option(words))
+            return contextvars.copy_context().run(_run, each_with_option(words))
     except UnusedCliTokensError as error:
         unused = ", ".join(repr(word) for word in error.unused_tokens or ())
         print(f"This command takes no {unused}; see 'nonhertz --help'.", file=sys.stderr)
@@ -108,7 +150,7 @@ def _run(words: Sequence[str]) -> int:
     return code if isinstance(code, int) else FINE
 
 
-def _each_with_option(words: Sequence[str]) -> list[str]:
+def each_with_option(words: Sequence[str]) -> list[str]:
     """Return the words of a command line, with ``--set`` again before each further change that follows one."""
     found: list[str] = []
     after = False  # a change, so that another may follow

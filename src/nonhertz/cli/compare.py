@@ -31,7 +31,7 @@ def compare(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Solve a case file with strips of both elements and on a plane grid, and compare them.
+    """Compare strips of both elements with a plane grid on a case.
 
     The plane grid assumes nothing about how the pressure is distributed across the contact. Where it and the strips
     differ by more than 1 % is printed. This takes a few seconds.

@@ -44,7 +44,7 @@ def design(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Find the profile or the dimensions with the least largest pressure, or the longest life.
+    """Find the dimensions or the profile with the lowest peak pressure, or the longest life.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def design(
         In place of a goal, so many points of the Pareto front of the largest pressures under the loads without tilt and
         under those with tilt.
     out : Path
-        Directory for case.toml (the case as it is best), profile.csv, design.json and the figures, or of a front for
+        Directory for case.toml (the optimised case), profile.csv, design.json and the figures, or of a front for
         front.csv, front.json, a case file for each point and the figure; by default the file's name with '-design', in
         the current directory.
     """
@@ -80,7 +80,7 @@ def design(
 
 
 def _texts(found: Design, out: Path) -> dict[str, str]:
-    """Return the case as it is best, its profile and all numbers, by file name."""
+    """Return the optimised case, its profile and all numbers, by file name."""
     return {
         "case.toml": as_toml(found.case.document_in(out) | {"title": f"{found.was.title}, designed"}),
         "profile.csv": _profile(found),
@@ -111,7 +111,7 @@ def _as_json(found: Design, files: Sequence[Path]) -> str:
 
 
 def _profile(found: Design) -> str:
-    """Return the relief of both bodies together as CSV, as it is best and as it was."""
+    """Return the relief of both bodies together as CSV, after and before."""
     rows = np.column_stack(found.relief).tolist()
     cells = ([f"{y:.9g}", *("" if math.isnan(each) else f"{each:.9f}" for each in rest)] for y, *rest in rows)
     return csv_text(["y [mm]", "relief [mm]", "relief before [mm]"], cells)

@@ -42,7 +42,7 @@ def life(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Solve a case file and assess how long both bodies last by several fatigue models.
+    """Assess how long both bodies of a case last, by several fatigue models.
 
     Lives are relative to those of the same bodies under an ideal pressure, Hertz's line pressure with the load spread
     evenly. This takes a few seconds per load.

@@ -41,7 +41,7 @@ def contact_map(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Make a map of a case: load, moment and stiffness over approach and tilt, for other programs.
+    """Tabulate load, moment and stiffness of a case over approach and tilt.
 
     A map is a stand-in for the contact, a thousand times as fast as solving it, with errors sampled at points of
     their own. It takes hundreds of solves.

@@ -14,7 +14,7 @@ from nonhertz.show.sections import Said, Section, Table
 
 
 def materials(name: str | None = None, /, *, units: UnitsRead = "si", as_json: AsJson = False) -> None:
-    """List the materials that a case file may name, with what they bear.
+    """List the materials that a file may name, and their strength.
 
     Parameters
     ----------

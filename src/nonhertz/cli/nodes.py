@@ -34,7 +34,7 @@ def nodes(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Solve a case file and find pressures and forces at the nodes of a finite element mesh.
+    """Find pressures and forces of a case at the nodes of a finite element mesh.
 
     Pressures are those of the contact at each node. Forces add up to the load, whatever the mesh.
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
-from cyclopts import Parameter
+from cyclopts import Group, Parameter
 
 from nonhertz.errors import InputError
 
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
     from nonhertz.files.resultfile import Result
 
+#: The options that most commands have, below those of their own.
+_COMMON = Group("Common", sort_key=9)
+
 Changes = Annotated[
     tuple[str, ...],
     Parameter(
@@ -23,19 +26,23 @@ Changes = Annotated[
         negative="",
         show_default=False,
         allow_leading_hyphen=True,
-        help="A path and a value in place of that in the file, such as load.load=5kN or body.a.profile.drop=12um; or "
-        "several. Without a value, the key is taken out of the file.",
+        group=_COMMON,
+        help="Values in place of those in the file: load.load=5kN body.a.profile.drop=12um. KEY= removes a key.",
     ),
 ]
 UnitsRead = Annotated[
     Literal["si", "us"],
     Parameter(
         name="--units",
-        help="Units of what is shown: us for in, lbf and ksi. Options, JSON, CSV and other files stay in mm, N, MPa.",
+        group=_COMMON,
+        help="Units of what is shown; us: in, lbf, ksi. Files and options stay in mm, N, MPa.",
     ),
 ]
 AsJson = Annotated[
-    bool, Parameter(name="--json", negative="", help="Print all numbers as JSON instead of what people read.")
+    bool,
+    Parameter(
+        name="--json", negative="", show_default=False, group=_COMMON, help="Print one JSON object with all numbers."
+    ),
 ]
 Excel = Annotated[
     bool,

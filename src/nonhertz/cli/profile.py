@@ -55,7 +55,7 @@ def profile(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Prepare a measured profile step by step, and say what each step did.
+    """Prepare a measured profile step by step.
 
     Parameters
     ----------

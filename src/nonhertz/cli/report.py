@@ -37,7 +37,7 @@ def report(
     date: str = "",
     units: UnitsRead = "si",
 ) -> int:
-    """Solve case files or bearing files and write one HTML report that anyone can open in a browser.
+    """Write an HTML report of cases or bearings that opens in any browser.
 
     It contains inputs, assumptions and whether they hold, results, figures, references and the files themselves, and
     loads nothing from elsewhere. Several cases, or several bearings, are compared with the first.
@@ -51,7 +51,7 @@ def report(
         with '-report.html', in the current directory.
     life : bool
         Whether to assess lives, which takes a few seconds per load; by default only for cases with a table life.
-        Bearings are rated in any case but --no-life.
+        Bearings are always rated unless --no-life.
     stress : bool
         Search for the largest stresses below the surface, of case files.
     compare : bool

@@ -11,7 +11,7 @@ from nonhertz.files.schemas import KINDS, schema_text
 
 
 def schema(kind: str, /, *, out: Path | None = None) -> None:
-    """Print the JSON schema of case, bearing, plan or result files, by which editors and other programs check them.
+    """Print the JSON schema of case, bearing, plan or result files.
 
     Parameters
     ----------

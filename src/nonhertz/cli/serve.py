@@ -20,7 +20,7 @@ def serve(
     port: int = 8765,
     browser: bool = True,
 ) -> None:
-    """Open a page in the browser on which to change a case or a bearing and see it solved as you type.
+    """Open the page, on which a case or a bearing is solved as you change it.
 
     The page is served to this machine only, and no data leave it. Ctrl-C stops it.
 

@@ -38,7 +38,7 @@ def solve(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> int:
-    """Solve case files and print a summary, or a table of several.
+    """Solve cases and print a summary, or a table of several.
 
     Parameters
     ----------

@@ -35,7 +35,7 @@ def stress(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Solve a case file and find the largest stresses below the surface.
+    """Find the largest stresses of a case below the surface.
 
     Size and position of the largest von Mises, maximum shear and orthogonal shear stress, in the whole body and in one
     cross-section of it.

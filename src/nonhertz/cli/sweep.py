@@ -35,7 +35,7 @@ def sweep_plan(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Solve a case or a bearing for many values of what its file holds.
+    """Solve a case or a bearing for many values of its inputs.
 
     Rows are kept as they are solved. A sweep that was stopped, however it was, goes on when the same command is given
     again. A row that fails holds the sentence that says why, and does not stop the others.

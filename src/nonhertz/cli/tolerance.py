@@ -32,7 +32,7 @@ def study_tolerance(
     units: UnitsRead = "si",
     as_json: AsJson = False,
 ) -> None:
-    """Find how results are distributed when dimensions and loads are, and which tolerance matters.
+    """Propagate tolerances to results, and rank their influence.
 
     Rows are kept as those of 'nonhertz sweep' are, and the same command goes on where it was stopped.
 

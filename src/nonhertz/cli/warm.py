@@ -18,7 +18,7 @@ from nonhertz.errors import AccuracyWarning
 
 
 def warm() -> int:
-    """Compile everything now, so that no later command has to: for containers and CI.
+    """Compile everything now, for containers and CI.
 
     What is compiled is kept on disk for this version, processor and compiler; run it again after an upgrade. The exit
     code is 1 if nothing can be written where it is kept.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import re
 import tomllib
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
@@ -350,7 +351,7 @@ def parsed(text: str, name: str) -> dict[str, Any]:
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        reason = str(error).rstrip(".")
+        reason = str(error).rstrip(".") + _meant(text, str(error))
     except RecursionError:
         reason = TOO_DEEP
     except ValueError:  # Python's limit on the digits of an integer
@@ -360,6 +361,17 @@ def parsed(text: str, name: str) -> dict[str, Any]:
             raise CaseError([f"{name} must be a case file: {too_much}."])
         return document
     raise CaseError([f"{name} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])
+
+
+def _meant(text: str, reason: str) -> str:
+    """Return what to do about a line of TOML that is a number as people write it: with a comma, or with its unit."""
+    place = re.search(r"at line (\d+)", reason)
+    line = text.split("\n")[int(place[1]) - 1] if place else ""
+    if re.search(r"=\s*[-+]?\d+,\d", line):
+        return "; use a decimal point"
+    if number := re.search(r"=\s*([-+]?[\d.]+\s*[A-Za-z][\w /^]*)", line):
+        return f'; quote a number with its unit, "{number[1].strip()}"'
+    return ""
 
 
 def as_toml(document: dict[str, Any]) -> str:

@@ -160,7 +160,7 @@ def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     alike = [each for each in known if each.rpartition(".")[2] == last]
     match = nearest(path, alike) or (alike[0] if alike else nearest(path, known))
     remedy = f"the nearest is '{match}'" if match else "write it as in the file, such as 'load.load'"
-    raise InputError(path, path, "be a path to a value of the file", remedy)
+    raise InputError(path, path, "be an input of the file", remedy)
 
 
 def _in_tables(value: Any, tables: Sequence[Table], keys: Keys) -> Iterator[Parameter]:

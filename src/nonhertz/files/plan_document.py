@@ -70,7 +70,7 @@ class DesignGoal(Input):
     goal: Annotated[
         str | None,
         Word(
-            "'pressure': the least largest pressure; 'life': the longest life; pressure if left out",
+            "'pressure': the lowest peak pressure; 'life': the longest life; pressure if left out",
             "name one of them",
             ("pressure", "life"),
         ),

@@ -36,7 +36,28 @@ _FACTOR = r"(?:[A-Za-zµμ°%]+(?:(?:\^|\*\*)?-?[1-9]|[²³])?)"
 _UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR})*")
 # The slope of a line as drawings write it: so much on so much.
 _SLOPE = re.compile(rf"\s*({_NUMBER})\s*({_FACTOR})\s*/\s*(?:({_NUMBER})\s*)?({_FACTOR})\s*")
+_DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d")
 _LONGEST = 40
+# What is meant by the same letters in another case.
+_USUAL = (
+    "N",
+    "kN",
+    "MN",
+    "N m",
+    "Nm",
+    "N mm",
+    "Nmm",
+    "kN m",
+    "MPa",
+    "GPa",
+    "mm",
+    "um",
+    "rad",
+    "mrad",
+    "deg",
+    "Hz",
+    "rpm",
+)
 # To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments.
 _RUN_TOGETHER = re.compile(r"\b([kM]?N)(m|cm|mm)\b")
 # Turns as ISO writes them; pint knows neither.
@@ -124,6 +145,8 @@ def begins_with_digits(text: str) -> bool:
 def _converted(field: str, text: str, unit: str) -> float:
     kind, example = _KINDS[unit]
     remedy = f"write a number in {unit}, or text with a unit of {kind} such as '{example}'"
+    if _DECIMAL_COMMA.match(text):
+        raise InputError(field, text, "have a decimal point", f"write {text.strip().replace(',', '.', 1)}")
     slope = _slope(field, text) if unit == "rad" else None
     if slope is not None:
         return math.atan(slope)
@@ -136,6 +159,8 @@ def _converted(field: str, text: str, unit: str) -> float:
     try:
         factor = _factor(written, unit)
     except ValueError as error:
+        meant = next((each for each in _USUAL if each.lower() == written.lower() and each != written), None)
+        remedy = remedy if meant is None else f"write {taken_apart[1]} {meant}"
         raise InputError(field, text, str(error), remedy) from None
     return _times(number, factor)
 

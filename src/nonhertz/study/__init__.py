@@ -1,6 +1,6 @@
 """Studies: what the numbers of a contact or a bearing depend on.
 
-`nonhertz.sweep` solves a case for many values of what its file holds and returns a `Sweep`; `nonhertz.tolerance` finds
+`nonhertz.sweep` solves a case for many values of its inputs and returns a `Sweep`; `nonhertz.tolerance` finds
 how its results are distributed when dimensions are, and returns a `Tolerance`.
 `nonhertz.Solution.gradient` makes a `Gradient` of a named number of a solution, or of one of these: `PressureAt`,
 `HalfWidthAt`, `PressureNorm`, `PowerIntegral`, or `damage` by a model of fatigue.

@@ -1,4 +1,4 @@
-"""Design: the dimensions of a contact for the least largest pressure or the longest life under all of its loads.
+"""Design: the dimensions of a contact for the lowest peak pressure or the longest life under all of its loads.
 
 Both goals are searched from several starts (`nonhertz.study.search`), each in a process of its own.
 """
@@ -122,7 +122,7 @@ class Design:
     worst : str
         The load with the largest pressure, or with the largest share of the damage.
     case : Case
-        The case as it is best.
+        The optimised case.
     was : Case
         The case as it was.
     loads : tuple of LoadCase
@@ -158,13 +158,13 @@ class Design:
 
     @cached_property
     def verdict(self) -> Verdict | None:
-        """Whether the case as it is best bears its loads: the worst of all."""
+        """The verdict on the optimised case under its loads: the worst of all."""
         with without_accuracy_warnings():
             return of_loads((_solved(self.case, each), each.share) for each in self.loads)
 
     @cached_property
     def relief(self) -> tuple[Array, Array, Array]:
-        """Positions along body a, its relief as it is best and as it was, all [mm]; nan where it has none."""
+        """Positions along body a, its relief after and before, all [mm]; nan where it has none."""
         return relief_of(self.case, self.was)
 
 
@@ -217,7 +217,7 @@ def best(
     workers: int | None = None,
     announce: Callable[[int, int], object] | None = None,
 ) -> Design:
-    """Find the dimensions with which a contact has the least largest pressure, or the longest life.
+    """Find the dimensions with which a contact has the lowest peak pressure, or the longest life.
 
     Parameters
     ----------
@@ -228,7 +228,7 @@ def best(
         of a profile as a whole ``"free(60 um, 8)"``: one that only grows from the middle to both ends, by at most so
         much, in so many steps.
     goal : {"pressure", "life"}
-        The least largest pressure under any load (the default), or the longest life under all of them.
+        The lowest peak pressure under any load (the default), or the longest life under all of them.
     loads : sequence of LoadCase, optional
         The loads with their shares of the revolutions; by default the spectrum of the case, or its load.
     where : mapping, optional
@@ -295,7 +295,7 @@ def front(
 ) -> Front:
     """Find the Pareto front of the largest pressures under two groups of loads, aligned and misaligned ones, say.
 
-    Every point has the least largest pressure under the first group for which that under the second stays below a cap;
+    Every point has the lowest peak pressure under the first group for which that under the second stays below a cap;
     the caps are evenly spread between what is best for the second group and what comes of the best for the first. A
     point that is no better than another in either is left out.
 

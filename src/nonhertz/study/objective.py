@@ -103,7 +103,7 @@ class Task:
     template: Template  # the case
     variables: tuple[Variable, ...]  # what may be chosen
     loads: tuple[LoadCase, ...]  # with their shares of the revolutions
-    goal: str  # "pressure", the least largest one, or "life", the longest
+    goal: str  # "pressure", the lowest peak, or "life", the longest
     model: Model  # of fatigue
     limits: tuple[Limit, ...] = ()  # what must hold
     # The most pressure that each load may have [MPa]; None of those whose pressure is the goal, as all are if empty.

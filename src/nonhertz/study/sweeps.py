@@ -257,7 +257,7 @@ def sweep(
     scheduler: str | None = None,
     announce: Callable[[Progress], object] | None = None,
 ) -> Sweep:
-    """Solve a case or a bearing for many values of what its file holds.
+    """Solve a case or a bearing for many values of its inputs.
 
     Parameters
     ----------
