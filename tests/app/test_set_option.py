@@ -173,6 +173,6 @@ def test_reports_plans_and_designs_take_it(tmp_path, monkeypatch, capsys):
     assert f"<h1>{TITLE}</h1>" in report
     assert "# Set in place of what the file held: load.load = 6kN" in report
     assert main(["check", str(EXAMPLES / "roller-15x20-sweep.toml"), "--set", "load.laod=6kN"]) == 2
-    assert "roller-15x20.toml: load.laod must be a path" in capsys.readouterr().out
+    assert "roller-15x20.toml: load.laod must be an input" in capsys.readouterr().out
     case, _ = read_design(EXAMPLES / "roller-15x20-design.toml", {"load.load": "6 kN"})
     assert case.prescribed["load"] == 6000.0
