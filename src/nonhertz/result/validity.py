@@ -35,15 +35,14 @@ AT_CORNER = 1.5  # strips: a maximum this close to a corner of the profile is at
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then accurate to 0.2 %
 
 
-def strains(solution: Solution, problem: Problem, state: States) -> tuple[Finding, ...]:
-    """Return every way in which the result leaves the model's validity."""
-    return (
-        *(found for check in checks(solution, problem.model.influence.ends) for found in check.findings),
-        *_large_errors(solution),
-        *_short_of_accuracy(solution, problem),
-        *_missed_contact(solution, problem, state),
-        *_without_limit(solution),
-    )
+def strains(solution: Solution, problem: Problem, state: States) -> Iterator[Finding]:
+    """Yield every way in which the result leaves the model's validity."""
+    for check in checks(solution, problem.model.influence.ends):
+        yield from check.findings
+    yield from _large_errors(solution)
+    yield from _short_of_accuracy(solution, problem)
+    yield from _missed_contact(solution, problem, state)
+    yield from _without_limit(solution)
 
 
 def _large_errors(solution: Solution) -> Iterator[Finding]:

@@ -27,7 +27,7 @@ from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
 from nonhertz.result.suspicion import suspected
-from nonhertz.result.validity import singularities
+from nonhertz.result.validity import singularities, strains
 from nonhertz.strip.grid import contact_of
 from nonhertz.strip.levels import levels_from
 from nonhertz.strip.overlaps import SAMPLES
@@ -397,8 +397,6 @@ class Block:
         if self.error is not None:
             return
         for row in np.flatnonzero(suspected(self.problem, self._grids, self.states, self.singular)):
-            solution = self.solution(int(row))
-            of_ends = singularities(solution)
-            found = [each for each in solution.findings if each not in of_ends]
-            if found:
-                yield self.numbers[row], found[0]
+            first = next(strains(self.solution(int(row)), self.problem, self.finest.one(int(row))), None)
+            if first is not None:
+                yield self.numbers[row], first
