@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.files.casefile import Case, read_case, starting_case
+from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.schemas import schema_of
 from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.life.lamina import FEWEST, MOST
@@ -163,35 +163,11 @@ def test_profiles_take_length_and_diameter_from_their_body(tmp_path):
     np.testing.assert_array_equal(case.contact.a.relief(0.9 * Y), expected.relief(0.9 * Y))
 
 
-def test_a_profile_s_own_length_comes_before_the_body_s(tmp_path):
-    table = '{ kind = "logarithmic", amplitude = 0.005, length = 24 }'
-    case = read(tmp_path, with_body(f"diameter = 15\nlength = 18\nprofile = {table}"))
-    expected = nh.profile.logarithmic(amplitude=0.005, length=24.0)
-    np.testing.assert_array_equal(case.contact.a.relief(0.9 * Y), expected.relief(0.9 * Y))
-
-
-def test_the_logarithmic_profile_of_the_specification(tmp_path):
-    table = '{ kind = "logarithmic", amplitude = 0.005, fraction = 0.9999 }'
-    case = read(tmp_path, with_body(f"diameter = 20\nlength = 20\nprofile = [{table}]"))
-    expected = 0.005 * np.log(1.0 / (1.0 - (2.0 * Y * 0.9999 / 20.0) ** 2))
-    np.testing.assert_allclose(case.contact.a.relief(Y), expected, rtol=1e-12)
-
-
 def test_a_straight_middle_leaves_the_rest_of_the_body_to_the_curve(tmp_path):
     table = '{ kind = "logarithmic", amplitude = 0.005, straight = 8, fraction = 0.99 }'
     case = read(tmp_path, with_body(f"diameter = 15\nlength = 20\nprofile = [{table}]"))
     end = -0.005 * np.log(1.0 - 0.99**2)
     np.testing.assert_allclose(case.contact.a.relief([4.0, 10.0]), [0.0, end], rtol=1e-12)
-
-
-def test_profiles_shift_and_scale(tmp_path):
-    case = read(
-        tmp_path,
-        with_body('diameter = 20\nprofile = { kind = "crown", radius = 1000, shift = 2, scale = 3 }'),
-    )
-    np.testing.assert_allclose(
-        case.contact.a.relief(Y), 3.0 * nh.profile.crown(radius=1000).relief(Y - 2.0), rtol=1e-14
-    )
 
 
 def test_a_profile_file_is_found_beside_the_case_file(tmp_path, monkeypatch):
@@ -212,10 +188,6 @@ def test_files_of_other_editors_are_read(tmp_path, bom, ending):
     assert read_case(path).prescribed["load"] == 20000.0
 
 
-def test_the_starting_case_is_read(tmp_path):
-    assert read(tmp_path, starting_case()).contact.interval == (-10.0, 10.0)
-
-
 def test_mistakes_are_listed_in_the_order_of_the_file():
     document = {
         "titel": "x",
@@ -230,11 +202,6 @@ def test_mistakes_are_listed_in_the_order_of_the_file():
         "body.a.profile[1].radius",
         "body.a.length",
     ]
-
-
-def test_a_mistaken_length_does_not_accuse_the_profiles_that_need_it():
-    body = {"length": -20.0, "diameter": 20.0, "profile": [{"kind": "chamfer", "width": 2.0}]}
-    assert len(mistakes_of({"body": {"a": body, "b": {}}, "load": {"load": 1.0}})) == 1
 
 
 def test_a_mistaken_key_does_not_accuse_the_keys_that_need_it():
@@ -319,13 +286,6 @@ def test_the_schema_allows_what_a_body_takes(kind):
     assert not any(re.search(text["pattern"], word) for word in words["enum"])
 
 
-def test_the_schema_names_the_defaults_of_a_body():
-    properties = schema_of("case")["$defs"]["Body"]["properties"]
-    for name in ("position", "side_faces", "images"):
-        assert properties[name]["default"] == getattr(nh.Body(), name)
-    assert "default" not in properties["depth"]  # of which TOML, without null, could say nothing
-
-
 def test_the_schema_and_the_solver_agree_on_the_number_of_strips():
     strips = schema_of("case")["$defs"]["Solver"]["properties"]["strips"]["anyOf"][1]
     assert (strips["minimum"], strips["maximum"]) == (FEWEST_STRIPS, MOST_STRIPS)
@@ -354,25 +314,12 @@ def test_without_a_life_table_all_models_are_wanted_as_they_are():
 @pytest.mark.parametrize(
     ("life", "sentences"),
     [
-        ({"rollers": 14.5}, ["rollers = 14.5 must be a whole number"]),
         ({"contact_angle": 12.0}, ["contact_angle = 12.0 must not exceed 0.7854 rad"]),
-        (
-            {"rollers": -1, "laminae": 3},
-            ["rollers = -1 must be a whole number of at least 1", "laminae = 3 must be a whole number from 30 to 2000"],
-        ),
+        ({"rollers": -1, "laminae": 3}, ["rollers = -1 must be a whole", "laminae = 3 must be a whole number from 30"]),
         ({"models": []}, ["models = [] must be a list of names"]),
-        (
-            {"models": ["zaretzky", 3]},
-            [
-                "models[1] = 'zaretzky' must be one of 'lundberg-palmgren', 'ioannides-harris', 'zaretsky'",
-                "models[2] = 3 must be one of 'lundberg-palmgren'",
-            ],
-        ),
-        ({"slope": 0}, ["slope = 0.0 must be positive"]),
+        ({"models": ["zaretzky", 3]}, ["models[1] = 'zaretzky' must be one of ", "models[2] = 3 must be one of "]),
         ({"slope": 100}, ["slope = 100.0 must lie between 0.2 and 5"]),
-        ({"fatigue_limit": "360 N"}, ["fatigue_limit = '360 N' must have a unit of stress"]),
         ({"edge_stress": "presure"}, ["edge_stress = 'presure' must be one of 'pressure', "]),
-        ({"line_loads": 3}, ["line_loads = 3 must be one of 'solution', "]),
         ({"modles": []}, ["modles = [] must be a known key: the nearest is 'models'"]),
         ({"spectrum": {"load": 1}}, ["spectrum must be a list of tables"]),
         (
@@ -384,18 +331,12 @@ def test_without_a_life_table_all_models_are_wanted_as_they_are():
                 "spectrum[2].share must be given: give its share of the revolutions",
             ],
         ),
-        (
-            {"spectrum": [{"load": 1, "share": 0.5}, {"load": 2, "share": 0.4}]},
-            ["spectrum.share = 0.9 must add up to 1: give all loads with their shares of the revolutions"],
-        ),
-        ({"spectrum": [{"load": 1, "share": 1.5}]}, ["spectrum[1].share = 1.5 must not exceed 1"]),
+        ({"spectrum": [{"load": 1, "share": 0.5}]}, ["spectrum.share = 0.5 must add up to 1: give all loads with "]),
     ],
 )
 def test_mistakes_in_a_life_table(life, sentences):
-    mistakes = mistakes_of(WHOLE | {"life": life})
-    assert [each[: len(f"life.{start}")] for each, start in zip(mistakes, sentences, strict=True)] == [
-        f"life.{start}" for start in sentences
-    ]
+    for found, beginning in zip(mistakes_of(WHOLE | {"life": life}), sentences, strict=True):
+        assert found.startswith(f"life.{beginning}")
 
 
 @pytest.mark.parametrize("short", [0.9e-3, -0.9e-3])
@@ -471,10 +412,6 @@ def places(value: Any, place: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     elif isinstance(value, list):
         keys = range(len(value))
     return [place] * bool(place) + [inner for key in keys for inner in places(value[key], (*place, key))]
-
-
-def test_the_whole_document_is_sound():
-    assert Case.of(WHOLE, Path()).solver["strips"] == 41
 
 
 @settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])

@@ -1,6 +1,5 @@
 """Elastic constants and what follows from them."""
 
-import dataclasses
 import math
 
 import pytest
@@ -24,39 +23,6 @@ def test_compliance_from_the_shear_modulus_is_the_same():
     assert abs(material.compliance / (0.72 / (2 * math.pi * 82000)) - 1.0) < 1e-14
 
 
-@pytest.mark.parametrize("poisson", [-0.99, 0.0, 0.5])
-def test_every_stable_poisson_ratio_is_accepted(poisson):
-    assert nh.Material(modulus=1000, poisson=poisson).compliance > 0.0
-
-
-@pytest.mark.parametrize(
-    ("modulus", "poisson", "complaint"),
-    [
-        ("207000", 0.3, "modulus = '207000' must have a unit"),
-        (2e5, 0.51, "poisson = 0.51 must lie in (-1, 0.5]"),
-        (2e5, -1.0, "poisson = -1.0 must lie in (-1, 0.5]"),
-    ],
-)
-def test_impossible_constants_are_refused(modulus, poisson, complaint):
-    with pytest.raises(nh.InputError) as refusal:
-        nh.Material(modulus=modulus, poisson=poisson)
-    said, _, remedy = str(refusal.value).partition(": ")
-    assert said == complaint
-    assert remedy in {
-        "give Young's modulus in MPa, 207000 for steel.",
-        "give Poisson's ratio, 0.3 for steel.",
-        "write 207000 without quotes if it is in MPa.",
-    }
-
-
-def test_a_material_is_a_value():
-    steel = nh.Material(modulus=207000, poisson=0.3)
-    assert steel == nh.Material(207000, 0.3)
-    assert dataclasses.replace(steel, poisson=0.25).modulus == 207000
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        steel.modulus = 1.0
-
-
 def test_what_a_material_bears_is_left_out_where_it_is_not_known():
     plain = nh.Material(207000, 0.3)
     known = nh.Material(207000, 0.3, yield_strength=1800, hardness="60HRC", pressure_limit=4000)
@@ -73,17 +39,17 @@ def test_what_a_material_bears_is_left_out_where_it_is_not_known():
 @pytest.mark.parametrize(
     ("given", "complaint"),
     [
-        ({"yield_strength": 0.0}, "yield_strength = 0.0 must be positive: give the stress in MPa"),
-        ({"pressure_limit": "4000"}, "pressure_limit = '4000' must have a unit"),
+        ({"poisson": 0.51}, "poisson = 0.51 must lie in (-1, 0.5]"),
+        ({"poisson": -1.0}, "poisson = -1.0 must lie in (-1, 0.5]"),
+        ({"pressure_limit": "4000"}, "pressure_limit = '4000' must have a unit: write 4000 without quotes"),
         ({"hardness": 60}, "hardness = 60 must be a number with its scale, HV, HRC or HBW"),
         ({"hardness": "60 Shore D"}, "hardness = '60 Shore D' must be a number with its scale"),
         ({"hardness": "75 HRC"}, "hardness = '75 HRC' must lie between 20 and 70 HRC"),
-        ({"hardness": "700 HBW"}, "hardness = '700 HBW' must lie between 1 and 650 HBW"),
     ],
 )
-def test_impossible_strengths_are_refused(given, complaint):
+def test_impossible_constants_and_strengths_are_refused(given, complaint):
     with pytest.raises(nh.InputError) as refusal:
-        nh.Material(207000, 0.3, **given)
+        nh.Material(**{"modulus": 207000, "poisson": 0.3} | given)
     assert str(refusal.value).startswith(complaint)
 
 

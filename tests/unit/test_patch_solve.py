@@ -31,23 +31,15 @@ def solution():
 @pytest.mark.parametrize(
     ("values", "sentence"),
     [
-        ({}, "load = None must be given"),
         ({"load": 1e3, "approach": 0.01}, "approach = 0.01 must not be given together with load"),
         ({"load": 1e3, "moment": 1.1e4}, "moment = 11000.0 must keep moment / load between -10 and 10 mm"),
-        ({"load": 1e3, "cells": 64}, "cells = 64 must be a pair"),
         ({"load": 1e3, "cells": (64, 3)}, "cells = (64, 3) must be whole numbers of at least 4"),
         ({"load": 1e3, "cells": (10**7, 10**7)}, "cells = (10000000, 10000000) must need less than"),
         ({"load": 1e3, "region": (1.0, 2.0)}, "region = (1.0, 2.0) must be two pairs of ends"),
-        ({"load": 1e3, "region": ((1.0, 1.0), (0.0, 1.0))}, "region = ((1.0, 1.0), (0.0, 1.0)) must ascend"),
         ({"load": 1e3, "region": ((0.0, 1.0), (11.0, 12.0))}, "region = ((0.0, 1.0), (11.0, 12.0)) must ascend"),
         ({"load": 1000.0, "region": ((0.0, math.nan), (0.0, 1.0))}, "region = ((0.0, nan), (0.0, 1.0)) must have ends"),
-        ({"load": 1e3, "tolerance": 1e-14}, "tolerance = 1e-14 must lie between 1e-12 and 0.01"),
-        ({"load": 1e3, "threads": 2.7}, "threads = 2.7 must be a whole number of at least 1"),
-        ({"load": 1e3, "features": [3.0]}, "features[0] = 3.0 must be callable"),
-        ({"load": 1e3, "features": "dent"}, "features = 'dent' must be callable with x and y"),
         ({"load": 1e3, "features": [Dent]}, "features[0] = <class 'nonhertz.patch.features.Dent'> must be callable"),
         ({"load": 1e3, "features": [math.sin]}, "features[0] = <built-in function sin> must be callable with x and y"),
-        ({"load": 1e3, "gap": 3.0}, "gap = 3.0 must be callable"),
     ],
     ids=str,
 )
@@ -62,11 +54,8 @@ def test_what_is_refused(values, sentence):
     [
         (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.nan), "return a number everywhere"),
         (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.inf), "be finite somewhere"),
-        (lambda x, y: -math.inf * np.ones_like(x * y), "return a number everywhere"),
         (lambda x, y: np.zeros((2, 3)), "return the broadcast shape"),
-        (lambda x, y: x**2 + y**2 + 0j, "return real numbers, not complex128"),
         (lambda x, y: (x > 0.0) | (y > 0.0), "return real numbers, not bool"),
-        (lambda x, y: "none", "return real numbers"),
         (lambda x, y: None, "return real numbers"),
     ],
 )
@@ -100,16 +89,14 @@ def test_a_feature_that_works_in_place_cannot_move_the_cells():
 BODIES_AS_THEY_COME = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000)), nh.Plate())
 
 
-@pytest.mark.parametrize("contact", [BODIES_AS_THEY_COME, CROWNED], ids=["default", "half-spaces"])
-@pytest.mark.parametrize("approach", [-1.0, -0.01, 0.0])
-@pytest.mark.parametrize("moment", [None, 0.0])
-@pytest.mark.parametrize("region", [None, ((-0.3, 0.3), (-5.0, 5.0))], ids=["found", "given"])
-def test_an_approach_at_which_nothing_touches_is_refused(contact, approach, moment, region):
-    with pytest.raises(nh.InputError) as caught:
-        nh.patch.solve(contact, approach=approach, moment=moment, cells=SMALL, region=region)
-    assert str(caught.value) == (
-        f"approach = {approach} must exceed 0 mm, where the bodies begin to touch: raise it, or prescribe the load."
-    )
+@pytest.mark.parametrize(
+    ("contact", "more"),
+    [(BODIES_AS_THEY_COME, {}), (CROWNED, {"moment": 0.0}), (CROWNED, {"region": ((-0.3, 0.3), (-5.0, 5.0))})],
+)
+@pytest.mark.parametrize("approach", [-1.0, 0.0])
+def test_an_approach_at_which_nothing_touches_is_refused(contact, more, approach):
+    with pytest.raises(nh.InputError, match=f"approach = {approach} must exceed 0 mm, where the bodies begin to touch"):
+        nh.patch.solve(contact, approach=approach, cells=SMALL, **more)
 
 
 def test_where_bodies_begin_to_touch_counts_tilt_and_features():
@@ -122,7 +109,7 @@ def test_where_bodies_begin_to_touch_counts_tilt_and_features():
 
 
 @pytest.mark.parametrize("crown", [10.0, 1000.0])
-@pytest.mark.parametrize("approach", [1e-9, 1e-7, 1e-6, 1e-5, 3e-4])
+@pytest.mark.parametrize("approach", [1e-9, 1e-6, 3e-4])
 def test_a_light_contact_by_approach_is_hertz(crown, approach):
     # Faces and a depth do 0.9 % at most, cells 1e-3.
     for given, rtol in (({}, 1.5e-2), (HALF_SPACE, 3e-3)):
