@@ -184,8 +184,8 @@ def test_inputs_have_value_unit_meaning_and_say_what_is_a_default():
     logarithmic, conical = body.profiles
     assert {entry.key: entry.value for entry in logarithmic.entries} == {
         "kind": "iso-logarithmic",
-        "diameter": "from the body",
-        "length": "from the body",
+        "diameter": "15",
+        "length": "15",
     }
     assert "ISO/TS 16281:2008" in logarithmic.source
     (angle,) = (entry for entry in conical.entries if entry.key == "angle")
@@ -211,7 +211,7 @@ def test_what_was_done_to_a_measured_profile_is_told_and_drawn(tmp_path):
     (tmp_path / "case.toml").write_text(case, encoding="utf-8")
     case = read_case(tmp_path / "case.toml")
     told = told_of_steps(case)
-    assert list(told) == ["raw", "level", "align", "trim", "outliers", "smooth", "thin"]
+    assert list(told) == ["raw", "level", "align", "trim", "outliers", "smooth", "thin", "relief", "roughness"]
     assert told["level"].startswith("A tilt of 2 mrad was removed")
     assert told["align"].startswith("The middle of the body, 4 mm in the file, became y = 0")
     page = compose([case], stress=False)

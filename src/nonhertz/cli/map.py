@@ -20,7 +20,7 @@ from nonhertz.files.spreads import number_in, range_in
 from nonhertz.maps import ContactMap, MapPoint
 from nonhertz.maps import contact_map as map_of
 from nonhertz.maps.value import ROWS, TILTS
-from nonhertz.show.sections import Said, Section
+from nonhertz.show.maps import sections
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
 _SUFFIXES = (".csv", ".npz")
@@ -91,8 +91,7 @@ def contact_map(
     if as_json:
         print(_as_json(found, read.title))
     else:
-        words = [line.strip() for line in repr(found).splitlines()[1:]]
-        print_result(read.title, [Section("", [Said(words)])], written=made)
+        print_result(read.title, sections(found), written=made)
 
 
 def _written(path: Path, found: ContactMap, table: MapPoint) -> tuple[Path, ...]:

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from nonhertz.amounts import mm, of_dimension, um, with_error
 from nonhertz.cli.options import AsJson, UnitsRead, refuse_unwritable_out, written
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import InputError
@@ -19,13 +17,12 @@ from nonhertz.files.measured import checked, measured_in
 from nonhertz.files.prepared import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import one_of
-from nonhertz.measured import Fit, Measured
+from nonhertz.measured import Fit
 from nonhertz.measured.fit import KINDS
 from nonhertz.plot.measured import measured_figure
-from nonhertz.show.sections import Said, Section, Table
+from nonhertz.show.measured import sections
 
 BEST = "best"
-_FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
 _PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 _NO, _YES = frozenset({"no", "false", "none"}), frozenset({"yes", "true"})
 # Options whose values are always text, whatever they look like.
@@ -117,8 +114,7 @@ def profile(
     if as_json:
         print(key_by_key(as_object(measured, fits)))
         return
-    blocks = [Said(measured.trace.notes), Table(_profile_rows(measured)), Table(_fit_rows(fits), _FITTED, (0, 1))]
-    print_result(name, [Section("", blocks)], warnings=measured.warnings, written=made)
+    print_result(name, sections(measured, fits), warnings=measured.warnings, written=made)
 
 
 @contextlib.contextmanager
@@ -131,57 +127,6 @@ def _options_named() -> Iterator[None]:
         if error.field == "file":
             remedy, field = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", remedy), "file"
         raise InputError(field, error.value, error.condition, remedy) from None
-
-
-def _profile_rows(measured: Measured) -> list[tuple[str, str]]:
-    """Return name and sentence of every step, the resulting relief, and the roughness."""
-    found = measured.roughness
-    low, high, most = found.main_band
-    return [
-        *((state.name, state.words) for state in measured.states),
-        ("relief", _relief(measured)),
-        ("roughness", f"Ra {um(found.ra):.3g}, Rq {um(found.rq):.3g}, Rz {um(found.rz):.3g} below "
-                      f"{mm(found.cutoff):.3g}; most of it, {um(most):.3g}, in waves "
-                      + (f"from {mm(low, high, between=' to '):.3g}." if low else f"shorter than {mm(high):.3g}.")),
-    ]  # fmt: skip
-
-
-def _relief(measured: Measured) -> str:
-    points = measured.points
-    land, highest = points.on_land, points.height.max()
-    words = " and ".join(f"{um(float(highest - land.height[k])):.4g} at y = {mm(land.y[k]):.5g}" for k in (0, -1))
-    if points.land is None:
-        return f"{words}."
-    ends = " and ".join(f"{um(float(highest - points.height[k])):.4g} at {mm(points.y[k]):.5g}" for k in (0, -1))
-    return f"{words}, where the land ends; {ends}, where the profile ends."
-
-
-def _fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
-    """Return kind, parameters with their standard errors, and residuals of each fit, best first."""
-    return [
-        (
-            fit.kind,
-            ", ".join(_parameter(fit, name) for name in (*fit.parameters, "shift") if _is_free(fit, name)),
-            f"{um(fit.rms):.3g}",
-            f"{um(fit.largest):.3g}",
-            f"{fit.penalised - fits[0].penalised:.1f}",
-        )
-        for fit in fits
-    ]
-
-
-def _is_free(fit: Fit, name: str) -> bool:
-    return name in fit.parameters or name in fit.standard_errors
-
-
-def _parameter(fit: Fit, name: str) -> str:
-    value = fit.parameters.get(name, fit.shift)
-    unit = fit.unit_of(name)
-    error = fit.standard_errors.get(name)
-    if error is not None and not math.isfinite(error):
-        return f"{name} not determined by the points"  # any value fits as well
-    shown = of_dimension((value,), unit)
-    return f"{name} {shown if error is None else with_error(shown, error)}"
 
 
 def _meant(name: str, word: str | bool) -> Any:

@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 from nonhertz.amounts import read_in
 from nonhertz.errors import InputError
 from nonhertz.files.results import plain
+from nonhertz.files.traces.heads import cells_of
 from nonhertz.files.traces.text import decoded, value_in
 from nonhertz.findings import as_warnings
 from nonhertz.inputs.fields import nearest
-from nonhertz.inputs.files import content, legible
+from nonhertz.inputs.files import readable
 from nonhertz.inputs.units import in_unit
 from nonhertz.result.nodes import NodalLoads
 from nonhertz.result.solution import Solution
@@ -63,21 +64,18 @@ def read_nodes(path: Path) -> Nodes:
     InputError
         If the file cannot be read, has no such columns, or a line of it has no such numbers.
     """
-    try:
-        lines, _ = decoded(content(path, LARGEST), legible(path.name))
-    except OSError as error:
-        reason = (error.strerror or str(error)).lower()
-        raise InputError("NODES", str(path), f"be a readable file ({reason})", "check path and permissions") from None
+    lines, _ = decoded(*readable("NODES", path, LARGEST))
     written = [(number, line) for number, line in enumerate(lines, start=1) if line.strip()]
     if not written:
         raise InputError("NODES", str(path), "hold nodes", _EXAMPLE)
     separator = next((each for each in (";", "\t", ",") if each in written[0][1]), None)
-    head = _split(written[0][1], separator)
+    # A head between blanks may have blanks before its units.
+    head = cells_of(re.sub(r"\s+([\[(])", r"\1", written[0][1]) if separator is None else written[0][1], separator)
     columns = {name: _column(name, head, path) for name in _NEEDED}
     cells = []
     numbers = np.empty((len(written) - 1, len(_NEEDED)))
     for row, (number, line) in enumerate(written[1:]):
-        found = _split(line, separator)
+        found = cells_of(line, separator)
         if len(found) != len(head):
             condition = f"have as many columns in line {number} as in its head, {len(head)}, not {len(found)}"
             raise InputError("NODES", str(path), condition, "complete the line, or take it out")
@@ -119,12 +117,6 @@ def as_object(solution: Solution, found: NodalLoads, title: str) -> dict[str, An
         },
         **numbers,
     }
-
-
-def _split(line: str, separator: str | None) -> list[str]:
-    # A head between blanks may have blanks before its units.
-    cells = re.sub(r"\s+([\[(])", r"\1", line).split() if separator is None else line.split(separator)
-    return [cell.strip().strip('"').strip() for cell in cells]
 
 
 def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:

@@ -25,7 +25,7 @@ from nonhertz.files.traces.text import decoded
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import text
 from nonhertz.inputs.fields import Input, Word, described, one_by_one
-from nonhertz.inputs.files import content, legible
+from nonhertz.inputs.files import readable
 
 _HEAD = 100  # lines that may state units
 _TO_RAD = {"rad": 1.0, "deg": np.pi / 180.0}
@@ -166,13 +166,7 @@ def _from_file(table: ShapeFile, folder: Path | None) -> RingShape:
 
 
 def _lines(path: str | os.PathLike[str]) -> tuple[list[str], str]:
-    try:
-        name = legible(Path(path).name or str(path))
-        data = content(path, LARGEST_FILE)
-    except (OSError, ValueError, TypeError) as error:  # ValueError: not a valid file name; TypeError: not a name
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
-        condition = f"be a file that can be read ({reason})"
-        raise InputError("path", str(path), condition, "check path and permissions") from None
+    data, name = readable("path", path, LARGEST_FILE)
     if not data.strip():
         raise InputError("file", name, "not be empty", "write angle and deviation per line")
     return decoded(data, name)[0], name

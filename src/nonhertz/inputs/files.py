@@ -12,6 +12,8 @@ import sys
 from pathlib import Path
 from typing import Final
 
+from nonhertz.errors import InputError
+
 _WITHOUT_WAITING: Final = getattr(os, "O_NONBLOCK", 0)  # Windows has no such pipes
 
 
@@ -37,6 +39,26 @@ def content(path: str | os.PathLike[str], most: int) -> bytes:
     if len(data) > most:
         raise OSError(errno.EFBIG, f"larger than {most / 1e6:g} MB")
     return data
+
+
+def readable(field: str, path: str | os.PathLike[str], most: int) -> tuple[bytes, str]:
+    """Return the contents of a file that is given as a field, and its name as messages show it.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, or is larger than ``most`` bytes.
+    """
+    try:
+        name = legible(Path(path).name or str(path))
+        return content(path, most), name
+    except (OSError, ValueError, TypeError) as error:  # ValueError: not a valid file name; TypeError: not a name
+        if getattr(error, "errno", None) == errno.EFBIG:
+            condition, remedy = f"be no larger than {most // 1_000_000} MB", "export fewer points"
+            raise InputError(field, name, condition, remedy) from None
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        condition = f"be a file that can be read ({reason})"
+        raise InputError(field, str(path), condition, "check path and permissions") from None
 
 
 def legible(name: str) -> str:

@@ -129,10 +129,11 @@ class ContactMap(ReadOnly):
             f"{self.given} {pressed:.4g}, tilt {tilts:.4g}, loads up to {newton(self.most_load)}",
             f"built from {self.cases} cases{self._failures()}",
             f"largest of {error.points} sampled errors, times {SAFETY:g}, not a bound: "
-            f"{_share(error.load)} of the load, {_share(error.moment)} of load times half-length, "
-            f"{_share(error.stiffness)} of the stiffness, "
-            f"{_share(error.max_pressure)} of the maximum pressure, {_share(error.max_half_width)} of the half-width, "
-            f"{_share(error.strip_loads)} of the load on each of {self.stations.size - 1} strips",
+            f"{in_share(error.load)} of the load, {in_share(error.moment)} of load times half-length, "
+            f"{in_share(error.stiffness)} of the stiffness, "
+            f"{in_share(error.max_pressure)} of the maximum pressure, "
+            f"{in_share(error.max_half_width)} of the half-width, "
+            f"{in_share(error.strip_loads)} of the load on each of {self.stations.size - 1} strips",
         ]
         return plain_text("ContactMap", said)
 
@@ -329,5 +330,6 @@ def _refuse_others(point: object) -> None:
         raise InputError("point", point, "be points of a map", "give what ContactMap.at, under or grid returns")
 
 
-def _share(error: float) -> str:
+def in_share(error: float) -> str:
+    """Return a relative error in ppm where it is small, else in per cent."""
     return f"{digits(1e6 * error, 2)} ppm" if error < 1e-3 else f"{digits(100.0 * error, 2)} %"

@@ -24,6 +24,7 @@ from nonhertz.report.overview import PART_COLUMNS, first_numbers, geometry, open
 from nonhertz.report.results import BearingResults, CaseResults, Results, examined, settled
 from nonhertz.show import bearing, stresses
 from nonhertz.show import lives as life_shown
+from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.lives import RATIO
@@ -206,9 +207,11 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
             if table.get("kind") == KIND and content is not None:
                 values = {key: checked(key, value) for key, value in table.items() if key != "kind"}
                 measured = measured_in(content, values, file)
-                rows = [(state.name, state.words, "") for state in measured.states]
+                rows = measured_shown.rows(measured)
                 caption = f"From the measured points of {file} to the profile, step by step."
-                picture = Picture(measured_figure(measured), caption, " ".join(words for _, words, _ in rows))
+                picture = Picture(
+                    measured_figure(measured), caption, " ".join(words for _, words, _ in measured_shown.rows(measured))
+                )
                 yield Section(f"What was done to {file}, {place}.profile[{number}]", [summary(rows), picture])
 
 

@@ -8,7 +8,6 @@ Taylor Hobson's instruments), or an X3P container.
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 from nonhertz.errors import InputError
 from nonhertz.files.traces.columns import read_columns
@@ -18,7 +17,7 @@ from nonhertz.files.traces.records import is_records, read_records
 from nonhertz.files.traces.sheets import is_workbook, lines_of_workbook
 from nonhertz.files.traces.text import decoded
 from nonhertz.files.traces.x3p import is_container, read_container
-from nonhertz.inputs.files import legible
+from nonhertz.inputs.files import readable
 from nonhertz.measured.trace import Trace
 
 __all__ = ["LARGEST_FILE", "read_trace"]
@@ -83,16 +82,8 @@ def read_trace(
 def _content(source: str | os.PathLike[str] | bytes, name: str | None) -> tuple[bytes, str]:
     if isinstance(source, bytes):
         return _bounded(source, name or "the measured profile"), name or "the measured profile"
-    path = Path(source)
-    name = name or legible(path.name or str(path))
-    try:
-        with path.open("rb") as file:
-            data = file.read(LARGEST_FILE + 1)
-    except (OSError, ValueError) as error:  # ValueError: not a valid file name
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
-        condition = f"be a file that can be read ({reason})"
-        raise InputError("file", str(source), condition, "check path and permissions") from None
-    return _bounded(data, name), name
+    data, own = readable("file", source, LARGEST_FILE)
+    return _bounded(data, name or own), name or own
 
 
 def _bounded(data: bytes, name: str) -> bytes:

@@ -1,0 +1,69 @@
+"""A measured profile in rows: what each step did to it, its relief and roughness, and the profiles fitted to it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from nonhertz.amounts import mm, of_dimension, um, with_error
+from nonhertz.measured import Fit, Measured
+from nonhertz.show.sections import Row, Said, Section, Table, summary
+
+_FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
+
+
+def sections(measured: Measured, fits: Sequence[Fit] = ()) -> list[Section]:
+    """Return what is shown of a measured profile and of profiles fitted to it, best first."""
+    blocks = [Said(measured.trace.notes), summary(rows(measured)), Table(_fit_rows(fits), _FITTED, (0, 1))]
+    return [Section("", blocks)]
+
+
+def rows(measured: Measured) -> list[Row]:
+    """Return name and sentence of every step, the resulting relief, and the roughness."""
+    found = measured.roughness
+    low, high, most = found.main_band
+    return [
+        *((state.name, state.words, "") for state in measured.states),
+        ("relief", _relief(measured), ""),
+        ("roughness", f"Ra {um(found.ra):.3g}, Rq {um(found.rq):.3g}, Rz {um(found.rz):.3g} below "
+                      f"{mm(found.cutoff):.3g}; most of it, {um(most):.3g}, in waves "
+                      + (f"from {mm(low, high, between=' to '):.3g}." if low else f"shorter than {mm(high):.3g}."), ""),
+    ]  # fmt: skip
+
+
+def _relief(measured: Measured) -> str:
+    points = measured.points
+    land, highest = points.on_land, points.height.max()
+    words = " and ".join(f"{um(float(highest - land.height[k])):.4g} at y = {mm(land.y[k]):.5g}" for k in (0, -1))
+    if points.land is None:
+        return f"{words}."
+    ends = " and ".join(f"{um(float(highest - points.height[k])):.4g} at {mm(points.y[k]):.5g}" for k in (0, -1))
+    return f"{words}, where the land ends; {ends}, where the profile ends."
+
+
+def _fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
+    """Return kind, parameters with their standard errors, and residuals of each fit, best first."""
+    return [
+        (
+            fit.kind,
+            ", ".join(
+                _parameter(fit, name)
+                for name in (*fit.parameters, "shift")
+                if name in fit.parameters or name in fit.standard_errors
+            ),
+            f"{um(fit.rms):.3g}",
+            f"{um(fit.largest):.3g}",
+            f"{fit.penalised - fits[0].penalised:.1f}",
+        )
+        for fit in fits
+    ]
+
+
+def _parameter(fit: Fit, name: str) -> str:
+    value = fit.parameters.get(name, fit.shift)
+    unit = fit.unit_of(name)
+    error = fit.standard_errors.get(name)
+    if error is not None and not math.isfinite(error):
+        return f"{name} not determined by the points"  # any value fits as well
+    shown = of_dimension((value,), unit)
+    return f"{name} {shown if error is None else with_error(shown, error)}"
