@@ -23,7 +23,7 @@ RADIUS = {"body.a.profile.radius": "1500 mm : 30000 mm"}
 
 
 def asked(vary, goal="pressure", loads=None, where=None, case=CASE):
-    return checked(case, vary, goal, loads or LOADS, where, None, None).task
+    return checked(case, vary, goal, loads or LOADS, where, None, None)[0]
 
 
 @pytest.mark.parametrize("goal", ["pressure", "life"])

@@ -264,8 +264,8 @@ def best(
     (True, 2)
     """
     callback("announce", announce)
-    asked = checked(case, vary, goal, loads, where, model, starts)
-    task, begins = asked.task, asked.begins()
+    task, count = checked(case, vary, goal, loads, where, model, starts)
+    begins = begins_of(task, count)
     was = task.template.case({})
     assert isinstance(was, Case)
     as_it_was = Task(task.template, (), task.loads, task.goal, task.model, task.limits)
@@ -324,15 +324,15 @@ def front(
         best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
         for group in groups
     ]
-    asked = checked(case, vary, PRESSURE, groups[0], where, None, starts)
+    asked, _ = checked(case, vary, PRESSURE, groups[0], where, None, starts)
     every = (*groups[0], *groups[1])
     free, held = (None,) * len(groups[0]), len(groups[1])
     lowest, highest = ends[1].value, _largest(ends[0].case, groups[1])
     caps = np.linspace(lowest, highest, points)[1:-1].tolist()
-    begins = [np.array(_shares(asked.task, end.values)) for end in ends]
+    begins = [np.array(_shares(asked, end.values)) for end in ends]
     tasks = []
     for k, cap in enumerate(caps):
-        task = replace(asked.task, loads=every, caps=(*free, *(cap,) * held))
+        task = replace(asked, loads=every, caps=(*free, *(cap,) * held))
         # From both ends, and from as far between them as the cap is.
         share = (k + 1.0) / (points - 1.0)
         tasks += [(k, task, x) for x in (*begins, (1.0 - share) * begins[1] + share * begins[0])]
@@ -344,8 +344,8 @@ def front(
     rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest, ends[1].case)]
     for k in sorted(found):
         chosen = min(found[k], key=lambda each: each.value)
-        case_there = asked.task.case(chosen.ended)
-        rows.append((asked.task.values(chosen.ended), chosen.value, _largest(case_there, groups[1]), case_there))
+        case_there = asked.case(chosen.ended)
+        rows.append((asked.values(chosen.ended), chosen.value, _largest(case_there, groups[1]), case_there))
     rows.append((ends[0].values, ends[0].value, highest, ends[0].case))
     # A point is worse than another that has no more of either pressure, and less of one.
     rows = [
@@ -372,49 +372,41 @@ def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:
     return [each.share(next(given[each.path])) for each in task.variables]
 
 
-@dataclass(frozen=True)
-class _Asked:
-    """What is asked of a design, checked."""
+def begins_of(task: Task, starts: int) -> list[Array]:
+    """Return where the searches begin: at the case as it is, if it lies within the bounds, and spread between these."""
+    from scipy.stats import qmc
 
-    task: Task
-    starts: int
-
-    def begins(self) -> list[Array]:
-        """Return where the searches begin: at the case as it is, and spread between the bounds."""
-        from scipy.stats import qmc
-
-        count = len(self.task.variables)
-        now = self._now()
-        spread = qmc.Sobol(count, rng=np.random.default_rng(1)).random_base2(math.ceil(math.log2(self.starts + 1)))
-        found = [] if now is None else [now]
-        return [*found, *(self._allowed(point) for point in spread[: self.starts - len(found)])]
-
-    def _now(self) -> Array | None:
-        """Return the case as it is; None if it lies outside the bounds, or does not say."""
-        from nonhertz.inputs.units import in_unit
-
-        found = []
-        for variable in self.task.variables:
-            parameter = self.task.template.known[variable.path]
-            value = parameter.value_in(self.task.template.document)
-            number = in_unit(variable.path, value, parameter.unit or "") if variable.form is None else None
-            if not isinstance(number, float) or not variable.low <= number <= variable.high:
-                return None
-            found.append(variable.share(number))
-        return np.array(found)
-
-    def _allowed(self, point: Array) -> Array:
-        """Return a start whose free profiles are within their bounds."""
+    now = _as_it_is(task)
+    found = [] if now is None else [now]
+    count = math.ceil(math.log2(starts + 1))
+    spread = qmc.Sobol(len(task.variables), rng=np.random.default_rng(1)).random_base2(count)
+    for point in spread[: starts - len(found)]:
         x = 0.05 + 0.9 * point
-        for path in {each.path for each in self.task.variables if each.form is not None}:
-            at = [k for k, each in enumerate(self.task.variables) if each.path == path]
+        for path in {each.path for each in task.variables if each.form is not None}:
+            at = [k for k, each in enumerate(task.variables) if each.path == path]
             # More towards the ends, as profiles are, and between a tenth and half of the deepest in all.
             x[at] = (0.3 + x[at]) * np.linspace(0.1, 1.0, len(at)) ** 2
             x[at] *= math.sqrt(0.1 + 0.4 * float(point[at[0]])) / np.linalg.norm(x[at])
-        for mine, margins, _ in self.task.of_forms(x):
-            # Margins are 1 less something that grows with the squares.
+        for mine, margins, _ in task.of_forms(x):
+            # Free profiles are to begin within their bounds: margins are 1 less something that grows with the squares.
             x[mine] /= math.sqrt(max(1.0, BEYOND * (1.0 - float(margins.min()))))
-        return x
+        found.append(x)
+    return found
+
+
+def _as_it_is(task: Task) -> Array | None:
+    """Return the case as it is; None if it lies outside the bounds, or does not say."""
+    from nonhertz.inputs.units import in_unit
+
+    found = []
+    for variable in task.variables:
+        parameter = task.template.known[variable.path]
+        value = parameter.value_in(task.template.document)
+        number = in_unit(variable.path, value, parameter.unit or "") if variable.form is None else None
+        if not isinstance(number, float) or not variable.low <= number <= variable.high:
+            return None
+        found.append(variable.share(number))
+    return np.array(found)
 
 
 def checked(
@@ -425,8 +417,8 @@ def checked(
     where: Mapping[str, Any] | None = None,
     model: Model | None = None,
     starts: int | None = None,
-) -> _Asked:
-    """Return what `best` is asked for; refuse what it refuses before it solves anything."""
+) -> tuple[Task, int]:
+    """Return what `best` is asked for, and from how many starts; refuse what it refuses before it solves anything."""
     plan: dict[str, Any] = {}
     if isinstance(case, str | Path):
         case, plan = read_design(case)
@@ -451,8 +443,7 @@ def checked(
         fatigue,
         refuse_unlimited(_mapping("where", plan.get("where", {}))),
     )
-    count = whole("starts", plan.get("starts", STARTS), 1, MOST_STARTS, "give the number of searches")
-    return _Asked(task, count)
+    return task, whole("starts", plan.get("starts", STARTS), 1, MOST_STARTS, "give the number of searches")
 
 
 def _mapping(name: str, value: object) -> Mapping[str, Any]:
