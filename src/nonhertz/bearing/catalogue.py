@@ -22,6 +22,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
@@ -35,7 +36,8 @@ from nonhertz.bearing.bearings import (
 )
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, one_of, positive
+from nonhertz.inputs.checks import finite, positive
+from nonhertz.inputs.fields import Quantity, Word, checked
 from nonhertz.life.capacity import Raceway
 from nonhertz.model import profile
 from nonhertz.model.body import Body, Ring, Roller, TabulatedDiameter
@@ -84,6 +86,7 @@ _NORMAL = (
     (710, 285, 425), (800, 310, 470), (900, 350, 520), (1000, 390, 580),
 )  # fmt: skip
 _IN_N = "give both ratings of the catalogue in N: 44 kN are 44e3"
+_ANGLES = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_factor"
 
 
 @dataclass(frozen=True, repr=False)
@@ -115,43 +118,48 @@ class CatalogueGuess:
         return plain_text("CatalogueGuess", list(self.sentences))
 
 
+def _size(symbol: str, meaning: str) -> Quantity:
+    return Quantity("mm", meaning, positive, f"give {symbol} of the catalogue in mm")
+
+
+def _raceway(symbol: str, ring: str) -> Quantity:
+    meaning = f"the {ring} raceway {symbol} of a cylindrical or needle bearing, which catalogues have for rings without"
+    remedy = f"give {symbol} of the catalogue in mm, or leave it out"
+    return Quantity("mm", f"{meaning} ribs; with both, rollers' diameter and pitch are not guessed", positive, remedy)
+
+
+@checked
 def from_catalogue(
-    bore: float,
-    outside_diameter: float,
-    width: float,
-    dynamic: float,
-    static: float,
+    bore: Annotated[float, _size("d", "the bore, d")],
+    outside_diameter: Annotated[float, _size("D", "the outside diameter, D")],
+    width: Annotated[float, _size("B", "the width B, of a tapered bearing T")],
+    dynamic: Annotated[float, Quantity("N", "the basic dynamic load rating C", positive, _IN_N)],
+    static: Annotated[float, Quantity("N", "the basic static load rating C_0", positive, _IN_N)],
     *,
-    kind: str = "cylindrical",
-    inner_raceway: float | None = None,
-    outer_raceway: float | None = None,
-    contact_angle: float | None = None,
-    limiting_ratio: float | None = None,
-    axial_factor: float | None = None,
-    clearance: float | None = None,
+    kind: Annotated[
+        str, Word("the bearing", "write 'cylindrical', 'needle' or 'tapered'", tuple(_USUAL))
+    ] = "cylindrical",
+    inner_raceway: Annotated[float | None, _raceway("F", "inner")] = None,
+    outer_raceway: Annotated[float | None, _raceway("E", "outer")] = None,
+    contact_angle: Annotated[float | None, Quantity("rad", "of a tapered bearing", positive, _ANGLES)] = None,
+    limiting_ratio: Annotated[
+        float | None, Quantity("", "the ratio e = 1.5 tan(alpha), in place of it", positive, _ANGLES)
+    ] = None,
+    axial_factor: Annotated[
+        float | None, Quantity("", "the factor Y = 0.4 / tan(alpha), in place of it", positive, _ANGLES)
+    ] = None,
+    clearance: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "radial, of a tapered bearing axial; if left out, the middle of the normal group of ISO 5753-1 for "
+            "cylindrical roller bearings, up to a bore of 1000 mm, and 0 for tapered ones, which are set when mounted",
+            finite,
+            "give it in mm: 30 um are 0.03",
+        ),
+    ] = None,
 ) -> CatalogueGuess:
     """Guess the inside of a roller bearing of one row from its dimensions and ratings.
-
-    Parameters
-    ----------
-    bore, outside_diameter, width : float
-        d, D and B of the catalogue, T of a tapered bearing [mm].
-    dynamic, static : float
-        C and C_0 [N].
-    kind : {"cylindrical", "needle", "tapered"}
-        The bearing.
-    inner_raceway, outer_raceway : float, optional
-        F and E of cylindrical and needle bearings [mm], which catalogues have for rings without ribs. With both, the
-        rollers' diameter and the pitch diameter are not guessed.
-    contact_angle : float, optional
-        Of a tapered bearing [rad]; or one of
-    limiting_ratio : float, optional
-        e = 1.5 tan(alpha), or
-    axial_factor : float, optional
-        Y = 0.4 / tan(alpha).
-    clearance : float, optional
-        Radial, of a tapered bearing axial [mm]. If left out, the middle of the normal group of ISO 5753-1 for
-        cylindrical roller bearings, up to a bore of 1000 mm, and 0 for tapered ones, which are set when mounted.
 
     Returns
     -------
@@ -182,25 +190,22 @@ def from_catalogue(
     >>> guess.bearing.rollers, guess.bearing.pitch
     (13, 46.5)
     """
-    one_of("kind", kind, tuple(_USUAL), "write 'cylindrical', 'needle' or 'tapered'")
-    for name, symbol, value in (
-        ("bore", "d", bore),
-        ("outside_diameter", "D", outside_diameter),
-        ("width", "B", width),
-    ):
-        positive(name, value, f"give {symbol} of the catalogue in mm")
     if outside_diameter <= bore:
         condition = f"exceed the bore of {mm(bore):g}"
         raise InputError("outside_diameter", outside_diameter, condition, "give D of the catalogue in mm")
-    positive("dynamic", dynamic, _IN_N)
-    positive("static", static, _IN_N)
     raceways = {"inner_raceway": inner_raceway, "outer_raceway": outer_raceway}
     angles = {"contact_angle": contact_angle, "limiting_ratio": limiting_ratio, "axial_factor": axial_factor}
     angle = _angle(angles) if kind == "tapered" else 0.0
     for name, foreign in (raceways if kind == "tapered" else angles).items():
         if foreign is not None:
             raise InputError(name, foreign, f"be left out for a {kind} bearing", "it has none")
-    _check_raceways(bore, outside_diameter, raceways)
+    low = bore
+    for name, raceway in raceways.items():
+        if raceway is not None:
+            if not low < raceway < outside_diameter:
+                condition = f"lie between {mm(low, outside_diameter, between=' and '):g}"
+                raise InputError(name, raceway, condition, "give F and E of the catalogue in mm, or leave them out")
+            low = raceway  # the outer raceway lies outside of the inner one
     given = _Given(
         float(bore), float(outside_diameter), float(width), float(dynamic), float(static), kind, inner_raceway,
         outer_raceway, angle,
@@ -376,7 +381,6 @@ def _rings(given: _Given, inner: float, outer: float) -> tuple[Body, Body]:
 
 def _clearance(given: _Given, clearance: float | None) -> float:
     if clearance is not None:
-        finite("clearance", clearance, "give it in mm: 30 um are 0.03")
         return float(clearance)
     if given.kind == "tapered":
         return 0.0
@@ -388,30 +392,17 @@ def _clearance(given: _Given, clearance: float | None) -> float:
 
 def _angle(angles: Mapping[str, float | None]) -> float:
     """Return the contact angle of a tapered bearing [rad] from one of three numbers."""
-    remedy = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_factor"
     stated = {name: value for name, value in angles.items() if value is not None}
     if len(stated) != 1:
         condition = "be given for a tapered bearing" if not stated else f"not be given together with {list(stated)[1]}"
         name = next(iter(stated), "contact_angle")
-        raise InputError(name, stated.get(name), condition, remedy)
+        raise InputError(name, stated.get(name), condition, _ANGLES)
     ((name, value),) = stated.items()
-    positive(name, value, remedy)
     by_name = {"limiting_ratio": math.atan(value / 1.5), "axial_factor": math.atan(0.4 / value)}
     found = by_name.get(name, float(value))
     if found > MOST_ANGLE:
-        raise InputError(name, value, f"mean no more than {MOST_ANGLE:.4g} rad, 45 degrees", remedy)
+        raise InputError(name, value, f"mean no more than {MOST_ANGLE:.4g} rad, 45 degrees", _ANGLES)
     return found
-
-
-def _check_raceways(bore: float, outside: float, raceways: Mapping[str, float | None]) -> None:
-    low, high = bore, outside
-    for name, value in raceways.items():
-        if value is not None:
-            remedy = f"give {'F' if name == 'inner_raceway' else 'E'} of the catalogue in mm, or leave it out"
-            positive(name, value, remedy)
-            if not low < value < high:
-                raise InputError(name, value, f"lie between {mm(low, high, between=' and '):g}", remedy)
-            low = value  # the outer raceway lies outside of the inner one
 
 
 def _sentences(
