@@ -17,7 +17,7 @@ from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import RINGS, raceway_motion, ring_motion
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, flag, listed, not_negative, number_that, numbers, one_of, positive
-from nonhertz.inputs.fields import Count, Input, Part, Quantity, Word, described, together
+from nonhertz.inputs.fields import Count, Custom, Input, Part, Quantities, Quantity, Several, Word, described, together
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
 from nonhertz.model.materials import density_of
@@ -759,53 +759,57 @@ class Row:
         return tuple(np.full(self.bearing.rollers, rib.gap + more * abs(rib.motion[0, 0])) for rib in ribs)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Paired:
-    """Rows of rollers on one inner ring, or on rings that are clamped together.
+def _ways(name: str, value: Any, remedy: str) -> tuple[bool, ...]:
+    found = listed(name, value, "be True or False for each row", remedy)
+    for way in found:
+        flag(name, way, remedy)
+    return tuple(found)
 
-    Parameters
-    ----------
-    bearings : sequence of RollerBearing
-        The rows.
-    x : sequence of float
-        Axial coordinates of their rollers' middles [mm], about which the inner ring turns at x = 0.
-    turned : sequence of bool
-        Which of them are turned round, and bear axial loads along -x.
-    clearance : float
-        By how much the inner ring moves along the axis between rows that bear axial loads in both directions, beside
-        what the rows themselves have [mm]. Negative: preload.
+
+@described(kw_only=True)
+class Paired(Input):
+    """Rows of rollers on one inner ring, or on rings that are clamped together.
 
     See Also
     --------
     paired : two equal rows in X, O or tandem
     """
 
-    bearings: tuple[RollerBearing, ...]
-    x: tuple[float, ...]
-    turned: tuple[bool, ...]
-    clearance: float = 0.0
+    bearings: Annotated[
+        tuple[RollerBearing, ...], Several(Part("the rows", RollerBearing, "give two rows, or more"), MOST_ROLLERS)
+    ]
+    x: Annotated[
+        tuple[float, ...],
+        Quantities("mm", "axial coordinates of their rollers' middles; the inner ring turns about x = 0"),
+    ]
+    turned: Annotated[
+        tuple[bool, ...],
+        Custom("which are turned round, and bear axial loads along -x", _ways, {}, "write True or False for each row"),
+    ]
+    clearance: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "by how much the inner ring moves along the axis between rows that bear axial loads in both directions, "
+            "beside what the rows themselves have; negative: preload",
+            finite,
+            "give the axial clearance in mm",
+        ),
+    ] = 0.0
 
-    def __post_init__(self) -> None:
-        remedy = "give two rows, or more"
-        members = listed("bearings", self.bearings, "be rows of rollers", remedy)
-        for each in members:
-            if not isinstance(each, RollerBearing):
-                raise InputError("bearings", each, "be rows of rollers", remedy)
-        places = numbers("x", self.x, "give the axial coordinates of the rows in mm")
-        ways = listed("turned", self.turned, "be True or False for each row", "give one for each row")
-        if not members:
-            raise InputError("bearings", self.bearings, "be rows of rollers", remedy)
-        if places.shape != (len(members),) or len(ways) != len(members):
-            raise InputError("x", self.x, f"hold {len(members)} places, as many as turned", "give one for each row")
-        for way in ways:
-            flag("turned", way, "write True or False for each row")
-        finite("clearance", self.clearance, "give the axial clearance in mm")
-        if self.clearance and not any(any(each.bears_axially) for each in members):
+    @together("bearings", "x", "turned")
+    def _check_rows(self) -> None:
+        count = len(self.bearings)
+        if not count:
+            raise InputError("bearings", self.bearings, "be rows of rollers", "give two rows, or more")
+        if len(self.x) != count or len(self.turned) != count:
+            raise InputError("x", self.x, f"hold {count} places, as many as turned", "give one for each row")
+
+    @together("bearings", "clearance")
+    def _check_held(self) -> None:
+        if self.clearance and not any(any(each.bears_axially) for each in self.bearings):
             condition = "be zero for rows that do not hold the inner ring along the axis"
             raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
-        object.__setattr__(self, "bearings", tuple(members))
-        object.__setattr__(self, "x", tuple(places.tolist()))
-        object.__setattr__(self, "turned", tuple(ways))
 
     @property
     def rows(self) -> tuple[Row, ...]:
