@@ -56,7 +56,7 @@ class Check(ReadOnly):
     name : str
         ``"pressure"``, ``"yield"``, ``"bore"``, ``"core"`` or ``"case depth"``.
     verdict : Verdict
-        Whether the material bears it.
+        Whether the strength of the material is exceeded.
     ratio : float
         What acts over what is borne [-], above 1 where it is too much; NaN where it is not known.
     finding : Finding
@@ -76,7 +76,7 @@ class Check(ReadOnly):
 
 @dataclass(frozen=True, repr=False)
 class Strength(HasFindings, ReadOnly):
-    """Whether one body of a contact bears it.
+    """Whether the strength of one body of a contact is exceeded.
 
     Attributes
     ----------
@@ -135,12 +135,12 @@ class Strength(HasFindings, ReadOnly):
 def assess(
     solution: Solved, *, criterion: str = "von-mises", largest: Extremes | None = None, **options: Unpack[Within]
 ) -> Strength:
-    """Return whether one body of a solved contact bears it.
+    """Return whether the strength of one body of a solved contact is exceeded.
 
     Parameters
     ----------
     solution : Solution or PatchSolution
-        A solved contact, whose materials say what they bear.
+        A solved contact, with the strength of its materials.
     criterion : str
         ``"von-mises"``, or ``"tresca"``, by which a body yields at loads that are the same or smaller.
     largest : Extremes, optional

@@ -46,7 +46,7 @@ class Level(Enum):
 
 @dataclass(frozen=True)
 class Verdict:
-    """Whether it bears it.
+    """Whether limits are met.
 
     Attributes
     ----------

@@ -89,8 +89,8 @@ def test_the_summary_names_what_an_engineer_asks_for(case, capsys):
     rows = {line[:21].strip(): line[21:].strip() for line in printed.out.splitlines()}
     assert printed.out.startswith("Roller 20 x 20 on a plate\n")
     assert rows["status"] == "converged"
-    assert rows["load"] == "20.000 kN"
-    assert rows["tilt"] == "0.50000 mrad"
+    assert rows["load"].split("  ")[0] == "20.000 kN"
+    assert rows["tilt"].split("  ")[0] == "0.50000 mrad"
     assert rows["contact along y"] == "-10.000 to 10.000 mm"
     assert re.fullmatch(r"\d+\.\d MPa +error about [\d.]+ %", rows["maximum pressure"])
     # A crown of 4000 mm leaves the ends in contact: the pressure there has no limit, and the user is told.

@@ -93,7 +93,7 @@ def test_the_table_has_both_and_the_warnings(sharp, capsys):
     ]
     assert section["von Mises"][2:4] == ["0", "9.900"]
     text = " ".join(printed.out.split())
-    assert f"goes through a range of {2.0 * float(section['orthogonal shear'][0]):.4g}"[:-1] in text
+    assert f"has a range of {2.0 * float(section['orthogonal shear'][0]):.4g}"[:-1] in text
     assert text.count("warning: The contact reaches the sharp end") == 2
     assert "within a half-width of them nothing was searched." in text
     assert "The cross-section at y = 9.9 mm is within a half-width of the sharp end at y = 10 mm" in text

@@ -62,7 +62,7 @@ def likely_raceway(values: Mapping[str, Any]) -> type[Body]:
 Rollers = Annotated[
     Body,
     Part(
-        "the rollers, all alike, with diameter and length; y of their profile goes along the bearing's axis, x",
+        "the rollers, all identical, with diameter and length; y of their profile goes along the bearing's axis, x",
         Body,
         "make them with Roller or Body",
         likely=lambda values: Roller,

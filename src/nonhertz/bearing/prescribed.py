@@ -215,12 +215,12 @@ def _refuse_falling_apart(bearing: RollerBearing | Paired, by_force: NDArray[np.
     falls = np.flatnonzero(~((axial > least) | ((axial == 0.0) & (least == 0.0))))
     if falls.size:
         k = falls[0]
-        way, remedy = "+x" if up else "-x", "without that rows that bear it one way alone fall apart"
+        way, remedy = "+x" if up else "-x", "with less the row separates"
         condition = (
             f"exceed {newton(least[k]):.4g} along {way}, the tangent of the contact angle times the radial force"
         )
         if least[k] == 0.0:
-            condition, remedy = f"act along {way}, the only way in which this bearing bears it", "turn it round"
+            condition, remedy = f"act along {way}, the only way in which this bearing bears load", "turn it round"
         raise InputError("axial", float(target[k, 0]), condition, f"{remedy}; or give axial_displacement")
 
 

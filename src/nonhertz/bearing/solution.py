@@ -303,7 +303,7 @@ class BearingSolution(ReadOnly):
         """Return every rib that bears loads, with that on each roller, which is zero on those of other rows."""
         found = []
         for row in self.bearing.rows:
-            # Slices know no ribs of tapered rows.
+            # Slices ignore the ribs of tapered rows.
             for rib, loads in zip(row.bearing.rib_contacts, self.rib_loads[row.rollers].T, strict=False):
                 on_all = np.zeros(self.angle.size)
                 on_all[row.rollers] = loads

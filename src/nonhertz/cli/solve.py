@@ -61,7 +61,8 @@ def solve(
     else:
         warnings = solution.warnings
         verdict = of_contact(solution)
-        print_result(read.title, sections(solution), verdict=verdict, warnings=warnings, written=made, piped=None)
+        shown = sections(solution, read.prescribed)
+        print_result(read.title, shown, verdict=verdict, warnings=warnings, written=made, piped=None)
     if complaint:
         sys.stdout.flush()
         print(complaint, file=sys.stderr)

@@ -1,4 +1,4 @@
-"""``nonhertz sweep``: many values of what a file holds."""
+"""``nonhertz sweep``: many values of the inputs of a file."""
 
 from __future__ import annotations
 

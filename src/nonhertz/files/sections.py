@@ -131,7 +131,7 @@ class Solver(Input):
     ] = "auto"
     accuracy: Annotated[
         float | None,
-        Quantity("", "relative error wanted of approach or load on the automatic grid; 1e-4 if left out"),
+        Quantity("", "target relative error of approach or load on the automatic grid; 1e-4 if left out"),
     ] = None
 
     @together("strips", "accuracy")

@@ -1,4 +1,4 @@
-"""Linear elastic, isotropic materials, and what they bear as far as that is known."""
+"""Linear elastic, isotropic materials, and their strength as far as it is known."""
 
 from __future__ import annotations
 

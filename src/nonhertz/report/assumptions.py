@@ -321,7 +321,7 @@ def _of_slices(solution: BearingSolution) -> Iterator[Assumption]:
     criterion = "slices of ISO/TS 16281 do not feel each other"
     yield Assumption("Independent slices", criterion, "by slices", remark=remark)
     if isinstance(solution.bearing.rows[0].bearing, TaperedRollerBearing):
-        remark = "Slices know no ribs of tapered rows: what presses on the raceways is left."
+        remark = "Slices ignore the ribs of tapered rows: only the loads on the raceways remain."
         yield Assumption("Ribs", "bear part of the load", "none", remark=remark)
 
 

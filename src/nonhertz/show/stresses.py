@@ -53,6 +53,5 @@ def sentences(solution: Solution, section: Extremes) -> list[str]:
     return [
         f"Body {section.body} has a Poisson's ratio of {poisson(solution, section.body):g}. At y = {mm(y):.5g} "
         f"{contact if pressure > 0.0 else 'there is no contact'}.",
-        f"While the load rolls over it there, tau_xz at z = {mm(shear.z)} goes through a range of "
-        f"{mpa(2.0 * shear.max)}.",
+        f"While the load rolls over it there, tau_xz at z = {mm(shear.z)} has a range of {mpa(2.0 * shear.max)}.",
     ]

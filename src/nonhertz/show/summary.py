@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import TYPE_CHECKING
 
 from nonhertz.amounts import digits, error_words, mm, mpa
@@ -18,25 +18,30 @@ if TYPE_CHECKING:
     from nonhertz.files.several import Attempt
 
 _TITLE = 30  # columns at least for a title
+#: Quantities in the order in which a summary is read; the others follow.
+_FIRST = ("max_pressure", "contact_length", "max_half_width", "load", "tilt", "approach", "penetration", "moment")
 _OVERVIEW = ("load", "max_pressure", "approach", "max_half_width", "contact_length")
 
 
-def sections(solution: Solution) -> list[Section]:
+def sections(solution: Solution, given: Collection[str] = ()) -> list[Section]:
     """Return what is shown of a solution."""
-    return [Section("Results", [summary(summary_rows(solution))])]
+    return [Section("Results", [summary(summary_rows(solution, given))])]
 
 
-def summary_rows(solution: Solution) -> list[Row]:
-    """Return name, value and remark of all in the summary: status, quantities, models, strips and Newton steps."""
+def summary_rows(solution: Solution, given: Collection[str] = ()) -> list[Row]:
+    """Return name, value and remark of all in the summary: what is read first, how it was obtained last.
+
+    Quantities that were given are marked as such.
+    """
     estimate, told = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
     # The error is that of the penetration, which is nearly the approach where it is not told.
     remarks = {
         "penetration" if told else "approach": error_words(estimate.approach),
         "load": error_words(estimate.load),
         "max_half_width": "away from singular ends" if solution.singular_ends else "",
-    }
+    } | dict.fromkeys(given, "given")
     rows = [("status", solution.status.label, "")]
-    for name, quantity in QUANTITIES.items():
+    for name, quantity in sorted(QUANTITIES.items(), key=lambda each: _place(each[0])):
         if name in _ROWS:
             rows += _ROWS[name](solution)
         elif told or name != "penetration":
@@ -46,6 +51,10 @@ def summary_rows(solution: Solution) -> list[Row]:
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
     rows.append(("Newton steps", str(solution.iterations), ""))
     return rows
+
+
+def _place(name: str) -> int:
+    return _FIRST.index(name) if name in _FIRST else len(_FIRST)
 
 
 def overview_table(attempts: Sequence[Attempt]) -> Table:

@@ -71,7 +71,7 @@ def solve(
         A number: that many equal strips over the length on which both bodies can touch. An array: the edges of
         the strips [mm], ascending. Omitted or ``"auto"``: a graded grid adapted to the contact.
     accuracy : float, optional
-        The relative error wanted of the approach, or of the load where the approach is given, from 1e-6 to 1e-3; the
+        The target relative error of the approach, or of the load where the approach is given, from 1e-6 to 1e-3; the
         automatic grid gets as many strips as that needs. If left out, 1e-4. Whether it was met is told by
         ``solution.error_estimate``.
 

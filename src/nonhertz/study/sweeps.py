@@ -335,7 +335,7 @@ def sweep(
                 if announce is not None:
                     announce(progress)
     except KeyboardInterrupt:
-        kept = "" if directory is None else f", which are kept in {directory}; the same call goes on from there"
+        kept = "" if directory is None else f", which are kept in {directory}; the same call continues from there"
         raise Interrupted(f"Stopped after {len(store)} of {len(points)} rows{kept}.", found) from None
     return found
 

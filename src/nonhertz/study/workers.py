@@ -40,7 +40,7 @@ class LostError(NonhertzError):
     """A portion whose process ended every time that it was tried."""
 
     def __init__(self) -> None:
-        super().__init__("The process that solved it ended every time it was tried, perhaps for want of memory.")
+        super().__init__("The process that solved it ended every time, perhaps because it ran out of memory.")
 
 
 class Workers:

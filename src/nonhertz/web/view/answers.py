@@ -53,7 +53,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "complaint": complaint,
         "key": _key_numbers(solution),
         "verdict": verdict_seen(None if complaint else of_contact(solution)),
-        "summary": [list(row) for row in summary_rows(solution)],
+        "summary": [list(row) for row in summary_rows(solution, case.prescribed)],
         "warnings": list(solution.warnings),
         "line": lines(solution),
         "footprint": _footprint(solution),
