@@ -11,10 +11,10 @@ import hashlib
 import os
 import pickle
 import sys
+from importlib.metadata import version
 from types import CodeType, ModuleType
 from typing import Any
 
-import llvmlite
 import numba
 import numpy as np
 from numba.core.caching import CompileResultCacheImpl
@@ -49,7 +49,7 @@ class Cache(CompileResultCacheImpl):
 
     def _place(self, signature: Any, codegen: Any) -> tuple[str, bytes]:
         ours = sorted(each for each in os.environ.items() if each[0].startswith("NUMBA_") and "_DIR" not in each[0])
-        versions = sys.version, np.__version__, numba.__version__, llvmlite.__version__, codegen.magic_tuple()
+        versions = sys.version, np.__version__, numba.__version__, version("llvmlite"), codegen.magic_tuple()
         key = repr((stamp(self._function), signature, OPTIONS, ours, versions)).encode()
         # Of any number of versions, the one that was used last and has the same first digit is kept.
         kind = hashlib.sha256(repr(signature).encode()).hexdigest()[:8] + hashlib.sha256(key).hexdigest()[0]
