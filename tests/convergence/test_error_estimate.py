@@ -80,7 +80,7 @@ AT_A_CORNER = (
 QUANTITIES = ("approach", "load", "max_pressure")
 
 
-both = pytest.mark.parametrize("bodies", BODIES)
+both = pytest.mark.parametrize("bodies", ["half-spaces", pytest.param("mirrored", marks=pytest.mark.slow), "whole"])
 
 
 @functools.cache

@@ -138,6 +138,7 @@ def test_the_other_way_round_the_field_is_the_other_way_round(tilt, load):
 
 @settings(derandomize=True, max_examples=8, deadline=None)
 @given(factor=st.floats(0.2, 5.0))
+@pytest.mark.slow
 def test_bodies_magnified_under_a_load_magnified_twice_are_stressed_alike(factor):
     def case(stretch: float) -> Solution:
         profile = nh.profile.crown(radius=1500.0 * stretch)

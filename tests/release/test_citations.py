@@ -63,6 +63,7 @@ def test_the_citation_names_the_papers_of_the_methods():
         assert reference.get("doi") == entry.get("doi")
 
 
+@pytest.mark.slow
 def test_the_paper_is_what_its_script_writes(script):
     """Numbers of the validation or of the benchmarks that change are written anew by paper/figures.py."""
     assert script.text() == TEXT

@@ -234,6 +234,7 @@ def test_the_capacities_of_both_rings_give_one_constant_of_the_material(rollers,
     assert inner == pytest.approx(reference, rel=3e-3)
 
 
+@pytest.mark.slow
 def test_even_pressures_have_the_l10r_of_the_standard():
     """(mean Q^4)^(1/4) and (mean Q^(9/2))^(2/9) against Q_ci and Q_ce, from the loads of the rollers by hand."""
     found = B.solve(row(), radial=6e3)
@@ -297,6 +298,7 @@ def test_a_tilt_shortens_lives_by_all_models_and_a_limit_lengthens_them():
     assert B.volume_life(upright, limited).rings > B.volume_life(upright).rings
 
 
+@pytest.mark.slow
 def test_the_rating_of_a_catalogue_calibrates_lives():
     """Lives go with the fourth power of the capacity, which goes with C."""
     found = B.solve(row(), radial=6e3)
@@ -304,6 +306,7 @@ def test_the_rating_of_a_catalogue_calibrates_lives():
     assert_allclose(twice.of_rows, 16.0 * B.volume_life(found).of_rows, rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_rows_that_differ_have_lives_by_volume_of_their_own():
     thick = dataclasses.replace(row(), roller=nh.Roller(diameter=10.0, length=12.0, profile=nh.profile.crown(2000)))
     mixed = B.Paired(bearings=(row(), thick), x=(-8.0, 8.0), turned=(False, False))

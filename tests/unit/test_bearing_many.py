@@ -67,6 +67,7 @@ def test_motions_that_are_none_are_refused(given, said):
         B.solve_many(row(), method="slices", **given)
 
 
+@pytest.mark.slow
 def test_maps_lead_to_the_loads_of_strips(maps):
     assert "2 contacts, loads up to 3 kN" in repr(maps)
     by_maps = B.solve(row(), radial=6e3, tilt=3e-4, maps=maps)

@@ -72,6 +72,7 @@ def test_the_life_by_pressures_is_the_sum_over_all_that_presses(given):
     assert B.assess(found).reference == pytest.approx(damage ** (-8.0 / 9.0), rel=5e-3)
 
 
+@pytest.mark.slow
 def test_towards_a_sharp_end_there_is_no_reference_life():
     """The pressure grows as s^-0.226 (Dundurs and Lee), p^9 as s^-2.03: its integral has no limit.
 

@@ -58,6 +58,7 @@ def sentence_of(statement: str) -> str:
 
 
 @posix
+@pytest.mark.slow
 def test_a_device_without_an_end_is_not_read_to_its_end():
     assert sentence_of("read_case('/dev/zero')") == (
         "/dev/zero must be readable (larger than 1 MB): put measured points into a file that it names.\n"
@@ -65,6 +66,7 @@ def test_a_device_without_an_end_is_not_read_to_its_end():
 
 
 @posix
+@pytest.mark.slow
 def test_a_pipe_that_nobody_writes_to_is_an_empty_case(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     assert sentence_of(f"read_case({str(tmp_path / 'pipe')!r})").startswith("body must be given")
@@ -82,6 +84,7 @@ def test_a_case_comes_through_a_pipe():
 
 
 @posix
+@pytest.mark.slow
 def test_a_case_names_no_device_and_no_pipe(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     tables = [f"{{ kind = '{kind}', file = '{name}' }}" for kind in ("tabulated", "measured") for name in NO_FILES]

@@ -31,6 +31,7 @@ def test_machine_code_is_known_by_the_names_of_libraries_and_not_by_their_folder
     assert (stamp.__wrapped__(root) == before) == ("__file__" in change)
 
 
+@pytest.mark.slow
 def test_without_numba_a_contact_has_the_same_solution():
     code = (
         "import sys, nonhertz as nh; body = {'side_faces': 'none', 'depth': 'none'}\n"
@@ -50,6 +51,7 @@ def test_without_numba_a_contact_has_the_same_solution():
     assert (by_machine[2], by_python[2]) == ("True", "False")
 
 
+@pytest.mark.slow
 def test_the_package_imports_no_numba():
     code = "import sys, nonhertz, nonhertz.subsurface, nonhertz.patch, nonhertz.life; assert 'numba' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True)

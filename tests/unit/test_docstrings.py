@@ -16,7 +16,12 @@ WITH_EXAMPLES = [
 ]
 
 
-@pytest.mark.parametrize("module", WITH_EXAMPLES)
+LONG = ("bearing.fatigue", "life.assessment", "life.overrolling", "maps.verb", "strength", "study.design", "search")
+
+
+@pytest.mark.parametrize(
+    "module", [pytest.param(each, marks=pytest.mark.slow if each.endswith(LONG) else ()) for each in WITH_EXAMPLES]
+)
 def test_examples_in_docstrings(module):
     found = doctest.testmod(importlib.import_module(module))
     assert found.attempted > 0

@@ -169,8 +169,7 @@ def displaced_finite_bodies(solution, y):
     [(BODIES["half-spaces"], displaced_half_spaces), (BODIES["finite bodies"], displaced_finite_bodies)],
     ids=BODIES,
 )
-@pytest.mark.parametrize("load", [500, 2000])
-@pytest.mark.parametrize(("waves", "phase"), [(1, 1.8), (1, 3.9), (2, 0.6), (2, 5.7), (3, 2.7), (3, 4.2)])
+@pytest.mark.parametrize(("waves", "phase", "load"), [(1, 1.8, 500), (1, 3.9, 2000), (2, 5.7, 500), (3, 2.7, 2000)])
 def test_no_contact_is_missed_between_the_strips(waves, phase, load, bodies, displaced):
     # Many points on the whole length, not strip centres: a wide strip out of contact may hide another interval.
     solution = solved(Waves(0.02, waves, phase), bodies, load=load)
@@ -209,7 +208,7 @@ def test_the_automatic_grid_is_what_comes_of_leaving_it_out():
 # Ends anywhere
 
 
-ENDS = [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1.0]
+ENDS = [0.0, 1e-12, 1e-6, 1e-2]
 NEXT_TO_ZERO = {
     "crown": (profile.crown(4000), 1e3),
     "straight": (profile.straight(), 1e3),

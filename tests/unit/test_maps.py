@@ -38,6 +38,7 @@ def points(made):
     return made.under(load=load, tilt=tilt).approach, tilt
 
 
+@pytest.mark.slow
 def test_the_sampled_errors_are_those_of_points_that_the_map_has_not_seen(made):
     random = np.random.default_rng(11)
     load, tilt = MOST * random.uniform(0.001, 1.0, 40), TILT * random.uniform(-1.0, 1.0, 40)

@@ -82,6 +82,7 @@ def test_long_thin_roller_is_a_curved_beam():
     assert float(found.sigma_y) == pytest.approx(0.3 * hoop, rel=0.1)
 
 
+@pytest.mark.slow
 def test_yielding_bore_is_named():
     solution = solved(20, 16, 4e3, radius=4e3, yield_strength=800.0)
     found = extremes(solution)
@@ -98,6 +99,7 @@ def test_displacement_knows_no_bending():
         stress(solved(20, 10, 4e3, radius=4e3), 0.0, 0.0, 0.1, displacement=True)
 
 
+@pytest.mark.slow
 def test_wall_between_steps_of_a_bore_is_said_to_be_unknown():
     stepped = nh.TabulatedDiameter((-10.0, -4.0, -3.9, 10.0), (12.0, 12.0, 8.0, 8.0))
     solution = solved(20, stepped, 4e3, radius=4e3, yield_strength=2000.0)

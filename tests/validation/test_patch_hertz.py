@@ -53,6 +53,7 @@ def test_tilt_shifts_a_parabola():
 
 
 @pytest.mark.parametrize("images", [4, "series"])
+@pytest.mark.slow
 def test_two_equal_rollers_with_coincident_ends_are_in_plane_strain(images):
     # Companion notes 9.4: mirrored about both ends, the pressure is that of a line without ends, and measured against
     # the depth of plane strain the approach is Johnson's (5.57), twice 12.04 micrometres.

@@ -51,6 +51,7 @@ def test_what_short_waves_cost_the_approach_is_within_what_is_said(height, half_
     assert abs(strips.approach / grid.approach - 1.0) < MODEL_ERROR * unevenness(strips) ** 2 + LEFT
 
 
+@pytest.mark.slow
 def test_waves_that_matter_are_warned_of_alone_and_in_a_batch():
     contact = waved(1.6e-3, HALF_WIDTH)
     with pytest.warns(nh.AccuracyWarning) as said:
