@@ -20,6 +20,7 @@ from nonhertz.report.differences import results
 from nonhertz.report.inputs import inputs
 from nonhertz.report.overview import first_numbers, geometry, opening
 from nonhertz.show.bearing import life_rows, summary_rows
+from nonhertz.verdict import Level
 
 CROWN = '{ kind = "crown", radius = 1200 }'
 PLAIN = changed(SIX, ('"six"', '"Six & <b>few</b>"')) + 'speed = "1500 rpm"\n'
@@ -251,14 +252,12 @@ def test_a_strained_contact_is_found_wherever_it_is():
     assert any("wider than long" in warning and "outer ring" in warning for warning in found.warnings)
 
 
-def test_too_high_a_pressure_and_too_large_a_tilt_are_strained(few):
+def test_too_high_a_pressure_and_too_large_a_tilt_are_told(few):
     found = found_in(PLAIN.replace("5 kN", "60 kN").replace("0.2 mrad", "0 mrad"))
     assert found.solution.max_pressure.max() > 4000.0
+    assert (found.verdict.level, few.verdict.level is Level.NOT_MET) == (Level.NOT_MET, False)
     rows = {row.name: row for row in assumptions(found)}
-    assert rows["No lasting indentation that matters"].verdict is Verdict.STRAINED
     assert rows["Contact angles stay as they are"].verdict is Verdict.HOLDS
-    rows = {row.name: row for row in assumptions(few)}
-    assert rows["No lasting indentation that matters"].verdict is Verdict.HOLDS
     tilted = found_in(PLAIN.replace("0.2 mrad", "11 mrad") + SLICES)
     rows = {row.name: row for row in assumptions(tilted)}
     assert rows["Contact angles stay as they are"].verdict is Verdict.STRAINED

@@ -79,7 +79,7 @@ def starting_document(path: Path | None) -> Start:
         text = starting_case()
         return Start(parsed(text, "case.toml"), (), text)
     document, _, text = opened(path, "case", "bearing")
-    title = (BearingCase if meant_as(document) == "bearing" else Case).of(document, path).title
-    changed, notes = inlined(document, path.parent)
+    case = (BearingCase if meant_as(document) == "bearing" else Case).of(document, path)
+    changed, notes = inlined(case)
     refuse(unfit(changed) + too_slow(changed))
-    return Start({"title": title} | changed, notes, text)
+    return Start({"title": case.title} | changed, notes, text)

@@ -21,7 +21,6 @@ from nonhertz.result.quantities import Quantity
 from nonhertz.show.lives import of_life
 from nonhertz.show.sections import Row, Said, Section, Table, summary
 from nonhertz.study.quantities import number_of
-from nonhertz.verdict import STATIC_LIMIT
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
 #: What has the numbers that strips and slices have alike.
@@ -311,9 +310,8 @@ def _pressure_rows(solution: BearingSolution) -> list[Row]:
         j = int(np.argmax(pressure[:, k]))
         if not pressure[j, k] > 0.0:
             continue
-        beyond = f", above the {mpa(STATIC_LIMIT):g} of C0" if pressure[j, k] > STATIC_LIMIT else ""
         name = "" if rows else "maximum pressure"
-        place = f"{ring} ring, {solution.place_of(j)}, y = {mm(where[j, k]):4}{beyond}"
+        place = f"{ring} ring, {solution.place_of(j)}, y = {mm(where[j, k]):4}"
         rows.append((name, str(mpa(pressure[j, k])), place))
     return rows
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any, Final
 
 from nonhertz.errors import InputError
+from nonhertz.files.bounds import walk
 from nonhertz.files.held import OF_BEARINGS
 from nonhertz.files.mistakes import Place, case_error, path_of
 
@@ -60,15 +61,19 @@ def refuse(mistakes: list[InputError]) -> None:
 
 
 def unfit(document: dict[str, Any]) -> list[InputError]:
-    """Return where a document has more entries than the page accepts, or values that no file can hold."""
-    return [*too_long(document), *_absent(document, ())]
+    """Return where a document has more entries than the page accepts, or null, which exists in JSON but not in TOML."""
+    absent = (place for place, value in walk(document) if value is None)
+    return [
+        *too_long(document),
+        *(InputError(path_of(each), None, "be a number, text or a table", "leave the key out") for each in absent),
+    ]
 
 
 def too_slow(document: dict[str, Any]) -> list[InputError]:
     """Return where a valid case or bearing asks for more work than the page does while the user waits."""
-    found = []
+    found, values = [], dict(walk(document))
     for place, most in _BOUNDS.items():
-        value = _at(document, *place)
+        value = values.get(place)
         cheap = place[-1] == "laminae" and "bearing" not in document  # those of a single contact
         if isinstance(value, int | float) and value > most and not cheap:
             found.append(InputError(path_of(place), value, f"be at most {most} on the page", _ELSEWHERE))
@@ -77,48 +82,21 @@ def too_slow(document: dict[str, Any]) -> list[InputError]:
 
 def too_long(document: dict[str, Any]) -> list[InputError]:
     """Return where a document has more entries than a form can show."""
-    found = [*_long_tables(document, ())]
+    values = dict(walk(document))
+    kinds: dict[type[Any], tuple[int, str]] = {dict: (KEYS, "keys"), list: (POINTS, "entries")}
+    found = [
+        _too_long(place, each, *kinds[type(each)])
+        for place, each in values.items()
+        if type(each) in kinds and len(each) > kinds[type(each)][0]
+    ]
     lists = {(*body, "profile"): (PROFILES, "profiles") for body in _BODIES} | {
         ("life", "spectrum"): (SPECTRUM, "rows")
     }
     for place, (most, what) in lists.items():
-        entries = _at(document, *place)
+        entries = values.get(place)
         if isinstance(entries, list) and most < len(entries) <= POINTS:
             found.append(_too_long(place, entries, most, what))
     return found
-
-
-def _long_tables(value: Any, place: Place) -> Iterator[InputError]:
-    if isinstance(value, dict):
-        if len(value) > KEYS:
-            yield _too_long(place, value, KEYS, "keys")
-            return
-        for name, entry in value.items():
-            yield from _long_tables(entry, (*place, name))
-    elif isinstance(value, list):
-        if len(value) > POINTS:
-            yield _too_long(place, value, POINTS, "entries")
-            return
-        for number, entry in enumerate(value, start=1):
-            yield from _long_tables(entry, (*place, number))
-
-
-def _absent(value: Any, place: Place) -> Iterator[InputError]:
-    """Yield a mistake for each null, which exists in JSON but not in TOML."""
-    if value is None:
-        yield InputError(path_of(place), None, "be a number, text or a table", "leave the key out")
-    elif isinstance(value, dict):
-        for name, entry in value.items():
-            yield from _absent(entry, (*place, name))
-    elif isinstance(value, list):
-        for number, entry in enumerate(value, start=1):
-            yield from _absent(entry, (*place, number))
-
-
-def _at(value: Any, *names: str | int) -> Any:
-    for name in names:
-        value = value.get(name) if isinstance(value, dict) else None
-    return value
 
 
 def _too_long(place: Place, value: Any, most: int, what: str) -> InputError:

@@ -2,67 +2,41 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
-from nonhertz.files.held import OF_BEARINGS
-from nonhertz.files.mistakes import path_of
-from nonhertz.files.profiles import Changes, profile_tables, read_profile
-from nonhertz.model.profile import Tabulated
+from nonhertz.files.held import Held
+from nonhertz.files.paths import Parameter, body_tables
+from nonhertz.files.profiles import profile_tables
 from nonhertz.web.limits import POINTS
 
 
-def inlined(document: dict[str, Any], folder: Path) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """Return a valid case or bearing with the content of the files that it names in their place, and notes about it.
+def inlined(case: Held) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """Return the document of a case or a bearing with points in place of the files that profiles name, and notes on it.
 
-    Parameters
-    ----------
-    document : dict
-        A document without mistakes.
-    folder : Path
-        Directory that file names are relative to.
-
-    Returns
-    -------
-    document : dict
-        The same, with the profile of each body that names a file as a list.
-    notes : tuple of str
-        A sentence for each file with points.
+    The points are those that `Held.write` writes. Of the bodies that name files, profiles become lists; there is a
+    sentence for each file.
     """
-    notes: list[str] = []
-    if "body" in document:
-        bodies = {name: _of_body(body, folder, ("body", name), notes) for name, body in document["body"].items()}
-        return document | {"body": bodies}, tuple(notes)
-    bodies = {name: _of_body(document[name], folder, (name,), notes) for name in OF_BEARINGS[1:] if name in document}
-    return document | bodies, tuple(notes)
+    document, notes, made = case.document, [], dict(body_tables(case.own_document))
+    for place, body in body_tables(case.document):
+        tables, written = profile_tables(body), iter(made[place].get("profile", ()))
+        # A straight profile is not written.
+        drawn = [table if table["kind"] == "straight" else next(written) for table in tables]
+        for number, table in enumerate(tables):
+            if "file" in table:
+                tables[number], kept = _thinned(drawn[number])
+                what = f"the {len(drawn[number]['y'])} points of {table['file']}"
+                notes.append(f"{place}.profile[{number + 1}]: the page holds {what} itself{kept}.")
+        if any("file" in table for table in profile_tables(body)):
+            document = Parameter("", (*place.split("."), "profile"), None).put(document, tables)
+    return document, tuple(notes)
 
 
-def _of_body(body: dict[str, Any], folder: Path, place: tuple[str, ...], notes: list[str]) -> dict[str, Any]:
-    tables = profile_tables(body)
-    if not any("file" in table for table in tables):
-        return body
-    made = [
-        _points(table, folder, path_of((*place, "profile", number)), notes) if "file" in table else table
-        for number, table in enumerate(tables, start=1)
-    ]
-    return body | {"profile": made}
-
-
-def _points(table: dict[str, Any], folder: Path, path: str, notes: list[str]) -> dict[str, Any]:
-    moved = {name: table[name] for name in Changes.descriptions if name in table}
-    profile = read_profile({name: value for name, value in table.items() if name not in moved}, {}, folder)
-    assert isinstance(profile, Tabulated)
-    every = -(-len(profile.y) // POINTS)
-    kept = sorted({*range(0, len(profile.y), every), len(profile.y) - 1})
-    thinned = f", of which every {_ordinal(every)} is kept" if every > 1 else ""
-    notes.append(f"{path}: the page holds the {len(profile.y)} points of {table['file']} itself{thinned}.")
-    return {
-        "kind": "tabulated",
-        "y": [profile.y[point] for point in kept],
-        "relief": [profile.values[point] for point in kept],
-        "interpolation": profile.interpolation,
-    } | moved
-
-
-def _ordinal(number: int) -> str:
-    return f"{number}{ {2: 'nd', 3: 'rd'}.get(number, 'th') }"
+def _thinned(table: dict[str, Any]) -> tuple[dict[str, Any], str]:
+    """Return a table with no more points than the page accepts, and words on which are kept."""
+    last = len(table["y"]) - 1
+    every = -(-(last + 1) // POINTS)
+    if every == 1:
+        return table, ""
+    kept = sorted({*range(0, last + 1, every), last})
+    points = {name: [table[name][point] for point in kept] for name in ("y", "relief")}
+    return table | points, f", of which every {every}{ {2: 'nd', 3: 'rd'}.get(every, 'th') } is kept"
