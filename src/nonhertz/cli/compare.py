@@ -17,6 +17,7 @@ from nonhertz.files.changes import changes_in
 from nonhertz.files.comparisons import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.show.comparison import sections
+from nonhertz.verdict import of_contact
 
 _METHODS = 3
 
@@ -60,4 +61,5 @@ def compare(
     if as_json:
         print(key_by_key(as_object(found, title)))
     else:
-        print_result(title, sections(found), warnings=found.warnings, written=made)
+        verdict = of_contact(found.semi_elliptic)
+        print_result(title, sections(found), verdict=verdict, warnings=found.warnings, written=made)

@@ -20,6 +20,7 @@ from nonhertz.result.nodes import NodalLoads
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import solved
 from nonhertz.show.sections import Said, Section
+from nonhertz.verdict import of_contact
 
 _NOTICED = 1e-6  # of the load
 
@@ -60,7 +61,8 @@ def nodes(
         print(key_by_key(as_object(solution, found, read.title)))
     else:
         shown = [Section("", [Said(_sentences(solution, found))])]
-        print_result(read.title, shown, warnings=solution.warnings, written=made)
+        verdict = of_contact(solution)
+        print_result(read.title, shown, verdict=verdict, warnings=solution.warnings, written=made)
 
 
 def _sentences(solution: Solution, found: NodalLoads) -> list[str]:

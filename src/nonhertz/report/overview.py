@@ -14,9 +14,8 @@ from nonhertz.amounts import Amount, amount, given, mm, mpa, mrad, newton, newto
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.section import RINGS
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.body import Body
 from nonhertz.model.materials import MATERIALS
-from nonhertz.report.inputs import shown
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.brief import sizes
 from nonhertz.show.sections import Row
@@ -27,7 +26,6 @@ SAMPLES = 401  # points on the interval in which both bodies can touch
 FARTHEST = 1e3  # mm; cuts an unbounded interval
 NEAR_ENDS = 0.9  # of what can touch
 PARTS = ("roller", *RINGS)
-PART_COLUMNS = ("", "rollers", "inner ring", "outer ring")
 #: Names of the rows of summaries that are looked for first.
 FIRST: Final = frozenset(
     {
@@ -132,41 +130,10 @@ def _span(values: Array, unit: str) -> str:
 # Of bearings alone
 
 
-def part_rows(case: BearingCase) -> list[tuple[str, ...]]:
-    """Return the cells of `PART_COLUMNS`: what a drawing says of rollers and rings."""
-    row = case.bearing.rows[0].bearing
-    bodies = [getattr(row, name) for name in PARTS]
-    places, (factor, unit), (_, micro) = mm(*_near_ends(row), between=" and "), mm().scale, um().scale
-    rows: list[tuple[str, ...]] = [
-        (f"diameter [{unit}]", *map(_diameter, bodies)),
-        (f"length [{unit}]", *("–" if body.length is None else given(factor * body.length) for body in bodies)),
-        ("corner", *map(_corner, bodies)),
-        (f"relief at y = {places:.4g} [{micro}]", *(_relief(body, _near_ends(row)) for body in bodies)),
-        ("material", *map(_material, bodies)),
-        ("bore, thickness", *map(_behind, bodies)),
-        ("ends", *("–" if body.length is None else shown(body.side_faces) for body in bodies)),
-    ]
-    return [each for each in rows if any(cell not in {"", "–"} for cell in each[1:])]
-
-
-def _diameter(body: Body) -> str:
-    if body.diameter is None:
-        return "flat"
-    if isinstance(body.diameter, TabulatedDiameter):
-        return " to ".join(mm(body.diameter.diameter[0], body.diameter.diameter[-1]).apart(".5g")[0])
-    return mm(body.diameter).apart("g")[0][0] if isinstance(body.diameter, float | int) else "varies"
-
-
-def _corner(body: Body) -> str:
-    if body.chamfer is not None:
-        return f"{mm(body.chamfer.length):g} at {given(math.degrees(body.chamfer.angle), 4)}°"
-    return "–" if body.corner_radius is None else f"R {mm(body.corner_radius):g}"
-
-
 def _relief(body: Body, y: Array) -> str:
-    """Return the relief of a body near the ends of what can touch, without the arcs of barrels."""
+    """Return the relief of a body near the ends of what can touch, without arcs of barrels; nothing if it has none."""
     ends = body.relief(y)
-    return " and ".join(um(*ends).apart("3")[0]) if np.any(ends != 0.0) else "–"
+    return f"{um(*ends, between=' and '):3}" if np.any(ends != 0.0) else ""
 
 
 def _near_ends(row: RollerBearing) -> Array:
@@ -177,13 +144,6 @@ def _near_ends(row: RollerBearing) -> Array:
 def _material(body: Body) -> str:
     name = next((name for name, known in MATERIALS.items() if known == body.material), "")
     return name or f"E = {mpa(body.material.modulus):g}"
-
-
-def _behind(body: Body) -> str:
-    if body.bore is not None:
-        return f"bore {_diameter(Body(diameter=body.bore))} {mm().scale[1]}"
-    depth = body.behind.shown
-    return "solid" if depth == "finite" else depth
 
 
 def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
@@ -204,6 +164,11 @@ def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
         if rib is not None:
             radii = mm(rib.radius_around, rib.radius_along, between=" and ")
             yield f"combined radii on the ribs, {ring} ring, around and along the flank", f"{radii:4}"
+    where = mm(*_near_ends(row), between=" and ")
+    for name in PARTS:
+        relief = _relief(getattr(row, name), _near_ends(row))
+        if relief:
+            yield f"relief of the {name}{' ring' * (name in RINGS)} at y = {where:.4g}", relief
     if row.roller_density is not None:
         yield "mass of a roller", f"{amount(1e6 * row.inertia.mass, 'g'):.4g}"
 

@@ -20,7 +20,7 @@ from nonhertz.report.downloads import downloads
 from nonhertz.report.inputs import Entry, InputGroup, inputs
 from nonhertz.report.layout import Files, Part, Words, laid_out
 from nonhertz.report.method import method
-from nonhertz.report.overview import PART_COLUMNS, first_numbers, geometry, opening, part_rows
+from nonhertz.report.overview import first_numbers, geometry, opening
 from nonhertz.report.results import BearingResults, CaseResults, Results, examined, settled
 from nonhertz.show import bearing, stresses
 from nonhertz.show import lives as life_shown
@@ -168,10 +168,9 @@ def _given(found: Results, words: Words) -> list[Section]:
     judged = Table(rows, ("Assumption", "Holds where", words.here, "Verdict"), layout="assumptions")
     beyond = [f"{each.name}: {each.criterion}. {each.remark}".strip() for each in every if each.number == NO_INPUT]
     paragraphs, references = method(found)
-    parts = [Table(part_rows(found.case), PART_COLUMNS, (0,))] if isinstance(found, BearingResults) else []
     derived = Table(geometry(found), layout="inputs follows", title="Derived quantities")
     return [
-        Section("Inputs", [*parts, *(table for group in inputs(found.case) for table in _tables(group)), derived]),
+        Section("Inputs", [*(table for group in inputs(found.case) for table in _tables(group)), derived]),
         *_measured(found.case),
         Section("Assumptions and whether they hold", [judged, Said(["No input shows whether these hold.", *beyond])]),
         Section("Method", [Said(paragraphs, "paragraphs")]),
