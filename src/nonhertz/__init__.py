@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from nonhertz.files.resultfile import Result as Result
     from nonhertz.files.resultfile import read_result as read_result
     from nonhertz.maps.value import ContactMap as ContactMap
-    from nonhertz.maps.verb import contact_map
+    from nonhertz.maps.verb import contact_map as contact_map
     from nonhertz.model import profile as profile
     from nonhertz.model.body import Body as Body
     from nonhertz.model.body import Plate as Plate
@@ -71,8 +71,6 @@ if TYPE_CHECKING:
     from nonhertz.study import design as design
     from nonhertz.study.sweeps import sweep as sweep
     from nonhertz.study.tolerances import tolerance as tolerance
-
-    map = contact_map  # noqa: A001  (nothing in this module calls the builtin)
 
 __version__ = "0.1.0"
 
@@ -111,6 +109,7 @@ _HOMES = {
     "TabulatedDiameter": "nonhertz.model.body",
     "ContactMap": "nonhertz.maps.value",
     "compare": "nonhertz.comparison",
+    "contact_map": "nonhertz.maps.verb",
     "read_bearing": "nonhertz.files.bearingfile",
     "read_case": "nonhertz.files.casefile",
     "read_plan": "nonhertz.files.planfile",
@@ -120,8 +119,6 @@ _HOMES = {
     "sweep": "nonhertz.study.sweeps",
     "tolerance": "nonhertz.study.tolerances",
 }
-# Public names that differ from those where they are defined: a module that defined `map` would hide the builtin.
-_RENAMED = {"map": ("nonhertz.maps.verb", "contact_map")}
 _MODULES = {
     "bearing": "nonhertz.bearing",
     "design": "nonhertz.study.design",
@@ -142,9 +139,6 @@ _MODULES = {
 def __getattr__(name: str) -> Any:
     if name in _MODULES:
         value: Any = importlib.import_module(_MODULES[name])
-    elif name in _RENAMED:
-        home, original = _RENAMED[name]
-        value = getattr(importlib.import_module(home), original)
     elif name in _HOMES:
         value = getattr(importlib.import_module(_HOMES[name]), name)
     else:
@@ -154,4 +148,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted([*_HOMES, *_RENAMED, *_MODULES, "__version__"])
+    return sorted([*_HOMES, *_MODULES, "__version__"])

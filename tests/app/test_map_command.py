@@ -59,7 +59,7 @@ def test_a_map_is_printed_and_written_in_all_formats(case, capsys):
     capsys.readouterr()
     assert main([*words, "--load", "0:1kN", "--tilt", "0.1 mrad", "--out", "k.npz", "--json"]) == 0
     said = json.loads(capsys.readouterr().out)
-    found = nh.ContactMap.load("k.npz")
+    found = nh.ContactMap.read("k.npz")
     assert said["load"] == list(found.pressed) == [0.0, 1000.0]
     assert said["sampled_error"]["load"] == found.sampled_error.load
     assert_allclose(

@@ -28,7 +28,7 @@ def test_after_every_part_no_command_compiles_anything(capsys, monkeypatch):
     found = nh.solve(contact, load=5e3)
     again = nh.solve(contact, load=5e3, strips=found.edges)
     nh.subsurface.stress(again, found.half_width, found.y, found.half_width)
-    made = nh.map(contact, load=(0.0, 5e3), accuracy=0.1, checks=20)
+    made = nh.contact_map(contact, load=(0.0, 5e3), accuracy=0.1, checks=20)
     made.strip_loads(made.at(approach=np.broadcast_to(1e-3, 2)), found.edges)
     row = nh.bearing.CylindricalRollerBearing(
         roller=contact.a, inner=nh.Ring(diameter=60.0), outer=nh.Ring(diameter=-100.0), rollers=6

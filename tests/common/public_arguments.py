@@ -26,7 +26,7 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     SHARP = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate()), load=2e4).edge_pressure[0]
     COMPARISON = nh.compare(CONTACT, load=6e3, cells=(12, 16), strips=11)
     MANY = nh.solve_many(CONTACT, load=[1e3, 2e3], strips=11)
-    MAP = nh.map(CONTACT, load=(0, 1e3), accuracy=0.1, checks=20)
+    MAP = nh.contact_map(CONTACT, load=(0, 1e3), accuracy=0.1, checks=20)
     PALMGREN = life.lundberg_palmgren()
     LIFE = life.assess(SOLUTION, "iso-16281", body="b")[0]
     EXPOSURE = life.exposure(SOLUTION, body="b")
@@ -194,7 +194,7 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "life.assess": {"models": "iso-16281", "rollers": 10},
     "life.model": {"name": "weibull", "exponent": 9.0},
     "life.overrolled": COARSELY | {"body": "b"},
-    "map": {"load": (0.0, 1e3), "approach": None, "accuracy": 0.1, "stations": 5, "checks": 20},
+    "contact_map": {"load": (0.0, 1e3), "approach": None, "accuracy": 0.1, "stations": 5, "checks": 20},
     "measured.Points": HEIGHTS,
     "measured.Trace": HEIGHTS,
     "measured.fit_best": {"kinds": ["crown"]},

@@ -154,7 +154,7 @@ MODULES = {
 }
 #: Of these only what must be refused is tried.
 SLOW = {
-    "bearing.maps", "compare", "map", "life.assess", "life.exposure", "life.overrolled", "measured.fit",
+    "bearing.maps", "compare", "contact_map", "life.assess", "life.exposure", "life.overrolled", "measured.fit",
     "measured.fit_best", "measured.prepare", "strength.assess", "subsurface.extremes", "sweep", "tolerance",
 }  # fmt: skip
 #: Of these not even what is taken; other tests solve them.

@@ -27,7 +27,7 @@ CONTACT = nh.Contact(ROLLER, nh.Plate())
 @pytest.fixture(scope="module")
 def made():
     """A rough map of a crowned roller: small enough to be made in the tests."""
-    return nh.map(CONTACT, load=(0.0, MOST), tilt=(-TILT, TILT), accuracy=ACCURACY, checks=40)
+    return nh.contact_map(CONTACT, load=(0.0, MOST), tilt=(-TILT, TILT), accuracy=ACCURACY, checks=40)
 
 
 @pytest.fixture
@@ -203,7 +203,7 @@ def test_outside_the_methods_refuse(made):
 
 def test_a_saved_map_is_the_same_to_the_last_bit(made, tmp_path):
     made.save(tmp_path / "k.npz")
-    again = ContactMap.load(tmp_path / "k.npz")
+    again = ContactMap.read(tmp_path / "k.npz")
     assert repr(again) == repr(made)
     assert again.sampled_error == made.sampled_error
     for name in ("numbers", "breaks", "mean_approach", "others", "stations"):
@@ -237,19 +237,19 @@ def test_files_that_hold_no_whole_map_are_refused_in_one_sentence(made, tmp_path
     for condition, content in _damaged(entries):
         np.savez(tmp_path / "other.npz", **content)
         with pytest.raises(InputError, match=condition) as refused:
-            ContactMap.load(tmp_path / "other.npz")
+            ContactMap.read(tmp_path / "other.npz")
         assert str(refused.value).count("\n") == 0
     whole = (tmp_path / "k.npz").read_bytes()
     for name, data in (("text", b"approach,load\n"), ("cut", whole[: len(whole) // 2]), ("none", b"")):
         (tmp_path / name).write_bytes(data)
         with pytest.raises(InputError, match="must hold a map of nonhertz"):
-            ContactMap.load(tmp_path / name)
+            ContactMap.read(tmp_path / name)
     with zipfile.ZipFile(tmp_path / "pickle.npz", "w") as archive:
         archive.writestr("kind.npy", pickle.dumps(np.asarray("nonhertz map")))
     with pytest.raises(InputError, match="must hold a map of nonhertz"):
-        ContactMap.load(tmp_path / "pickle.npz")
+        ContactMap.read(tmp_path / "pickle.npz")
     with pytest.raises(InputError, match="must be a file that can be read"):
-        ContactMap.load(tmp_path / "nowhere.npz")
+        ContactMap.read(tmp_path / "nowhere.npz")
 
 
 def test_a_table_for_other_programs_holds_the_map(made):
@@ -271,7 +271,7 @@ def test_a_grid_of_one_tilt_is_in_the_middle_and_of_none_is_refused(made):
 
 
 def test_a_range_of_approaches_includes_lift_off(tmp_path):
-    made = nh.map(CONTACT, approach=(-5e-3, 8e-3), tilt=3e-4, accuracy=1e-2, checks=20, stations=1)
+    made = nh.contact_map(CONTACT, approach=(-5e-3, 8e-3), tilt=3e-4, accuracy=1e-2, checks=20, stations=1)
     grid = made.grid()
     assert grid.load.shape == (41, 21)
     assert np.all(np.isfinite(grid.load))
@@ -281,7 +281,7 @@ def test_a_range_of_approaches_includes_lift_off(tmp_path):
     assert_allclose(point.load, solution.load, rtol=made.sampled_error.load)
     # One strip bears it all, also of a map that was saved; one edge is none.
     made.save(tmp_path / "one.npz")
-    assert_allclose(ContactMap.load(tmp_path / "one.npz").strip_loads(point), [point.load], rtol=1e-12)
+    assert_allclose(ContactMap.read(tmp_path / "one.npz").strip_loads(point), [point.load], rtol=1e-12)
     with pytest.raises(InputError, match=r"stations = .* must be ascending"):
         made.strip_loads(point, [0.0])
 
@@ -290,7 +290,7 @@ def test_a_range_of_approaches_includes_lift_off(tmp_path):
 def test_a_straight_roller_that_tips_over_its_ends_is_mapped():
     """Its first touch jumps from one end to the other: the hardest case for anything smooth."""
     contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
-    made = nh.map(contact, load=(0, 40e3), tilt=(-2e-3, 2e-3), accuracy=5e-3, checks=60)
+    made = nh.contact_map(contact, load=(0, 40e3), tilt=(-2e-3, 2e-3), accuracy=5e-3, checks=60)
     random = np.random.default_rng(3)
     load, tilt = 40e3 * random.uniform(0.01, 1.0, 60), 2e-3 * random.uniform(-1.0, 1.0, 60)
     with pytest.warns(AccuracyWarning):
@@ -307,7 +307,7 @@ def test_an_accuracy_out_of_reach_is_warned_of():
     """The scatter of the solutions is above 1e-6."""
     contact = nh.Contact(nh.Roller(diameter=10, length=5, profile=nh.profile.crown(radius=50)), nh.Plate())
     with pytest.warns(AccuracyWarning, match="not to the requested 1e-06; see its sampled_error"):
-        made = nh.map(contact, load=(0, 100.0), accuracy=1e-6, checks=20)
+        made = nh.contact_map(contact, load=(0, 100.0), accuracy=1e-6, checks=20)
     assert made.sampled_error.load > 1e-6
 
 
@@ -332,7 +332,7 @@ def test_an_accuracy_out_of_reach_is_warned_of():
 )
 def test_nonsense_is_refused_in_one_sentence(arguments, sentence):
     with pytest.raises(InputError, match=sentence) as refused:
-        nh.map(CONTACT, **arguments)
+        nh.contact_map(CONTACT, **arguments)
     assert "\n" not in str(refused.value)
 
 
@@ -409,7 +409,7 @@ def test_a_range_whose_end_cannot_be_solved_is_refused_with_the_reason():
     """The contact would be wider than the roller is round."""
     contact = nh.Contact(nh.Roller(diameter=1, length=20, profile=nh.profile.crown(radius=400)), nh.Plate())
     with pytest.raises(InputError, match=r"^load = 1000000.0 must leave the half-width, .* reduce it") as refused:
-        nh.map(contact, load=(0, 1e6), accuracy=0.1, checks=20)
+        nh.contact_map(contact, load=(0, 1e6), accuracy=0.1, checks=20)
     assert "\n" not in str(refused.value)
 
 
@@ -419,4 +419,4 @@ def test_a_range_in_which_hardly_anything_is_solved_is_refused(monkeypatch):
     with pytest.raises(
         InputError, match="cases without a solution = 15 must not exceed the number of cases with one, 3"
     ):
-        nh.map(CONTACT, load=(0, 1e3), accuracy=0.1, checks=20)
+        nh.contact_map(CONTACT, load=(0, 1e3), accuracy=0.1, checks=20)

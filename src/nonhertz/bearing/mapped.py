@@ -47,7 +47,7 @@ def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, ac
     tilt : float
         The largest tilt of a contact, to both sides [rad].
     accuracy : float
-        As in `nonhertz.map`.
+        As in `nonhertz.maps.contact_map`.
 
     Raises
     ------

@@ -60,7 +60,7 @@ def contact_map(
     accuracy : float
         Largest error of load and moment, relative.
     out : Path
-        The file to write: .csv for a table, .npz for the map itself, which nonhertz.ContactMap.load reads. An
+        The file to write: .csv for a table, .npz for the map itself, which nonhertz.ContactMap.read reads. An
         existing file is replaced.
     """
     read = read_case(case, changes_in(changes))

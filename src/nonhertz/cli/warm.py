@@ -69,7 +69,7 @@ def _plane_grid() -> None:
 
 
 def _map() -> None:
-    found = nh.map(_contact(), load=(0.0, 5e3), accuracy=0.1, checks=20)
+    found = nh.contact_map(_contact(), load=(0.0, 5e3), accuracy=0.1, checks=20)
     found.strip_loads(found.at(approach=1e-3))
     found.under(load=1e3)
 

@@ -1,6 +1,6 @@
 """Maps: stand-ins for a contact, a microsecond a query, for programs that solve whole bearings.
 
-`contact_map`, as ``nonhertz.map``, makes a `ContactMap`. In Python it is evaluated by `ContactMap.at` and
+`contact_map` makes a `ContactMap`. In Python it is evaluated by `ContactMap.at` and
 `ContactMap.under`; in functions compiled by Numba, `pressed`, `loaded`, `pressures` and `share` take its ``tables``.
 """
 

@@ -80,7 +80,7 @@ class MapPoint(ReadOnly):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ContactMap(ReadOnly):
-    """A stand-in for a contact with sampled errors; made by `nonhertz.map`.
+    """A stand-in for a contact with sampled errors; made by `nonhertz.maps.contact_map`.
 
     Attributes
     ----------
@@ -304,7 +304,7 @@ class ContactMap(ReadOnly):
         return as_csv({f"{name} [{QUANTITIES[name].unit}]": getattr(point, name) for name in COLUMNS})
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the map into an NPZ file, from which `load` returns it to the last bit.
+        """Write the map into an NPZ file, from which `read` returns it to the last bit.
 
         Parameters
         ----------
@@ -314,7 +314,7 @@ class ContactMap(ReadOnly):
         files.save(path, self)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> ContactMap:
+    def read(cls, path: str | os.PathLike[str]) -> ContactMap:
         """Return the map in a file that `save` wrote.
 
         Raises
