@@ -166,8 +166,8 @@ class BearingSolution(ReadOnly):
         pitch = self.bearing.rows[0].bearing.pitch
         lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
         rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
-        force = without_rounding(self.force, 1.0 / lever)
-        moved = without_rounding(self.displacement, lever)
+        force = without_rounding(self.force, 1.0 / lever, float(self.load.sum()))
+        moved = without_rounding(self.displacement, lever, float(np.abs(self.approach).max()))
         loaded = np.count_nonzero(self.load.min(axis=1) > 0.0)  # those that both rings press
         said = [
             f"{' and '.join(rows)}, by {self.method}",
@@ -471,10 +471,13 @@ class BearingSolution(ReadOnly):
         return found
 
 
-def without_rounding(values: Array, weights: Array) -> list[float]:
-    """Return numbers, zero for what is rounding beside the others; weights make those of several units comparable."""
+def without_rounding(values: Array, weights: Array, beside: float = 0.0) -> list[float]:
+    """Return numbers, zero for what is rounding beside the others, or beside what they are a difference of.
+
+    Weights make those of several units comparable.
+    """
     sizes = np.abs(values * weights)
-    found: list[float] = np.where(sizes > NO_LOAD * sizes.max(), values, 0.0).tolist()
+    found: list[float] = np.where(sizes > NO_LOAD * max(float(sizes.max()), beside), values, 0.0).tolist()
     return found
 
 

@@ -254,8 +254,8 @@ def _fit_rows(case: BearingCase) -> list[Row]:
 def _load_rows(solution: BearingSolution) -> list[Row]:
     pitch = solution.bearing.rows[0].bearing.pitch
     lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
-    force = without_rounding(solution.force, 1.0 / lever)
-    moved = without_rounding(solution.displacement, lever)
+    force = without_rounding(solution.force, 1.0 / lever, float(solution.load.sum()))
+    moved = without_rounding(solution.displacement, lever, float(np.abs(solution.approach).max()))
     return [
         ("force", str(newton(*force[:3])), "on the inner ring, along x, y, z"),
         ("moment", str(newton_mm(*force[3:])), "about y, z"),
