@@ -37,7 +37,7 @@ from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import number_that, numbers, positive
-from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, together
+from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, taking, together
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.spectrum import checked_shares, miner
 from nonhertz.result.brief import plain_text
@@ -196,7 +196,7 @@ class LifeConditions(Input):
         float | None,
         Quantity(
             "",
-            "e_C, above 0 and at most 1; if left out, that of the cleanliness",
+            "the factor e_C, above 0 and at most 1; if left out, that of the cleanliness",
             _contamination,
             "give e_C, above 0 and at most 1",
         ),
@@ -250,6 +250,7 @@ class LifeConditions(Input):
         return reliability_factor(self.reliability)
 
 
+@taking(LifeConditions)
 def assess(
     solution: Loaded,
     *,
@@ -274,22 +275,7 @@ def assess(
         loaded for the rest.
     speed : float or sequence of float, optional
         [1/min], beside a viscosity; of a spectrum one for all loads, or one for each.
-    viscosity : float, optional
-        Of the oil at its temperature in the bearing [mm^2/s], as from `oil_viscosity`.
-    contamination : float, optional
-        e_C, above 0 and at most 1; if left out, `contamination_factor` of the cleanliness.
-    cleanliness : str
-        Class of cleanliness, as in `contamination_factor`.
-    reliability : float
-        Share of bearings that last longer, from 0.9 to 0.9995.
-    edge_stress : {"pressure", "standard", "none"}, optional
-        As in `nonhertz.life.iso_16281`; the pressures that were solved for if there are any, else the standard's.
-    laminae : int
-        Number of slices.
-    turning : {"inner", "outer"}
-        Which ring turns against the load; at speed, as given to `solve`.
-    dynamic, static : float, optional
-        Ratings of a catalogue [N].
+    {LifeConditions}
 
     Raises
     ------
@@ -299,6 +285,8 @@ def assess(
 
     Notes
     -----
+    Viscosities are found by `oil_viscosity`, and e_C by `contamination_factor`.
+
     L10 contains the reduction by 0.83, lambda nu, for line loads that are not even; L10r does not, since the laminae
     have the line loads themselves. Moments are not in P. Where a contact reaches a sharp end, there is no L10r by
     pressures.

@@ -24,7 +24,7 @@ from nonhertz.bearing.strips import StripLaw, StrippedContact
 from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.findings import said, warn
 from nonhertz.inputs.checks import thread_count
-from nonhertz.inputs.fields import Count, Input, Word, described
+from nonhertz.inputs.fields import Count, Input, Word, described, taking
 from nonhertz.life.lamina import FEWEST, MOST, STIFFENING, roller_stiffness
 
 Array = NDArray[np.float64]
@@ -53,6 +53,7 @@ class BearingSolver(Input):
     ] = LAMINAE
 
 
+@taking(BearingLoad, BearingSolver)
 def solve(
     bearing: RollerBearing | Paired,
     *,
@@ -74,23 +75,10 @@ def solve(
     ----------
     bearing : RollerBearing or Paired
         The bearing.
-    radial, radial_displacement : float or tuple of float, optional
-        Force [N] on the inner ring or its displacement [mm]: along y, or along y and z. Not both; without either there
-        is no radial force.
-    axial, axial_displacement : float, optional
-        The same along x, where the bearing bears axial loads; without either there is no axial force.
-    moment, tilt : float or tuple of float, optional
-        Moment [N mm] on the inner ring or its rotation [rad]: about z, or about y and z. Without either the ring does
-        not tilt. A positive tilt about z moves the ring at high x along +y.
-    speed : float
-        Of the ring that turns [1/min], for centrifugal loads and the rollers' gyroscopic moments.
+    {BearingLoad}
     turning : {"inner", "outer"}
         Which ring turns; the other is at rest, and so is the load.
-    method : {"strips", "slices"}
-        ``"strips"``: every contact by strips, on the automatic grid. ``"slices"``: the independent slices of ISO/TS
-        16281, with the nominal contact angle at both rings and no ribs of tapered rows, for comparison.
-    laminae : int
-        Number of slices, at least 30.
+    {BearingSolver}
     maps : BearingMaps, optional
         Of this bearing, from `maps`, in place of strips while the balance is found.
 
@@ -113,6 +101,9 @@ def solve(
 
     Notes
     -----
+    Without a force and a motion in its place there is no force, and the ring does not tilt. Slices have the nominal
+    contact angle at both rings, and know no ribs of tapered rows.
+
     Rollers have three motions of their own, along x and r and about the tangent; friction and skew are left out, and
     displacements are small compared with the rollers. Every roller is pressed alike on both sides by its contacts, as
     the model of its whole body assumes; where they are tilted differently, that neglects the odd part.

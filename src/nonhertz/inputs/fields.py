@@ -17,7 +17,7 @@ import math
 import re
 import textwrap
 import types
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import (
     Any,
@@ -44,6 +44,7 @@ AnyClass = TypeVar("AnyClass")
 Read = TypeVar("Read")
 P = ParamSpec("P")
 Method = TypeVar("Method", bound=Callable[[Any], None])
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 _NEXT_SECTION = re.compile(r"^[A-Z][a-z]+\n-+$", re.MULTILINE)
 
@@ -544,6 +545,19 @@ def checked(function: Callable[P, Read]) -> Callable[P, Read]:
     return called
 
 
+def taking(*classes: type[Input]) -> Callable[[Function], Function]:
+    """Return a decorator that lists fields of inputs in the docstring of a function, where it names these in braces."""
+
+    def listed(function: Function) -> Function:
+        text = inspect.cleandoc(function.__doc__ or "")
+        for cls in classes:
+            text = text.replace(f"{{{cls.__name__}}}", "\n".join(_parameters(cls)))
+        function.__doc__ = text
+        return function
+
+    return listed
+
+
 def given_beside(cls: type[Input], given: Mapping[str, Any]) -> list[InputError]:
     """Return an error for each field that is given beside one that it takes the place of or rules out."""
     ruled_out = (pair for group in cls.apart for pair in itertools.combinations(group, 2))
@@ -602,18 +616,21 @@ def text_of(each: Described) -> str:
 
 def _with_parameters(cls: type[Any]) -> str:
     """Return the docstring of an input with its fields before the other sections."""
-    hints = get_type_hints(cls)
-    lines = ["Parameters", "----------"]
-    for name, each in cls.descriptions.items():
-        meaning = text_of(each)
-        lines.append(f"{name} : {_words_of(hints[name])}")
-        lines += textwrap.wrap(
-            f"{meaning[:1].upper()}{meaning[1:]}.", 120, initial_indent=" " * 4, subsequent_indent=" " * 4
-        )
     text = inspect.cleandoc(cls.__doc__ or "")
     found = _NEXT_SECTION.search(text)
     before, after = (text[: found.start()].rstrip(), "\n\n" + text[found.start() :]) if found else (text, "")
-    return "\n".join([before, "", *lines]) + after
+    return "\n".join([before, "", "Parameters", "----------", *_parameters(cls)]) + after
+
+
+def _parameters(cls: type[Any]) -> Iterator[str]:
+    """Yield the lines that list the fields of an input."""
+    hints = get_type_hints(cls)
+    for name, each in cls.descriptions.items():
+        meaning = text_of(each)
+        yield f"{name} : {_words_of(hints[name])}"
+        yield from textwrap.wrap(
+            f"{meaning[:1].upper()}{meaning[1:]}.", 120, initial_indent=" " * 4, subsequent_indent=" " * 4
+        )
 
 
 def _remedy(each: Any) -> str:
