@@ -241,18 +241,6 @@ def test_compare_writes_and_prints_json(folder, capsys, few):
 # Other commands
 
 
-def test_new_prints_a_bearing_that_solves(folder, capsys):
-    assert main(["new", "--bearing"]) == 0
-    printed = capsys.readouterr().out
-    assert printed == starting_bearing()
-    assert main(["new", "--bearing", "nu206.toml"]) == 0
-    assert capsys.readouterr().out == "wrote nu206.toml; solve it with: nonhertz bearing nu206.toml\n"
-    assert Path("nu206.toml").read_text(encoding="utf-8") == printed
-    assert main(["new", "nu206.toml", "--bearing"]) == 2
-    assert "must not exist yet" in capsys.readouterr().err
-    assert main(["check", "nu206.toml"]) == 0
-
-
 @pytest.mark.parametrize("name", BEARING_TEMPLATES)
 def test_templates_solve_without_a_warning(folder, capsys, name):
     assert main(["new", "--bearing", "--template", name, "bearing.toml"]) == 0

@@ -179,14 +179,6 @@ def test_an_unconverged_solve_is_shown_for_what_it_is(case, capsys, monkeypatch,
     assert parsed(Path("results/result.json").read_text(encoding="utf-8"))["status"] == "iteration-limit"
 
 
-def test_check_says_in_one_line_that_all_is_well(case, capsys):
-    assert main(["check", case]) == 0
-    printed = capsys.readouterr()
-    assert printed.err == ""
-    assert len(printed.out.splitlines()) == 1
-    assert printed.out.startswith("case.toml is fine: 'Roller 20 x 20 on a plate'")
-
-
 def test_new_prints_a_case_that_solves(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["new"]) == 0
@@ -325,7 +317,7 @@ def test_commands_are_listed_by_the_first_line_of_their_help(capsys):
         assert f"{name} {first}" in listed
 
 
-@pytest.mark.parametrize("words", [["--help"], ["bearing", "--help"], ["design", "--help"]], ids=" ".join)
+@pytest.mark.parametrize("words", [["--help"], ["design", "--help"]], ids=" ".join)
 def test_help_imports_nothing_heavy(words):
     program = (
         "import sys\n"
@@ -387,7 +379,7 @@ def test_an_interruption_of_a_callback_ends_the_program(case, capsys, monkeypatc
     assert capsys.readouterr().err == "Interrupted.\n"
 
 
-@pytest.mark.parametrize("command", ["solve", "bearing", "report", "map", "nodes", "sweep", "schema", "verify"])
+@pytest.mark.parametrize("command", ["solve", "bearing", "sweep", "verify"])
 @pytest.mark.parametrize("words", [["--out", ""], ["--out="]])
 def test_an_empty_name_for_results_is_refused(case, capsys, command, words):
     assert main([command, case, *words]) == 2

@@ -132,14 +132,12 @@ def compare_words(said: str, read: str) -> None:
 
 
 COMMANDS = [
-    *(["solve", name] for name in ("crowned-roller", "measured-roller", "tabulated-profile", "roller-15x20")),
+    *(["solve", name] for name in ("measured-roller", "roller-15x20")),
     ["solve", "crowned-roller", "elliptical-point-contact"],
     ["stress", "roller-15x20"],
     ["life", "roller-15x20"],
     ["bearing", "nu206-mounted"],
-    ["bearing", "tapered-pair"],
     ["bearing", "nu206", "--compare"],
-    ["materials"],
     ["materials", "100Cr6"],
     ["sweep", "roller-15x20-sweep"],
 ]
@@ -160,8 +158,7 @@ def report_text(*words: str) -> str:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "names",
-    [["roller-15x20", "--life"], ["nu206-mounted", "--compare"], ["tapered-pair"],
-     ["roller-15x20", "measured-roller"], ["nu206", "nu206-mounted"]],
+    [["roller-15x20", "--life"], ["nu206-mounted", "--compare"], ["tapered-pair"], ["roller-15x20", "measured-roller"]],
     ids=" ".join,
 )  # fmt: skip
 def test_every_unit_of_reports_is_converted_with_its_numbers(names, printed):
@@ -380,12 +377,3 @@ def test_what_the_user_wrote_stays(tmp_path):
     page = compose([case], units="us", stress=False)
     assert page.count("Roller 20 mm, 5 kN") == compose([case], stress=False).count("Roller 20 mm, 5 kN") > 1
     assert "<small>written 15 kN</small>" in page
-
-
-def test_a_table_of_several_cases_stays_in_si(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    for units in ("si", "us"):
-        cases = [str(EXAMPLES / f"{name}.toml") for name in ("crowned-roller", "roller-15x20")]
-        assert main(["solve", *cases, "--out", f"{units}.csv", "--units", units]) == 0
-    assert Path("us.csv").read_text("utf-8") == Path("si.csv").read_text("utf-8")
-    assert "mm wide" in Path("us.csv").read_text("utf-8")

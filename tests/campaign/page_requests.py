@@ -8,13 +8,14 @@ from dataclasses import dataclass
 from typing import Any
 from urllib.parse import urlencode
 
-from case_texts import FILES, NUMBERS, WORDS, Mutator, sound_texts
+from case_texts import FILES, NUMBERS, WORDS, Mutator, sound_bearings, sound_texts
 
 from nonhertz.files.measured import MeasuredProfile
 from nonhertz.web.form.form import form
 
 JSON, TOML, BINARY = "application/json", "application/toml", "application/octet-stream"
 PATHS = {"/solve": 30, "/form": 20, "/open": 20, "/upload": 20, "/download/case.toml": 5, "/download/table.csv": 5}
+PATHS |= {"/bearing/solve": 20, "/bearing/form": 5, "/bearing/download/bearing.toml": 2}
 BARE: list[Any] = [None, True, 0, -1, 1e300, 1e-300, 2**70, "", [], {}, [[]], [None], {"kind": "crown"}, "x" * 5000]
 BARE += [[0.5] * 2001, ["a"] * 300, {f"k{number}": number for number in range(41)}, "\ud800", "\u0000"]
 
@@ -40,6 +41,8 @@ class Requests:
                 if isinstance(tables, list):
                     body["profile"] = [table for table in tables if "file" not in table]
             assert form(document).members
+        self.bearings = [json.loads(json.dumps(tomllib.loads(text))) for text in sound_bearings()]
+        self.bearings = [each for each in self.bearings if "file" not in json.dumps(each["roller"])]
 
     def request(self, number: int) -> Sent:
         """Return the request of a number."""
@@ -50,12 +53,15 @@ class Requests:
             return Sent(path, TOML, mutator.text().encode("utf-8", "surrogatepass"))
         if path == "/upload":
             return self.upload(mutator)
-        document = copy.deepcopy(picked.choice(self.documents))
+        of_bearing = path.startswith("/bearing")
+        document = copy.deepcopy(picked.choice(self.bearings if of_bearing else self.documents))
         for _ in range(picked.choice([1, 1, 2, 5])):
             _change(document, picked)
         asked: dict[str, Any] = {"document": document}
         if path == "/solve":
             asked |= {"stress": picked.choice([True, False, False, False, 1]), "body": picked.choice("aaabx")}
+        if of_bearing:
+            asked["method"] = picked.choice(["slices"] * 9 + ["magic"])
         text = json.dumps(asked)
         if picked.random() < 0.1:
             text = picked.choice([mutator.characters, mutator.cut, mutator.copy, mutator.number])(text)

@@ -296,15 +296,10 @@ def test_it_prints_in_um():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: nh.bearing.Shaft(diameter=30.0, bore=30.0), "bore = 30.0 must be less than the diameter of the shaft"),
-        (lambda: on_shaft(12.0), "interference = 12.0 must not exceed 1 % of the diameter of 30 mm: give it on the di"),
         (lambda: on_shaft(0.01, expansion=12.5), "expansion = 12.5 must not exceed 0.001 per kelvin"),
         (lambda: on_shaft(0.01, temperature=-300.0), "temperature = -300.0 must lie between -273.15 and 1000 degC"),
         (lambda: nh.bearing.Housing(diameter=62.0, outside_diameter=60.0), "outside_diameter = 60.0 must exceed that "),
-        (lambda: found(shaft=nh.bearing.Shaft(diameter=40.0)), "shaft.diameter = 40.0 must be less than that of the i"),
-        (lambda: found(housing=nh.bearing.Housing(diameter=55.0)), "housing.diameter = 55.0 must exceed that of the o"),
         (lambda: found(ROW.roller), "must be a radial roller bearing"),
-        (lambda: found(outer_temperature=2000.0), "outer_temperature = 2000.0 must lie between"),
         (lambda: nh.bearing.Mounting(shaft=on_shaft(0.01)), "housing = None must be given: make one with nonhertz.bea"),
         (nh.bearing.Shaft, "diameter = None must be given: give that of the seat in mm."),
         (lambda: found().axial(2.0), "contact_angle = 2.0 must be less than a right angle"),

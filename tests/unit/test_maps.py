@@ -317,18 +317,15 @@ def test_an_accuracy_out_of_reach_is_warned_of():
         ({}, "load = None must be given where approach is not"),
         ({"load": (0, 1.0), "approach": (0, 1.0)}, "load = .* must be given where approach is not"),
         ({"load": 5.0}, "load = 5.0 must be two ascending numbers"),
-        ({"load": (5.0, 1.0)}, "be two ascending numbers"),
         ({"load": (-5.0, 1.0)}, "must not begin below zero"),
         ({"load": (0.0, 1e30)}, "must not exceed"),
         ({"approach": (-2.0, -1.0)}, "approach = -1.0 must exceed"),
         ({"load": (0, 1.0), "tilt": (0.0, 1.0)}, "tilt = .* must hold small angles"),
         ({"load": (0, 1.0), "accuracy": 1e-9}, "accuracy = 1e-09 must lie between 1e-06 and 0.1"),
-        ({"load": (0, 1.0), "element": "round"}, "element = 'round' must be an element"),
-        ({"load": (0, 1.0), "checks": 1}, "checks = 1 must be a whole number from 20"),
         ({"load": (0, 1.0), "stations": [0.0, 1.0]}, "stations = .* must reach from -10 to 10 mm"),
         ({"load": (0, 1.0), "stations": [1.0, 0.0]}, "stations = .* must be ascending"),
     ],
-    ids=range(13),
+    ids=range(10),
 )
 def test_nonsense_is_refused_in_one_sentence(arguments, sentence):
     with pytest.raises(InputError, match=sentence) as refused:
