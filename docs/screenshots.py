@@ -21,7 +21,7 @@ from playwright.sync_api import sync_playwright
 
 FIGURES = Path(__file__).parent / "figures"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-WIDE, NARROW = {"width": 1400, "height": 1000}, {"width": 390, "height": 844}
+WIDE = {"width": 1400, "height": 1000}
 
 
 @contextmanager
@@ -47,9 +47,9 @@ def browser_started() -> Iterator[Any]:
         started.close()
 
 
-def opened(browser: Any, address: str, viewport: dict[str, int], theme: str = "light") -> Any:
+def opened(browser: Any, address: str, viewport: dict[str, int]) -> Any:
     """Open the page and wait until the starting case is drawn."""
-    page = browser.new_page(viewport=viewport, color_scheme=theme)
+    page = browser.new_page(viewport=viewport)
     page.goto(address)
     settle(page)
     return page
@@ -84,13 +84,6 @@ def main() -> None:
         page.locator(".stress[aria-labelledby=stress-title]").screenshot(path=FIGURES / "page-stress.png")
         page.locator("#results").evaluate("each => each.scrollTo(0, 0)")
 
-        page.locator('[name="load.load"]:not([data-base])').fill("26 furlong")
-        page.locator('[name="body.a.diameter"]').fill("-20")
-        settle(page)
-        page.screenshot(path=FIGURES / "page-mistakes.png")
-
-        opened(browser, address, WIDE, "dark").screenshot(path=FIGURES / "page-dark.png")
-        opened(browser, address, NARROW).screenshot(path=FIGURES / "page-narrow.png")
         photograph_bearing(browser, address)
 
 

@@ -39,5 +39,5 @@ def test_the_json_holds_every_number_and_source(capsys):
 
 def test_a_name_that_is_none_is_refused(capsys):
     assert main(["materials", "unobtainium"]) == 2
-    sentence = "name = 'unobtainium' must be a known material: the nearest is 'aluminium'.\n"
+    sentence = "NAME = 'unobtainium' must be a known material: the nearest is 'aluminium'.\n"
     assert capsys.readouterr().err == sentence

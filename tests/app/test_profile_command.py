@@ -93,7 +93,7 @@ def test_options_mean_what_they_say(file, capsys):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        ([], "file = 'roller.txt' must state the unit of its heights"),
+        ([], "FILE = 'roller.txt' must state the unit of its heights"),
         (["--height-unit", "um", "--cutoff", "90"], "--cutoff = 90.0 must lie between five points"),
         (
             ["--height-unit", "um", "--smooth", "median"],
@@ -117,7 +117,7 @@ def test_a_mistake_ends_in_one_sentence_and_two(file, words, sentence, capsys):
 def test_a_missing_file_is_told(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["profile", "none.txt"]) == 2
-    assert "file = 'none.txt' must be a file that can be read" in capsys.readouterr().err
+    assert "FILE = 'none.txt' must be a file that can be read" in capsys.readouterr().err
 
 
 @pytest.mark.slow

@@ -265,7 +265,7 @@ def assess(
     dynamic: float | None = None,
     static: float | None = None,
 ) -> BearingLife:
-    """Return how long a bearing lasts under loads that stand still.
+    """Return how long a bearing lasts under stationary loads.
 
     Parameters
     ----------

@@ -91,7 +91,7 @@ _ANGLES = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_fact
 
 @dataclass(frozen=True, repr=False)
 class CatalogueGuess:
-    """A bearing whose inside is guessed.
+    """A bearing whose rollers are guessed from its dimensions and ratings.
 
     Attributes
     ----------

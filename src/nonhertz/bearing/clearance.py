@@ -339,7 +339,7 @@ def _density(name: str, density: float | None, material: Material, speed: float)
 
 @dataclass(frozen=True, kw_only=True)
 class Fit:
-    """A seat and a ring on each other.
+    """The interference fit of a ring on its seat.
 
     Attributes
     ----------

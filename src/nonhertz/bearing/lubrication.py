@@ -39,7 +39,7 @@ _THINNEST = 2.0  # mm^2/s
 
 
 def reference_viscosity(speed: float, pitch_diameter: float) -> float:
-    """Return nu_1 [mm^2/s], the viscosity at which the surfaces just part.
+    """Return nu_1 [mm^2/s], the viscosity at which the surfaces just separate.
 
     Parameters
     ----------

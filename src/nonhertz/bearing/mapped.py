@@ -36,7 +36,7 @@ class BearingMaps:
 
 
 def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, accuracy: float = 1e-4) -> BearingMaps:
-    """Return maps of all contacts of a bearing, with which its states are solved in little time.
+    """Return maps of all contacts of a bearing, with which its states are solved quickly.
 
     Parameters
     ----------

@@ -51,7 +51,7 @@ _ALIKE = 1e-9
 
 @dataclass(frozen=True)
 class Rating:
-    """What a bearing can bear, by ISO 281 and ISO 76.
+    """Load ratings of a bearing, by ISO 281 and ISO 76.
 
     Attributes
     ----------

@@ -6,7 +6,7 @@ import json
 from itertools import groupby
 
 from nonhertz.amounts import given, mpa
-from nonhertz.cli.options import AsJson, UnitsRead
+from nonhertz.cli.options import AsJson, UnitsRead, named_as
 from nonhertz.cli.printing import print_result
 from nonhertz.files.materials import as_object
 from nonhertz.model.materials import LIBRARY, Listed, listed_as
@@ -21,7 +21,8 @@ def materials(name: str | None = None, /, *, units: UnitsRead = "si", as_json: A
     name : str
         One of them, with the source of its numbers and what limits their use; by default all.
     """
-    entries = LIBRARY if name is None else (listed_as(name),)
+    with named_as(name="NAME"):
+        entries = LIBRARY if name is None else (listed_as(name),)
     if as_json:
         print(json.dumps(as_object(entries), indent=2, ensure_ascii=False))
         return

@@ -125,7 +125,7 @@ def _options_named() -> Iterator[None]:
     except InputError as error:
         remedy, field = error.remedy, "--" + error.field.replace("_", "-")
         if error.field == "file":
-            remedy, field = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", remedy), "file"
+            remedy, field = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", remedy), "FILE"
         raise InputError(field, error.value, error.condition, remedy) from None
 
 

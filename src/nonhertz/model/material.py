@@ -42,7 +42,7 @@ def check_poisson(name: str, poisson: float, remedy: str = "give Poisson's ratio
 
 @described()
 class Material(Input):
-    """A linear elastic, isotropic material, and what it bears.
+    """A linear elastic, isotropic material, and its strength.
 
     Raises
     ------

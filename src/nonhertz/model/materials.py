@@ -165,7 +165,7 @@ MATERIALS = _Materials(
 NamedMaterial = Annotated[
     Material,
     Part(
-        "name of a material, or a table of modulus, poisson and what it bears",
+        "name of a material, or a table of modulus, poisson and strengths",
         Material,
         "give a name such as 'steel', 'nonhertz materials' lists them all, or modulus and poisson",
         MATERIALS,
