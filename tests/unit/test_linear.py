@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from nonhertz.strip.linear import BLOCK, blank, padded, solve_in_place, subtract_product
+from nonhertz.strip.linear import BLOCK, DEEP, blank, padded, solve_in_place, subtract_product
 
 
 def solved(matrix, sides):
@@ -39,7 +39,7 @@ def test_a_singular_matrix_has_no_finite_solution():
     assert not np.all(np.isfinite(solved(matrix, np.ones((9, 1)))))
 
 
-@pytest.mark.parametrize("n", [BLOCK, 5 * BLOCK])
+@pytest.mark.parametrize("n", [BLOCK, 5 * BLOCK, DEEP + BLOCK])
 @pytest.mark.parametrize("column", [0, BLOCK])
 def test_a_product_is_taken_away(n, column):
     rng = np.random.default_rng(n)

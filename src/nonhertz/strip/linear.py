@@ -19,6 +19,7 @@ Eight = tuple[float, float, float, float, float, float, float, float]
 
 BLOCK = 8  # rows and columns eliminated at a time, also the width of a tile
 _TALL = 4  # the height of a tile
+DEEP = 256  # columns of a product that are added up at a time, whose rows stay in the cache
 _NONE = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -80,7 +81,8 @@ def subtract_product(result: Array, left: Array, right: Array, column: int) -> N
         Only the square starting at this ``column`` is used.
     """
     n = result.shape[0]
-    _subtract_tiles(result, left, right, 0, n, 0, n, 0, 0, column, n)
+    for first in range(0, n, DEEP):
+        _subtract_tiles(result, left, right, 0, n, 0, n, first, first, column, min(DEEP, n - first))
 
 
 @compiled
