@@ -1,6 +1,7 @@
 """``nonhertz design``: what people type."""
 
 import json
+import re
 
 import pytest
 from crowned_roller import CASE
@@ -99,7 +100,10 @@ def test_a_front_of_aligned_and_misaligned_loads(folder, capsys):
     assert main(["design", "plan.toml", "--workers", "1", "--starts", "1", "--front", "3"]) == 0
     out = capsys.readouterr().out
     assert out.startswith("Limits met. The largest pressure of all points, ")
-    assert out.splitlines()[1].startswith("point  MPa without tilt  MPa with tilt  body.a.profile.radius")
+    head = re.split(r"\s{2,}", out.splitlines()[1])
+    radius = "body.a.profile.radius [mm]"
+    assert head == ["point", "largest pressure without tilt [MPa]", "largest pressure with tilt [MPa]", radius]
+    assert (folder / "plan-design" / "front.csv").read_text().startswith(",".join(head))
     files = {path.name for path in (folder / "plan-design").iterdir()}
     points = json.loads((folder / "plan-design" / "front.json").read_text(encoding="utf-8"))["points"]
     assert files == {"front.csv", "front.json", "front.svg", "front.png"} | {

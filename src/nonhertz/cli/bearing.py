@@ -18,8 +18,6 @@ from nonhertz.files.results import key_by_key
 from nonhertz.show.bearing import compared_sections, sections
 from nonhertz.verdict import findings_of, of_bearing
 
-WIDTH = 120  # of piped output
-
 
 def bearing(
     file: Path,
@@ -76,7 +74,6 @@ def bearing(
         verdict=of_bearing(solution, life, case.operating_clearance),
         warnings=findings_of(solution, life),
         written=made,
-        piped=WIDTH,
     )
 
 
@@ -87,4 +84,4 @@ def _compare(case: BearingCase, out: Path | None, as_json: bool) -> None:
     if as_json:
         print(key_by_key(comparison_object(strips, slices, case.title)))
     else:
-        print_result(case.title, compared_sections(case, strips, slices), written=made, piped=WIDTH)
+        print_result(case.title, compared_sections(case, strips, slices), written=made)

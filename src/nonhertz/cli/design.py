@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.amounts import mpa, of_dimension
+from nonhertz.amounts import of_dimension
 from nonhertz.cli.options import AsJson, Changes, UnitsRead, Workers, named_as, written
 from nonhertz.cli.printing import bar, print_result
 from nonhertz.errors import InputError
@@ -177,25 +177,27 @@ def _front_json(found: Front, files: Sequence[Path]) -> str:
 
 def _front_sections(found: Front) -> list[Section]:
     """Return the points as people are shown them."""
-    numbers = _numbers(found)
-    pressures = [mpa(*group) for group in (found.first, found.second)]
-    unit = pressures[0].scale[1]
-    columns = [each.apart()[0] for each in pressures]
-    columns += [[str(of_dimension([each], found.units.get(path, ""))) for each in of] for path, of in numbers.items()]
+    heads, columns = ["point"], []
+    for name, (values, unit) in _columns(found).items():
+        cells, read = of_dimension(values, unit).apart()
+        heads.append(f"{name} [{read}]" if read else name)
+        columns.append(cells)
     rows = [(str(number), *cells) for number, cells in enumerate(zip(*columns, strict=True), start=1)]
-    heads = ("point", *(f"{unit} {group}" for group in GROUPS), *numbers)
     return [Section("", [Table(rows, heads)])]
 
 
-def _numbers(found: Front) -> dict[str, list[float]]:
-    """Return the values of each path that is a number; free profiles are in the case files."""
+def _columns(found: Front) -> dict[str, tuple[Sequence[float], str]]:
+    """Return the numbers of the points by name, with their unit; free profiles are in the case files."""
+    groups = zip(GROUPS, (found.first, found.second), strict=True)
     paths = [path for path, value in found.values[0].items() if isinstance(value, float)]
-    return {path: [values[path] for values in found.values] for path in paths}
+    return {
+        **{f"largest pressure {group}": (values, "MPa") for group, values in groups},
+        **{path: ([values[path] for values in found.values], found.units.get(path, "")) for path in paths},
+    }
 
 
 def _front_table(found: Front) -> str:
-    numbers = _numbers(found)
-    named = [f"{path} [{found.units[path]}]" if found.units.get(path) else path for path in numbers]
-    columns = zip(found.first, found.second, *numbers.values(), strict=True)
-    rows = ([number, *(f"{value:.9g}" for value in row)] for number, row in enumerate(columns, start=1))
-    return csv_text(["point", *(f"largest pressure {group} [MPa]" for group in GROUPS), *named], rows)
+    columns = _columns(found)
+    rows = enumerate(zip(*(values for values, _ in columns.values()), strict=True), start=1)
+    head = ("point", *(f"{name} [{unit}]" if unit else name for name, (_, unit) in columns.items()))
+    return csv_text(head, ([number, *(f"{value:.9g}" for value in row)] for number, row in rows))

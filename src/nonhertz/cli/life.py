@@ -28,8 +28,6 @@ from nonhertz.verdict import worst_of
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-WIDTH = 120  # of piped output
-
 
 def life(
     case: Path,
@@ -86,7 +84,7 @@ def life(
             {f"in {legible(str(case.path))}": each.verdict for case, each in zip(cases, found, strict=True)}
         )
         shown = _shown([each.path for each in cases], first, other)
-        print_result(first.title, shown, verdict=verdict, written=made, piped=WIDTH)
+        print_result(first.title, shown, verdict=verdict, written=made)
 
 
 def _figures(found: Assessment, other: Assessment | None) -> Mapping[str, Figure]:

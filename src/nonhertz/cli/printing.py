@@ -37,7 +37,7 @@ def print_result(
     verdict: Verdict | None = None,
     warnings: Iterable[object] = (),
     written: Iterable[Path] = (),
-    piped: int | None = 100,
+    piped: int | None = 120,
 ) -> None:
     """Print a result as people read it: title, verdict, sections, warnings, and the files that were written.
 

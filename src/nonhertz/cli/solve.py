@@ -26,7 +26,6 @@ from nonhertz.verdict import of_contact, worst_of
 
 TABLE = "cases.csv"
 TABLES = (".csv", ".xlsx")
-WIDTH = 120  # of piped output
 
 
 def solve(
@@ -82,7 +81,7 @@ def _solve_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
     else:
         warnings = [f"{each.name}: {one}" for each in found if each.solution for one in each.solution.warnings]
         verdict, table = worst_of({f"in {each.name}": each.verdict for each in found}), overview_table(found)
-        print_result("", [Section("", [table])], verdict=verdict, warnings=warnings, written=made, piped=WIDTH)
+        print_result("", [Section("", [table])], verdict=verdict, warnings=warnings, written=made)
     sys.stdout.flush()
     for each in found:
         for sentence in each.complaints:

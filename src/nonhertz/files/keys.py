@@ -24,6 +24,15 @@ from nonhertz.model.profile import Profile
 _ORDER: Final = {"format": -3, "title": -2, "bearing": -1, "pair": 1}
 
 
+#: Lengths that people read in micrometres.
+MICROMETRES: Final = frozenset(
+    {
+        *("amplitude", "approach", "drop", "zm", "clearance", "axial_clearance", "interference", "smoothing"),
+        *("radial_displacement", "axial_displacement"),
+    }
+)
+
+
 @dataclass(frozen=True)
 class Key:
     """A key of a table.

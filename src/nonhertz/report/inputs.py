@@ -16,7 +16,7 @@ from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.keys import Key, Table, profile_kinds, table_of, unit_of
+from nonhertz.files.keys import MICROMETRES, Key, Table, profile_kinds, table_of, unit_of
 from nonhertz.files.measured import KIND as MEASURED
 from nonhertz.files.profiles import profile_tables
 from nonhertz.inputs.units import begins_with_digits, in_unit
@@ -46,8 +46,6 @@ _BORNE = {
     "pressure_limit": "limit of pressure",
 }  # fmt: skip
 _AT_THE_END = "the end of the land"
-#: Lengths of bearings that people read in um.
-_SMALL = {"interference", "smoothing", "clearance", "axial_clearance", "radial_displacement", "axial_displacement"}
 #: What steps of a measured profile are if its table does not say.
 _STEPS = {name: each.default for name, each in inspect.signature(prepare).parameters.items()}
 
@@ -184,7 +182,7 @@ def _entries(
 def _entry(place: str, value: Any, key: Key, own: Mapping[str, Any], more: str = "") -> Entry:
     name = place.rpartition(".")[2]
     written = _as_written(own, name)
-    text, unit = _with_unit(value, key, small=name in _SMALL or "um" in written)
+    text, unit = _with_unit(value, key, small=name in MICROMETRES or "um" in written)
     # What a file says, unless that is what is shown.
     unlike = "" if written.replace("um", "µm") == f"{text} {unit}" else written
     return Entry(place, text, unit, _meaning_of(key) + more, name not in own and not more, unlike)

@@ -8,6 +8,7 @@ from typing import Any, Final
 
 from nonhertz.amounts import INCH, POUND_FORCE, SI, chosen
 from nonhertz.errors import InputError
+from nonhertz.files.keys import MICROMETRES
 from nonhertz.inputs.units import in_unit, number_and_unit
 
 #: Per base unit, words as files have them and their size.
@@ -23,11 +24,6 @@ CHOICES: Final[dict[str, dict[str, float]]] = {
 }
 SLOPE: Final = "um/mm"
 """Of this the angle is not proportional to the number."""
-#: Lengths that people read in micrometres.
-_SMALL: Final = {
-    *("amplitude", "approach", "drop", "zm", "clearance", "axial_clearance", "interference", "smoothing"),
-    *("radial_displacement", "axial_displacement"),
-}
 _LARGE: Final = {"N": (1e3, "kN"), "MPa": (1e4, "GPa"), "N mm": (1e4, "N m")}
 _SMALL_ANGLE: Final = 0.05
 _FIGURES: Final = 12
@@ -123,7 +119,7 @@ def _read(word: str) -> tuple[str, float]:
 def _of_files(base: str, name: str, value: float | None) -> str:
     size = abs(value) if value is not None else 0.0
     if base == "mm":
-        return "um" if name in _SMALL and size < 1.0 else "mm"
+        return "um" if name in MICROMETRES and size < 1.0 else "mm"
     if base == "rad":
         return "mrad" if size < _SMALL_ANGLE else "deg"
     from_, word = _LARGE.get(base, (math.inf, base))
