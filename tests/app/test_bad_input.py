@@ -274,5 +274,6 @@ def test_wrong_usage_is_one_sentence(capsys, words, beginning):
     printed = capsys.readouterr()
     assert printed.out == ""
     assert printed.err.startswith(beginning)
-    assert printed.err.endswith(("; see 'nonhertz --help'.\n", "? See 'nonhertz --help'.\n"))
+    of = "nonhertz" if words[0] == "slove" else f"nonhertz {words[0]}"
+    assert printed.err.endswith((f"; see '{of} --help'.\n", f"? See '{of} --help'.\n"))
     assert len(printed.err.splitlines()) == 1

@@ -128,12 +128,18 @@ def run(words: Sequence[str]) -> int:
             return contextvars.copy_context().run(_run, each_with_option(words))
     except UnusedCliTokensError as error:
         unused = ", ".join(repr(word) for word in error.unused_tokens or ())
-        print(f"This command takes no {unused}; see 'nonhertz --help'.", file=sys.stderr)
+        print(f"This command takes no {unused}; see {_help_on(words)}.", file=sys.stderr)
     except CycloptsError as error:
         said, _, _ = " ".join(str(error).split()).partition(" Available commands: ")  # which help lists
         lead = f"{said} See" if said.endswith("?") else f"{said.rstrip('.')}; see"
-        print(f"{lead} 'nonhertz --help'.", file=sys.stderr)
+        print(f"{lead} {_help_on(words)}.", file=sys.stderr)
     return BAD_INPUT
+
+
+def _help_on(words: Sequence[str]) -> str:
+    """Return how to ask for help on the command of these words, or on all commands."""
+    known = bool(words) and words[0] in COMMANDS
+    return f"'nonhertz {words[0]} --help'" if known else "'nonhertz --help'"
 
 
 def _run(words: Sequence[str]) -> int:
