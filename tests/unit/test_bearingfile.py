@@ -694,7 +694,7 @@ def test_what_is_prescribed_may_be_text_with_units():
         ("diameter = 62", "diameter = 62\nbore = 60", "fit.housing.bore = 60 must be a known key: "),
         ("diameter = 30", 'diameter = 30\ntemperature = "70 degC"', "fit.shaft.temperature = '70 degC' must be a plai"),
         ("[fit.shaft]", "[fit]\ninner_temperature = 2000\n[fit.shaft]", "fit.inner_temperature = 2000.0 must lie betw"),
-        ("[fit.shaft]", "[fit]\nroller_temperature = 1000\n[fit.shaft]", "fit must leave a clearance that can be, but"),
+        ("[fit.shaft]", "[fit]\nroller_temperature = 1000\n[fit.shaft]", "fit must leave a possible clearance, but"),
     ],
 )
 def test_every_mistake_of_a_fit_is_at_its_key(old, new, said):

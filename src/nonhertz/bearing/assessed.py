@@ -329,7 +329,7 @@ def _check_oil(asked: LifeConditions, speed: object, solution: BearingSolution) 
     if speed is None:
         raise InputError("speed", None, "be given with a viscosity", "give the speed in 1/min")
     if any(isinstance(row.bearing, CylindricalThrustBearing) for row in solution.bearing.rows):
-        condition = "be left out for thrust bearings, of which no a_ISO was found twice"
+        condition = "be left out for thrust bearings, whose a_ISO was found in one source only"
         raise InputError("viscosity", asked.viscosity, condition, "assess the bearing without lubrication")
 
 

@@ -226,7 +226,7 @@ def _findings(ends: set[SingularEnd], steep: float, stress: str) -> Iterator[Fin
         yield finding(
             "steep-pressure",
             "{share:.0f} % of the damage below a contact is where the pressure changes by more than {limit:g} % over a "
-            f"half-width: sections take {stress} there for worse than it is; use field = 'whole'.",
+            f"half-width: sections overestimate {stress} there; use field = 'whole'.",
             share=100.0 * steep,
             limit=100.0 * _STEEP,
         )

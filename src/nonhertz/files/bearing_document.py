@@ -52,7 +52,7 @@ class BearingLifeConditions(LifeConditions):
 
     @together("spectrum")
     def _check_shares(self) -> None:
-        remedy = "give shares of the revolutions; for what is left, nothing is loaded"
+        remedy = "give shares of the revolutions; for the rest the bearing is unloaded"
         at_most_whole("spectrum.share", [case.share for case in self.spectrum], remedy)
 
 
@@ -222,7 +222,7 @@ def of_fit(error: InputError) -> InputError:
         return InputError("fit", None, condition, "remove the table")
     if error.field == "clearance":
         left = f"{um(error.value):.4g}" if isinstance(error.value, float) else error.value
-        condition = f"leave a clearance that can be, but {left} must {error.condition}"
+        condition = f"leave a possible clearance, but {left} must {error.condition}"
         return InputError("fit", None, condition, "check interferences and temperatures")
     return error.within("fit")
 

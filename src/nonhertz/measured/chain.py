@@ -260,7 +260,7 @@ class Measured:
         """Yield each step of the surface found in the search for the land."""
         slopes = {step.name: step.slope for step in self.steps if isinstance(step, Level | Align | Trim)}
         for step in steps_in(self._before(*slopes), next(iter(slopes.values()))) if slopes else ():
-            beyond = "what lies beyond it was not taken to be the same body: if it is, omit align and trim to a length."
+            beyond = "what lies beyond it was taken to be another body: if it is not, omit align and trim to a length."
             what = "both sides were taken to be one body: check that they are." if step.within else beyond
             words = f"The surface steps by {{height:.3g}} at {{y:.5g}} in the file; {what}"
             yield finding("surface-step", words, height=um(abs(step.height)), y=mm(step.y))
