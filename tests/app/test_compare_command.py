@@ -53,6 +53,7 @@ def test_json_is_one_object_and_nothing_else(case, capsys):
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
+@pytest.mark.slow
 def test_every_example_can_be_compared(path, capsys):
     assert main(["compare", str(path), *CELLS, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)

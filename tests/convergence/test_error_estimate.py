@@ -196,6 +196,7 @@ def test_the_estimate_of_an_ellipse_bounds_the_error_against_hertz():
         ),
     ],
 )
+@pytest.mark.slow
 def test_a_peak_narrower_than_its_strips_is_in_the_estimate(roller, other, given, accuracy):
     contact = nh.Contact(nh.Roller(**roller), nh.Body(diameter=other))
     true, found = (nh.solve(contact, **given, accuracy=each) for each in (3e-6, accuracy))

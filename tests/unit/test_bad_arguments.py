@@ -154,11 +154,12 @@ MODULES = {
 }
 #: Of these only what must be refused is tried.
 SLOW = {
-    "bearing.maps", "compare", "contact_map", "life.assess", "life.exposure", "life.overrolled", "measured.fit",
-    "measured.fit_best", "measured.prepare", "strength.assess", "subsurface.extremes", "sweep", "tolerance",
+    "bearing.from_catalogue", "bearing.maps", "bearing.volume_life", "compare", "contact_map", "life.assess",
+    "life.exposure", "life.overrolled", "measured.fit", "measured.fit_best", "measured.prepare", "strength.assess",
+    "subsurface.extremes", "sweep", "tolerance",
 }  # fmt: skip
 #: Of these not even what is taken; other tests solve them.
-SLOWEST = {"bearing.maps", "bearing.volume_life", "strength.assess"}
+SLOWEST = {"bearing.maps", "bearing.volume_life", "life.exposure", "life.overrolled", "strength.assess"}
 #: What takes any keyword and refuses those that it does not know itself.
 BY_THEMSELVES = {"life.model", "measured.fit", "profile.with_drop"}
 #: They would write files of nonsensical names; in tests/unit/test_written.py.

@@ -153,6 +153,7 @@ def _balanced(tables, load, approach, tilts):  # type: ignore[no-untyped-def]
     return approach
 
 
+@pytest.mark.slow
 def test_compiled_code_calls_the_map(made):
     tilts = np.linspace(-5e-4, 5e-4, 7)
     approach = _balanced(made.tables, 20e3, 0.01, tilts)

@@ -136,6 +136,7 @@ def test_a_sharp_end_does_not_set_the_colours(sharp, point, ax):
 
 
 @pytest.mark.parametrize("name", ["point", "sharp"])
+@pytest.mark.slow
 def test_sheets_are_to_scale_and_no_words_overlap(name, request):
     sheets = request.getfixturevalue(name).sheets
     assert list(sheets) == ["axial-plane", "cross-section"]

@@ -306,6 +306,7 @@ def test_a_contact_wider_than_a_body_is_round_is_refused_alone_and_among_many():
         ({"bore": 18.0}, {"load": 2e5}),
     ],
 )
+@pytest.mark.slow
 def test_bodies_too_small_for_the_load_refuse_what_was_given(roller, given):
     contact = nh.Contact(nh.Roller(**({"diameter": 20.0, "length": 20.0} | roller)), nh.Plate())
     name, value = next(iter(given.items()))

@@ -50,6 +50,7 @@ PLACES = np.array([-1.0, -0.8, -0.4, 0.0, 0.4, 0.8, 1.0])
         (0.0, {(0, 1.0): 0.49543, (2, 0.5): 0.49617, (4, 2.0): 0.21986, (10, 3.0): 0.09297}),
     ],
 )
+@pytest.mark.slow
 def test_modes_in_the_middle_of_a_long_cylinder_are_those_of_an_endless_one(poisson, modes):
     body = elements(8.0, poisson)
     for (n, k), expected in modes.items():

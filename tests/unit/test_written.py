@@ -49,6 +49,7 @@ def back(case):
     return Case.of(case.own_document, Path("case.toml"), files=False)
 
 
+@pytest.mark.slow
 def test_a_result_is_saved_as_the_command_writes_it(tmp_path):
     solution = made().solve()
     names = [path.name for path in solution.save(tmp_path / "new", title="A roller")]
