@@ -73,7 +73,7 @@ def test_a_high_step_ends_the_land_and_is_said():
     assert land(stepped)[1] < 2.0
     (found,) = steps_in(stepped)
     assert not found.within
-    assert "steps by 50.1 µm at 2.001 mm in the file; what lies beyond it was not taken" in " ".join(
+    assert "steps by 50.1 µm at 2.001 mm in the file; what lies beyond it was taken to be another body" in " ".join(
         prepare(stepped).warnings
     )
 
