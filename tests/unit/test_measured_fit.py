@@ -116,3 +116,9 @@ def test_the_standard_error_of_a_height_is_that_of_a_mean():
     y = np.linspace(-5.0, 5.0, 8)
     found = fit(Points(y, 1e-3 * (-1.0) ** np.arange(8)), "straight", shift=False)
     assert found.standard_errors["offset"] == pytest.approx(1e-3 / np.sqrt(7.0), rel=1e-6)
+
+
+@pytest.mark.parametrize(("asked", "given"), [("relief", "x"), ("relief", [1j]), ("unit_of", "slope")])
+def test_a_fit_is_asked_for_places_and_parameters(asked, given):
+    with pytest.raises(InputError, match=r"^(y|name) = "):
+        getattr(fit(line("crown"), "crown"), asked)(given)

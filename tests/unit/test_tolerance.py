@@ -89,6 +89,13 @@ def test_intervals_of_quantiles_hold_for_the_samples_that_are_drawn():
     assert held >= 36
 
 
+@pytest.mark.parametrize("method", ["random", "saltelli"])
+def test_samples_have_a_number_of_parameters(method):
+    for asked in (Sampling(40, method).shares, Sampling(40, method).size):
+        with pytest.raises(nh.InputError, match="dimensions = 0 must be a whole number"):
+            asked(0)
+
+
 def test_in_a_block_of_samples_one_parameter_differs_from_the_first():
     found = Sampling(40, "saltelli", 2).shares(3).reshape(-1, 5, 3)
     assert len(found) == 8

@@ -82,7 +82,8 @@ class Sampling(Input):
         InputError
             As `shares` does.
         """
-        return self.blocks(dimensions) * (dimensions + 2) if self.method == SALTELLI else self.count
+        blocks = self.blocks(dimensions)
+        return blocks * (dimensions + 2) if self.method == SALTELLI else self.count
 
     def _in_blocks(self, dimensions: int) -> NDArray[np.float64]:
         """Return Saltelli's arrangement, block after block, as SALib expects it."""

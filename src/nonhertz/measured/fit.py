@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, flag, listed, one_of
+from nonhertz.inputs.checks import finite, flag, listed, numbers, one_of
 from nonhertz.inputs.fields import Quantity
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile
@@ -73,13 +73,26 @@ class Fit:
         return CATALOGUE[self.kind](**self.parameters)
 
     def unit_of(self, name: str) -> str:
-        """Return the unit of a parameter, or of the shift."""
+        """Return the unit of a parameter, or of the shift.
+
+        Raises
+        ------
+        InputError
+            If the kind has no such parameter.
+        """
+        one_of("name", name, ("shift", *PARAMETERS[self.kind].descriptions), "give a parameter of the fitted profile")
         each = PARAMETERS[self.kind].descriptions.get(name)
         return each.unit if isinstance(each, Quantity) else "mm"
 
     def relief(self, y: Array) -> Array:
-        """Return the fitted relief [mm] at positions [mm], offset, shift and tilt included."""
-        y = np.asarray(y, dtype=float)
+        """Return the fitted relief [mm] at positions [mm], offset, shift and tilt included.
+
+        Raises
+        ------
+        InputError
+            If the positions are not finite real numbers.
+        """
+        y = numbers("y", y, "give positions in mm")
         return self.profile.relief(y - self.shift) + self.offset + self.tilt * y
 
 
