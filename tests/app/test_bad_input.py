@@ -166,6 +166,10 @@ FILES = {
         "must be valid TOML: expected newline or end of document after a statement (at line 1, column 11); "
         'quote a number with its unit, "20 kN".',
     ),
+    "digits of another base": (
+        b"load = 0xffff g\n",
+        "must be valid TOML: expected newline or end of document after a statement (at line 1, column 15).",
+    ),
     "a key twice": (b"a = 1\na = 2\n", "must be valid TOML: cannot overwrite a value (at line 2, column 6)."),
     "not closed": (
         b"[body",

@@ -369,8 +369,9 @@ def _meant(text: str, reason: str) -> str:
     line = text.split("\n")[int(place[1]) - 1] if place else ""
     if re.search(r"=\s*[-+]?\d+,\d", line):
         return "; use a decimal point"
-    if number := re.search(r"=\s*([-+]?[\d.]+\s*[A-Za-z][\w /^]*)", line):
-        return f'; quote a number with its unit, "{number[1].strip()}"'
+    # Neither digits of other bases nor what is longer than any number and unit.
+    if number := re.search(r"=\s*(?!0[xob])([-+]?\d[\d.]{0,20}\s?(?![eE][-+]?\d)[A-Za-z][\w/^ ]{0,11}?)\s*(#|$)", line):
+        return f'; quote a number with its unit, "{number[1]}"'
     return ""
 
 
