@@ -275,7 +275,7 @@ def draw_life(figure: Figure) -> None:
     for tilt, (colour, dashes) in zip((0.0, fatigue_life.TILT, 1e-3), LOOKS, strict=False):
         solution = solve(fatigue_life.tilted_roller(), load=fatigue_life.LOAD, tilt=tilt)
         (life,) = assess(solution, "lundberg-palmgren", body="b")
-        words = f"{1e3 * tilt:g} mrad: life {life.relative:.2f}"
+        words = f"{1e3 * tilt:g} mrad: life {life.relative_life:.2f}"
         right.semilogy(life.y, life.density, color=colour, linestyle=dashes, label=words)
     right.set(xlabel="y (mm)", ylabel="damage / ideal", xlim=(-10.0, 10.0), ylim=(1e-3, 10.0))
     right.legend(loc="lower center")

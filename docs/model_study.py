@@ -147,8 +147,8 @@ def found(case: Case, choice: tuple[str, str], place: float) -> Found:
         float(one.stiffness[0, 0]),
         one.max_pressure,
         float(np.interp(place, one.y, one.centre_pressure)),
-        volume.relative,
-        laminae.relative,
+        volume.relative_life,
+        laminae.relative_life,
     )
 
 

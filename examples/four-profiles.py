@@ -154,7 +154,7 @@ def study(pressures: Sequence[float] = PRESSURES, strips: int | None = None) -> 
         solutions = [solve(contact(name), pressure, strips) for pressure in pressures]
         lives[name] = [dict(zip(wanted, life.assess(each, wanted, body="b"), strict=True)) for each in solutions]
         relative[name] = {
-            label: np.array([each[model].relative for each in lives[name]]) for label, model in MODELS.items()
+            label: np.array([each[model].relative_life for each in lives[name]]) for label, model in MODELS.items()
         }
         sharp = [p for p, each in zip(pressures, solutions, strict=True) if ends_sharply(each)]
         sharp_from[name] = min(sharp, default=np.inf)
@@ -166,7 +166,8 @@ def study(pressures: Sequence[float] = PRESSURES, strips: int | None = None) -> 
         for label, several in BY_SLOPE.items()
     }
     crowned = {
-        label: np.array([lives[CROWN][at][model].relative for model in several]) for label, several in BY_SLOPE.items()
+        label: np.array([lives[CROWN][at][model].relative_life for model in several])
+        for label, several in BY_SLOPE.items()
     }
     return Study(np.array(pressures), relative, exponent, crowned, nearer, sharp_from, highest)
 
@@ -270,7 +271,7 @@ def _tapered_is_best(results: Study) -> Finding:
         bodies = nh.Contact(nh.Roller(diameter=DIAMETER, length=LENGTH, profile=tapered(flat, drop)), nh.Plate())
         lives = life.assess(solve(bodies, DESIGN), list(MODELS.values()), body="b")
         at = results.pressures == DESIGN
-        each = [one.relative / results.relative[AEROSPACE][m][at][0] for m, one in zip(MODELS, lives, strict=True)]
+        each = [one.relative_life / results.relative[AEROSPACE][m][at][0] for m, one in zip(MODELS, lives, strict=True)]
         found.append(
             f"With {100.0 * flat / LENGTH:.0f} % flat, at the design load, by the four models: {_numbers(each)} times "
             "the aerospace profile"

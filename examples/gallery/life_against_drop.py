@@ -46,7 +46,8 @@ DESIGN_LOADS = LOAD * np.geomspace(0.15, 5, 29)
 profiles = [nh.profile.johns_gohar(load=load, length=LENGTH, radius=RADIUS) for load in DESIGN_LOADS]
 drops = np.array([1e3 * float(profile.relief(0.5 * LENGTH)) for profile in profiles])  # um
 lives = {
-    name: np.array([life(profile, tilt, "iso-16281").relative for profile in profiles]) for name, tilt in TILTS.items()
+    name: np.array([life(profile, tilt, "iso-16281").relative_life for profile in profiles])
+    for name, tilt in TILTS.items()
 }
 designed = nh.profile.johns_gohar(load=LOAD, length=LENGTH, radius=RADIUS)
 
@@ -83,7 +84,7 @@ with sheet_style():
     figure = Figure(figsize=(6.7, 3.0), layout="constrained")
     axes = figure.add_subplot()
     for (name, each), colour, dashes in zip(found.items(), (FIRST, SECOND), ("-", "--"), strict=True):
-        axes.plot(each.y, each.density, color=colour, linestyle=dashes, label=f"{name}: life {each.relative:.2f}")
+        axes.plot(each.y, each.density, color=colour, linestyle=dashes, label=f"{name}: life {each.relative_life:.2f}")
     axes.axhline(1, color=FAINT_INK, linewidth=0.7, linestyle=(0, (1, 2)))
     axes.set(xlabel="Axial position $y$ [mm]", ylabel="Damage / even damage", xlim=(-6.4, 6.4))
     axes.set_ylim(bottom=0)

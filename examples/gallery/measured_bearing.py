@@ -94,7 +94,7 @@ found = {
 }
 for name, states in found.items():
     for words, state in zip(TILTS, states, strict=True):
-        life = nh.bearing.assess(state).reference
+        life = nh.bearing.assess(state).reference_life
         print(f"{name}, {words}: {state.load[0, 0]:.0f} N on the most loaded roller,", end=" ")
         print(f"{state.max_pressure[0, 0]:.0f} MPa on the inner ring; L10r {life:.0f} million revolutions")
 

@@ -48,7 +48,7 @@ found = {
     for name, profile in PROFILES.items()
 }
 lives = {
-    name: np.array([nh.bearing.assess(each, dynamic=DYNAMIC).reference for each in states])
+    name: np.array([nh.bearing.assess(each, dynamic=DYNAMIC).reference_life for each in states])
     for name, states in found.items()
 }
 
@@ -74,7 +74,7 @@ def at_all_tilts(values, label):
 # partial crown is as good up to 1 mrad, and falls faster. A catalogue's L10 knows neither profile nor tilt (thin
 # line).
 
-basic = nh.bearing.assess(found["straight"][0], dynamic=DYNAMIC).basic
+basic = nh.bearing.assess(found["straight"][0], dynamic=DYNAMIC).basic_life
 with sheet_style():
     figure, axes = at_all_tilts(lives, "Life L10r [million revolutions]")
     axes.set_yscale("log")

@@ -29,7 +29,7 @@ found = nh.sweep(
         "bearing.clearance": "-10 um : 40 um : 11",
         "load.tilt": "0 : 1.5 mrad : 9",
     },
-    quantities=("max_load", "reference"),
+    quantities=("max_load", "reference_life"),
     workers=1,
 )
 print(found)
@@ -37,7 +37,7 @@ print(found)
 # %%
 # A little preload makes the life longest; every micrometre of clearance beyond shortens it, and so does tilt.
 
-life = found["reference"]
+life = found["reference_life"]
 best = np.unravel_index(life.argmax(), life.shape)
 print(f"longest at {1e3 * found['bearing.clearance'][best]:.0f} um and {1e3 * found['load.tilt'][best]:.1f} mrad")
 

@@ -102,7 +102,7 @@ KINDS = {
     "against tilt in its plane": (4, INK, ":"),
 }
 stiffness = np.array([np.diag(state.stiffness) for state in states])
-lives = np.array([nh.bearing.assess(state).reference for state in states])
+lives = np.array([nh.bearing.assess(state).reference_life for state in states])
 unloaded = int(np.argmin(np.abs(PRELOADS)))
 
 with sheet_style():

@@ -31,6 +31,15 @@ from nonhertz.errors import InputError, shown
 from nonhertz.inputs.checks import LEAST, finite, number_that, numbers, positive
 from nonhertz.model.material import Material, check_poisson
 
+__all__ = [
+    "LineContact",
+    "PointContact",
+    "half_space_line_compression",
+    "line_contact",
+    "plane_strain_cylinder_compression",
+    "point_contact",
+]
+
 Array = NDArray[np.float64]
 
 _RADIUS_REMEDY = (

@@ -102,7 +102,7 @@ def test_a_pair_is_shown_with_its_rows_ribs_and_life(folder, capsys, pair):
     assert re.search(r"loaded rollers +7 of 12 +row 1: all round; row 2: 0\.0 degrees", out)
     life = re.search(r"life L10 +([\d.]+)", out)
     assert life is not None
-    assert_allclose(float(life[1]), nh.bearing.assess(found).basic, rtol=1e-3)
+    assert_allclose(float(life[1]), nh.bearing.assess(found).basic_life, rtol=1e-3)
     rib = re.search(r"rib load +([\d.]+) N", out)
     assert rib is not None
     assert_allclose(float(rib[1]), found.rib_load.max(), rtol=1e-4)
@@ -133,8 +133,8 @@ def test_json_is_one_strict_object_with_all_numbers(folder, capsys, few):
     assert result["max_pressure_y"][3] == [None, None]
     life = case.assess(found)
     assert result["life"]["rating"]["dynamic"] == life.rating.dynamic
-    assert result["life"]["basic"] == life.basic
-    assert result["life"]["modified"] is None
+    assert result["life"]["basic_life"] == life.basic_life
+    assert result["life"]["modified_life"] is None
     assert result["life"]["no_reference"] == life.no_reference != ""
     assert result["life"]["life_factor"] is None
     assert result["units"] == UNITS

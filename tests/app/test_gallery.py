@@ -187,7 +187,7 @@ def test_misaligned_bearing():
     even = {name: even_life(states[0].load, script.DYNAMIC, 13, 9 / 46.5) for name, states in script.found.items()}
     # Straight rollers are even between their corners, which is what ISO 281 counts. Beside the corners the pressure
     # peaks, which does not count here, and takes some load from elsewhere.
-    straight = nh.bearing.assess(script.found["straight"][0], dynamic=script.DYNAMIC, edge_stress="none").reference
+    straight = nh.bearing.assess(script.found["straight"][0], dynamic=script.DYNAMIC, edge_stress="none").reference_life
     assert_allclose(straight, even["straight"], rtol=0.01)
     # Nothing beats even loads, and tilt never helps.
     assert all(each[0] < even[name] for name, each in script.lives.items())

@@ -175,7 +175,7 @@ def test_key_numbers_are_those_of_the_solution(few):
     # They reach the sharp ends of the rollers.
     assert shown["modified life"][0] == "none"
     rounded = found_in(PLAIN.replace("length = 10.0", "length = 10.0\ncorner_radius = 0.3"))
-    hours = rounded.life.modified * 1e6 / (60.0 * 1500.0)
+    hours = rounded.life.modified_life * 1e6 / (60.0 * 1500.0)
     assert float(numbers_of(rounded)["modified life"][1].split()[0]) == pytest.approx(hours, rel=1e-3)
 
 

@@ -315,11 +315,12 @@ def test_the_life_is_that_of_the_command_line():
     alone = nh.life.assess(solution, nh.life.iso_16281(), body="b", rollers=14)[0]
     assert found["body"] == "b"
     assert found["million_revolutions"] == alone.million_revolutions
-    assert found["relative"] == alone.relative
+    assert found["relative_life"] == alone.relative_life
     # Without a rating, that of body a over the ideal.
     assert answer(STARTING)["life"]["million_revolutions"] is None
     assert (
-        answer(STARTING)["life"]["relative"] == nh.life.assess(solution_of(STARTING), nh.life.iso_16281())[0].relative
+        answer(STARTING)["life"]["relative_life"]
+        == nh.life.assess(solution_of(STARTING), nh.life.iso_16281())[0].relative_life
     )
     assert answer(STARTING)["life"]["ends_counted"]
     sharp = changed(body__a__profile=[])

@@ -63,7 +63,7 @@ def bearing(_, number):
 
     of, given = random_bearing(number)
     ended, found = tried(lambda: nh.bearing.solve(of, method="slices" if number % 5 else "strips", **given))
-    rows = ("load", "moment", "approach", "tilt", "rib_loads")
+    rows = ("load", "moment", "approach", "tilt", "each_rib_load")
     return ended, {} if found is None else quantities(found, ("displacement", "force", "stiffness"), rows)
 
 

@@ -104,9 +104,9 @@ def test_fits_of_one_steel_are_those_of_bearing_makers():
     k, k0, h, h0 = 30.0 / 37.5, 12.0 / 30.0, 55.5 / 62.0, 62.0 / 90.0
     housing = nh.bearing.Housing(diameter=62.0, interference=0.008, outside_diameter=90.0)
     fitted = found(shaft=on_shaft(0.015, bore=12.0), housing=housing)
-    assert fitted.inner_fit == pytest.approx(0.015 * k * (1.0 - k0**2) / (1.0 - (k * k0) ** 2))
-    assert fitted.outer_fit == pytest.approx(0.008 * h * (1.0 - h0**2) / (1.0 - (h * h0) ** 2))
-    assert fitted.clearance == pytest.approx(0.0325 - fitted.inner_fit - fitted.outer_fit)
+    assert fitted.lost_to_inner_fit == pytest.approx(0.015 * k * (1.0 - k0**2) / (1.0 - (k * k0) ** 2))
+    assert fitted.lost_to_outer_fit == pytest.approx(0.008 * h * (1.0 - h0**2) / (1.0 - (h * h0) ** 2))
+    assert fitted.clearance == pytest.approx(0.0325 - fitted.lost_to_inner_fit - fitted.lost_to_outer_fit)
     # On a solid shaft the pressure is I E / (2 d) (1 - k^2), and the hoop stress at the bore p (1 + k^2) / (1 - k^2).
     solid = found(shaft=on_shaft(0.015))
     pressure = 0.015 * 207e3 / 60.0 * (1.0 - k**2)
@@ -131,8 +131,8 @@ def test_a_ring_on_a_hollow_shaft_needs_more_interference():
 
 
 def test_roughness_takes_from_an_interference_alone():
-    assert found(shaft=on_shaft(0.012, smoothing=0.002)).inner_fit == pytest.approx(
-        found(shaft=on_shaft(0.01)).inner_fit
+    assert found(shaft=on_shaft(0.012, smoothing=0.002)).lost_to_inner_fit == pytest.approx(
+        found(shaft=on_shaft(0.01)).lost_to_inner_fit
     )
     assert found(shaft=on_shaft(0.001, smoothing=0.002)).inner.pressure == 0.0
     # A loose fit that closes by heat is as loose at first with or without roughness.
@@ -187,10 +187,10 @@ def test_losses_are_those_of_mounting_then_of_heat_then_of_speed():
         found(shaft=shaft, **warm),
         found(shaft=shaft, **warm, speed=3e4),
     )
-    assert mounted.inner_fit == warmed.inner_fit == turning.inner_fit
-    assert warmed.clearance == pytest.approx(mounted.clearance - warmed.temperatures)
-    assert turning.clearance == pytest.approx(warmed.clearance - turning.speed)
-    assert turning.speed > 0.0
+    assert mounted.lost_to_inner_fit == warmed.lost_to_inner_fit == turning.lost_to_inner_fit
+    assert warmed.clearance == pytest.approx(mounted.clearance - warmed.lost_to_temperatures)
+    assert turning.clearance == pytest.approx(warmed.clearance - turning.lost_to_speed)
+    assert turning.lost_to_speed > 0.0
 
 
 def test_one_temperature_everywhere_takes_nothing_but_its_share_of_the_clearance():
@@ -199,7 +199,7 @@ def test_one_temperature_everywhere_takes_nothing_but_its_share_of_the_clearance
         housing=dataclasses.replace(HOUSING, temperature=120.0), shaft=on_shaft(0.0, temperature=120.0), **hot
     )
     # E - F - 2 D_w, which is 0 by the diameters of the example: what is left is rounding.
-    assert loose.temperatures == pytest.approx(0.0, abs=1e-12)
+    assert loose.lost_to_temperatures == pytest.approx(0.0, abs=1e-12)
     tight = found(
         housing=dataclasses.replace(HOUSING, temperature=120.0, interference=0.01),
         shaft=on_shaft(0.01, temperature=120.0),
@@ -211,7 +211,7 @@ def test_one_temperature_everywhere_takes_nothing_but_its_share_of_the_clearance
 def test_a_warmer_inside_takes_what_a_makers_formula_says():
     # IKO's catalogue of needle roller bearings, formula 29: alpha Delta t E, with rollers and inner ring as one.
     loose = {"shaft": on_shaft(-0.05), "housing": dataclasses.replace(HOUSING, interference=-0.05)}
-    taken = found(**loose, inner_temperature=30.0, roller_temperature=30.0).temperatures
+    taken = found(**loose, inner_temperature=30.0, roller_temperature=30.0).lost_to_temperatures
     assert taken == pytest.approx(12.5e-6 * 10.0 * 55.5)
 
 
@@ -229,7 +229,7 @@ def test_a_ring_comes_loose_at_its_speed_and_is_free_from_there_on():
     far = found(shaft=on_shaft(interference), speed=2.0 * speed)
     omega = 2.0 * speed * math.pi / 30.0
     free = 2.0 * DENSITY * omega**2 * b / (4.0 * 207e3) * (3.3 * a**2 + 0.7 * b**2)
-    assert far.inner_fit + far.speed == pytest.approx(free)
+    assert far.lost_to_inner_fit + far.lost_to_speed == pytest.approx(free)
     bore = DENSITY * omega**2 / 4.0 * (3.3 * b**2 + 0.7 * a**2)
     assert far.inner.seat_stress == pytest.approx(bore)
 
@@ -239,7 +239,7 @@ def test_a_fit_comes_loose_by_heat_and_a_loose_one_closes():
     assert cold.inner.loosened
     assert cold.inner.loosening_speed == 0.0
     # The ring by itself: 60 K of its raceway's diameter, of which the fit had 4 um.
-    assert cold.inner_fit + cold.temperatures == pytest.approx(EXPANSION * 60.0 * 37.5)
+    assert cold.lost_to_inner_fit + cold.lost_to_temperatures == pytest.approx(EXPANSION * 60.0 * 37.5)
     aluminium = nh.bearing.Housing(
         diameter=62.0, interference=0.01, outside_diameter=90.0, material=nh.MATERIALS["aluminium"], expansion=23e-6,
         temperature=80.0,
@@ -247,7 +247,7 @@ def test_a_fit_comes_loose_by_heat_and_a_loose_one_closes():
     assert found(housing=aluminium, outer_temperature=80.0).outer.loosened
     closed = found(shaft=on_shaft(-0.005, temperature=80.0))
     assert closed.inner.mounted_pressure == 0.0 < closed.inner.pressure
-    assert closed.inner_fit == 0.0
+    assert closed.lost_to_inner_fit == 0.0
 
 
 def test_a_warmer_bearing_in_a_cold_housing_is_pressed():
@@ -275,14 +275,14 @@ def test_a_tapered_row_closes_by_as_much_as_its_raceways_grow():
     row = dataclasses.replace(TAPER, clearance=fitted.axial(TAPER.contact_angle))
     assert fitted.unmounted == 0.0
     # What both contacts are short of touching: along the normal, half of the diameter's growth times cos(alpha).
-    assert 2.0 * row.gap == pytest.approx(-0.5 * fitted.inner_fit * math.cos(0.2))
+    assert 2.0 * row.gap == pytest.approx(-0.5 * fitted.lost_to_inner_fit * math.cos(0.2))
     open_row = dataclasses.replace(TAPER, clearance=0.03)
     assert found(open_row).axial(0.2) == pytest.approx(0.03)
 
 
 def test_rollers_of_a_tapered_row_grow_along_the_normal():
     # D alpha Delta t along the normal is that by the cosine of the contact angle along the radius, on both sides.
-    taken = found(TAPER, roller_temperature=60.0).temperatures
+    taken = found(TAPER, roller_temperature=60.0).lost_to_temperatures
     assert taken == pytest.approx(2.0 * 9.0 * EXPANSION * 40.0 / math.cos(0.2))
 
 
@@ -335,7 +335,7 @@ def test_parts_of_other_materials_are_not_taken_for_steel():
     aluminium = nh.MATERIALS["aluminium"]
     light = nh.bearing.Housing(diameter=62.0, outside_diameter=90.0, material=aluminium)
     seats = {"shaft": on_shaft(0.0), "housing": light}
-    assert found(**seats).temperatures == 0.0
+    assert found(**seats).lost_to_temperatures == 0.0
     warm = dataclasses.replace(light, temperature=70.0)
     with pytest.raises(
         nh.InputError, match=r"housing\.expansion = None must be given for a part of 70000 MPa, .* at 70 degC"

@@ -141,9 +141,9 @@ def test_equal_rows_that_share_a_load_live_as_weibull_says():
     alone = B.assess(B.solve(TAPER, radial=10e3, axial=3e3, method="slices"), edge_stress="none")
     pair = B.solve(B.paired(TAPER, "tandem", 20.0), radial=20e3, axial=6e3, method="slices")
     both = B.assess(pair, edge_stress="none")
-    assert both.reference == pytest.approx(alone.reference * 2.0 ** (-8.0 / 9.0), rel=1e-6)
+    assert both.reference_life == pytest.approx(alone.reference_life * 2.0 ** (-8.0 / 9.0), rel=1e-6)
     # C grows as 2^(7/9) and P doubles: with the power 10/3 nearly the same.
-    assert both.basic == pytest.approx(alone.basic * 2.0 ** (-2.0 / 9.0 * 10.0 / 3.0), rel=1e-6)
+    assert both.basic_life == pytest.approx(alone.basic_life * 2.0 ** (-2.0 / 9.0 * 10.0 / 3.0), rel=1e-6)
 
 
 def test_lubrication_does_as_much_for_two_rows_as_for_one():
@@ -160,13 +160,13 @@ def test_a_thrust_bearing_of_even_loads_has_the_l10r_of_its_capacity():
     expected = (2.0 * (500.0 / B.rating(flat).inner) ** 4.5) ** (-8.0 / 9.0)
     for turning in ("inner", "outer"):
         life = B.assess(found, edge_stress="none", turning=turning)
-        assert life.reference == pytest.approx(expected, rel=1e-9)
-    assert life.basic == pytest.approx((B.rating(flat).dynamic / 10e3) ** (10.0 / 3.0))
+        assert life.reference_life == pytest.approx(expected, rel=1e-9)
+    assert life.basic_life == pytest.approx((B.rating(flat).dynamic / 10e3) ** (10.0 / 3.0))
 
 
 def test_the_ring_that_stands_still_suffers_more_from_a_load_on_few_rollers():
     found = B.solve(row(), radial=6e3, method="slices")
-    inner, outer = (B.assess(found, turning=each, edge_stress="none").reference for each in ("inner", "outer"))
+    inner, outer = (B.assess(found, turning=each, edge_stress="none").reference_life for each in ("inner", "outer"))
     # The inner ring has the smaller capacity, and the mean to the power 9/2 is above that to the power 4.
     assert outer < inner
 
@@ -180,20 +180,20 @@ def test_a_spectrum_lives_as_palmgren_and_miner_say():
     oil = {"viscosity": 40.0, "reliability": 0.95}
     both = B.assess(pairs, speed=[1500.0, 500.0], **oil)
     parts = [B.assess(each, speed=case.speed, **oil) for (each, _), case in zip(pairs, cases, strict=True)]
-    for name in ("basic", "reference", "modified"):
+    for name in ("basic_life", "reference_life", "modified_life"):
         heavy, light = (getattr(each, name) for each in parts)
         assert getattr(both, name) == pytest.approx(1.0 / (0.25 / heavy + 0.75 / light), rel=1e-12)
     assert both.equivalent_load == pytest.approx((0.25 * 8e3 ** (10 / 3) + 0.75 * 4e3 ** (10 / 3)) ** 0.3, rel=1e-9)
     assert both.static_safety == min(each.static_safety for each in parts)
     assert both.viscosity_ratio == min(each.viscosity_ratio for each in parts)
-    assert both.modified == pytest.approx(both.reliability_factor * both.life_factor * both.reference)
+    assert both.modified_life == pytest.approx(both.reliability_factor * both.life_factor * both.reference_life)
     assert [share for _, share in both.parts] == [0.25, 0.75]
     assert "under 2 loads" in repr(both)
 
 
 def test_shares_below_one_are_taken_as_they_are_and_above_one_refused():
     found = B.solve(row(), radial=6e3, method="slices")
-    assert B.assess([(found, 0.5)]).basic == pytest.approx(2.0 * B.assess(found).basic)
+    assert B.assess([(found, 0.5)]).basic_life == pytest.approx(2.0 * B.assess(found).basic_life)
     with pytest.raises(nh.InputError, match=r"share = 1\.2 must add up to 1 at most"):
         B.assess([(found, 0.6), (found, 0.6)])
     with pytest.raises(nh.InputError, match=r"share = 1\.2 must add up to 1 at most"):
@@ -283,7 +283,7 @@ def test_one_loaded_roller_of_a_standing_ring_is_a_single_contact():
 def test_lives_by_volume_and_by_laminae_agree_where_pressures_are_smooth():
     """Both know the pressures; laminae take the power 9/2 of the line load that would have them."""
     found = B.solve(row(profile=nh.profile.crown(1200)), radial=6e3)
-    assert B.volume_life(found).rings == pytest.approx(B.assess(found).reference, rel=0.01)
+    assert B.volume_life(found).rings == pytest.approx(B.assess(found).reference_life, rel=0.01)
 
 
 @pytest.mark.slow
@@ -293,7 +293,7 @@ def test_a_tilt_shortens_lives_by_all_models_and_a_limit_lengthens_them():
     for model in ("lundberg-palmgren", "zaretsky", "weibull", "ioannides-harris"):
         lives = [B.volume_life(each, model) for each in (upright, tilted)]
         assert lives[1].bearing < 0.8 * lives[0].bearing
-        assert lives[1].relative < lives[0].relative
+        assert lives[1].relative_life < lives[0].relative_life
     limited = nh.life.ioannides_harris(fatigue_limit=100.0)
     assert B.volume_life(upright, limited).rings > B.volume_life(upright).rings
 
@@ -331,7 +331,7 @@ def test_sharp_ends_are_said_and_unloaded_bearings_last():
     assert "no limit" in sharp.warnings[0]
     still = B.volume_life(B.solve(row(clearance=0.02), radial_displacement=0.0))
     assert still.bearing == still.rings == math.inf
-    assert math.isnan(still.relative)
+    assert math.isnan(still.relative_life)
 
 
 @pytest.mark.parametrize(

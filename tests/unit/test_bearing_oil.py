@@ -65,4 +65,4 @@ def test_dirt_that_leaves_no_limit_leaves_the_smallest_factor():
     dirty = nh.bearing.assess(found, speed=3e3, viscosity=60.0, cleanliness="-/19/16")
     assert dirty.contamination == 0.0
     assert dirty.life_factor == pytest.approx(0.1)
-    assert math.isfinite(dirty.modified)
+    assert math.isfinite(dirty.modified_life)

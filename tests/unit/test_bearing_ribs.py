@@ -70,20 +70,22 @@ def test_the_axial_load_goes_through_every_roller():
     contacts = found.bearing.rib_contacts
     assert [each.ring for each in contacts] == ["inner", "outer", "outer"]
     along = np.array([each.motion[0, 0] for each in contacts])
-    assert_allclose(found.rib_loads @ along, 0.0, atol=1e-6)
-    assert np.sum(found.rib_loads[:, 0]) * along[0] == pytest.approx(900.0, rel=1e-9)
+    assert_allclose(found.each_rib_load @ along, 0.0, atol=1e-6)
+    assert np.sum(found.each_rib_load[:, 0]) * along[0] == pytest.approx(900.0, rel=1e-9)
     # The outer rib at the rollers' low ends is not reached.
-    assert_allclose(found.rib_loads[:, 1], 0.0)
-    assert_allclose(found.rib_load[:, 0], found.rib_loads[:, 0])
+    assert_allclose(found.each_rib_load[:, 1], 0.0)
+    assert_allclose(found.rib_load[:, 0], found.each_rib_load[:, 0])
     # Both ribs push rollers in one sense of rotation, which the raceways bear by a pressure that is off the middle.
-    pair = found.rib_loads @ np.array([each.motion[0, 2] for each in contacts])
+    pair = found.each_rib_load @ np.array([each.motion[0, 2] for each in contacts])
     assert_allclose(found.moment[:, 0] - found.moment[:, 1] + pair, 0.0, atol=1e-5)
     assert np.all(np.abs(found.moment[:2]) > 100.0)
 
 
 def test_slices_bear_axial_loads_by_ribs_too():
     found = B.solve(row(), radial=4e3, axial=900.0, method="slices")
-    assert np.sum(found.rib_loads[:, 0]) * found.bearing.rib_contacts[0].motion[0, 0] == pytest.approx(900.0, rel=1e-9)
+    assert np.sum(found.each_rib_load[:, 0]) * found.bearing.rib_contacts[0].motion[0, 0] == pytest.approx(
+        900.0, rel=1e-9
+    )
 
 
 def test_two_ways_are_borne_alike():
@@ -98,7 +100,7 @@ def test_two_ways_are_borne_alike():
 
 def test_the_ellipse_on_a_rib_is_that_of_hertz():
     found = B.solve(row(), radial=4e3, axial=900.0, method="slices")
-    most = int(np.argmax(found.rib_loads[:, 0]))
+    most = int(np.argmax(found.each_rib_load[:, 0]))
     ellipse = found.rib_contact(most)
     contact = found.bearing.rib_contacts[0]
     assert ellipse.load == found.rib_load[most, 0]

@@ -591,7 +591,7 @@ def test_a_fit_leaves_less_clearance():
     left = 0.0325 - 30.0 / 37.5 * 0.012
     assert case.bearing.clearance == 0.0325
     assert case.mounted.clearance == pytest.approx(left)
-    assert case.operating_clearance.inner_fit == pytest.approx(30.0 / 37.5 * 0.012)
+    assert case.operating_clearance.lost_to_inner_fit == pytest.approx(30.0 / 37.5 * 0.012)
     by_hand = nh.bearing.solve(dataclasses.replace(case.bearing, clearance=left), radial=10e3, method="slices")
     np.testing.assert_allclose(case.solve("slices").load, by_hand.load, rtol=1e-9)
     assert case.solve("slices").bearing == case.mounted
@@ -603,9 +603,15 @@ def test_temperatures_and_speed_take_their_share():
     text = changed(LOOSE + FIT, ("[fit.shaft]", "[fit]\ninner_temperature = 50\n[fit.shaft]\ntemperature = 50"))
     found = read(changed(text, ('radial = "10 kN"', 'radial = "10 kN"\nspeed = "12000 rpm"'))).operating_clearance
     # Shaft and ring grow together, by 12.5e-6 a kelvin of the raceway.
-    assert found.temperatures == pytest.approx(12.5e-6 * 30.0 * 37.5)
-    assert found.speed > 0.0
-    left = found.unmounted - found.inner_fit - found.outer_fit - found.temperatures - found.speed
+    assert found.lost_to_temperatures == pytest.approx(12.5e-6 * 30.0 * 37.5)
+    assert found.lost_to_speed > 0.0
+    left = (
+        found.unmounted
+        - found.lost_to_inner_fit
+        - found.lost_to_outer_fit
+        - found.lost_to_temperatures
+        - found.lost_to_speed
+    )
     assert found.clearance == pytest.approx(left)
 
 

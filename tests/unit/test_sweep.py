@@ -231,7 +231,7 @@ def test_rows_are_written_to_the_last_bit(tmp_path):
     import polars
 
     found = nh.sweep(CASE, over={"load.load": [5e3, 1e12], "load.tilt": [0.0]}, quantities=("approach",))
-    found.write(tmp_path)
+    found.save(tmp_path)
     lines = (tmp_path / "rows.csv").read_text(encoding="utf-8").splitlines()
     assert lines[0] == "row,load.load [N],load.tilt [rad],approach [mm],failure"
     assert float(lines[1].split(",")[3]) == found["approach"][0, 0]
@@ -252,11 +252,11 @@ def test_a_bearing_is_swept_too():
     text = starting_bearing()
     case = case_or_bearing_in(parsed(text, "bearing"), Path("bearing.toml"), text)
     over = {"load.radial": ["5 kN", "10 kN"], "solver.method": ["slices"]}
-    found = nh.sweep(case, over=over, quantities=("max_load", "reference", "max_pressure"))
+    found = nh.sweep(case, over=over, quantities=("max_load", "reference_life", "max_pressure"))
     for number, radial in enumerate((5e3, 10e3)):
         alone = nh.bearing.solve(case.mounted, **case.prescribed | {"radial": radial}, method="slices")
         assert found["max_load"][number, 0] == alone.load.max()
-        assert found["reference"][number, 0] == case.assess(alone).reference
+        assert found["reference_life"][number, 0] == case.assess(alone).reference_life
     assert found["solver.method"].ravel().tolist() == ["slices", "slices"]
     assert np.isnan(found["max_pressure"]).all()
 

@@ -283,7 +283,7 @@ def test_a_case_and_the_solution_of_another_kind_are_no_result(bearing_result):
 
 
 @pytest.mark.parametrize(
-    ("key", "value"), [("rib_loads", None), ("rib_loads", [[1.0]]), ("load", [[1.0]]), ("steps", [1])]
+    ("key", "value"), [("each_rib_load", None), ("each_rib_load", [[1.0]]), ("load", [[1.0]]), ("iterations", [1])]
 )
 def test_a_bearing_that_is_incomplete_is_refused_in_one_sentence(key, value, bearing_result, tmp_path):
     result = json.loads(bearing_result.to_json())

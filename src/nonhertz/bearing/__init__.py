@@ -24,8 +24,8 @@ from nonhertz.bearing.bearings import TaperedRollerBearing as TaperedRollerBeari
 from nonhertz.bearing.bearings import paired as paired
 from nonhertz.bearing.catalogue import CatalogueGuess as CatalogueGuess
 from nonhertz.bearing.catalogue import from_catalogue as from_catalogue
-from nonhertz.bearing.clearance import Fit as Fit
 from nonhertz.bearing.clearance import Housing as Housing
+from nonhertz.bearing.clearance import InterferenceFit as InterferenceFit
 from nonhertz.bearing.clearance import Mounting as Mounting
 from nonhertz.bearing.clearance import OperatingClearance as OperatingClearance
 from nonhertz.bearing.clearance import Shaft as Shaft

@@ -64,7 +64,7 @@ class BearingLife(HasFindings):
     equivalent_load, static_load : float
         P and P_0 [N], which know neither preload nor moment; of a spectrum, the constant load with the same L10, and
         the largest P_0.
-    reference : float
+    reference_life : float
         L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum, and
         infinite, as L10 is, where rollers are pressed by speed alone.
     viscosity_ratio, contamination, life_factor : float or None
@@ -81,7 +81,7 @@ class BearingLife(HasFindings):
     rating: Rating
     equivalent_load: float
     static_load: float
-    reference: float
+    reference_life: float
     viscosity_ratio: float | None
     contamination: float | None
     life_factor: float | None
@@ -90,14 +90,14 @@ class BearingLife(HasFindings):
     parts: tuple[tuple[BearingLife, float], ...] = ()
 
     @property
-    def basic(self) -> float:
+    def basic_life(self) -> float:
         """L10 of ISO 281; infinite without P, whatever preload or moment do."""
         return (self.rating.dynamic / self.equivalent_load) ** _LIFE_EXPONENT if self.equivalent_load else math.inf
 
     @property
-    def modified(self) -> float:
+    def modified_life(self) -> float:
         """L_nmr: L10r times a_1, and times a_ISO if there is one."""
-        return self.reliability_factor * self.reference * (1.0 if self.life_factor is None else self.life_factor)
+        return self.reliability_factor * self.reference_life * (1.0 if self.life_factor is None else self.life_factor)
 
     @property
     def static_safety(self) -> float:
@@ -113,14 +113,14 @@ class BearingLife(HasFindings):
     @property
     def reference_load(self) -> float:
         """P_ref of ISO/TS 16281 [N], with which L10 would be L10r; NaN where there is no L10r."""
-        return float(self.rating.dynamic * self.reference ** (-1.0 / _LIFE_EXPONENT))
+        return float(self.rating.dynamic * self.reference_life ** (-1.0 / _LIFE_EXPONENT))
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
         """What limits the validity: a load under which the equations need not hold, of a spectrum the heaviest."""
         lives = [life for life, _ in self.parts] or [self]
         heaviest = max(each.equivalent_load for each in lives)
-        by_rollers = max((each.reference_load for each in lives if not math.isnan(each.reference)), default=0.0)
+        by_rollers = max((each.reference_load for each in lives if not math.isnan(each.reference_life)), default=0.0)
         if max(heaviest, by_rollers) <= _HEAVY * self.rating.dynamic:
             return ()
         by_force = heaviest > _HEAVY * self.rating.dynamic
@@ -136,21 +136,21 @@ class BearingLife(HasFindings):
     @property
     def internally_loaded(self) -> bool:
         """Whether rollers bear loads though P is zero: those of preload and moments, of which P knows nothing."""
-        return self.equivalent_load == 0.0 and not math.isinf(self.reference)
+        return self.equivalent_load == 0.0 and not math.isinf(self.reference_life)
 
     def __repr__(self) -> str:
         rated = self.rating
         said = [
             f"C = {newton(rated.dynamic)}, C0 = {newton(rated.static)}, "
             f"P = {newton(self.equivalent_load)}, S0 = {digits(self.static_safety, 3)}",
-            f"L10 = {digits(self.basic, 4)}, L10r = {digits(self.reference, 4)} million revolutions",
-            f"modified {digits(self.modified, 4)} million revolutions: a1 = {digits(self.reliability_factor, 3)}"
+            f"L10 = {digits(self.basic_life, 4)}, L10r = {digits(self.reference_life, 4)} million revolutions",
+            f"modified {digits(self.modified_life, 4)} million revolutions: a1 = {digits(self.reliability_factor, 3)}"
             + self._lubricated(),
         ]
         if self.internally_loaded:
             said.append("no S0 and no L10: P knows neither preload nor moment")
         if self.no_reference:
-            said[1:3] = [f"L10 = {digits(self.basic, 4)} million revolutions, no L10r: {self.no_reference}"]
+            said[1:3] = [f"L10 = {digits(self.basic_life, 4)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
             said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
         return plain_text("BearingLife", [*said, *self.warnings])
@@ -371,7 +371,7 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
         rating=rated,
         equivalent_load=load,
         static_load=still,
-        reference=reference,
+        reference_life=reference,
         viscosity_ratio=kappa,
         contamination=clean,
         life_factor=factor,
@@ -383,7 +383,8 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
 def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeConditions) -> BearingLife:
     lives, shares = [life for life, _ in parts], [share for _, share in parts]
     basic, reference, modified = (
-        miner([getattr(each, name) for each in lives], shares) for name in ("basic", "reference", "modified")
+        miner([getattr(each, name) for each in lives], shares)
+        for name in ("basic_life", "reference_life", "modified_life")
     )
     first, oiled = lives[0], asked.viscosity is not None
     of_oil = MOST_FACTOR if math.isinf(reference) else modified / (asked.reliability_factor * reference)
@@ -391,7 +392,7 @@ def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeCondition
         first,
         equivalent_load=first.rating.dynamic / basic ** (1.0 / _LIFE_EXPONENT),
         static_load=max(each.static_load for each in lives),
-        reference=reference,
+        reference_life=reference,
         viscosity_ratio=min(each.viscosity_ratio or 0.0 for each in lives) if oiled else None,
         contamination=min(each.contamination or 0.0 for each in lives) if oiled else None,
         life_factor=of_oil if oiled else None,

@@ -194,7 +194,7 @@ class Mounting(Input):
     >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0325)
     >>> mounting = Mounting(shaft=Shaft(diameter=30, interference=0.012), housing=Housing(diameter=62))
     >>> found = mounting.operating(row)
-    >>> round(found.inner_fit, 5), round(found.clearance, 5), round(found.inner.pressure, 1)
+    >>> round(found.lost_to_inner_fit, 5), round(found.clearance, 5), round(found.inner.pressure, 1)
     (0.0096, 0.0229, 14.9)
     >>> mounting.mounted(row).clearance == found.clearance
     True
@@ -252,10 +252,10 @@ class Mounting(Input):
         inner_turning = fits[0].raceway(replace(warm[0], speed=turning))
         return OperatingClearance(
             unmounted=unmounted,
-            inner_fit=mounted[0],
-            outer_fit=0.0 - mounted[1],  # not -0.0
-            temperatures=(warmed[0] - mounted[0]) - (warmed[1] - mounted[1]) + rollers,
-            speed=inner_turning - warmed[0],
+            lost_to_inner_fit=mounted[0],
+            lost_to_outer_fit=0.0 - mounted[1],  # not -0.0
+            lost_to_temperatures=(warmed[0] - mounted[0]) - (warmed[1] - mounted[1]) + rollers,
+            lost_to_speed=inner_turning - warmed[0],
             inner=fits[0].described(replace(warm[0], speed=turning)),
             outer=fits[1].described(warm[1]),
         )
@@ -338,7 +338,7 @@ def _density(name: str, density: float | None, material: Material, speed: float)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fit:
+class InterferenceFit:
     """The interference fit of a ring on its seat.
 
     Attributes
@@ -377,13 +377,13 @@ class OperatingClearance:
     ----------
     unmounted : float
         Radial clearance at first [mm].
-    inner_fit, outer_fit : float
-        What the fits take of it when the bearing is mounted [mm].
-    temperatures : float
-        What temperatures take [mm]; negative if they give.
-    speed : float
-        What speed takes [mm].
-    inner, outer : Fit
+    lost_to_inner_fit, lost_to_outer_fit : float
+        Clearance lost to the fits when the bearing is mounted [mm].
+    lost_to_temperatures : float
+        Clearance lost to temperatures [mm]; negative where they widen it.
+    lost_to_speed : float
+        Clearance lost to speed [mm].
+    inner, outer : InterferenceFit
         Pressures and stresses of both fits.
 
     See Also
@@ -392,17 +392,18 @@ class OperatingClearance:
     """
 
     unmounted: float
-    inner_fit: float
-    outer_fit: float
-    temperatures: float
-    speed: float
-    inner: Fit
-    outer: Fit
+    lost_to_inner_fit: float
+    lost_to_outer_fit: float
+    lost_to_temperatures: float
+    lost_to_speed: float
+    inner: InterferenceFit
+    outer: InterferenceFit
 
     @property
     def clearance(self) -> float:
         """Radial clearance in operation [mm]; negative: preload."""
-        return self.unmounted - self.inner_fit - self.outer_fit - self.temperatures - self.speed
+        of_fits = self.lost_to_inner_fit + self.lost_to_outer_fit
+        return self.unmounted - of_fits - self.lost_to_temperatures - self.lost_to_speed
 
     def axial(self, contact_angle: float) -> float:
         """Return the axial clearance of one tapered row that has this radial clearance [mm].
@@ -425,14 +426,14 @@ class OperatingClearance:
     def __repr__(self) -> str:
         said = [
             f"radial clearance {um(self.clearance):4} of {um(self.unmounted):4} unmounted",
-            f"taken by the inner fit {um(self.inner_fit):4}, by the outer fit {um(self.outer_fit):4}",
-            f"taken by temperatures {um(self.temperatures):4}, by speed {um(self.speed):4}",
+            f"taken by the inner fit {um(self.lost_to_inner_fit):4}, by the outer fit {um(self.lost_to_outer_fit):4}",
+            f"taken by temperatures {um(self.lost_to_temperatures):4}, by speed {um(self.lost_to_speed):4}",
             *(line for name, fit in (("inner", self.inner), ("outer", self.outer)) for line in _said(name, fit)),
         ]
         return plain_text("OperatingClearance", said)
 
 
-def _said(name: str, fit: Fit) -> list[str]:
+def _said(name: str, fit: InterferenceFit) -> list[str]:
     state = ", loosened" if fit.loosened else ""
     if 0.0 < fit.loosening_speed < math.inf and not fit.loosened:
         state = f", comes loose at {digits(fit.loosening_speed, 3)}/min"
@@ -503,14 +504,14 @@ class _Joint:
         radius = self.raceway_radius
         return 2.0 * (self.ring.growth(radius, **self.loads(grown)) + strain * radius)
 
-    def described(self, grown: _Grown) -> Fit:
+    def described(self, grown: _Grown) -> InterferenceFit:
         """Return pressures and stresses."""
         loads, parting = self.loads(grown), self.parting(speed=1.0)
         at_rest = self.overlap(replace(grown, speed=0.0))
         loosening = 0.0 if at_rest <= 0.0 else math.inf
         if at_rest > 0.0 and self.on_shaft and parting > 0.0:
             loosening = math.sqrt(at_rest / parting) / _PER_MINUTE
-        return Fit(
+        return InterferenceFit(
             mounted_pressure=self.pressure(_AS_MOUNTED),
             pressure=self.pressure(grown),
             seat_stress=self.ring.hoop_stress(self.radius, **loads),

@@ -109,7 +109,7 @@ class VolumeLife(HasFindings, ReadOnly):
         return self._together(self.of_rows)
 
     @property
-    def relative(self) -> float:
+    def relative_life(self) -> float:
         """Life of rings and rollers over that with the same loads spread evenly [-]; NaN if both are infinite."""
         even = self._together(self.even)
         return self.bearing / even if math.isfinite(even) else (math.nan if math.isinf(self.bearing) else 0.0)
@@ -123,8 +123,8 @@ class VolumeLife(HasFindings, ReadOnly):
         said = [
             f"{self.model.name}, in million revolutions",
             ", ".join(f"{name} {digits(life, 4)}" for name, life in zip(BODIES, lives, strict=True)),
-            f"rings {digits(self.rings, 4)}, with rollers {digits(self.bearing, 4)}: {digits(self.relative, 3)} of "
-            "that under even loads",
+            f"rings {digits(self.rings, 4)}, with rollers {digits(self.bearing, 4)}: {digits(self.relative_life, 3)} "
+            "of that under even loads",
             *self.warnings,
         ]
         return plain_text("VolumeLife", said)

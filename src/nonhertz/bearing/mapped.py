@@ -31,7 +31,7 @@ class BearingMaps:
     def __repr__(self) -> str:
         pairs = [each for pair in self.contacts for each in pair]
         error = max(max(each.sampled_error.load, each.sampled_error.moment) for each in pairs)
-        loads = min(each.most_load for each in pairs)
+        loads = min(each.max_load for each in pairs)
         return f"BearingMaps({len(pairs)} contacts, loads up to {newton(loads):.4g}, sampled error {error:.2g})"
 
 

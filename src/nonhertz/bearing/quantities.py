@@ -77,9 +77,9 @@ def _quantities() -> Iterator[Quantity]:
         yield part(f"stiffness_{axis}", f"stiffness {axis}", "N/mm", "N/um", "stiffness", (k, k))
     for k, axis in enumerate("yz", 3):
         yield part(f"tilting_stiffness_{axis}", f"stiffness about {axis}", "N mm/rad", "N m/mrad", "stiffness", (k, k))
-    yield life("basic", "life L10", "L10")
-    yield life("reference", "reference life", "L10r")
-    yield life("modified", "modified life", "Lnmr")
+    yield life("basic_life", "life L10", "L10")
+    yield life("reference_life", "reference life", "L10r")
+    yield life("modified_life", "modified life", "Lnmr")
     yield life("static_safety", "static safety", "S0", "", "")
     yield of("warnings", "warnings", "", "warnings", lambda found: len(found.warnings))
 

@@ -84,7 +84,7 @@ class BearingSolution(ReadOnly):
     load, moment, approach, tilt, contact_angle : ndarray, shape (rollers, 2)
         Of the contacts with the inner and the outer ring [N, N mm, mm, rad, rad]; a roller that touches nothing has
         no load.
-    rib_loads : ndarray, shape (rollers, ribs)
+    each_rib_load : ndarray, shape (rollers, ribs)
         On the ends of the rollers from each rib, in the order of ``rib_contacts`` of the row [N].
     displacement : ndarray, shape (5,)
         Of the inner ring along x, y and z [mm] and about y and z [rad].
@@ -101,7 +101,7 @@ class BearingSolution(ReadOnly):
         are no such rollers, and in states of `solve_many`, where neither is looked for.
     residual : float
         What is left of the balance, over the loads.
-    steps : int
+    iterations : int
         Newton steps of the ring.
     """
 
@@ -113,7 +113,7 @@ class BearingSolution(ReadOnly):
     approach: Array
     tilt: Array
     contact_angle: Array
-    rib_loads: Array
+    each_rib_load: Array
     displacement: Array
     force: Array
     stiffness: Array
@@ -121,7 +121,7 @@ class BearingSolution(ReadOnly):
     edge_rollers: NDArray[np.int64]
     edge_stiffness: Array
     residual: float
-    steps: int
+    iterations: int
 
     @classmethod
     def of(
@@ -150,7 +150,7 @@ class BearingSolution(ReadOnly):
             approach=approach,
             tilt=tilt,
             contact_angle=np.concatenate(angles),
-            rib_loads=np.where(borne, load, 0.0)[:, 2:],
+            each_rib_load=np.where(borne, load, 0.0)[:, 2:],
             displacement=found.ring[0],
             force=found.force[0],
             stiffness=found.stiffness[0],
@@ -158,7 +158,7 @@ class BearingSolution(ReadOnly):
             edge_rollers=edge_rollers,
             edge_stiffness=edge_stiffness,
             residual=float(found.residual[0]),
-            steps=int(found.steps[0]),
+            iterations=int(found.steps[0]),
         )
 
     def __repr__(self) -> str:
@@ -304,7 +304,7 @@ class BearingSolution(ReadOnly):
         found = []
         for row in self.bearing.rows:
             # Slices ignore the ribs of tapered rows.
-            for rib, loads in zip(row.bearing.rib_contacts, self.rib_loads[row.rollers].T, strict=False):
+            for rib, loads in zip(row.bearing.rib_contacts, self.each_rib_load[row.rollers].T, strict=False):
                 on_all = np.zeros(self.angle.size)
                 on_all[row.rollers] = loads
                 found.append((on_all, rib))

@@ -108,12 +108,12 @@ def _as_json(found: ContactMap, title: str) -> str:
         "description": found.description,
         found.given: found.pressed,
         "tilt": found.tilt_range,
-        "most_load": found.most_load,
+        "max_load": found.max_load,
         "accuracy": found.accuracy,
         "sampled_error": dataclasses.asdict(found.sampled_error),
         "cases": found.cases,
         "failed": found.failed,
         "stations": found.stations.tolist(),
-        "units": {"load": "N", "approach": "mm", "tilt": "rad", "most_load": "N", "stations": "mm"},
+        "units": {"load": "N", "approach": "mm", "tilt": "rad", "max_load": "N", "stations": "mm"},
     }
     return json.dumps(content, indent=2)

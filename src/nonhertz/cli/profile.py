@@ -17,7 +17,7 @@ from nonhertz.files.measured import checked, measured_in
 from nonhertz.files.prepared import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import one_of
-from nonhertz.measured import Fit
+from nonhertz.measured import ProfileFit
 from nonhertz.measured.fit import KINDS
 from nonhertz.plot.measured import measured_figure
 from nonhertz.show.measured import sections
@@ -101,7 +101,7 @@ def profile(
         values = {key: checked(key, _meant(key, word)) for key, word in words.items() if word is not None}
         measured = measured_in(file, values)
         _ = measured.states
-    fits: tuple[Fit, ...] = ()
+    fits: tuple[ProfileFit, ...] = ()
     if fit is not None:
         one_of("--fit", fit, (*KINDS, BEST), "name a kind of profile, or 'best' to compare all")
         fits = measured.fit_best() if fit == BEST else (measured.fit(fit),)

@@ -59,7 +59,7 @@ def sweep_plan(
     directory = directory_for(plan, "sweep") if out is None else out
     with bar("rows") as update, named_as(threads="--workers", over="--over"):
         found = sweep(asked, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))
-    made = found.write(directory, drawing(lambda: sweep_figures(found)), excel=excel)
+    made = found.save(directory, drawing(lambda: sweep_figures(found)), excel=excel)
     if as_json:
         print(_as_json(found, made))
     else:

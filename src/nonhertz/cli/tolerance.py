@@ -68,7 +68,7 @@ def study_tolerance(
         (folder / "tolerance.json").write_text(_as_json(found, ()) + "\n", encoding="utf-8")
         drawing(lambda: tolerance_figures(found))(folder)
 
-    made = found.sweep.write(directory, draw, excel=excel)
+    made = found.sweep.save(directory, draw, excel=excel)
     if as_json:
         print(_as_json(found, made))
     else:

@@ -31,7 +31,7 @@ _OF_FIT = {
 #: Units of the numbers in a result; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
     **CONTACT_UNITS,
-    "rib_loads": _FORCE,
+    "each_rib_load": _FORCE,
     "roller_load": [_FORCE, _FORCE, _MOMENT],
     "displacement": list(MOTIONS.values()),
     "force": list(FORCES.values()),
@@ -40,7 +40,17 @@ UNITS: dict[str, Any] = {
     "x": "mm",
     "operating_clearance": {
         **dict.fromkeys(
-            ("unmounted", "inner_fit", "outer_fit", "temperatures", "speed", "clearance", "axial", "expansion"), "mm"
+            (
+                "unmounted",
+                "lost_to_inner_fit",
+                "lost_to_outer_fit",
+                "lost_to_temperatures",
+                "lost_to_speed",
+                "clearance",
+                "axial",
+                "expansion",
+            ),
+            "mm",
         ),
         **dict.fromkeys(RINGS, _OF_FIT),
     },
@@ -48,15 +58,30 @@ UNITS: dict[str, Any] = {
         "rating": dict.fromkeys(("dynamic", "static", "inner", "outer", "fatigue_limit"), _FORCE),
         "equivalent_load": _FORCE,
         "static_load": _FORCE,
-        **dict.fromkeys(("basic", "reference", "modified"), "10^6 revolutions"),
+        **dict.fromkeys(("basic_life", "reference_life", "modified_life"), "10^6 revolutions"),
     },
 }
-_OF_CLEARANCE = ("unmounted", "inner_fit", "outer_fit", "temperatures", "speed", "clearance")
+_OF_CLEARANCE = (
+    "unmounted",
+    "lost_to_inner_fit",
+    "lost_to_outer_fit",
+    "lost_to_temperatures",
+    "lost_to_speed",
+    "clearance",
+)
 _OF_RING = ("roller_load", "displacement", "force", "stiffness", "edge_rollers", "edge_stiffness", "residual")
 _OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
 _OF_LIFE = (
-    *("equivalent_load", "static_load", "basic", "reference", "viscosity_ratio", "contamination", "life_factor"),
-    *("reliability_factor", "modified", "static_safety"),
+    *(
+        "equivalent_load",
+        "static_load",
+        "basic_life",
+        "reference_life",
+        "viscosity_ratio",
+        "contamination",
+        "life_factor",
+    ),
+    *("reliability_factor", "modified_life", "static_safety"),
 )
 
 
@@ -79,11 +104,11 @@ def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | 
         "operating_clearance": _clearance(case),
         "row": [k for k, row in enumerate(solution.bearing.rows, start=1) for _ in range(row.bearing.rollers)],
         "x": [row.x for row in solution.bearing.rows for _ in range(row.bearing.rollers)],
-        **{name: plain(getattr(solution, name)) for name in ("angle", *_OF_CONTACTS, "rib_load", "rib_loads")},
+        **{name: plain(getattr(solution, name)) for name in ("angle", *_OF_CONTACTS, "rib_load", "each_rib_load")},
         **{name: plain(getattr(solution, name)) if pressures else None for name in ("max_pressure", "max_pressure_y")},
         **{name: plain(getattr(solution, name)) for name in _OF_RING},
         **{each.name: plain(value) for each, value in further(SolvedBearing(case, solution))},
-        "steps": solution.steps,
+        "iterations": solution.iterations,
         "life": None if life is None else _life(life),
         "life_reason": reason,
         "verdict": given_verdict(of_bearing(solution, life, case.operating_clearance)),

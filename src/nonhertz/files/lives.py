@@ -146,7 +146,7 @@ def _own(found: Assessment, against: Assessment | None = None) -> dict[str, Any]
             "name": model.name,
             "parameters": parameters | {"slope": model.slope},
             "source": model.source,
-            "relative_life": {body: plain(life.relative) for body, life in by_body.items()},
+            "relative_life": {body: plain(life.relative_life) for body, life in by_body.items()},
             "million_revolutions": plain(found.million_revolutions(number)),
             "damage": {body: plain(life.damage) for body, life in by_body.items()},
             "reference": {body: plain(life.reference) for body, life in by_body.items()},

@@ -11,7 +11,7 @@ from nonhertz.amounts import read_in, um
 from nonhertz.files.measured import KIND
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.inputs.files import seen_from
-from nonhertz.measured import Fit, Measured, Roughness
+from nonhertz.measured import Measured, ProfileFit, Roughness
 from nonhertz.result.tables import csv_text
 
 #: Units of the numbers; dimensionless ones are left out. Fitted parameters have the units of the catalogue.
@@ -30,14 +30,14 @@ TABLE = "profile.csv"
 
 
 @read_in("si")
-def as_object(measured: Measured, fits: Sequence[Fit] = ()) -> dict[str, Any]:
+def as_object(measured: Measured, fits: Sequence[ProfileFit] = ()) -> dict[str, Any]:
     """Return a prepared profile as plain numbers, text, lists and dictionaries.
 
     Parameters
     ----------
     measured : Measured
         The trace and its steps.
-    fits : sequence of Fit
+    fits : sequence of ProfileFit
         Fitted profiles, best first.
 
     Returns
@@ -67,7 +67,7 @@ def as_table(measured: Measured) -> str:
 
 
 @read_in("si")
-def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit] = ()) -> str:
+def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[ProfileFit] = ()) -> str:
     """Return the line of a case file that makes this profile, with alternatives that come close as comments.
 
     Parameters
@@ -78,7 +78,7 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
         The other keys of the table of kind ``"measured"``.
     measured : Measured
         The prepared profile.
-    fits : sequence of Fit
+    fits : sequence of ProfileFit
         Fitted profiles, best first.
 
     Returns
@@ -101,7 +101,7 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
 
 @read_in("si")
 def files(
-    directory: Path, file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[Fit]
+    directory: Path, file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[ProfileFit]
 ) -> dict[str, str]:
     """Return the texts of profile.json, profile.csv and profile.toml, by file name.
 
@@ -115,7 +115,7 @@ def files(
         The other keys of the table of kind ``"measured"``.
     measured : Measured
         The trace and its steps.
-    fits : sequence of Fit
+    fits : sequence of ProfileFit
         Fitted profiles, best first.
     """
     return {

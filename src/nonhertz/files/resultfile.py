@@ -218,7 +218,13 @@ def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSoluti
     count = sum(row.bearing.rollers for row in bearing.rows)
     shapes: dict[str, tuple[int, ...]] = {
         **dict.fromkeys(("load", "moment", "approach", "tilt", "contact_angle"), (count, 2)),
-        **{"angle": (count,), "rib_loads": (count, -1), "roller_load": (count, 3), "displacement": (5,), "force": (5,)},
+        **{
+            "angle": (count,),
+            "each_rib_load": (count, -1),
+            "roller_load": (count, 3),
+            "displacement": (5,),
+            "force": (5,),
+        },
         **{"stiffness": (5, 5), "edge_rollers": (-1,), "edge_stiffness": (3,)},
     }
     # Null becomes NaN: the stiffness at the edge of the load zone where no roller stands there.
@@ -227,7 +233,7 @@ def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSoluti
         bearing=bearing,
         method=str(found["method"]),
         residual=float(found["residual"]),
-        steps=int(found["steps"]),
+        iterations=int(found["iterations"]),
         **arrays | {"edge_rollers": arrays["edge_rollers"].astype(np.int64)},
     )
 

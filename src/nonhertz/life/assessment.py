@@ -91,7 +91,7 @@ class Life(HasFindings, ReadOnly):
         return "" if self.unrated is None else str(self.unrated)
 
     @property
-    def relative(self) -> float:
+    def relative_life(self) -> float:
         """Life over that under the ideal pressure [-].
 
         Infinite without damage; NaN without a reference, or where neither pressure does any damage.
@@ -177,7 +177,7 @@ def assess(
     >>> ring = nh.Ring(diameter=80)
     >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.iso_logarithmic(diameter=20, length=20))
     >>> (life,) = assess(nh.solve(nh.Contact(roller, ring), load=20e3), "lundberg-palmgren", body="b")
-    >>> round(life.relative, 2)
+    >>> round(life.relative_life, 2)
     0.75
     """
     refuse_options("assess", options, Running)

@@ -177,7 +177,7 @@ def _check_points(shape: Shape, random: np.random.Generator, count: int) -> tupl
     """Return random loads and tilts: half of them even over the range, half even over the cells."""
     half = count // 2
     even = random.random((2, half))
-    load = shape.most_load * np.maximum(even[0], _LEAST_X**3)
+    load = shape.max_load * np.maximum(even[0], _LEAST_X**3)
     low, high = shape.tilt_range
     places = [
         np.interp(random.random(count - half) * (breaks.size - 1), np.arange(breaks.size), breaks)

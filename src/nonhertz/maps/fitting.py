@@ -102,7 +102,7 @@ class Shape:
         return np.concatenate([self.numbers, [self.loads.size - 1, self.tilts.size - 1]])
 
     @property
-    def most_load(self) -> float:
+    def max_load(self) -> float:
         """The largest load [N]."""
         return float(self.numbers[0])
 
@@ -115,15 +115,15 @@ class Shape:
         """Return load and tilt at places in the two coordinates."""
         tilts = self.tilt_range
         if self.numbers[WIDENING] == 0.0:
-            return self.most_load * x**3, tilts[0] + (tilts[1] - tilts[0]) * z
+            return self.max_load * x**3, tilts[0] + (tilts[1] - tilts[0]) * z
         scale = self.numbers[NARROW] + self.numbers[WIDENING] * x**3
         low, high = (np.arcsinh((end - self.numbers[CENTRE]) / scale) for end in tilts)
         tilt = self.numbers[CENTRE] + scale * np.sinh(low + (high - low) * z)
-        return self.most_load * x**3, np.clip(tilt, *tilts)
+        return self.max_load * x**3, np.clip(tilt, *tilts)
 
     def coordinates(self, load: Array, tilt: Array) -> tuple[Array, Array]:
         """Return x, and z with its five derivatives, shape (6, n)."""
-        x = np.cbrt(load / self.most_load)
+        x = np.cbrt(load / self.max_load)
         inside = np.clip(tilt, self.numbers[TILT_LOW], self.numbers[TILT_HIGH])
         z = [tilt_coordinate(self.numbers, *at) for at in zip(x.tolist(), inside.tolist(), strict=True)]
         return x, np.array(z).reshape(-1, 6).T
@@ -139,7 +139,7 @@ def fitted(shape: Shape, samples: Samples, touch: Touch) -> tuple[Array, Array]:
     """
     counts = [size(each) for each in shape.breaks]
     x, z = shape.coordinates(samples.load, samples.tilt)
-    light = np.maximum(samples.load, LIGHT * shape.most_load)
+    light = np.maximum(samples.load, LIGHT * shape.max_load)
     system, right = _mean_approach_rows(shape, samples, x, z, light)
     _, touch_z = shape.coordinates(np.zeros(touch.tilt.size), touch.tilt)
     weight = _TOUCH_WEIGHT * float(np.median(samples.stiffness[:, 0, 0] / light))

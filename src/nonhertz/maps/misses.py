@@ -68,7 +68,7 @@ class Misses:
         found, strip_loads = np.empty((samples.load.size, 10)), np.empty(samples.strip_loads.shape)
         all_states(tables, False, samples.approach, samples.tilt, found)
         all_shares(tables, found[:, 2].copy(), samples.tilt, stations, strip_loads)
-        light = np.maximum(samples.load, LIGHT * shape.most_load)
+        light = np.maximum(samples.load, LIGHT * shape.max_load)
         half, solid = shape.half_length, samples.stiffness
         # The stiffness grows about as the cube root of the load.
         stiffness = solid[:, 0, 0] * np.cbrt(light / samples.load)

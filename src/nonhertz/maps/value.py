@@ -126,7 +126,7 @@ class ContactMap(ReadOnly):
         tilts = mrad(*self.tilt_range, between=" to ")
         said = [
             self.description,
-            f"{self.given} {pressed:.4g}, tilt {tilts:.4g}, loads up to {newton(self.most_load)}",
+            f"{self.given} {pressed:.4g}, tilt {tilts:.4g}, loads up to {newton(self.max_load)}",
             f"built from {self.cases} cases{self._failures()}",
             f"largest of {error.points} sampled errors, times {SAFETY:g}, not a bound: "
             f"{in_share(error.load)} of the load, {in_share(error.moment)} of load times half-length, "
@@ -141,7 +141,7 @@ class ContactMap(ReadOnly):
         return f"; {self.failed} had no solution" if self.failed else ""
 
     @property
-    def most_load(self) -> float:
+    def max_load(self) -> float:
         """The largest load of the map [N]."""
         return float(self.numbers[MOST_LOAD])
 
@@ -263,9 +263,9 @@ class ContactMap(ReadOnly):
         if not low <= tilt <= high:
             raise InputError("tilt", tilt, f"lie in the range of the map, {low:.6g} to {high:.6g} rad", remedy)
         if name == "load":
-            most = newton(0.0, self.most_load, between=" to ")
+            most = newton(0.0, self.max_load, between=" to ")
             raise InputError("load", value, f"lie in the range of the map, {most:g}", remedy)
-        last = self.under(load=self.most_load, tilt=tilt).approach
+        last = self.under(load=self.max_load, tilt=tilt).approach
         condition = f"not exceed {mm(last):.6g} at a tilt of {tilt:.6g} rad, where the map ends"
         raise InputError("approach", value, condition, remedy)
 

@@ -106,10 +106,10 @@ def contact_map(
     callback("announce", announce)
     building = _building(contact, element, threads, accuracy, checks)
     by_load, pressed = _pressed(contact, load, approach)
-    most_load, relief, rise = _extent(building, by_load, pressed, tilts := _tilts(tilt))
+    max_load, relief, rise = _extent(building, by_load, pressed, tilts := _tilts(tilt))
     ends = float(relief.y[0]), float(relief.y[-1])
     building = replace(building, stations=_stations(stations, ends))
-    shape = _shape(relief, most_load, rise, tilts)
+    shape = _shape(relief, max_load, rise, tilts)
     found = built(building, shape, relief, accuracy, announce or (lambda _: None))
     reached = max(found.sampled_error.load, found.sampled_error.moment)
     if reached > accuracy:
@@ -196,17 +196,17 @@ def _extent(building: Building, by_load: bool, pressed: Range, tilts: Range) -> 
         if isinstance(error, InputError):
             raise error
         raise InputError("contact", "", "have a solution at the end of the range", f"narrow the range ({error})")
-    most_load = pressed[1] if by_load else _BEYOND * float(found.load[good].max())
+    max_load = pressed[1] if by_load else _BEYOND * float(found.load[good].max())
     low, high = building.contact.interval
     edges = [found.line_load(int(number))[0] for number in good]
     outermost = min(float(each[0]) for each in edges), max(float(each[-1]) for each in edges)
     ends = low if np.isfinite(low) else outermost[0], high if np.isfinite(high) else outermost[1]
     relief = Relief.between(building.contact, *ends)
     first, _ = relief.touched(tilt[good])
-    return most_load, relief, float(np.median(found.approach[good] - first))
+    return max_load, relief, float(np.median(found.approach[good] - first))
 
 
-def _shape(relief: Relief, most_load: float, rise: float, tilts: Range) -> Shape:
+def _shape(relief: Relief, max_load: float, rise: float, tilts: Range) -> Shape:
     centre, length, width = relief.tipping(*tilts)
     narrow, widening = tilts[1] - tilts[0], 0.0
     if length > 0.0:
@@ -214,7 +214,7 @@ def _shape(relief: Relief, most_load: float, rise: float, tilts: Range) -> Shape
         narrow = max(width, _LIGHTEST * widening)
     # A single tilt has a range only for the derivatives: one cell averages their scatter.
     cells = FIRST_CELLS if tilts[1] - tilts[0] > 2.0 * _SINGLE else (FIRST_CELLS[0], 1)
-    numbers_of_shape = np.array([most_load, *tilts, centre, narrow, widening, rise, relief.y[0], relief.y[-1]])
+    numbers_of_shape = np.array([max_load, *tilts, centre, narrow, widening, rise, relief.y[0], relief.y[-1]])
     return Shape(
         numbers_of_shape, np.linspace(0.0, 1.0, cells[0] + 1), np.linspace(0.0, 1.0, cells[1] + 1),
         0.5 * float(relief.y[-1] - relief.y[0]),

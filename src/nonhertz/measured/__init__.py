@@ -8,7 +8,7 @@ is never modified. `Measured.profile()` is a profile like any other, `Measured.f
 
 from nonhertz.measured.chain import Measured as Measured
 from nonhertz.measured.chain import prepare as prepare
-from nonhertz.measured.fit import Fit as Fit
+from nonhertz.measured.fit import ProfileFit as ProfileFit
 from nonhertz.measured.fit import fit as fit
 from nonhertz.measured.fit import fit_best as fit_best
 from nonhertz.measured.roughness import Roughness as Roughness

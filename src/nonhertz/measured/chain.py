@@ -49,7 +49,7 @@ from nonhertz.model.profile.table import Interpolation
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from nonhertz.measured.fit import Fit
+    from nonhertz.measured.fit import ProfileFit
 
 # Fraction of outliers that no sound surface has: beyond it the threshold is wrong or the surface scratched.
 _MANY_OUTLIERS = 0.02
@@ -233,7 +233,7 @@ class Measured:
                 found.append(finding("many-outliers", words, count=count, limit=100 * _MANY_OUTLIERS))
         return tuple(found)
 
-    def fit(self, kind: str, *, shift: bool = True, tilt: bool = False, **fixed: float) -> Fit:
+    def fit(self, kind: str, *, shift: bool = True, tilt: bool = False, **fixed: float) -> ProfileFit:
         """Return the best-fitting profile of one kind from the catalogue; see `nonhertz.measured.fit.fit`."""
         from nonhertz.measured.fit import fit
 
@@ -242,7 +242,7 @@ class Measured:
 
     def fit_best(
         self, kinds: Iterable[str] | None = None, *, shift: bool = True, tilt: bool = False
-    ) -> tuple[Fit, ...]:
+    ) -> tuple[ProfileFit, ...]:
         """Return fits of several kinds, best first; see `nonhertz.measured.fit.fit_best`."""
         from nonhertz.measured.fit import fit_best
 

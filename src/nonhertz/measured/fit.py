@@ -34,7 +34,7 @@ _DERIVATIVES = 1e-7  # of the largest: accuracy of finite-difference derivatives
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class ProfileFit:
     """The best-fitting profile of a kind.
 
     Attributes
@@ -108,7 +108,7 @@ class _Kind:
 
 def fit(
     points: Points, kind: str, *, shift: bool = True, tilt: bool = False, highest: float | None = None, **fixed: float
-) -> Fit:
+) -> ProfileFit:
     """Return the profile of a kind that best fits a measured line.
 
     Parameters
@@ -127,7 +127,7 @@ def fit(
 
     Returns
     -------
-    Fit
+    ProfileFit
         Parameters, standard errors and residuals.
 
     Raises
@@ -162,7 +162,7 @@ def fit_best(
     shift: bool = True,
     tilt: bool = False,
     highest: float | None = None,
-) -> tuple[Fit, ...]:
+) -> tuple[ProfileFit, ...]:
     """Return fits of several kinds, best first.
 
     Kinds are ranked by the Bayesian information criterion (BIC), n ln(mean square) + p ln(n): an extra parameter must
@@ -182,7 +182,7 @@ def fit_best(
 
     Returns
     -------
-    tuple of Fit
+    tuple of ProfileFit
         One for each kind.
 
     Raises
@@ -247,7 +247,7 @@ def _start(kind: str, y: Array, relief: Array, fixed: Mapping[str, float]) -> di
 
 def _solved(
     kind: str, y: Array, relief: Array, free: dict[str, float], fixed: Mapping[str, float], shift: bool, tilt: bool
-) -> Fit:
+) -> ProfileFit:
     from scipy.optimize import least_squares
 
     names = [*free, "offset", *(["shift"] if shift else []), *(["tilt"] if tilt else [])]
@@ -298,7 +298,7 @@ def _limits(names: list[str], logs: NDArray[np.bool_]) -> tuple[Array, Array]:
 
 def _fitted(
     kind: str, found: dict[str, float], fixed: Mapping[str, float], solution: Any, logs: NDArray[np.bool_], scale: float
-) -> Fit:
+) -> ProfileFit:
     residual = scale * solution.fun
     count = len(residual) / _correlation_length(residual)
     square = float(residual @ residual)
@@ -311,7 +311,7 @@ def _fitted(
         name: float(each * (found[name] if log else 1.0)) for name, each, log in zip(names, sigma, logs, strict=True)
     }
     nuisance = {name: found.pop(name, 0.0) for name in ("offset", "shift", "tilt")}
-    fitted = Fit(
+    fitted = ProfileFit(
         kind, found | dict(fixed), errors, **nuisance,
         rms=float(np.sqrt(square / len(residual))), largest=float(np.max(np.abs(residual))), points=count,
         penalised=0.0,
@@ -337,7 +337,7 @@ def _sensitivity(jacobian: Array) -> Array:
     return sensitivity
 
 
-def _penalised(fitted: Fit, points: float) -> Fit:
+def _penalised(fitted: ProfileFit, points: float) -> ProfileFit:
     # No measurement is better than a tenth of a nanometre; this also keeps the value of a perfect fit finite.
     mean_square = fitted.rms**2 + 1e-14
     value = points * np.log(mean_square) + len(fitted.standard_errors) * np.log(points)

@@ -193,9 +193,9 @@ def _draw_compared(life: Life, ax: Axes) -> tuple[Artist, str]:
 
 
 def _life(life: Life) -> str:
-    if np.isnan(life.relative):
+    if np.isnan(life.relative_life):
         return "no ideal life" if np.isnan(life.reference) else "no damage"
-    return f"life {number(life.relative, 3)}" if np.isfinite(life.relative) else "no damage"
+    return f"life {number(life.relative_life, 3)}" if np.isfinite(life.relative_life) else "no damage"
 
 
 def _scale(lives: Sequence[Life], ax: Axes) -> None:
@@ -210,7 +210,7 @@ def _scale(lives: Sequence[Life], ax: Axes) -> None:
 
 
 def _name_of_one(lives: Sequence[Life]) -> str:
-    if all(np.isnan(life.relative) for life in lives):
+    if all(np.isnan(life.relative_life) for life in lives):
         return "bodies a and b"
     return f"body b; lives of body a are within {100.0 * ALIKE:g} %"
 
@@ -230,7 +230,7 @@ def _key_points(rows: int) -> float:
 
 def _alike(lives: Mapping[BodyName, Sequence[Life]]) -> bool:
     """Return whether both bodies last equally long by all models."""
-    a, b = ([life.relative for life in lives.get(body, ())] for body in BODIES)
+    a, b = ([life.relative_life for life in lives.get(body, ())] for body in BODIES)
     return bool(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import amount, mm, um
-from nonhertz.measured import Fit, Measured, Points, StepResult
+from nonhertz.measured import Measured, Points, ProfileFit, StepResult
 from nonhertz.plot.axes import Measure, measure, open_frame
 from nonhertz.plot.axial import written
 from nonhertz.plot.sheets import LEFT, MARGIN, WIDTH, panel, stacked
@@ -34,7 +34,7 @@ ROOM = 0.12
 CUT = 4.0  # times the range of the remaining heights: cut-off material deeper than this is not drawn
 
 
-def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None) -> Figure:
+def measured_figure(measured: Measured, title: str = "", fit: ProfileFit | None = None) -> Figure:
     """Return a sheet of the steps of a measured profile, from the raw trace to the relief.
 
     Each step has a panel with its sentence: heights before in grey, after in black, and what was removed in colour
@@ -49,7 +49,7 @@ def measured_figure(measured: Measured, title: str = "", fit: Fit | None = None)
         The trace and its steps.
     title : str
         Heading; none if empty.
-    fit : Fit or None
+    fit : ProfileFit or None
         A profile of the catalogue to draw beside the relief.
 
     Returns
@@ -168,7 +168,7 @@ def _draw_corners(figure: Figure, corners: Sequence[NDArray[np.bool_]], measured
         axes.set_xlabel(length.label("Axial position $y$"))
 
 
-def _draw_relief(every: Iterator[Axes], measured: Measured, fit: Fit | None) -> None:
+def _draw_relief(every: Iterator[Axes], measured: Measured, fit: ProfileFit | None) -> None:
     axes = next(every)
     y, relief = measured.points.y, measured.relief
     land = measured.points.on_land
@@ -198,7 +198,7 @@ def _draw_relief(every: Iterator[Axes], measured: Measured, fit: Fit | None) -> 
     lowest.set_xlabel(measure("mm").label("Axial position $y$"))
 
 
-def _draw_fit(axes: Axes, y: Array, fit: Fit, ruler: Measure) -> str:
+def _draw_fit(axes: Axes, y: Array, fit: ProfileFit, ruler: Measure) -> str:
     axes.plot(measure("mm")(y), ruler(fit.relief(y)), color=FIRST, linewidth=LINE, linestyle=(0, (4, 2)), zorder=1.5)
     named = ", ".join(f"{name} {amount(value, fit.unit_of(name)):.5g}" for name, value in fit.parameters.items())
     name = f"{fit.kind}, {named}" if named else fit.kind

@@ -148,7 +148,7 @@ def _of_bearing(found: BearingResults) -> Iterator[Assumption]:
         words = "Solved", "rollers and rings are in balance", "no balance"
         yield Assumption(*words, Verdict.NOT_MET, "There are no results.")
         return
-    number = f"{solution.residual:.1g} of the loads left, {solution.steps} Newton steps"
+    number = f"{solution.residual:.1g} of the loads left, {solution.iterations} Newton steps"
     criterion = f"at most {TOLERANCE:.1g} of the loads is left unbalanced"
     yield Assumption("Rollers and rings in balance", criterion, number, strained_if(solution.residual > TOLERANCE))
     tilt = float(np.max(np.abs(solution.displacement[3:])))
@@ -327,7 +327,7 @@ def _ribs(solution: BearingSolution) -> Iterator[Assumption]:
         loads = [
             (load, rib)
             for number, each in enumerate(solution.bearing.rows)
-            for line in solution.rib_loads[solution.rollers_of(number)].tolist()
+            for line in solution.each_rib_load[solution.rollers_of(number)].tolist()
             for load, rib in zip(line, each.bearing.rib_contacts, strict=False)
             if rib.ring == ring and load > 0.0
         ]

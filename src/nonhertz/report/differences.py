@@ -102,7 +102,7 @@ def lives(found: Sequence[CaseResults]) -> list[Compared]:
         for body in BODIES:
             cells = []
             for each in found:
-                own = _number(each.lives.lives[body][number].relative) if each.lives else ABSENT
+                own = _number(each.lives.lives[body][number].relative_life) if each.lives else ABSENT
                 ratio = each.lives.over(first, body, number) if each.lives else math.nan
                 compares = each is not found[0] and math.isfinite(ratio)
                 cells.append(Cell(own, f"× {digits(ratio, 4)}" if compares else ""))

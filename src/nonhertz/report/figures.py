@@ -57,7 +57,7 @@ def of_lives(found: CaseResults) -> Iterator[Picture]:
         return
     caption = "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
     lives = [life for body in assessed.lives.values() for life in body]
-    words = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative:.3g}" for life in lives)
+    words = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative_life:.3g}" for life in lives)
     yield Picture(life_figure(assessed.spectrum, assessed.lives), caption, words)
     if assessed.dent is not None:
         caption = "The largest stress around the dent while it is rolled over, and where it adds damage."

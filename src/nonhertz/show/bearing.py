@@ -94,16 +94,16 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
             "knows neither preload nor moment" if unknown else "",
         ),
         ("static safety", "none" if unknown else safety, ""),
-        ("life L10", "none" if unknown else of_life(found.basic, _REVOLUTIONS), "ISO 281, of bearing steel"),
-        ("L10r", of_life(found.reference, _REVOLUTIONS), found.no_reference or "laminae of ISO/TS 16281"),
-        ("modified life", of_life(found.modified, _REVOLUTIONS), _hours(found.modified, speed)),
+        ("life L10", "none" if unknown else of_life(found.basic_life, _REVOLUTIONS), "ISO 281, of bearing steel"),
+        ("L10r", of_life(found.reference_life, _REVOLUTIONS), found.no_reference or "laminae of ISO/TS 16281"),
+        ("modified life", of_life(found.modified_life, _REVOLUTIONS), _hours(found.modified_life, speed)),
         _factors_row(found),
     ]
 
 
 def roller_table(solution: BearingSolution) -> Table:
     """Return what every roller bears, in units that suit the largest; blank where there is nothing of the sort."""
-    ribbed, ribs = solution.rib_loads.size > 0, solution.rib_load.max(axis=1, initial=0.0)
+    ribbed, ribs = solution.each_rib_load.size > 0, solution.rib_load.max(axis=1, initial=0.0)
     pressed = solution.method == "strips"
     pressures = solution.max_pressure if pressed else np.zeros(solution.load.shape)
     (load, of_load), (rib, of_rib), (pressure, of_pressure) = (
@@ -229,10 +229,10 @@ def _fit_rows(case: BearingCase) -> list[Row]:
     if isinstance(row, TaperedRollerBearing):
         factor, way = 0.5 / math.tan(row.nominal_angle), "axial"
     taken = (
-        (found.inner_fit, "taken by the fit of the inner ring"),
-        (found.outer_fit, "taken by the fit of the outer ring"),
-        (found.temperatures, "taken by temperatures"),
-        (found.speed, "taken by speed"),
+        (found.lost_to_inner_fit, "taken by the fit of the inner ring"),
+        (found.lost_to_outer_fit, "taken by the fit of the outer ring"),
+        (found.lost_to_temperatures, "taken by temperatures"),
+        (found.lost_to_speed, "taken by speed"),
     )
     rows = [("before mounting", f"{um(factor * found.unmounted):g}", way)]
     rows += [("", f"{um(factor * value):4}", words) for value, words in taken]

@@ -63,9 +63,9 @@ def sentences(found: Assessment) -> list[str]:
     lives = [life for body in BODIES for life in found.lives[body]]
     if any(math.isnan(life.reference) for life in lives):
         lines.append("none: the bodies can touch over an unlimited length, along which no load can be spread evenly.")
-    elif any(math.isnan(life.relative) for life in lives):
+    elif any(math.isnan(life.relative_life) for life in lives):
         lines.append("none: there is no damage, not even under the ideal pressure.")
-    if any(life.relative == 0.0 for life in lives):
+    if any(life.relative_life == 0.0 for life in lives):
         lines.append("0: under the ideal pressure there is no damage.")
     if any(found.million_revolutions(number) is not None for number in range(len(found.lives["a"]))):
         bearing = "its one roller bears" if found.rollers == 1 else f"all {found.rollers} rollers bear"
@@ -118,7 +118,7 @@ def loads_table(found: Assessment) -> Table:
 
 def _lives(found: Assessment, number: int) -> tuple[str, ...]:
     revolutions = found.million_revolutions(number)
-    relative = (of_life(found.lives[body][number].relative) for body in BODIES)
+    relative = (of_life(found.lives[body][number].relative_life) for body in BODIES)
     return *relative, "" if revolutions is None else of_life(revolutions)
 
 

@@ -24,7 +24,7 @@ def sections(found: ContactMap) -> list[Section]:
     error, strips = found.sampled_error, found.stations.size - 1
     errors = [(in_share(getattr(error, name)), words.format(strips=strips)) for name, words in _OF.items()]
     rows: list[Row] = [
-        (found.given, f"{pressed:.4g}", f"loads up to {newton(found.most_load)}"),
+        (found.given, f"{pressed:.4g}", f"loads up to {newton(found.max_load)}"),
         ("tilt", f"{mrad(*found.tilt_range, between=' to '):.4g}", ""),
         ("cases", str(found.cases), f"{found.failed} more had no solution" if found.failed else ""),
         *(("" if number else "error", *each) for number, each in enumerate(errors)),

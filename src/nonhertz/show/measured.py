@@ -6,13 +6,13 @@ import math
 from collections.abc import Sequence
 
 from nonhertz.amounts import mm, of_dimension, um, with_error
-from nonhertz.measured import Fit, Measured
+from nonhertz.measured import Measured, ProfileFit
 from nonhertz.show.sections import Row, Said, Section, Table, summary
 
 _FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
 
 
-def sections(measured: Measured, fits: Sequence[Fit] = ()) -> list[Section]:
+def sections(measured: Measured, fits: Sequence[ProfileFit] = ()) -> list[Section]:
     """Return what is shown of a measured profile and of profiles fitted to it, best first."""
     blocks = [Said(measured.trace.notes), summary(rows(measured)), Table(_fit_rows(fits), _FITTED, (0, 1))]
     return [Section("", blocks)]
@@ -41,7 +41,7 @@ def _relief(measured: Measured) -> str:
     return f"{words}, where the land ends; {ends}, where the profile ends."
 
 
-def _fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
+def _fit_rows(fits: Sequence[ProfileFit]) -> list[tuple[str, ...]]:
     """Return kind, parameters with their standard errors, and residuals of each fit, best first."""
     return [
         (
@@ -59,7 +59,7 @@ def _fit_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
     ]
 
 
-def _parameter(fit: Fit, name: str) -> str:
+def _parameter(fit: ProfileFit, name: str) -> str:
     value = fit.parameters.get(name, fit.shift)
     unit = fit.unit_of(name)
     error = fit.standard_errors.get(name)

@@ -36,7 +36,7 @@ LAND = 0.94  # of the length, on which a relief is looked at for the height of i
 LEAST_BAND = 0.02  # of the height of a drawing: what is thinner is no band to look at
 BAND, PLACES, MOST_PROFILES = (0.025, 0.975), 401, 400
 _SECTIONS = ("load", "bearing", "solver", "life")  # of a file, which go without saying
-_PICTURED = {"approach", "load", "max_pressure", "max_half_width", "max_load", "reference", "modified"}
+_PICTURED = {"approach", "load", "max_pressure", "max_half_width", "max_load", "reference_life", "modified_life"}
 
 
 def sweep_figures(sweep: Sweep) -> dict[str, Figure]:

@@ -67,7 +67,7 @@ def _of_contact() -> dict[str, Quantity]:
     for quantity in (
         Quantity("error", "estimated error of approach or load", "", "", _error, "%"),
         Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings)),
-        Quantity("relative_life", "relative life", "", "", lambda s: s.life.relative),
+        Quantity("relative_life", "relative life", "", "", lambda s: s.life.relative_life),
         Quantity("life", "life", "L10", LIVES[0], lambda s: s.life.million_revolutions or math.nan, LIVES[1]),
     ):
         found[quantity.name] = quantity
@@ -88,7 +88,7 @@ USUAL_OF_CONTACT = (
 )
 USUAL_OF_BEARING = (
     *("max_load", "max_pressure", "loaded_rollers", "displacement_x", "displacement_y", "displacement_z"),
-    *("force_x", "force_y", "tilt_z", "moment_z", "reference", "modified"),
+    *("force_x", "force_y", "tilt_z", "moment_z", "reference_life", "modified_life"),
 )
 
 

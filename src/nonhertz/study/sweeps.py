@@ -199,9 +199,9 @@ class Sweep:
         frame.attrs["units"] = {name: self.unit(name) for name in names}
         return frame
 
-    def write(
+    def save(
         self,
-        directory: str | Path,
+        folder: str | Path,
         draw_more: Callable[[Path], object] = lambda folder: None,
         *,
         excel: bool = False,
@@ -210,17 +210,17 @@ class Sweep:
 
         Parameters
         ----------
-        directory : str or Path
+        folder : str or Path
             Where to; created if it does not exist.
         draw_more : callable
-            Writes further files into the directory passed to it.
+            Writes further files into the folder passed to it.
         excel : bool
             Whether to write them as rows.xlsx, too, with what was varied and the case on a second sheet.
 
         Raises
         ------
         InputError
-            If the directory cannot be written to, or there are more rows than a sheet holds.
+            If the folder cannot be written to, or there are more rows than a sheet holds.
         ModuleNotFoundError
             If openpyxl is not installed, with ``excel``.
         """
@@ -229,21 +229,21 @@ class Sweep:
         names = (*self.paths, *(quantity.name for quantity in self.quantities))
         units = [self.unit(name) for name in names]
 
-        def draw(folder: Path) -> None:
-            self._store.write_csv(folder / "rows.csv", units)
+        def draw(into: Path) -> None:
+            self._store.write_csv(into / "rows.csv", units)
             if excel:
                 head, values = inputs_table([(self.plan.case.title, self.plan.case.document)])
                 varied = (("varied", path, str(given)) for path, given in self.plan.over.items())
                 rows = self._store.head(units), self._store.cells()
-                write_workbook(folder / "rows.xlsx", {"rows": rows, INPUTS: (head, chain(varied, values))})
+                write_workbook(into / "rows.xlsx", {"rows": rows, INPUTS: (head, chain(varied, values))})
             with contextlib.suppress(ImportError):
                 import polars
 
                 # As a stream: a study may have more rows than fit into memory.
-                polars.scan_csv(folder / "rows.csv", infer_schema_length=None).sink_parquet(folder / "rows.parquet")
-            draw_more(folder)
+                polars.scan_csv(into / "rows.csv", infer_schema_length=None).sink_parquet(into / "rows.parquet")
+            draw_more(into)
 
-        return write_files(directory, {}, draw)
+        return write_files(folder, {}, draw)
 
 
 def sweep(

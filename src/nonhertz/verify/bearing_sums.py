@@ -75,7 +75,7 @@ def _of_roller(
         if k == 0:
             on_ring, about_middle = on_ring + force, about_middle + couple
     # By slices tapered rows have no ribs.
-    for rib, load in zip(bearing.rib_contacts, solution.rib_loads[j].tolist(), strict=False):
+    for rib, load in zip(bearing.rib_contacts, solution.each_rib_load[j].tolist(), strict=False):
         normal_x, normal_r, arm = rib.motion[0]
         force = load * (normal_x * axis + normal_r * radial)
         couple = load * arm * np.cross(axis, radial)

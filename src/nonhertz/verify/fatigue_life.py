@@ -94,7 +94,7 @@ def claims() -> Iterator[Claim]:
 
 
 def _relative(name: str) -> Callable[[dict[str, Life]], float]:
-    return lambda found: found[name].relative
+    return lambda found: found[name].relative_life
 
 
 def _exponents(name: str) -> Iterator[Claim]:

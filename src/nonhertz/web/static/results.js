@@ -69,10 +69,10 @@ function place({ von_mises: { y, z, at_bore }, searched }) {
  * which rises where the load does and so compares under the same load alone.
  */
 function life(found, load) {
-  if (!found || found.relative === null) return { name: "Life", value: "–", unit: "", where: "not known", number: null };
+  if (!found || found.relative_life === null) return { name: "Life", value: "–", unit: "", where: "not known", number: null };
   const model = `ISO/TS 16281, body ${found.body}${found.ends_counted ? "" : ", sharp ends not counted"}`;
   if (found.million_revolutions === null)
-    return { name: "Life", value: digits(found.relative, 3), unit: "× ideal profile", where: model, number: found.relative, under: load };
+    return { name: "Life", value: digits(found.relative_life, 3), unit: "× ideal profile", where: model, number: found.relative_life, under: load };
   const number = found.million_revolutions;
   return { name: "Life", value: digits(number, 4), unit: "10⁶ rev.", where: `L₁₀, ${model}`, number };
 }

@@ -84,7 +84,7 @@ def _key_numbers(solution: BearingSolution, life: BearingLife | None) -> dict[st
         "rollers": int(solution.angle.size),
         "stiffness": plain(solution.stiffness[1, 1]),
         "max_pressure": None,
-        "life": None if life is None else plain(life.modified),
+        "life": None if life is None else plain(life.modified_life),
     }
     if solution.method == "strips" and solution.load.any():
         roller, ring = np.unravel_index(int(np.argmax(solution.max_pressure)), solution.load.shape)
