@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.patch.between import between, centres_of_parts, interpolation
+from nonhertz.patch.between import between, centres_of_parts
 from nonhertz.patch.cascade import refined
+from nonhertz.patch.grid import Grid, interpolation
 from nonhertz.patch.nearness import scan
-from nonhertz.patch.region import Region
 
 PLATES = nh.Contact(nh.Plate(), nh.Plate())
 REGION = ((-0.8, 0.8), (-0.8, 0.8))
@@ -47,17 +47,18 @@ def test_interpolation_is_exact_for_polynomials(nodes):
     places = centres_of_parts(centres, 0.1)
     assert places.size == 36
     polynomial = np.polynomial.Polynomial([0.3, -2.0, 1.5, 4.0][:nodes])
-    within = (places >= centres[0]) & (places <= centres[-1])
-    found = interpolation(9, nodes) @ polynomial(centres)
-    np.testing.assert_allclose(found[within], polynomial(places)[within], rtol=1e-12, atol=0.0)
+    found = interpolation((places - centres[0]) / 0.1, 9, nodes) @ polynomial(centres)
+    np.testing.assert_allclose(found, polynomial(places), rtol=1e-12, atol=0.0)
 
 
 def test_a_pressure_is_linear_between_the_centres_of_a_coarser_grid():
     coarse = np.random.default_rng(1).uniform(1.0, 2.0, 5)
     centres, finer = ((np.arange(n) + 0.5) / n for n in (5, 15))
     expected = np.interp(finer, centres, coarse)[1:-1]
-    np.testing.assert_allclose(refined(coarse[:, None], (15, 1))[1:-1, 0], expected, rtol=1e-12)
-    np.testing.assert_allclose(refined(coarse[None], (1, 15))[0, 1:-1], expected, rtol=1e-12)
+    for pressure in (np.tile(coarse, (4, 1)), np.tile(coarse, (4, 1)).T):
+        found = refined(pressure, tuple(3 * n for n in pressure.shape))
+        found = found if pressure.shape == (4, 5) else found.T
+        np.testing.assert_allclose(found[:, 1:-1], np.tile(expected, (12, 1)), rtol=1e-12)
 
 
 def test_there_is_nothing_between_the_cells_of_a_smooth_gap():
@@ -131,7 +132,7 @@ def test_a_wall_that_the_contact_does_not_reach_changes_nothing():
 
 
 def test_a_scan_covers_all_that_it_says():
-    parts = list(scan(Region((1.0, 2.0), (-3.0, 3.0), (-10.0, 200.0)), (128, 512), (40.0, 400.0)))
+    parts = list(scan(Grid((1.0, 2.0), (-3.0, 3.0), (128, 512), (-10.0, 200.0)), (40.0, 400.0)))
     # As fine as half a cell in twice the region, and s / 48 at a distance s from its middle.
     for x, y in ((1.03, 2.9), (2.4, -5.5), (30.0, 150.0), (-38.0, -9.9)):
         around = [part for part in parts if part.x[0] <= x <= part.x[-1] and part.y[0] <= y <= part.y[-1]]

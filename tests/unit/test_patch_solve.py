@@ -37,7 +37,7 @@ def solution():
         ({"load": 1e3, "cells": (10**7, 10**7)}, "cells = (10000000, 10000000) must need less than"),
         ({"load": 1e3, "region": (1.0, 2.0)}, "region = (1.0, 2.0) must be two pairs of ends"),
         ({"load": 1e3, "region": ((0.0, 1.0), (11.0, 12.0))}, "region = ((0.0, 1.0), (11.0, 12.0)) must ascend"),
-        ({"load": 1000.0, "region": ((0.0, math.nan), (0.0, 1.0))}, "region = ((0.0, nan), (0.0, 1.0)) must have ends"),
+        ({"load": 1000.0, "region": ((0.0, math.nan), (0.0, 1.0))}, "region = ((0.0, nan), (0.0, 1.0)) must be finite"),
         ({"load": 1e3, "features": [Dent]}, "features[0] = <class 'nonhertz.patch.features.Dent'> must be callable"),
         ({"load": 1e3, "features": [math.sin]}, "features[0] = <built-in function sin> must be callable with x and y"),
     ],

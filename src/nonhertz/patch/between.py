@@ -10,18 +10,15 @@ the possible error of the pressure. A body smaller than a quarter of a cell may 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.patch.cascade import Gap
+from nonhertz.patch.grid import interpolation
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.patch.surface import Gap
 from nonhertz.patch.verdict import displacement
-
-if TYPE_CHECKING:
-    from scipy import sparse
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -60,8 +57,12 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
     undeformed = gap(solution.x[:, None], solution.y[None, :])
     whole = np.isfinite(undeformed)
     known, clearance = np.where(whole, undeformed, 0.0), np.where(whole, solution.gap, 0.0)
-    cubic = [interpolation(n, 4) for n in solution.cells]
-    linear = [interpolation(n, 2) for n in solution.cells]
+    parts = [centres_of_parts(np.arange(n, dtype=float), 1.0) for n in solution.cells]
+    cubic = [interpolation(places, n, 4) for places, n in zip(parts, solution.cells, strict=True)]
+    # Beyond the last centre the clearance keeps its last value.
+    linear = [
+        interpolation(np.clip(places, 0.0, n - 1.0), n, 2) for places, n in zip(parts, solution.cells, strict=True)
+    ]
     x, y = (centres_of_parts(each, side) for each, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
     # A profile that falls away where the contact ends, as a logarithmic one does, does not raise the pressure there.
     inner = ~_grown(np.pad(~solution.footprint, 1, constant_values=True))[1:-1, 1:-1]
@@ -104,26 +105,6 @@ def centres_of_parts(centres: Array, side: float) -> Array:
     parts = (np.arange(PARTS) + 0.5) / PARTS - 0.5
     places: Array = (centres[:, None] + side * parts).ravel()
     return places
-
-
-def interpolation(cells: int, nodes: int) -> sparse.csr_array:
-    """Return the interpolation from cell centres to all parts by polynomials through the nearest 2 or 4.
-
-    Beyond the last centre at the border, four nodes extrapolate and two keep the last value.
-    """
-    place = centres_of_parts(np.arange(cells, dtype=float), 1.0)
-    first = np.clip(np.floor(place).astype(int) - nodes // 2 + 1, 0, cells - nodes)
-    place = place if nodes > 2 else np.clip(place, 0.0, cells - 1.0)
-    at = first[:, None] + np.arange(nodes)
-    weights = np.ones(at.shape)
-    for k in range(nodes):
-        for other in range(nodes):
-            if other != k:
-                weights[:, k] *= (place - at[:, other]) / (at[:, k] - at[:, other])
-    rows = np.repeat(np.arange(place.size), nodes)
-    from scipy import sparse
-
-    return sparse.csr_array((weights.ravel(), (rows, at.ravel())), shape=(place.size, cells))
 
 
 def _of_cells(parts: Array) -> Array:

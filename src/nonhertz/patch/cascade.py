@@ -7,25 +7,27 @@ the finest. The change from grid to grid estimates the discretisation error.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.bodies.influence import Influence
+from nonhertz.bodies.influence import Influence, influence_of
+from nonhertz.bodies.shape import HERTZ
 from nonhertz.errors import InputError
+from nonhertz.model.contact import Contact
+from nonhertz.model.prescription import Prescription
 from nonhertz.patch.convolution import Convolution
-from nonhertz.patch.footprint import half_widths
-from nonhertz.patch.grid import Grid
+from nonhertz.patch.grid import Grid, Span, half_widths, interpolation
 from nonhertz.patch.inverse import Inverse
 from nonhertz.patch.settle import CellState, Task, settle
+from nonhertz.patch.surface import Surface
 from nonhertz.result.solution import Status
 
 Array = NDArray[np.float64]
-Gap = Callable[[Array, Array], Array]
 
 # On coarser grids a residual below this is not worth another convolution: the error estimate needs no more digits.
 ROUGHLY = 1e-6
@@ -39,27 +41,24 @@ class PatchProblem:
 
     Attributes
     ----------
-    gap : callable
-        x, y [mm], of shapes (nx, 1) and (1, ny) -> undeformed gap [mm].
-    influence : Influence
-        Side faces and depths.
-    by_force : tuple of bool
-        Whether load and moment are given, rather than approach and tilt.
-    given : tuple of float
-        Approach [mm] or K Q [mm^2], and tilt [rad] or K T [mm^3].
-    compliance : float
-        K [1/MPa], only for error messages.
+    gap : Surface
+        The bodies and their undeformed gap.
+    given : Prescription
+        What is prescribed.
     """
 
-    gap: Gap
-    influence: Influence
-    by_force: tuple[bool, bool]
-    given: tuple[float, float]
-    compliance: float
+    gap: Surface
+    given: Prescription
 
-    def undeformed(self, grid: Grid) -> Array:
-        """Return the undeformed gap [mm] on the cells of a grid, infinite in cells without a body."""
-        return self.gap(grid.x[:, None], grid.y[None, :])
+    @property
+    def contact(self) -> Contact:
+        """The two bodies."""
+        return self.gap.contact
+
+    @cached_property
+    def influence(self) -> Influence:
+        """Side faces and depths."""
+        return influence_of(self.contact, HERTZ)
 
     def task(self, grid: Grid, undeformed: Array, pool: Executor | None, rough: bool = False) -> Task:
         """Return the problem on a grid; if ``rough``, the moment is brought within reach of the cells.
@@ -69,48 +68,42 @@ class PatchProblem:
         InputError
             If the grid is not rough and its cells cannot carry the moment.
         """
-        first, second = self.given
-        if self.by_force[1]:
+        first, second = self.given.target(self.contact.compliance)
+        by_force, area = self.given.by_force, grid.dx * grid.dy
+        if by_force[1]:
             rows = grid.y[np.isfinite(undeformed).any(axis=0)]
-            second = self._moment(rows, WITHIN * grid.dy) if rough else second
+            low, high = float(rows[0]), float(rows[-1])
             if not rough:
-                self._refuse_out_of_reach(float(rows[0]), float(rows[-1]))
-        area = grid.dx * grid.dy
-        target = (first / area if self.by_force[0] else first, second / area if self.by_force[1] else second)
+                where = "the centres of the outermost cells that can bear a pressure"
+                refuse_beyond(self.given, (low, high), where, "give more cells along or a larger region")
+            elif by_force[0]:
+                # A coarse grid may have no cell that far out.
+                middle, reach = 0.5 * (low + high), max(0.5 * (high - low) - WITHIN * grid.dy, 0.0)
+                second = first * float(np.clip(second / first, middle - reach, middle + reach))
+            elif (second > 0.0 >= high) or (second < 0.0 <= low):
+                second = 0.0
+        target = (first / area if by_force[0] else first, second / area if by_force[1] else second)
         convolution, inverse = Convolution(grid, self.influence, pool), Inverse(grid, pool)
-        return Task(undeformed, convolution, inverse, grid.y, self.by_force, target)
+        return Task(undeformed, convolution, inverse, grid.y, by_force, target)
 
-    def _moment(self, rows: Array, within: float) -> float:
-        """Return the moment, times K, closest to the given one that rows of cells at ``rows`` can carry."""
-        first, second = self.given
-        low, high = float(rows[0]), float(rows[-1])
-        if self.by_force[0]:
-            # A coarse grid may have no cell that far out.
-            middle, reach = 0.5 * (low + high), max(0.5 * (high - low) - within, 0.0)
-            return first * float(np.clip(second / first, middle - reach, middle + reach))
-        return 0.0 if (second > 0.0 >= high) or (second < 0.0 <= low) else second
 
-    def _refuse_out_of_reach(self, low: float, high: float) -> None:
-        """Refuse a moment that cells between two lever arms [mm] cannot carry.
+def refuse_beyond(given: Prescription, arms: Span, where: str, remedy: str, bearing: Span | None = None) -> None:
+    """Refuse a moment that no pressure between two lever arms [mm] can produce.
 
-        Raises
-        ------
-        InputError
-        """
-        first, second = self.given
-        given = float(f"{second / self.compliance:.12g}")  # without the rounding of K
-        outermost = "the centres of the outermost cells that can bear a pressure"
-        if self.by_force[0] and not low <= second / first <= high:
-            condition = (
-                f"keep moment / load = {mm(second / first):.6g} between {mm(low, high, between=' and '):.6g}, "
-                f"{outermost}"
-            )
-            raise InputError("moment", given, condition, "reduce it, or give more cells along or a larger region")
-        if not self.by_force[0] and ((second > 0.0 >= high) or (second < 0.0 <= low)):
-            condition = (
-                f"have the sign of the lever arms, which lie between {mm(low, high, between=' and '):.6g}, {outermost}"
-            )
-            raise InputError("moment", given, condition, "reverse its sign, or give a larger region")
+    ``where`` says what they are; only the signs of those of ``bearing``, if they are others, have to be right.
+
+    Raises
+    ------
+    InputError
+    """
+    moment, arm = given.moment, given.arm
+    between = f"between {mm(*arms, between=' and '):.6g}, {where}"
+    if arm is not None and not arms[0] <= arm <= arms[1]:
+        raise InputError("moment", moment, f"keep moment / load = {mm(arm):.6g} {between}", f"reduce it, or {remedy}")
+    low, high = bearing or arms
+    if moment is not None and ((moment > 0.0 >= high) or (moment < 0.0 <= low)):
+        condition = f"have the sign of the lever arms, which lie {between}"
+        raise InputError("moment", moment, condition, f"reverse its sign, or {remedy}")
 
 
 @dataclass(frozen=True)
@@ -146,37 +139,32 @@ class Outcome:
 def solve_on(
     problem: PatchProblem, grid: Grid, tolerance: float, pool: Executor | None = None, rough: bool = False
 ) -> Outcome:
-    """Solve on coarser grids first and on the given one last, which may itself be ``rough``."""
-    pressure, rigid, levels = None, (0.0, 0.0), []
-    for each in (*reversed(list(grid.coarser())), grid):
-        finest = each is grid
-        undeformed = problem.undeformed(each)
-        if not np.isfinite(undeformed).any():
-            # The bodies lie between the cell centres; a finer grid may have centres on them.
-            if not finest:
-                continue
-            return _empty(grid, undeformed, rough)
-        task = problem.task(each, undeformed, pool, rough or not finest)
-        pressure = _first(task) if pressure is None else refined(pressure, each.cells)
-        state = settle(task, pressure, rigid, tolerance if finest else max(tolerance, ROUGHLY))
-        pressure, rigid = state.pressure, state.rigid
-        levels.append(_level(each, state))
-    return Outcome(grid, state, task.displacement.count, tuple(levels))
-
-
-def _empty(grid: Grid, undeformed: Array, rough: bool) -> Outcome:
-    """Return the outcome on a rough grid of which no cell has a body: nothing touches.
+    """Solve on coarser grids first and on the given one last, which may itself be ``rough``.
 
     Raises
     ------
     InputError
-        If the grid is not rough.
+        If the grid is not rough and no cell has a body; on a rough one nothing touches then.
     """
-    if not rough:
-        remedy = "give more cells, or a region around the place where it is"
-        raise InputError("gap", np.inf, "be finite at the centre of at least one cell", remedy)
-    state = CellState(np.zeros(grid.cells), undeformed, (0.0, 0.0), 0.0, Status.CONVERGED)
-    return Outcome(grid, state, 0, (_level(grid, state),))
+    pressure, rigid, levels, count = None, (0.0, 0.0), [], 0
+    for each in (*reversed(list(grid.coarser())), grid):
+        finest, undeformed = each is grid, problem.gap(*each.centres)
+        if np.isfinite(undeformed).any():
+            task = problem.task(each, undeformed, pool, rough or not finest)
+            pressure = task.start() if pressure is None else refined(pressure, each.cells)
+            state = settle(task, pressure, rigid, tolerance if finest else max(tolerance, ROUGHLY))
+            pressure, rigid, count = state.pressure, state.rigid, task.displacement.count
+        elif not finest:
+            continue  # The bodies lie between the cell centres; a finer grid may have centres on them.
+        elif rough:
+            state = CellState(np.zeros(grid.cells), undeformed, (0.0, 0.0), 0.0, Status.CONVERGED)
+        else:
+            remedy = "give more cells, or a region around the place where it is"
+            raise InputError("gap", np.inf, "be finite at the centre of at least one cell", remedy)
+        loads = state.pressure.sum(axis=0) * each.dx * each.dy
+        along = each.y, state.pressure.max(axis=0), half_widths(state.pressure, each.dx)
+        levels.append(GridLevel(each.cells, *state.rigid, float(loads.sum()), float(loads @ each.y), along))
+    return Outcome(grid, state, count, tuple(levels))
 
 
 def halved(
@@ -194,8 +182,7 @@ def halved(
         cells = -(-cells[0] // 2), -(-cells[1] // 2)
         known = [level for level in outcome.levels if level.cells == cells]
         if not known:
-            grid = Grid(outcome.grid.x_span, outcome.grid.y_span, cells)
-            found = solve_on(problem, grid, max(tolerance, ROUGHLY), pool, rough=True)
+            found = solve_on(problem, replace(outcome.grid, cells=cells), max(tolerance, ROUGHLY), pool, rough=True)
             if found.state.status is not Status.CONVERGED or not found.state.pressure.any():
                 break
             known = [found.levels[-1]]
@@ -203,29 +190,12 @@ def halved(
     return tuple(reversed(levels))
 
 
-def _level(grid: Grid, state: CellState) -> GridLevel:
-    loads = state.pressure.sum(axis=0) * grid.dx * grid.dy
-    along = grid.y, state.pressure.max(axis=0), half_widths(state.pressure, grid.dx)
-    return GridLevel(grid.cells, *state.rigid, float(loads.sum()), float(loads @ grid.y), along)
-
-
 def refined(pressure: Array, cells: tuple[int, int]) -> Array:
     """Return a pressure on a finer grid over the same region, linear between cell centres.
 
     The footprint comes out somewhat too large, which is the safe side: cells leave it more readily than they enter.
     """
-    for axis in (0, 1):
-        old, new = pressure.shape[axis], cells[axis]
-        place = (np.arange(new) + 0.5) * (old / new) - 0.5
-        below = np.clip(place.astype(int), 0, max(old - 2, 0))
-        share = (place - below).reshape((-1, 1) if axis == 0 else (1, -1))
-        above = np.minimum(below + 1, old - 1)
-        pressure = (1.0 - share) * pressure.take(below, axis) + share * pressure.take(above, axis)
-    return np.maximum(pressure, 0.0)
-
-
-def _first(task: Task) -> Array:
-    """Return a pressure to start from: springs, acting in the half of the cells that would touch first."""
-    tilt = 0.0 if task.by_force[1] else task.target[1]
-    nearness = tilt * task.y - task.undeformed
-    return np.maximum(nearness - float(np.median(nearness[task.bearing])), 0.0)
+    places = [(np.arange(new) + 0.5) * (old / new) - 0.5 for old, new in zip(pressure.shape, cells, strict=True)]
+    across, along = (interpolation(each, old, 2) for each, old in zip(places, pressure.shape, strict=True))
+    finer: Array = np.maximum(across @ pressure @ along.T, 0.0)
+    return finer

@@ -70,19 +70,15 @@ class FreeEnd:
         row, column = np.tril_indices(count)
         found = np.empty((x_edges.size - 1, count, count))
         found[:, row, column] = found[:, column, row] = self.pairwise(x_edges, self.nodes[row], self.nodes[column])
-        averaged = self._averaged(x_edges)
-        near = averaged.shape[-1]
-        found[:, :near, :near] = 0.5 * (averaged + averaged.transpose(0, 2, 1))
-        return found
-
-    def _averaged(self, x_edges: Array) -> Array:
-        """Return the kernel between the first cells, averaged over that of the load, shape (m, near, near)."""
+        # Between the first cells it is averaged over that of the load.
         point, share = legendre.leggauss(POINTS)
         u = self.nodes[:NEAR]
         v = np.maximum(u[:, None] + 0.5 * self.dy * point, 0.0)
         places, loads = np.broadcast_arrays(u[:, None, None], v)
         sampled = self.pairwise(x_edges, places.ravel(), loads.ravel()).reshape(-1, *places.shape)
-        return np.asarray(0.5 * sampled @ share, dtype=np.float64)
+        averaged = 0.5 * sampled @ share
+        found[:, : u.size, : u.size] = 0.5 * (averaged + averaged.transpose(0, 2, 1))
+        return found
 
     def pairwise(self, x_edges: Array, u: Array, v: Array) -> Array:
         """Return the kernel for pairs of distances from the face, shape (m, pairs)."""
@@ -95,6 +91,8 @@ class FreeEnd:
 
 def _nodes(start: float, dy: float, count: int) -> tuple[Array, Array]:
     """Return nodes for rows that begin at a distance from a face, and their weights, shape (count, nodes)."""
+    from scipy.linalg import block_diag
+
     distance = start + dy * (np.arange(count, dtype=np.float64) + 0.5)
     near = min(NEAR, count)
     nodes, weights = [distance[:near]], [np.eye(near)]
@@ -107,12 +105,7 @@ def _nodes(start: float, dy: float, count: int) -> tuple[Array, Array]:
         angle = math.pi * (np.arange(NODES) + 0.5) / NODES
         nodes.append(0.5 * (rows[0] + rows[-1]) - 0.5 * dy * rows.size * np.cos(angle))
         weights.append(_interpolation(rows, nodes[-1]))
-    found = np.zeros((count, sum(each.shape[1] for each in weights)))
-    row = column = 0
-    for each in weights:
-        found[row : row + each.shape[0], column : column + each.shape[1]] = each
-        row, column = row + each.shape[0], column + each.shape[1]
-    return np.concatenate(nodes), found
+    return np.concatenate(nodes), block_diag(*weights)
 
 
 def _panels(cells_before: float, near: int, count: int) -> Iterator[tuple[int, int]]:

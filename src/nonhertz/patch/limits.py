@@ -15,9 +15,8 @@ from nonhertz.findings import Finding, finding
 from nonhertz.patch.between import Unseen
 from nonhertz.patch.cascade import GridLevel, Outcome, PatchProblem
 from nonhertz.patch.features import Dent, Waviness
-from nonhertz.patch.grid import Grid
+from nonhertz.patch.grid import Grid, widest_run
 from nonhertz.patch.nearness import Overlap
-from nonhertz.patch.region import Region
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.checks import curved, image_weights, small_strains, thick
 from nonhertz.result.maximum import largest_pressure, singular_y
@@ -57,10 +56,10 @@ def error_estimate(
     """
     if solution.status is not Status.CONVERGED or len(levels) < 2:
         return ErrorEstimate(*[math.inf] * 5)
-    by_load, pressure = problem.by_force[0], solution.max_pressure
+    by_load, pressure = problem.given.by_force[0], solution.max_pressure
     before_touch = solution.approach - solution.penetration
     beyond_touch = [level.approach - before_touch for level in levels]
-    lost = any(size < LEAST_CELLS * side for _, size, side in _features(problem, solution))
+    lost = any(size < LEAST_CELLS * side for _, size, side in _sizes(problem.gap.features, solution.dx, solution.dy))
     unlimited = lost or bool(_cut_off(solution, outcome.grid) or _edges_of_bodies(solution))
     unlimited |= any(_too_long(solution, end) for end in solution.singular_ends)
     singular = singular_y(solution)
@@ -75,19 +74,13 @@ def error_estimate(
         max_pressure=math.inf
         if unlimited
         else max(_change(highest, PRESSURE_MARGIN), _share(unseen.pressure, pressure)),
-        moment=0.0 if problem.by_force[1] else _change(turned, whole=levels[-1].load * reach),
-        tilt=_change(leaned, whole=solution.penetration) if problem.by_force[1] else 0.0,
+        moment=0.0 if problem.given.by_force[1] else _change(turned, whole=levels[-1].load * reach),
+        tilt=_change(leaned, whole=solution.penetration) if problem.given.by_force[1] else 0.0,
     )
 
 
 def _share(error: float, whole: float) -> float:
     return error / abs(whole) if whole != 0.0 else math.inf if error > 0.0 else 0.0
-
-
-def _features(problem: PatchProblem, solution: PatchSolution) -> list[tuple[str, float, float]]:
-    """Return name, size and cell side for every part of all features."""
-    features = getattr(problem.gap, "features", ())
-    return [size for feature in features for size in _sizes(feature, solution.dx, solution.dy)]
 
 
 def _change(values: list[float], margin: float = MARGIN, whole: float | None = None) -> float:
@@ -114,40 +107,27 @@ def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[
     return (*_cut_off(solution, grid), *(each for check in found for each in check.findings))
 
 
-def widest_run(footprint: Mask) -> Array:
-    """Return the number of cells in the widest piece of the contact at every station, shape (ny,)."""
-    run: Array = np.zeros(footprint.shape[1])
-    widest = run.copy()
-    for row in footprint:
-        run = (run + 1.0) * row
-        np.maximum(widest, run, out=widest)
-    return widest
+def overlaps(beyond: Overlap | None, between: Unseen, largest: float) -> Iterator[Finding]:
+    """Yield where the bodies overlap beyond the region, and between cell centres.
 
+    ``largest`` is the largest displacement [mm].
+    """
 
-def overlaps(overlap: Overlap | None) -> Iterator[Finding]:
-    """Yield where the bodies overlap beyond the region."""
-    if overlap is not None:
-        yield finding(
-            "overlap-beyond-the-region",
+    def overlapping(code: str, words: str, depth: float, at: Overlap | Unseen) -> Finding:
+        return finding(code, words, overlap=mm(depth), x=mm(at.x), y=mm(at.y))
+
+    if beyond is not None:
+        words = (
             "Beyond the region the bodies overlap, by {overlap:.3g} at x = {x:.4g}, y = {y:.4g}: they touch there too, "
-            "which is left out; give a larger region, and enough cells for it.",
-            overlap=mm(overlap.depth),
-            x=mm(overlap.x),
-            y=mm(overlap.y),
+            "which is left out; give a larger region, and enough cells for it."
         )
-
-
-def between_cells(unseen: Unseen, largest: float) -> Iterator[Finding]:
-    """Yield where the bodies overlap between cell centres."""
-    if unseen.overlap > UNSEEN * largest:
-        yield finding(
-            "overlap-between-cells",
+        yield overlapping("overlap-beyond-the-region", words, beyond.depth, beyond)
+    if between.overlap > UNSEEN * largest:
+        words = (
             "Between the centres of cells the bodies overlap, by {overlap:.3g} at x = {x:.4g}, y = {y:.4g}: the gap "
-            "has a peak or a small contact there that these cells miss; give more cells.",
-            overlap=mm(unseen.overlap),
-            x=mm(unseen.x),
-            y=mm(unseen.y),
+            "has a peak or a small contact there that these cells miss; give more cells."
         )
+        yield overlapping("overlap-between-cells", words, between.overlap, between)
 
 
 def uncertain(solution: PatchSolution, largest: float) -> Iterator[Finding]:
@@ -183,42 +163,36 @@ def uncertain(solution: PatchSolution, largest: float) -> Iterator[Finding]:
 
 def unresolved(features: Iterable[object], dx: float, dy: float) -> Iterator[Finding]:
     """Yield every feature that spans only a few cells."""
+    for name, size, side in _sizes(features, dx, dy):
+        if size < FEWEST_CELLS * side:
+            yield finding(
+                "unresolved-feature",
+                "The {feature} of {size:.3g} is only {cells:.1f} cells long, fewer than {fewest:g}: the pressure "
+                "there is not resolved; give more cells, or a smaller region.",
+                feature=name,
+                size=mm(size),
+                cells=size / side,
+                fewest=FEWEST_CELLS,
+            )
+
+
+def _sizes(features: Iterable[object], dx: float, dy: float) -> Iterator[tuple[str, float, float]]:
+    """Yield name and size [mm] of the parts of features, and the cell side in their direction."""
     for feature in features:
-        for name, size, sides in _sizes(feature, dx, dy):
-            if size < FEWEST_CELLS * sides:
-                yield finding(
-                    "unresolved-feature",
-                    "The {feature} of {size:.3g} is only {cells:.1f} cells long, fewer than {fewest:g}: the pressure "
-                    "there is not resolved; give more cells, or a smaller region.",
-                    feature=name,
-                    size=mm(size),
-                    cells=size / sides,
-                    fewest=FEWEST_CELLS,
-                )
-
-
-def _sizes(feature: object, dx: float, dy: float) -> list[tuple[str, float, float]]:
-    """Return name and size [mm] of the parts of a feature, and the cell side in their direction."""
-    if isinstance(feature, Dent):
-        sizes = [("diameter of a dent", float(feature.diameter), max(dx, dy))]
-        if feature.shoulder > 0.0:
-            ring = 0.5 * (float(feature.shoulder_diameter or 0.0) - float(feature.diameter))
-            sizes.append(("shoulder of a dent", ring, max(dx, dy)))
-        return sizes
-    if isinstance(feature, Waviness) and feature.amplitude > 0.0:
-        # What counts is waves per cell, in whichever direction there are more.
-        across, along = abs(math.cos(feature.angle)) * dx, abs(math.sin(feature.angle)) * dy
-        return [("wavelength", float(feature.wavelength), max(across, along))]
-    return []
+        if isinstance(feature, Dent):
+            yield "diameter of a dent", float(feature.diameter), max(dx, dy)
+            if feature.shoulder > 0.0:
+                ring = 0.5 * (float(feature.shoulder_diameter or 0.0) - float(feature.diameter))
+                yield "shoulder of a dent", ring, max(dx, dy)
+        elif isinstance(feature, Waviness) and feature.amplitude > 0.0:
+            # What counts is waves per cell, in whichever direction there are more.
+            side = max(abs(math.cos(feature.angle)) * dx, abs(math.sin(feature.angle)) * dy)
+            yield "wavelength", float(feature.wavelength), side
 
 
 def _cut_off(solution: PatchSolution, grid: Grid) -> list[Finding]:
     """Return each border of the region that cuts the contact where the bodies continue."""
-    across, along = Region(grid.x_span, grid.y_span, solution.contact.interval).cut(solution.footprint)
-    places = [
-        *zip("xx", grid.x_span, across, strict=True),
-        *zip("yy", grid.y_span, along, strict=True),
-    ]
+    ends = zip("xxyy", np.ravel([grid.x_span, grid.y_span]), np.ravel(grid.cut(solution.footprint)), strict=True)
     return [
         finding(
             "cut-off",
@@ -227,7 +201,7 @@ def _cut_off(solution: PatchSolution, grid: Grid) -> list[Finding]:
             axis=axis,
             end=mm(end),
         )
-        for axis, end, cut in places
+        for axis, end, cut in ends
         if cut
     ]
 

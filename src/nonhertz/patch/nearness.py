@@ -15,15 +15,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.bodies.influence import FreeSide
 from nonhertz.errors import InputError
-from nonhertz.patch.cascade import Gap, Outcome, PatchProblem
+from nonhertz.patch.cascade import Outcome, PatchProblem
 from nonhertz.patch.features import Dent
 from nonhertz.patch.free_faces import at_points, merged
-from nonhertz.patch.grid import Grid
+from nonhertz.patch.grid import Grid, Span
 from nonhertz.patch.kernel import rectangles
-from nonhertz.patch.region import Region, Span
+from nonhertz.patch.surface import Gap, Surface
 
 Array = NDArray[np.float64]
+Lumps = tuple[Array, Array, Array, float]
 
 EVENLY, EVEN_REACH = 65, 8.0  # samples, and the half-widths they reach to either side
 APART, NEAREST = 64, 1e-3  # geometrically spaced samples, and the half-widths at which they start
@@ -76,66 +78,47 @@ class Overlap:
     y_span: Span
 
 
-def windows(problem: PatchProblem, interval: Span, width: float, reach: float) -> tuple[Window, ...]:
-    """Return where to sample bodies that end at ``interval``, for a contact about 2 ``width`` wide."""
-    x = _spread(width, reach)
+def windows(surface: Surface, width: float, reach: float) -> tuple[Window, ...]:
+    """Return where to sample bodies for a contact about 2 ``width`` wide."""
+    interval = surface.contact.interval
     y = np.linspace(*interval, ALONG) if np.all(np.isfinite(interval)) else _spread(width, 1e4 * width + reach)
-    y = np.unique(np.clip(np.append(y, 0.0), *interval))
-    found = [Window(x, y)]
-    for feature in getattr(problem.gap, "features", ()):
-        if isinstance(feature, Dent):
-            half = 0.5 * float(feature.shoulder_diameter or feature.diameter)
-            x = np.linspace(feature.x - half, feature.x + half, OVER_DENT)
-            y = np.linspace(feature.y - half, feature.y + half, OVER_DENT)
+    found = [Window(_spread(width, reach), np.unique(np.clip(np.append(y, 0.0), *interval)))]
+    for dent in surface.features:
+        if isinstance(dent, Dent):
+            half = 0.5 * float(dent.shoulder_diameter or dent.diameter)
+            x, y = (np.linspace(middle - half, middle + half, OVER_DENT) for middle in (dent.x, dent.y))
             found.append(Window(x, np.unique(np.clip(y, *interval))))
     return tuple(found)
 
 
-def scan(region: Region, cells: tuple[int, int], reach: tuple[float, float]) -> Iterator[Window]:
-    """Yield nested windows about a region, in parts; the first is twice its size, with two samples per cell.
+def scan(grid: Grid, reach: tuple[float, float]) -> Iterator[Window]:
+    """Yield nested windows about the region of a grid; the first is twice its size, with two samples per cell.
 
-    Parameters
-    ----------
-    region : Region
-        The region.
-    cells : tuple of int
-        Numbers of cells of the grid over it.
-    reach : tuple of float
-        How far to scan from its middle, across and along [mm].
+    They come in parts that take little memory, each of which shares its last row of samples with the next. ``reach`` is
+    how far to scan from the middle, across and along [mm].
     """
-    x_half, y_half = float(np.ptp(region.x_span)), float(np.ptp(region.y_span))
-    x, y, interval = 0.5 * sum(region.x_span), 0.5 * sum(region.y_span), region.interval
-    samples = [min(max(4 * n + 1, SCANNED), MOST_SCANNED) for n in cells]
+    x_half, y_half = float(np.ptp(grid.x_span)), float(np.ptp(grid.y_span))
+    x, y, interval = 0.5 * sum(grid.x_span), 0.5 * sum(grid.y_span), grid.interval
+    samples = [min(max(4 * n + 1, SCANNED), MOST_SCANNED) for n in grid.cells]
     while True:
         low, high = max(y - min(y_half, reach[1]), interval[0]), min(y + min(y_half, reach[1]), interval[1])
         wide, long = x_half >= reach[0], y_half >= reach[1] or (low, high) == interval
         x_half = min(x_half, reach[0])
-        yield from _parts(Window(np.linspace(x - x_half, x + x_half, samples[0]), np.linspace(low, high, samples[1])))
+        across, along = np.linspace(x - x_half, x + x_half, samples[0]), np.linspace(low, high, samples[1])
+        step = max(SCANNED_AT_ONCE // along.size, 2)
+        for start in range(0, across.size - 1, step):
+            yield Window(across[start : start + step + 1], along)
         if wide and long:
             return
         x_half, y_half, samples = LARGER * x_half, LARGER * y_half, [SCANNED, SCANNED]
 
 
-def _parts(window: Window) -> Iterator[Window]:
-    """Yield parts of a window that take little memory; each shares its last row of samples with the next."""
-    step = max(SCANNED_AT_ONCE // window.y.size, 2)
-    for start in range(0, window.x.size - 1, step):
-        yield Window(window.x[start : start + step + 1], window.y)
-
-
-def within(grid: Grid) -> tuple[Window, ...]:
-    """Return where to sample the region of a grid."""
-    return (Window(np.linspace(*grid.x_span, 2 * EVENLY - 1), np.linspace(*grid.y_span, ALONG)),)
-
-
-def lowest(gap: Gap, tilt: float, several: tuple[Window, ...]) -> Lowest:
+def lowest(gap: Gap, tilt: float, several: Iterable[Window]) -> Lowest:
     """Return the lowest place, refined from the lowest sample."""
-    best = min((_lowest_sample(gap, tilt, window) for window in several), key=lambda found: found[0].value)
-    place, window = best
+    place, window = min((_lowest_sample(gap, tilt, window) for window in several), key=lambda found: found[0].value)
     for _ in range(MOST_CLOSER):
         closer, window = _lowest_sample(gap, tilt, window)
-        gained = place.value - closer.value
-        place = closer if gained > 0.0 else place
+        place = closer if closer.value < place.value else place
         if max(np.ptp(window.x), np.ptp(window.y)) < 1e-12:
             break
     return place
@@ -169,53 +152,22 @@ def extent(gap: Gap, tilt: float, approach: float, at: Lowest, several: tuple[Wi
     return x_span, y_span
 
 
-@dataclass(frozen=True, eq=False)
-class Rows:
-    """Where along y samples of a gap are finite [mm].
-
-    Attributes
-    ----------
-    finite : ndarray
-        The y of samples that are finite for some x, ascending.
-    empty : ndarray
-        The y of the other samples, ascending.
-    """
-
-    finite: Array
-    empty: Array
-
-    @property
-    def ends(self) -> Span:
-        """The outermost ends, each extended to the next sample beyond, if there is one."""
-        low, high = float(self.finite[0]), float(self.finite[-1])
-        below, above = self.empty[self.empty < low], self.empty[self.empty > high]
-        return float(below[-1]) if below.size else low, float(above[0]) if above.size else high
-
-    def around(self, y: float) -> Span:
-        """Return a span from the finite sample below a place to that above it, extended by half its length each way."""
-        index = int(np.searchsorted(self.finite, y))
-        low, high = (float(self.finite[min(max(k, 0), self.finite.size - 1)]) for k in (index - 1, index))
-        return 1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low
-
-
-def rows(gap: Gap, several: Iterable[Window]) -> Rows:
-    """Return where along y samples of a gap are finite.
+def finite_rows(gap: Gap, several: Iterable[Window]) -> tuple[Array, Span]:
+    """Return where along y samples of a gap are finite for some x, ascending, and the next samples beyond them [mm].
 
     Raises
     ------
     InputError
         If there is none.
     """
-    sampled: list[Array] = []
-    finite: list[Array] = []
-    for window in several:
-        sampled.append(window.y)
-        finite.append(window.y[np.isfinite(window.of(gap, 0.0)).any(axis=0)])
-    found = np.unique(np.concatenate(finite))
+    rows = [(window.y, np.isfinite(window.of(gap, 0.0)).any(axis=0)) for window in several]
+    sampled = np.unique(np.concatenate([y for y, _ in rows]))
+    found = np.unique(np.concatenate([y[known] for y, known in rows]))
     if not found.size:
         remedy = "let it return a gap in mm near x = 0, y = 0, or give a region around the place where it does"
         raise InputError("gap", np.inf, "be finite somewhere", remedy)
-    return Rows(found, np.setdiff1d(np.concatenate(sampled), found))
+    first, last = np.searchsorted(sampled, found[[0, -1]])
+    return found, (float(sampled[max(first - 1, 0)]), float(sampled[min(last + 1, sampled.size - 1)]))
 
 
 def least_held(gap: Gap, window: Window) -> float:
@@ -244,32 +196,28 @@ def overlap(
     Close to the border only large overlaps count, and none of ``smooth`` bodies, which would overlap within it as well;
     a region ``given`` by the user tolerates a larger overlap.
     """
-    grid, state = outcome.grid, outcome.state
+    grid, state, surface = outcome.grid, outcome.state, problem.gap
     if not state.pressure.any():
         return None
-    largest = outcome.largest_displacement(problem.undeformed(grid))
+    largest = outcome.largest_displacement(surface(*grid.centres))
     found: list[Overlap] = []
     least, margin = CLEAR if given else SEEN, NEAR if smooth else 0.0
-    coarse = _lumps(grid, state.pressure)
+    coarse, (terms, faces) = _lumps(grid, state.pressure), (problem.influence.terms, merged(problem.influence.faces))
+    images = terms[(terms[:, :2] != (1.0, 0.0)).any(axis=1)]
     for window in several:
-        undeformed = window.of(problem.gap, state.rigid[1]) - state.rigid[0]
-        outside = _outside(window, grid, margin)
-        sunk = _sunk(problem, grid, state.pressure, window.y)
-        gap = undeformed - sunk
-        at = np.argwhere(outside & (gap < 0.0))
+        gap = window.of(surface, state.rigid[1]) - state.rigid[0] - _sunk(problem, grid, state.pressure, window.y)
+        at = np.argwhere(_outside(window, grid, margin) & (gap < 0.0))
         if not at.size:
             continue
-        left = gap[tuple(at.T)] + _raised(problem, coarse, *_places(window, at))
+        x, y = window.x[at[:, 0]], window.y[at[:, 1]]
+        gap = gap[tuple(at.T)]
+        left = gap + _raised(terms, (), coarse, x, y)
         # Free faces only raise more, and take longer.
         suspects = np.flatnonzero(left < SUSPECT * largest)
-        left[suspects] += _raised_by_faces(problem, coarse, *_places(window, at[suspects]))
-        suspects = suspects[left[suspects] < SUSPECT * largest]
-        at = at[_chosen(at, left, suspects)]
-        if not at.size:
-            continue
-        x, y = _places(window, at)
-        left = gap[tuple(at.T)] + _raised(problem, coarse, x, y, images=True)
-        left += _raised_by_faces(problem, coarse, x, y) + _raised_nearby(grid, state.pressure, x, y)
+        left[suspects] += _raised(terms[:0], faces, coarse, x[suspects], y[suspects])
+        chosen = _chosen(at, left, suspects[left[suspects] < SUSPECT * largest])
+        at, x, y = at[chosen], x[chosen], y[chosen]
+        left = gap[chosen] + _raised(images, faces, coarse, x, y) + _raised_nearby(grid, state.pressure, x, y)
         far = _outside(window, grid, NEAR)
         for i, j, depth in zip(*at.T, -left, strict=True):
             if depth > (least if far[i, j] else SEEN_NEAR) * largest:
@@ -281,10 +229,6 @@ def overlap(
     x_span = min(each.x_span[0] for each in found), max(each.x_span[1] for each in found)
     y_span = min(each.y_span[0] for each in found), max(each.y_span[1] for each in found)
     return Overlap(deepest.x, deepest.y, deepest.depth, x_span, y_span)
-
-
-def _places(window: Window, at: NDArray[np.intp]) -> tuple[Array, Array]:
-    return window.x[at[:, 0]], window.y[at[:, 1]]
 
 
 def _chosen(at: NDArray[np.intp], left: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -321,13 +265,11 @@ def _neighbours(places: Array, index: int) -> Span:
 
 def _outside(window: Window, grid: Grid, cells: float) -> NDArray[np.bool_]:
     """Return which places of a window are more than so many cells beyond a region, shape (nx, ny)."""
-    across, along = _beyond(window.x, grid.x_span, cells * grid.dx), _beyond(window.y, grid.y_span, cells * grid.dy)
-    return across[:, None] | along
-
-
-def _beyond(places: Array, span: Span, margin: float) -> NDArray[np.bool_]:
-    beyond: NDArray[np.bool_] = (places < span[0] - margin) | (places > span[1] + margin)
-    return beyond
+    across, along = (
+        (places < span[0] - cells * side) | (places > span[1] + cells * side)
+        for places, span, side in ((window.x, grid.x_span, grid.dx), (window.y, grid.y_span, grid.dy))
+    )
+    return np.asarray(across[:, None] | along)
 
 
 def _starts(grid: Grid, most: tuple[int, int]) -> list[NDArray[np.int64]]:
@@ -337,7 +279,7 @@ def _starts(grid: Grid, most: tuple[int, int]) -> list[NDArray[np.int64]]:
     ]
 
 
-def _lumps(grid: Grid, pressure: Array) -> tuple[Array, Array, Array, float]:
+def _lumps(grid: Grid, pressure: Array) -> Lumps:
     """Return forces times K that replace the pressure, shape (lumps,), where they act, and the lump size [mm]."""
     starts = _starts(grid, LUMPS)
 
@@ -354,36 +296,22 @@ def _lumps(grid: Grid, pressure: Array) -> tuple[Array, Array, Array, float]:
     return force * grid.dx * grid.dy, x, y, size
 
 
-def _raised(
-    problem: PatchProblem, lumps: tuple[Array, Array, Array, float], x: Array, y: Array, images: bool = False
-) -> Array:
-    """Return the surface displacement at places under forces, shape (places,); if ``images``, only their part of it."""
+def _raised(terms: Array, faces: tuple[FreeSide, ...], lumps: Lumps, x: Array, y: Array) -> Array:
+    """Return the displacement that images and free side faces make of forces at places, shape (places,)."""
     force, x_force, y_force, size = lumps
     total: Array = np.zeros(x.size)
-    block = max(AT_ONCE // force.size, 1)
+    block = max(AT_ONCE // ((PER_DISTANCE if faces else 1) * force.size), 1)
     for start in range(0, x.size, block):
         at = slice(start, start + block)
-        for sign, offset, weight in problem.influence.terms.tolist():
-            if images and (sign, offset) == (1.0, 0.0):
-                continue
+        for sign, offset, weight in terms.tolist():
             squared = np.square(x[at, None] - x_force)
             squared += np.square(y[at, None] - (sign * y_force + offset))
             np.maximum(squared, (0.25 * size) ** 2, out=squared)
             np.sqrt(squared, out=squared)
             np.reciprocal(squared, out=squared)
             total[at] += weight * (squared @ force)
-    return total
-
-
-def _raised_by_faces(problem: PatchProblem, lumps: tuple[Array, Array, Array, float], x: Array, y: Array) -> Array:
-    """Return what free side faces add to the displacement at places under forces, shape (places,)."""
-    force, x_force, y_force, _ = lumps
-    total: Array = np.zeros(x.size)
-    faces = merged(problem.influence.faces)
-    block = max(AT_ONCE // (PER_DISTANCE * force.size), 1)
-    for start in range(0, x.size if faces else 0, block):
-        at = slice(start, start + block)
-        total[at] = at_points(faces, x[at], y[at], x_force, y_force) @ force
+        if faces:
+            total[at] += at_points(faces, x[at], y[at], x_force, y_force) @ force
     return total
 
 

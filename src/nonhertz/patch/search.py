@@ -9,9 +9,9 @@ no cell touches, the contact is smaller than a cell, and the region shrinks abou
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,11 +22,10 @@ from nonhertz.errors import InputError
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
-from nonhertz.patch.cascade import Outcome, PatchProblem, solve_on
+from nonhertz.patch.cascade import Outcome, PatchProblem, refuse_beyond, solve_on
 from nonhertz.patch.features import Dent
-from nonhertz.patch.limits import widest_run
-from nonhertz.patch.nearness import Lowest, Overlap, Rows, Window
-from nonhertz.patch.region import Region, Span
+from nonhertz.patch.grid import Grid, widest_run
+from nonhertz.patch.nearness import Lowest, Overlap, Window
 from nonhertz.result.checks import LEAST_OF_ALL, refuse_thin_bodies
 from nonhertz.result.solution import Status
 
@@ -47,29 +46,29 @@ DIGITS = 12  # of an approach at which bodies begin to touch
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """The search for a region, and what it works on.
-
-    Attributes
-    ----------
-    problem : PatchProblem
-        The problem to solve.
-    contact : Contact
-        The bodies.
-    given : Prescription
-        What is prescribed.
-    gap_given : bool
-        Whether the gap is a user function rather than the bodies' own.
-    """
+    """The search for a region, and the problem that it works on."""
 
     problem: PatchProblem
-    contact: Contact
-    given: Prescription
-    gap_given: bool
+
+    @property
+    def contact(self) -> Contact:
+        """The bodies."""
+        return self.problem.contact
+
+    @property
+    def given(self) -> Prescription:
+        """What is prescribed."""
+        return self.problem.given
 
     @property
     def tilt(self) -> float:
         """The prescribed tilt [rad], zero if there is none."""
         return self.given.tilt or 0.0
+
+    @property
+    def gap_given(self) -> bool:
+        """Whether the gap is a user function rather than the bodies' own."""
+        return self.problem.gap.gap is not None
 
     @property
     def reach(self) -> float:
@@ -79,28 +78,28 @@ class Search:
     @property
     def radius(self) -> float:
         """The combined radius in the middle of the bodies [mm], infinite if they are flat or conforming."""
-        y = np.array([float(np.clip(0.0, *self.contact.interval))])
-        curvature = float((self.contact.a.curvature(y) + self.contact.b.curvature(y))[0])
+        y = np.clip(0.0, *self.contact.interval)
+        curvature = float(self.contact.a.curvature(y) + self.contact.b.curvature(y))
         return 1.0 / curvature if curvature > 0.0 else math.inf
 
     @property
     def own_gap(self) -> bool:
         """Whether the gap is that of the bodies with dents alone, which has no bumps that are not known."""
-        return not self.gap_given and all(isinstance(each, Dent) for each in getattr(self.problem.gap, "features", ()))
+        return not self.gap_given and all(isinstance(each, Dent) for each in self.problem.gap.features)
 
-    def windows(self, region: Region | None = None, cells: tuple[int, int] = CELLS) -> Iterator[Window]:
-        """Yield where the gap is sampled: along the bodies, and one that may have bumps also around a region.
+    def windows(self, grid: Grid | None = None) -> Iterator[Window]:
+        """Yield where the gap is sampled: along the bodies, and one that may have bumps also around the region.
 
-        Without one it is where a contact is looked for first.
+        Without a grid that is where a contact is looked for first.
         """
         width, interval = self.width(), self.contact.interval
-        yield from nearness.windows(self.problem, interval, width, self.reach)
+        yield from nearness.windows(self.problem.gap, width, self.reach)
         if self.own_gap:
             return
-        if region is None:
+        if grid is None:
             low, high = map(float, np.clip((-width, width), *interval))
-            region = Region((-width, width), (low, high) if low < high else interval, interval)
-        yield from nearness.scan(region, cells, (min(self.reach, FLAT_REACH), FLAT_REACH))
+            grid = Grid((-width, width), (low, high) if low < high else interval, CELLS, interval)
+        yield from nearness.scan(grid, (min(self.reach, FLAT_REACH), FLAT_REACH))
 
     def width(self) -> float:
         """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies define one."""
@@ -119,14 +118,14 @@ class Search:
 
     def _width_of_gap(self, load: float) -> float:
         """Return the distance from its lowest place at which the gap has risen by as much as the load presses in."""
-        lowest = self._lowest(nearness.windows(self.problem, self.contact.interval, 1.0, self.reach))
+        lowest = self._lowest(nearness.windows(self.problem.gap, 1.0, self.reach))
         away = np.geomspace(1e-6, FLAT_REACH, 200)
         x, y = lowest.x + np.concatenate([-away, away]), np.clip(lowest.y, *self.contact.interval)
         across = self.problem.gap(x[:, None], np.array([[y]]))[:, 0].reshape(2, -1).min(axis=0) - self.tilt * y
         pressed = self.contact.compliance * load / away
         return float(away[int(np.argmax(across - lowest.value > pressed))])
 
-    def _lowest(self, windows: tuple[Window, ...]) -> Lowest:
+    def _lowest(self, windows: Iterable[Window]) -> Lowest:
         return nearness.lowest(self.problem.gap, self.tilt, windows)
 
     def refuse_apart(self, windows: tuple[Window, ...]) -> Lowest:
@@ -147,24 +146,6 @@ class Search:
             raise InputError("approach", approach, condition, "raise it, or prescribe the load")
         return lowest
 
-    def _refuse_beyond(self, rows: Rows) -> None:
-        """Refuse a moment out of reach of the places where samples of the gap are finite.
-
-        Raises
-        ------
-        InputError
-        """
-        moment, arm, (low, high) = self.given.moment, self.given.arm, rows.ends
-        if moment is None:
-            return
-        if arm is not None and not low <= arm <= high:
-            between = f"between {mm(low, high, between=' and '):.4g}, where the gap is finite"
-            condition = f"keep moment / load = {mm(arm):.6g} {between}"
-            raise InputError("moment", moment, condition, "reduce it, or give the region of the contact")
-        if (moment > 0.0 >= rows.finite[-1]) or (moment < 0.0 <= rows.finite[0]):
-            condition = f"have the sign of the lever arms, which lie between {mm(low, high, between=' and '):.4g}"
-            raise InputError("moment", moment, condition, "reverse its sign, or give the region of the contact")
-
     def found(self, cells: tuple[int, int], tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
         """Find a region and solve in it, enlarging it where the contact turns out to extend further.
 
@@ -174,84 +155,85 @@ class Search:
         Overlap or None
             An overlap that could not be included.
         """
-        windows = tuple(self.windows())
-        start, towards = self._start(windows)
+        windows, arm = tuple(self.windows()), self.given.arm
+        grid, towards = self._start(windows)
         if not self.own_gap:
-            rows = nearness.rows(self.problem.gap, windows)
-            self._refuse_beyond(rows)
-            if self.given.arm is not None:
+            rows, ends = nearness.finite_rows(self.problem.gap, windows)
+            bearing = float(rows[0]), float(rows[-1])
+            where = "where the gap is finite"
+            refuse_beyond(self.given, ends, where, "give the region of the contact", bearing)
+            if arm is not None:
                 # Otherwise the search may settle on a contact on only one side of the moment's lever arm.
-                start = start.joined(start.x_span, rows.around(self.given.arm))
-        self._refuse_spans(start.x_span, start.y_span)
-        region = self._roughly(start, towards)
+                at = int(np.searchsorted(rows, arm))
+                low, high = float(rows[max(at - 1, 0)]), float(rows[min(at, rows.size - 1)])
+                grid = grid.joined(grid.x_span, (1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low))
+        self._refuse_spans(grid)
+        grid = replace(self._roughly(grid, towards), cells=cells)
         enlarged = shrunk = False
         for _ in range(MOST_SOLVES):
-            outcome = solve_on(self.problem, region.grid(cells), tolerance, pool)
+            outcome = solve_on(self.problem, grid, tolerance, pool)
             touching = outcome.state.pressure > 0.0
-            ends, overlap = region.cut(touching), None
-            if any((*ends[0], *ends[1])):
+            cut, overlap = grid.cut(touching), None
+            if np.any(cut):
                 self._refuse_huge(outcome)
-                region = region.widened(ends, ENLARGEMENT)
+                grid = grid.widened(cut, ENLARGEMENT)
                 continue
-            windows_now = self.windows(region, cells)
-            overlap = nearness.overlap(self.problem, outcome, windows_now, smooth=self.own_gap)
+            overlap = nearness.overlap(self.problem, outcome, self.windows(grid), smooth=self.own_gap)
             if overlap is not None:
-                region, enlarged = region.joined(overlap.x_span, overlap.y_span), True
+                grid, enlarged = grid.joined(overlap.x_span, overlap.y_span), True
                 continue
-            if not enlarged or shrunk or not touching.any() or region.filled(touching) >= EMPTY:
+            if not enlarged or shrunk or not touching.any() or grid.filled(touching) >= EMPTY:
                 break
             # Only once: on other cells a small contact may be missed, then found again outside the region.
-            region, shrunk = region.around(touching), True
+            grid, shrunk = grid.around(touching), True
         return outcome, overlap
 
-    def _roughly(self, region: Region, towards: tuple[float, float]) -> Region:
+    def _roughly(self, grid: Grid, towards: tuple[float, float]) -> Grid:
         """Return the region of the contact, with a small margin where it does not end with the bodies.
 
         ``towards`` is the place x, y [mm] to zoom in on if no cell touches.
         """
         failures = 0
         for _ in range(MOST_MOVES):
-            outcome = solve_on(self.problem, region.grid(CELLS), ROUGHLY, rough=True)
+            outcome = solve_on(self.problem, grid, ROUGHLY, rough=True)
             touching = outcome.state.pressure > 0.0
             failures = 0 if outcome.state.status is Status.CONVERGED else failures + 1
             if failures == MOST_FAILURES:
                 break
             if not touching.any():
-                region = region.closer(towards, CLOSER)
+                halves = 0.5 * CLOSER * np.ptp(grid.x_span), 0.5 * CLOSER * np.ptp(grid.y_span)
+                grid = grid.over([(at - half, at + half) for at, half in zip(towards, halves, strict=True)])
                 continue
-            ends = region.cut(touching)
-            if any((*ends[0], *ends[1])):
+            cut = grid.cut(touching)
+            if np.any(cut):
                 self._refuse_huge(outcome)
                 # Not cut down at the same time: the contact will change once the region no longer cuts it.
-                region = region.widened(ends, 1.0)
+                grid = grid.widened(cut, 1.0)
                 continue
-            done = region.filled(touching) >= FILLED
-            region = region.around(touching)
+            done = grid.filled(touching) >= FILLED
+            grid = grid.around(touching)
             if done:
                 break
-        return region
+        return grid
 
-    def _start(self, windows: tuple[Window, ...]) -> tuple[Region, tuple[float, float]]:
-        """Return a region to begin with, and the place to zoom in on."""
-        low, high = self.contact.interval
-        bounded = math.isfinite(high - low)
-        width, middle = self.width(), 0.0
-        approach, arm = self.given.approach, self.given.arm
+    def _start(self, windows: tuple[Window, ...]) -> tuple[Grid, tuple[float, float]]:
+        """Return a grid to begin with, and the place to zoom in on."""
+        low, high = interval = self.contact.interval
+        width, approach = self.width(), self.given.approach
         if approach is not None:
             at = self.refuse_apart(windows)
             if self.given.moment is None:
                 spans = nearness.extent(self.problem.gap, self.tilt, approach, at, windows)
-                return Region(*spans, (low, high)), (at.x, at.y)
-        elif arm is not None:
-            middle = arm
-        middle, across = float(np.clip(middle, low, high)), 0.0
+                return Grid(*spans, CELLS, interval), (at.x, at.y)
+        middle, across = float(np.clip(self.given.arm or 0.0, low, high)), 0.0
         if not math.isfinite(self.radius) or not np.isfinite(
             self.problem.gap(np.zeros((1, 1)), np.full((1, 1), middle))
         ):
             at = self._lowest(windows)
             across, middle = at.x, at.y if self.given.moment is None else middle
-        y_span = (low, high) if bounded else (max(low, middle - 10.0 * width), min(high, middle + 10.0 * width))
-        return Region((across - 2.0 * width, across + 2.0 * width), y_span, (low, high)), (across, middle)
+        bounded = math.isfinite(high - low)
+        y_span = interval if bounded else (max(low, middle - 10.0 * width), min(high, middle + 10.0 * width))
+        return Grid((across - 2.0 * width, across + 2.0 * width), y_span, CELLS, interval), (across, middle)
 
     def _refuse_huge(self, outcome: Outcome) -> None:
         """Refuse a contact that is wider than the bodies, or that nothing bounds.
@@ -265,20 +247,16 @@ class Search:
         # The width of a contact only a few cells wide is not resolved.
         if run.max() >= LEAST_RUN:
             refuse_thin_bodies(self.contact, HERTZ, grid.y, 0.5 * grid.dx * run, LEAST_OF_ALL, self.given.pressed)
-        self._refuse_spans(grid.x_span, grid.y_span)
+        self._refuse_spans(grid)
 
-    def _refuse_spans(self, x_span: Span, y_span: Span) -> None:
+    def _refuse_spans(self, grid: Grid) -> None:
         x_most = FLAT_REACH if self.gap_given else MOST_RADII * self.radius
         y_most = max(FLAT_REACH, 1e3 * x_most)
-        wide, long = np.ptp(x_span) > 2.0 * x_most, np.ptp(y_span) > 2.0 * y_most
+        wide, long = np.ptp(grid.x_span) > 2.0 * x_most, np.ptp(grid.y_span) > 2.0 * y_most
         if (wide or long) and self.gap_given:
             condition = f"rise away from the contact, which is over {mm(x_most if wide else y_most):.3g} wide"
-            raise InputError(
-                "gap",
-                getattr(self.problem.gap, "gap", None),
-                condition,
-                "let it rise in both directions, or give a region to solve in",
-            )
+            remedy = "let it rise in both directions, or give a region to solve in"
+            raise InputError("gap", self.problem.gap.gap, condition, remedy)
         if long:
             remedy = "give one of the bodies a length, or a profile that falls away"
             raise InputError("length", None, "be given where nothing else ends the contact", remedy)

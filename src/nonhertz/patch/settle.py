@@ -77,6 +77,11 @@ class Task:
         """The cells that have a body and so can carry a pressure, shape (nx, ny)."""
         return np.isfinite(self.undeformed)
 
+    def start(self) -> Array:
+        """Return a pressure to start from: springs, acting in the half of the cells that would touch first."""
+        nearness = (0.0 if self.by_force[1] else self.target[1]) * self.y - self.undeformed
+        return np.maximum(nearness - float(np.median(nearness[self.bearing])), 0.0)
+
 
 @dataclass(frozen=True, eq=False)
 class CellState:

@@ -16,7 +16,7 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding
 from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
-from nonhertz.patch.footprint import half_widths
+from nonhertz.patch.grid import half_widths, interpolation
 from nonhertz.patch.resources import memory
 from nonhertz.result import brief
 from nonhertz.result.ends import SAME_PLACE, corner_ends, ends_in_words, singular_ends
@@ -199,10 +199,8 @@ class PatchSolution(Solved):
         """Pressure on the line x = 0 [MPa] at every ``y``: a cubic through the four nearest cells."""
         if not self.x[0] <= 0.0 <= self.x[-1]:
             return read_only(np.zeros(self.y.size))
-        first = int(np.clip(np.searchsorted(self.x, 0.0) - 2, 0, self.x.size - 4))
-        near = self.x[first : first + 4]
-        weights = [np.prod([other / (other - here) for other in near if other != here]) for here in near]
-        return read_only(np.maximum(np.array(weights) @ self.pressure[first : first + 4], 0.0))
+        middle = interpolation(-self.x[:1] / self.dx, self.x.size, 4)
+        return read_only(np.maximum((middle @ self.pressure)[0], 0.0))
 
     def across(self, y: float) -> tuple[Array, Array]:
         """Return positions x [mm] and the pressures there [MPa] at a station y, linear between rows of cells.
@@ -213,12 +211,9 @@ class PatchSolution(Solved):
             If ``y`` lies outside the region.
         """
         finite("y", y, "give a position along the contact in mm")
-        low, high = float(self.y[0]) - 0.5 * self.dy, float(self.y[-1]) + 0.5 * self.dy
+        low, high = self.edges[[0, -1]]
         if not low <= y <= high:
-            raise InputError(
-                "y", y, f"lie between {mm(low, high, between=' and '):g}", "choose a station within the region"
-            )
-        place = float(np.clip((y - self.y[0]) / self.dy, 0.0, self.y.size - 1.0))
-        below = min(int(place), max(self.y.size - 2, 0))
-        above, share = min(below + 1, self.y.size - 1), place - below
-        return self.x, read_only((1.0 - share) * self.pressure[:, below] + share * self.pressure[:, above])
+            condition = f"lie between {mm(low, high, between=' and '):g}"
+            raise InputError("y", y, condition, "choose a station within the region")
+        place = np.clip([(y - self.y[0]) / self.dy], 0.0, self.y.size - 1.0)
+        return self.x, read_only(self.pressure @ interpolation(place, self.y.size, 2).toarray()[0])

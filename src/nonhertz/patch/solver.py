@@ -9,30 +9,26 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nonhertz.bodies.influence import influence_of
 from nonhertz.bodies.shape import HERTZ
 from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.findings import warn
-from nonhertz.inputs.checks import finite, number_that, whole
+from nonhertz.inputs.checks import number_that, numbers, whole
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import nearness
 from nonhertz.patch.between import between
 from nonhertz.patch.cascade import Outcome, PatchProblem, halved, solve_on
+from nonhertz.patch.grid import Grid, Span, widest_run
 from nonhertz.patch.limits import (
-    between_cells,
     error_estimate,
     overlaps,
     singularities,
     strains,
     uncertain,
     unresolved,
-    widest_run,
 )
-from nonhertz.patch.nearness import Overlap
-from nonhertz.patch.region import Region
+from nonhertz.patch.nearness import Overlap, Window
 from nonhertz.patch.resources import checked_cells, refuse_excess
 from nonhertz.patch.search import Search
 from nonhertz.patch.solution import PatchSolution
@@ -41,12 +37,10 @@ from nonhertz.patch.verdict import complaint
 from nonhertz.result.checks import LEAST_OF_ALL, refuse_thin_bodies
 from nonhertz.result.solution import ErrorEstimate, Status
 
-Array = NDArray[np.float64]
-Span = tuple[float, float]
-
 CELLS = (128, 512)
 WORTH_THREADS = 2**16  # cells: below this, distributing blocks costs more than it saves
 SNAP = 1e-9  # of the length of a region
+ACROSS = 129  # samples of a given region
 
 _residual = number_that(lambda tolerance: 1e-12 <= tolerance <= 1e-2, "lie between 1e-12 and 0.01")
 _REGION_REMEDY = "give ((x_low, x_high), (y_low, y_high)) in mm, or leave it out"
@@ -143,13 +137,13 @@ def solve(
     spans = None if region is None else _checked_region(contact, region)
     refuse_excess(cells, contact)
     surface = Surface.checked(contact, gap, features)
-    problem = _problem(contact, prescription, surface)
-    search = Search(problem, contact, prescription, gap is not None)
+    problem = PatchProblem(surface, prescription)
+    search = Search(problem)
     with _pool(threads, cells) as pool:
         if spans is None:
             outcome, overlap = search.found(cells, tolerance, pool)
         else:
-            outcome, overlap = _in_region(search, Region(*spans, contact.interval), cells, tolerance, pool)
+            outcome, overlap = _in_region(search, Grid(*spans, cells, contact.interval), tolerance, pool)
         levels = halved(problem, outcome, tolerance, pool)
     solution = _solution(problem, contact, outcome)
     half_width = 0.5 * solution.dx * widest_run(solution.footprint)
@@ -162,35 +156,30 @@ def solve(
         raise InputError("cells", cells, condition, "give more cells, or leave the region out")
     if broken:
         raise ConvergenceError(_withheld(broken), replace(solution, status=Status.REFUTED))
-    unseen, largest = between(solution, surface), outcome.largest_displacement(problem.undeformed(outcome.grid))
+    unseen, largest = between(solution, surface), outcome.largest_displacement(surface(*outcome.grid.centres))
     estimate = error_estimate(solution, problem, outcome, levels, unseen, largest)
     solution = replace(solution, error_estimate=estimate)
     found = (
         *strains(solution, problem.influence, outcome.grid),
-        *overlaps(overlap),
-        *between_cells(unseen, largest),
+        *overlaps(overlap, unseen, largest),
         *uncertain(solution, largest),
         *unresolved(surface.features, solution.dx, solution.dy),
     )
     warn(found)
-    rolls_on = surface.changes_across(solution.x[:, None], solution.y[None, :])
+    rolls_on = surface.changes_across(*outcome.grid.centres)
     return replace(solution, findings=(*found, *singularities(solution)), rolls_on=rolls_on)
 
 
-def _in_region(
-    search: Search, region: Region, cells: tuple[int, int], tolerance: float, pool: Executor | None
-) -> tuple[Outcome, Overlap | None]:
+def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
     """Solve in a given region, and return the overlap that it leaves out."""
-    grid = region.grid(cells)
     if search.given.load is None:
-        search.refuse_apart(nearness.within(grid))
+        within = Window(np.linspace(*grid.x_span, ACROSS), np.linspace(*grid.y_span, nearness.ALONG))
+        search.refuse_apart((within,))
     outcome = solve_on(search.problem, grid, tolerance, pool)
-    across, along = region.cut(outcome.state.pressure > 0.0)
     # A contact that is cut off continues beyond the region; the warning about the border says so.
-    if any((*across, *along)):
+    if np.any(grid.cut(outcome.state.pressure > 0.0)):
         return outcome, None
-    windows = search.windows(region, cells)
-    return outcome, nearness.overlap(search.problem, outcome, windows, smooth=search.own_gap, given=True)
+    return outcome, nearness.overlap(search.problem, outcome, search.windows(grid), smooth=search.own_gap, given=True)
 
 
 def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
@@ -210,11 +199,6 @@ def _withheld(broken: str) -> str:
         "causes are a gap that returns different values when called again, or numbers too far apart in size. Try "
         "another tolerance, another number of cells, or another region."
     )
-
-
-def _problem(contact: Contact, given: Prescription, gap: Surface) -> PatchProblem:
-    K = contact.compliance
-    return PatchProblem(gap, influence_of(contact, HERTZ), given.by_force, given.target(K), K)
 
 
 def _solution(problem: PatchProblem, contact: Contact, outcome: Outcome) -> PatchSolution:
@@ -245,22 +229,16 @@ def _solution(problem: PatchProblem, contact: Contact, outcome: Outcome) -> Patc
 
 
 def _checked_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, Span]:
-    try:
-        (x_low, x_high), (y_low, y_high) = region
-    except (TypeError, ValueError):
-        raise InputError("region", region, "be two pairs of ends", _REGION_REMEDY) from None
-    for end in (x_low, x_high, y_low, y_high):
-        try:
-            finite("region", end, _REGION_REMEDY)
-        except InputError as error:
-            raise InputError("region", region, f"have ends that must each {error.condition}", _REGION_REMEDY) from None
+    ends = numbers("region", region, _REGION_REMEDY)
+    if ends.shape != (2, 2):
+        raise InputError("region", region, "be two pairs of ends", _REGION_REMEDY)
+    (x_low, x_high), (y_low, y_high) = ends.tolist()
     # An end computed from cells is off by rounding and would not be recognised as the end of a body.
-    near = SNAP * (float(y_high) - float(y_low))
-    low, high = (float(end) for end in contact.interval)
-    low, high = (low if y_low < low + near else float(y_low)), (high if y_high > high - near else float(y_high))
+    near, (low, high) = SNAP * (y_high - y_low), contact.interval
+    low, high = (low if y_low < low + near else y_low), (high if y_high > high - near else y_high)
     if not (x_low < x_high and low < high):
         raise InputError("region", region, "ascend in both directions and overlap both bodies", _REGION_REMEDY)
-    return (float(x_low), float(x_high)), (low, high)
+    return (x_low, x_high), (low, high)
 
 
 def _pool(threads: int | None, cells: tuple[int, int]) -> AbstractContextManager[Executor | None]:

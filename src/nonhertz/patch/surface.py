@@ -18,6 +18,7 @@ from nonhertz.model.contact import Contact
 
 Array = NDArray[np.float64]
 Feature = Callable[[Array, Array], ArrayLike]
+Gap = Callable[[Array, Array], Array]  # of x and y [mm], of shapes (nx, 1) and (1, ny); infinite without a body
 
 ALIKE = 1e-9  # of the largest relief
 

@@ -14,13 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa, newton
-from nonhertz.bodies.influence import Influence, influence_of
+from nonhertz.bodies.influence import influence_of
 from nonhertz.bodies.shape import HERTZ
 from nonhertz.model.prescription import Prescription
-from nonhertz.patch.cascade import Gap
-from nonhertz.patch.free_faces import FreeEnd, free_ends
+from nonhertz.patch.free_faces import free_ends
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.patch.surface import Gap
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -48,33 +48,26 @@ def complaint(solution: PatchSolution, gap: Gap, given: Prescription, tolerance:
     tolerance : float
         Largest residual requested.
     """
+    return next(_complaints(solution, gap, given, tolerance), "")
+
+
+def _complaints(solution: PatchSolution, gap: Gap, given: Prescription, tolerance: float) -> Iterator[str]:
     # The order matters: each check relies on those before it.
-    for found in (_not_finite(solution), _pulling(solution), _unbalanced(solution, given, tolerance)):
-        if found:
-            return found
-    undeformed = gap(solution.x[:, None], solution.y[None, :])
-    return _without_body(solution, undeformed) or _open_or_overlapping(solution, undeformed, tolerance)
-
-
-def _not_finite(solution: PatchSolution) -> str:
     for name in ("approach", "tilt", "load", "moment"):
         if not np.isfinite(getattr(solution, name)):
-            return f"The {name} is {getattr(solution, name)}, not a finite number."
+            yield f"The {name} is {getattr(solution, name)}, not a finite number."
     if not np.isfinite(solution.pressure).all():
-        return "The pressure of a cell is not a finite number."
+        yield "The pressure of a cell is not a finite number."
     if not np.isfinite(solution.gap).all(where=solution.footprint) or np.isnan(solution.gap).any():
-        return "The gap of a cell is not a number."
-    return ""
+        yield "The gap of a cell is not a number."
+    if (lowest := float(solution.pressure.min())) < 0.0:
+        yield f"A cell is in tension, {mpa(-lowest):.3g}."
+    yield from _unbalanced(solution, given, max(tolerance, BALANCED))
+    yield from _open_or_overlapping(solution, gap(solution.x[:, None], solution.y[None, :]), tolerance)
 
 
-def _pulling(solution: PatchSolution) -> str:
-    lowest = float(solution.pressure.min())
-    return f"A cell is in tension, {mpa(-lowest):.3g}." if lowest < 0.0 else ""
-
-
-def _unbalanced(solution: PatchSolution, given: Prescription, tolerance: float) -> str:
-    """Return a sentence if load, approach, moment or tilt is not what was prescribed, or not the sum of the cells."""
-    allowed = max(tolerance, BALANCED)
+def _unbalanced(solution: PatchSolution, given: Prescription, allowed: float) -> Iterator[str]:
+    """Yield what of load, approach, moment and tilt is not what was prescribed, or not the sum of the cells."""
     area, line = solution.dx * solution.dy, solution.pressure.sum(axis=0)
     load, moment, levers = area * line.sum(), area * (line @ solution.y), area * (line @ np.abs(solution.y))
     pairs = []
@@ -92,41 +85,31 @@ def _unbalanced(solution: PatchSolution, given: Prescription, tolerance: float) 
     ]
     for name, unit, found, required, room in pairs:
         if not abs(found - required) <= room:
-            return f"The {name} came to {found:.10g} {unit} instead of {required:.10g} {unit}."
-    return ""
+            yield f"The {name} came to {found:.10g} {unit} instead of {required:.10g} {unit}."
 
 
-def _without_body(solution: PatchSolution, undeformed: Array) -> str:
-    outside = solution.footprint & ~np.isfinite(undeformed)
-    if not outside.any():
-        return ""
-    borne = float(solution.pressure[outside].sum()) * solution.dx * solution.dy
-    return f"Cells without a body, where the gap is infinite, bear {newton(borne):.3g}."
-
-
-def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: float) -> str:
-    """Return a sentence if cells under pressure are apart, others overlap, or the gap is not that of the pressure."""
+def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: float) -> Iterator[str]:
+    """Yield whether cells under pressure are apart, others overlap, or the gap is not that of the pressure."""
     bearing = np.isfinite(undeformed)
+    outside = solution.footprint & ~bearing
+    if outside.any():
+        borne = float(solution.pressure[outside].sum()) * solution.dx * solution.dy
+        yield f"Cells without a body, where the gap is infinite, bear {newton(borne):.3g}."
     rigid = solution.approach + solution.tilt * solution.y
     displaced = np.subtract(solution.gap, undeformed, out=np.zeros_like(undeformed), where=bearing)
     displaced += rigid * bearing
     largest = float(np.max(np.abs(displaced)))
     digits = LAST_DIGITS * float(np.max(np.abs(undeformed[bearing]), initial=0.0) + np.max(np.abs(rigid)))
     allowed = (tolerance + ROUNDING) * largest + digits
-    apart = float(np.max(np.abs(solution.gap[solution.footprint]), initial=0.0))
-    if apart > allowed:
-        return f"Cells that bear a pressure are apart or overlap by {mm(apart):.3g}."
-    overlap = -float(np.min(solution.gap[bearing], initial=0.0))
-    if overlap > allowed:
-        return f"Cells without pressure overlap by {mm(overlap):.3g}."
+    if (apart := float(np.max(np.abs(solution.gap[solution.footprint]), initial=0.0))) > allowed:
+        yield f"Cells that bear a pressure are apart or overlap by {mm(apart):.3g}."
+    if (overlap := -float(np.min(solution.gap[bearing], initial=0.0))) > allowed:
+        yield f"Cells without pressure overlap by {mm(overlap):.3g}."
     places = _sample(solution, bearing)
     gap = undeformed[tuple(places.T)] - rigid[places[:, 1]] + displacement(solution, places)
-    wrong = float(np.max(np.abs(gap - solution.gap[tuple(places.T)]), initial=0.0))
-    if wrong > allowed:
-        return (
-            f"The gap is not that of the bodies under these pressures: a sum over all cells differs by {mm(wrong):.3g}."
-        )
-    return ""
+    if (wrong := float(np.max(np.abs(gap - solution.gap[tuple(places.T)]), initial=0.0))) > allowed:
+        differs = f"a sum over all cells differs by {mm(wrong):.3g}"
+        yield f"The gap is not that of the bodies under these pressures: {differs}."
 
 
 def _sample(solution: PatchSolution, bearing: Mask) -> Places:
@@ -159,61 +142,25 @@ def displacement(solution: PatchSolution, places: Places) -> Array:
     -------
     ndarray, shape (places,)
     """
-    influence, pressure = influence_of(solution.contact, HERTZ), solution.pressure
-    total = np.zeros(places.shape[0])
-    for distances, seen in _kernels(solution, influence):
-        for sign, kernel in seen.items():
-            for place, (i, j) in enumerate(places.tolist()):
-                columns = kernel[:, j : j + pressure.shape[1]] if sign < 0.0 else _backwards(kernel, j, pressure)
-                total[place] += np.vdot(columns, _folded(pressure, i, distances))
-    for end in free_ends(influence.faces, solution.y, solution.dy):
-        total += _by_free_end(solution, end, places)
+    influence, pressure, total = influence_of(solution.contact, HERTZ), solution.pressure, np.zeros(places.shape[0])
+    (nx, ny), dx, dy = pressure.shape, solution.dx, solution.dy
+    away = [np.abs(np.arange(nx) - i) for i in places[:, 0]]
+    blocks = [edges_from(start * dx, min(ROWS, nx - start), dx) for start in range(0, nx, ROWS)]
+    for sign, offset, weight in influence.terms.tolist():
+        # Shifted, the pressure in column l is j - l cells away; mirrored about the first row, it is j + l.
+        first = -(ny - 1) * dy if sign > 0.0 else 2.0 * float(solution.y[0])
+        along = edges_from(first - offset, 2 * ny - 1, dy)
+        kernel = np.concatenate([rectangles(across, along) for across in blocks])
+        for place, j in enumerate(places[:, 1].tolist()):
+            seen = kernel[away[place], j : j + ny]
+            total[place] += weight * np.vdot(seen[:, ::-1] if sign > 0.0 else seen, pressure)
+    for end in free_ends(influence.faces, solution.y, dy):
+        loads = end.gathered(pressure)
+        kernel = np.concatenate([end.kernel(across) for across in blocks])
+        for place, j in enumerate(places[:, 1].tolist()):
+            total[place] += np.vdot((end.weights[j] @ kernel)[away[place]], loads)
     if influence.references:
-        edges = np.append(solution.y - 0.5 * solution.dy, solution.y[-1] + 0.5 * solution.dy)
+        edges = np.append(solution.y - 0.5 * dy, solution.y[-1] + 0.5 * dy)
         rows, which = np.unique(places[:, 1], return_inverse=True)
         total -= (influence.at_depth(solution.y[rows], edges) @ solution.line_load)[which]
     return solution.contact.compliance * total
-
-
-def _kernels(solution: PatchSolution, influence: Influence) -> Iterator[tuple[range, dict[float, Array]]]:
-    """Yield distances across in cells, a few at a time, and the kernels there: shifted (1) and mirrored (-1).
-
-    The kernel shifted by k cells along is in column ny - 1 + k; that mirrored about the first row and shifted by k
-    cells is in column k.
-    """
-    nx, ny = solution.pressure.shape
-    for start in range(0, nx, ROWS):
-        distances = range(start, min(start + ROWS, nx))
-        x_edges = edges_from(start * solution.dx, len(distances), solution.dx)
-        seen: dict[float, Array] = {}
-        for sign, offset, weight in influence.terms.tolist():
-            first = -(ny - 1) * solution.dy if sign > 0.0 else 2.0 * float(solution.y[0])
-            kernel = rectangles(x_edges, edges_from(first - offset, 2 * ny - 1, solution.dy))
-            seen[sign] = seen.get(sign, 0.0) + weight * kernel
-        yield distances, seen
-
-
-def _by_free_end(solution: PatchSolution, end: FreeEnd, places: Places) -> Array:
-    """Return what free side faces add, over K, shape (places,)."""
-    loads, total = end.gathered(solution.pressure), np.zeros(places.shape[0])
-    for start in range(0, loads.shape[0], ROWS):
-        distances = range(start, min(start + ROWS, loads.shape[0]))
-        kernel = end.kernel(edges_from(start * solution.dx, len(distances), solution.dx))
-        for place, (i, j) in enumerate(places.tolist()):
-            total[place] += np.vdot(end.weights[j] @ kernel, _folded(loads, i, distances))
-    return total
-
-
-def _backwards(kernel: Array, j: int, pressure: Array) -> Array:
-    # The pressure in column l is j - l cells away.
-    return kernel[:, j : j + pressure.shape[1]][:, ::-1]
-
-
-def _folded(pressure: Array, i: int, distances: range) -> Array:
-    """Return the pressures at some distances across from row i, both sides summed, shape (distances, ny)."""
-    away = np.arange(distances.start, distances.stop)
-    total = np.zeros((away.size, pressure.shape[1]))
-    for rows, counted in ((i + away, True), (i - away, away > 0)):
-        within = (rows >= 0) & (rows < pressure.shape[0]) & counted
-        total[within] += pressure[rows[within]]
-    return total
