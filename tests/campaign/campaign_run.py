@@ -1,33 +1,25 @@
-"""Runs cases of a campaign, each whole: the solve, its mirror image, its scaled twins, and many at once.
+"""Runs cases of a campaign, each whole: the solve, its mirror image, its scaled twins, and many at once."""
 
-Cases are given to worker processes one at a time, so that one that crashes or hangs its process is a record and the
-rest goes on.
-"""
-
-import argparse
-import importlib
-import json
-import math
 import multiprocessing
 import os
 import time
 import traceback
 import warnings
 from collections import defaultdict
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
-from multiprocessing.connection import wait
+from functools import partial
 from pathlib import Path
 
 import plain_case
+from extreme_cases import random_case
 from own_theory import kernel
 from verdict import sentence_faults, solution_faults, stiffness_faults, twin_faults, without_numbers
 
 import nonhertz as nh
 
 SLOWEST, FEW_STRIPS = 5.0, 400  # seconds of processor, up to so many strips
-WARMING_UP = -1
 NEARER = 1e-3  # of the interference
-HANGS = 900.0  # seconds for one case with its twins
 ALL_TWINS = ("mirrored", "twice as large", "ten times as large", "ten times as stiff", "many", "nearer")
 
 
@@ -230,23 +222,18 @@ def _row_faults(many, row, failures, case, alone):
     return faults
 
 
-def generator(campaign):
-    return importlib.import_module(campaign).random_case
-
-
-def case_record(campaign, number, twins):
+def case_record(number, twins):
     """The record of one numbered case; what goes wrong in the campaign itself is one too."""
     try:
-        return examined(generator(campaign)(number), number, twins)
+        return examined(random_case(number), number, twins)
     except Exception:  # noqa: BLE001  (a checker that fails must not hide the other cases)
         return Record(number, "campaign", faults=[("the campaign itself failed", traceback.format_exc()[-1500:])])
 
 
-def warm_up(campaign):
-    """Compile everything, so that no case is slow or hangs because of it."""
+def warm_up():
+    """Compile everything, so that no case is slow because of it."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        generator(campaign)
         body = nh.Roller(diameter=20.0, length=20.0, profile=nh.profile.chamfer(20.0, 0.5))
         for element in (nh.SEMI_ELLIPTIC, nh.PARABOLIC):
             kernel(element.name)
@@ -257,68 +244,11 @@ def warm_up(campaign):
                 )
 
 
-def _work(campaign, twins, connection):
-    warm_up(campaign)
-    connection.send(None)
-    while (number := connection.recv()) is not None:
-        connection.send(case_record(campaign, number, twins))
-
-
-class _Worker:
-    def __init__(self, campaign, twins):
-        context = multiprocessing.get_context("spawn")
-        self.connection, other = context.Pipe()
-        self.process = context.Process(target=_work, args=(campaign, twins, other), daemon=True)
-        self.process.start()
-        other.close()
-        self.number, self.since = WARMING_UP, math.inf
-
-    def give(self, number):
-        self.number, self.since = number, time.monotonic()
-        self.connection.send(number)
-
-    def ended(self):
-        self.process.kill()
-        self.process.join()
-        self.connection.close()
-
-
-def records(campaign, numbers, twins, workers):
-    """Yield the records of all numbers, in the order in which they come."""
-    left, running = iter(numbers), [_Worker(campaign, twins) for _ in range(workers)]
-    try:
-        while busy := [worker for worker in running if worker.number is not None]:
-            ready = wait([worker.connection for worker in busy], timeout=1.0)
-            for worker in busy:
-                died = hung = False
-                if worker.connection in ready:
-                    try:
-                        record = worker.connection.recv()
-                        if record is not None:
-                            yield record
-                    except EOFError:
-                        if worker.number == WARMING_UP:
-                            raise
-                        died = True
-                elif time.monotonic() - worker.since > HANGS:
-                    hung = True
-                else:
-                    continue
-                if died or hung:
-                    yield _lost(campaign, worker.number, "the process died" if died else "hangs")
-                    worker.ended()
-                    running[running.index(worker)] = _Worker(campaign, twins)
-                    continue
-                worker.number = None
-                if (number := next(left, None)) is not None:
-                    worker.give(number)
-    finally:
-        for worker in running:
-            worker.ended()
-
-
-def _lost(campaign, number, how):
-    return Record(number, "crash", call=plain_case.call_text(generator(campaign)(number)), faults=[(how, "")])
+def records(numbers, twins):
+    """The records of all numbers."""
+    spawning = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(os.cpu_count(), spawning, initializer=warm_up) as pool:
+        return list(pool.map(partial(case_record, twins=twins), numbers))
 
 
 def grouped(found):
@@ -349,26 +279,3 @@ def grouped(found):
     if seconds:
         lines.append(f"seconds per case with twins: median {seconds[len(seconds) // 2]:.3f}, longest {seconds[-1]:.1f}")
     return "\n".join(lines)
-
-
-def main(campaign):
-    """Run a slice of a campaign from the command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--last", type=int, default=50_000)
-    parser.add_argument("--workers", type=int, default=os.cpu_count())
-    parser.add_argument("--out", type=Path, help="JSON lines of the cases with faults")
-    parser.add_argument("--twins", choices=["all", "one", "none"], default="all")
-    chosen = parser.parse_args()
-    start, found = time.monotonic(), []
-    out = chosen.out.open("w") if chosen.out else None
-    for record in records(campaign, range(chosen.first, chosen.last), chosen.twins, chosen.workers):
-        found.append(record)
-        if out and record.faults:
-            out.write(json.dumps(vars(record), default=str) + "\n")
-            out.flush()
-        if len(found) % 1000 == 0:
-            faulty = sum(bool(one.faults) for one in found)
-            print(f"{len(found)} cases, {faulty} with faults, {time.monotonic() - start:.0f} s", flush=True)
-    print(grouped(found))
-    return 1 if any(record.faults for record in found) else 0

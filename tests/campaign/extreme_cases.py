@@ -2,14 +2,10 @@
 
 Lengths from 1e-6 to 1e6 mm, every Poisson's ratio, reliefs with walls, cusps, steps and dimples, bodies that end
 anywhere, 1 to 2000 strips. Nothing of it need have a solution; none may end in a wrong one.
-
-    python tests/campaign/extreme_cases.py --first 0 --last 5000 --workers 2 --out fails.jsonl
 """
 
 import math
-import sys
 
-import campaign_run
 import numpy as np
 from own_theory import common_interval, compliance, separation
 
@@ -352,7 +348,3 @@ def one_of(rng, choices):
 
 def either(rng):
     return float(rng.choice([-1.0, 1.0]))
-
-
-if __name__ == "__main__":
-    sys.exit(campaign_run.main("extreme_cases"))

@@ -31,7 +31,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent / "golden"))
 # Of 10,000 cases; every fifth bearing is by strips, the others by slices.
-DRAWS = {"practice_cases": 10_000, "extreme_cases": 10_000, "bearing": 2_000, "patch": 300, "stress": 300}
+DRAWS = {"roller": 2_000, "extreme": 10_000, "bearing": 2_000, "patch": 300, "stress": 300}
 SAME = 1e-12
 # Of a case that took its time, and of the release that made the file.
 NOT_COMPARED = ("seconds", "version", "format", ".case")
@@ -40,22 +40,39 @@ NOT_COMPARED = ("seconds", "version", "format", ".case")
 def case_record(work):
     """Return the record of a case of a campaign."""
     kind, number = work
-    ended, found = {"bearing": bearing, "patch": patch, "stress": stress}.get(kind, contact)(*work)
+    of = {"roller": roller, "extreme": extreme, "bearing": bearing, "patch": patch, "stress": stress}
+    ended, found = of[kind](number)
     return {"of": f"{kind} {number}", "ended": ended, "numbers": found}
 
 
-def contact(campaign, number):
-    """Return how a contact of a campaign ended, and its numbers."""
-    import campaign_run
-
-    ending = campaign_run.solved(campaign_run.generator(campaign)(number))
-    names = ("approach", "tilt", "load", "moment", "max_pressure", "max_half_width", "stiffness")
-    rows = ("edges", "line_load", "half_width", "gap")
-    found = {} if ending.solution is None else quantities(ending.solution, names, rows)
-    return f"{ending.kind} {ending.words}", found
+NAMES = ("approach", "tilt", "load", "moment", "max_pressure", "max_half_width", "stiffness")
+ROWS = ("edges", "line_load", "half_width", "gap")
 
 
-def bearing(_, number):
+def roller(number):
+    """Return how a random roller ended, and its numbers."""
+    from test_real_rollers import real_case
+
+    import nonhertz as nh
+
+    def solve():
+        contact, given = real_case(number)
+        return nh.solve(contact, **given)
+
+    ended, found = tried(solve)
+    return ended, {} if found is None else quantities(found, NAMES, ROWS)
+
+
+def extreme(number):
+    """Return how an extreme contact ended, and its numbers."""
+    from campaign_run import solved
+    from extreme_cases import random_case
+
+    ending = solved(random_case(number))
+    return f"{ending.kind} {ending.words}", {} if ending.solution is None else quantities(ending.solution, NAMES, ROWS)
+
+
+def bearing(number):
     """Return how a random bearing ended, and its numbers."""
     from test_bearings import random_bearing
 
@@ -67,7 +84,7 @@ def bearing(_, number):
     return ended, {} if found is None else quantities(found, ("displacement", "force", "stiffness"), rows)
 
 
-def patch(_, number):
+def patch(number):
     """Return how a random contact on a plane grid ended, and its numbers."""
     import numpy as np
     from test_patch_estimate import KINDS, case
@@ -82,7 +99,7 @@ def patch(_, number):
     return ended, {} if found is None else quantities(found, names, ("x", "y", "pressure", "gap"))
 
 
-def stress(_, number):
+def stress(number):
     """Return the stress at some places below a random contact."""
     import numpy as np
     from test_stress_campaign import random_solution
