@@ -3,7 +3,6 @@
 import pytest
 
 import nonhertz as nh
-from nonhertz.cli import main
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.held import parsed
 
@@ -138,14 +137,12 @@ def test_each_mistake_is_one_sentence_with_a_way_out(folder, case):
 
 
 @pytest.mark.parametrize("beginnings", [MISTAKES[0], MISTAKES[-1]])
-def test_commands_list_mistakes_and_solve_nothing(folder, capsys, beginnings):
+def test_commands_list_mistakes_and_solve_nothing(folder, run, beginnings):
     (folder / "case.toml").write_text(beginnings[0], encoding="utf-8")
-    assert main(["solve", "case.toml", "--json", "--out", "results"]) == 2
-    solved = capsys.readouterr()
+    solved = run("solve", "case.toml", "--json", "--out", "results", code=2)
     assert solved.out == ""
     assert not (folder / "results").exists()
-    assert main(["check", "case.toml"]) == 2
-    checked = capsys.readouterr()
+    checked = run("check", "case.toml", code=2)
     assert checked.err == ""
     single = len(beginnings) == 2
     assert solved.err == (checked.out.removeprefix("1. ") if single else checked.out)
@@ -186,31 +183,27 @@ FILES = {
 
 @pytest.mark.parametrize(("content", "sentence"), FILES.values(), ids=FILES)
 @pytest.mark.parametrize("command", ["solve", "check"])
-def test_files_that_cannot_be_read(folder, capsys, command, content, sentence):
+def test_files_that_cannot_be_read(folder, run, command, content, sentence):
     if content is not None:
         (folder / "case.toml").write_bytes(content)
-    assert main([command, "case.toml"]) == 2
-    printed = "".join(capsys.readouterr())
+    both = run(command, "case.toml", code=2)
     if command == "check":
         sentence = sentence.replace("a case file,", "a case file, bearing file or plan file,")
     space = "" if sentence.startswith(",") else " "
-    assert printed.removeprefix("1. ") == f"case.toml{space}{sentence}\n"
+    assert (both.out + both.err).removeprefix("1. ") == f"case.toml{space}{sentence}\n"
 
 
-def test_a_directory_is_no_case_file(folder, capsys):
-    assert main(["solve", "."]) == 2
-    assert capsys.readouterr().err == ". must be a file, not a directory: give the path of a case file.\n"
+def test_a_directory_is_no_case_file(folder, run):
+    assert run("solve", ".", code=2).err == ". must be a file, not a directory: give the path of a case file.\n"
 
 
-def test_what_only_the_solver_sees_is_a_sentence_too(folder, capsys):
+def test_what_only_the_solver_sees_is_a_sentence_too(folder, run):
     # A cylinder without ends on a plane without ends: nothing ends the contact.
     (folder / "case.toml").write_text(f"[body.a]\ndiameter = 20\n{REST}", encoding="utf-8")
-    assert main(["solve", "case.toml"]) == 2
-    sentence = capsys.readouterr().err
+    sentence = run("solve", "case.toml", code=2).err
     assert sentence.startswith("body.a.length must be given where nothing else ends the contact: ")
     assert len(sentence.splitlines()) == 1
-    assert main(["check", "case.toml"]) == 2
-    assert capsys.readouterr().out == f"1. {sentence}"
+    assert run("check", "case.toml", code=2).out == f"1. {sentence}"
 
 
 def test_a_complaint_of_the_solver_about_both_bodies_names_keys_of_the_file():
@@ -240,10 +233,9 @@ def test_a_document_from_elsewhere_cannot_have_files_read(folder):
     assert caught.value.places == ("body.a.profile[1].file",)
 
 
-def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder, capsys):
+def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder, run):
     (folder / "case.toml").write_text(f"{A}depth = '0.3 mm'\n{REST}", encoding="utf-8")
-    assert main(["solve", "case.toml"]) == 2
-    sentence = capsys.readouterr().err
+    sentence = run("solve", "case.toml", code=2).err
     assert sentence.startswith("body.a.depth = 0.3 must be large compared with the half-width of the contact")
     assert len(sentence.splitlines()) == 1
 
@@ -273,9 +265,8 @@ def test_a_body_is_refused_in_the_words_of_python(folder, keys):
         (["check"], 'Command "check" parameter FILE requires an argument'),
     ],
 )
-def test_wrong_usage_is_one_sentence(capsys, words, beginning):
-    assert main(words) == 2
-    printed = capsys.readouterr()
+def test_wrong_usage_is_one_sentence(run, words, beginning):
+    printed = run(*words, code=2)
     assert printed.out == ""
     assert printed.err.startswith(beginning)
     of = "nonhertz" if words[0] == "slove" else f"nonhertz {words[0]}"

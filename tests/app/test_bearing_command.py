@@ -61,9 +61,8 @@ def pair(tmp_path_factory):
 # What is printed
 
 
-def test_the_summary_says_what_an_engineer_asks_for(folder, capsys, few):
-    assert main(["bearing", "few.toml"]) == 0
-    printed = capsys.readouterr()
+def test_the_summary_says_what_an_engineer_asks_for(folder, run, few):
+    printed = run("bearing", "few.toml")
     assert printed.err == ""
     _, found = few
     head, _, table = printed.out.partition("\n\n")
@@ -94,9 +93,8 @@ def test_the_summary_says_what_an_engineer_asks_for(folder, capsys, few):
     assert "rib load" not in printed.out
 
 
-def test_a_pair_is_shown_with_its_rows_ribs_and_life(folder, capsys, pair):
-    assert main(["bearing", "pair.toml"]) == 0
-    out = capsys.readouterr().out
+def test_a_pair_is_shown_with_its_rows_ribs_and_life(folder, run, pair):
+    out = run("bearing", "pair.toml").out
     _, found = pair
     assert "tapered roller bearing, 2 rows" in out
     assert re.search(r"loaded rollers +7 of 12 +row 1: all round; row 2: 0\.0 degrees", out)
@@ -108,10 +106,9 @@ def test_a_pair_is_shown_with_its_rows_ribs_and_life(folder, capsys, pair):
     assert_allclose(float(rib[1]), found.rib_load.max(), rtol=1e-4)
 
 
-def test_an_unloaded_bearing_is_no_failure(folder, capsys):
+def test_an_unloaded_bearing_is_no_failure(folder, run):
     Path("idle.toml").write_text(FEW.partition("[load]")[0] + "[load]\n", encoding="utf-8")
-    assert main(["bearing", "idle.toml"]) == 0
-    out = capsys.readouterr().out
+    out = run("bearing", "idle.toml").out
     assert re.search(r"loaded rollers +none of 6", out)
     assert re.search(r"static safety +no load", out)
     assert re.search(r"modified life +no damage", out)
@@ -120,9 +117,8 @@ def test_an_unloaded_bearing_is_no_failure(folder, capsys):
 # JSON and files
 
 
-def test_json_is_one_strict_object_with_all_numbers(folder, capsys, few):
-    assert main(["bearing", "few.toml", "--json"]) == 0
-    printed = capsys.readouterr()
+def test_json_is_one_strict_object_with_all_numbers(folder, run, few):
+    printed = run("bearing", "few.toml", "--json")
     assert printed.err == ""
     result, (case, found) = parsed(printed.out), few
     for name in ("angle", "load", "moment", "approach", "tilt", "contact_angle", "rib_load", "displacement", "force"):
@@ -147,11 +143,10 @@ def test_json_is_one_strict_object_with_all_numbers(folder, capsys, few):
     assert read_bearing("again.toml").bearing == case.bearing
 
 
-def test_json_says_why_there_is_no_life(folder, capsys):
+def test_json_says_why_there_is_no_life(folder, run):
     ceramic = FEW.replace("[roller]\n", "[roller]\nmaterial = { modulus = 310000, poisson = 0.27 }\n") + SLICES
     Path("ceramic.toml").write_text(ceramic, encoding="utf-8")
-    assert main(["bearing", "ceramic.toml", "--json"]) == 0
-    result = parsed(capsys.readouterr().out)
+    result = run("bearing", "ceramic.toml", "--json").json
     assert result["life"] is None
     assert result["life_reason"] == "the bearing must be of bearing steel"
 
@@ -192,23 +187,20 @@ def test_out_writes_result_rollers_and_lines(folder, capsys, few):
         )
 
 
-def test_a_further_number_of_bearings_is_one_entry(folder, capsys, monkeypatch):
+def test_a_further_number_of_bearings_is_one_entry(folder, run, monkeypatch):
     mean = Quantity("mean_load", "mean load", "", "N", lambda solved: solved.solution.load.mean())
     monkeypatch.setitem(QUANTITIES, "mean_load", mean)
     loads = read_bearing("sliced.toml").solve().load
-    assert main(["bearing", "sliced.toml"]) == 0
-    (line,) = (line for line in capsys.readouterr().out.splitlines() if line.startswith("mean load "))
+    (line,) = (line for line in run("bearing", "sliced.toml").out.splitlines() if line.startswith("mean load "))
     assert_allclose(1e3 * float(line.split()[2]), loads.mean(), rtol=1e-4)
-    assert main(["bearing", "sliced.toml", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["mean_load"] == loads.mean()
+    assert run("bearing", "sliced.toml", "--json").json["mean_load"] == loads.mean()
 
 
 # Both methods
 
 
-def test_compare_sets_strips_beside_slices(folder, capsys, few):
-    assert main(["bearing", "few.toml", "--compare"]) == 0
-    out = capsys.readouterr().out
+def test_compare_sets_strips_beside_slices(folder, run, few):
+    out = run("bearing", "few.toml", "--compare").out
     case, strips = few
     slices = case.solve("slices")
     row = next(line for line in out.splitlines() if line.startswith("displacement y"))
@@ -224,9 +216,8 @@ def test_compare_sets_strips_beside_slices(folder, capsys, few):
     assert_allclose(float(cells[4]), 100 * change, rtol=0.06)
 
 
-def test_compare_writes_and_prints_json(folder, capsys, few):
-    assert main(["bearing", "few.toml", "--compare", "--json", "--out", "both"]) == 0
-    result = parsed(capsys.readouterr().out)
+def test_compare_writes_and_prints_json(folder, run, few):
+    result = run("bearing", "few.toml", "--compare", "--json", "--out", "both").json
     case, strips = few
     slices = case.solve("slices")
     assert_array_equal(result["strips"]["load"], strips.load)
@@ -242,12 +233,13 @@ def test_compare_writes_and_prints_json(folder, capsys, few):
 
 
 @pytest.mark.parametrize("name", BEARING_TEMPLATES)
-def test_templates_solve_without_a_warning(folder, capsys, name):
-    assert main(["new", "--bearing", "--template", name, "bearing.toml"]) == 0
-    assert capsys.readouterr().out == "wrote bearing.toml; solve it with: nonhertz bearing bearing.toml\n"
+def test_templates_solve_without_a_warning(folder, run, name):
+    assert (
+        run("new", "--bearing", "--template", name, "bearing.toml").out
+        == "wrote bearing.toml; solve it with: nonhertz bearing bearing.toml\n"
+    )
     assert Path("bearing.toml").read_text(encoding="utf-8") == starting_bearing(name)
-    assert main(["bearing", "bearing.toml", "--json"]) == 0
-    found = parsed(capsys.readouterr().out)
+    found = run("bearing", "bearing.toml", "--json").json
     assert found["warnings"] == []
     assert found["method"] == "strips"
     assert found["life_reason"] in {None, ""}
@@ -256,28 +248,23 @@ def test_templates_solve_without_a_warning(folder, capsys, name):
     assert np.max(found["max_pressure"]) < 2500.0
 
 
-def test_check_says_in_one_line_that_all_is_well(folder, capsys):
-    assert main(["check", "pair.toml"]) == 0
-    assert capsys.readouterr().out == (
+def test_check_says_in_one_line_that_all_is_well(folder, run):
+    assert run("check", "pair.toml").out == (
         "pair.toml is fine: 'pair', a tapered bearing of 12 rollers, radial = 8000 N, axial = 3000 N.\n"
     )
     Path("both.toml").write_text(FEW.replace('"5 kN"', "[3e3, 4e3]"), encoding="utf-8")
-    assert main(["check", "both.toml"]) == 0
-    assert "radial = 3000, 4000 N, tilt = 0.0002 rad." in capsys.readouterr().out
+    assert "radial = 3000, 4000 N, tilt = 0.0002 rad." in run("check", "both.toml").out
 
 
-def test_check_knows_a_bearing_file_without_its_bearing(folder, capsys):
+def test_check_knows_a_bearing_file_without_its_bearing(folder, run):
     Path("bad.toml").write_text(FEW.replace("[bearing]", "[baering]"), encoding="utf-8")
-    assert main(["check", "bad.toml"]) == 2
-    assert "the nearest is 'bearing'" in capsys.readouterr().out
+    assert "the nearest is 'bearing'" in run("check", "bad.toml", code=2).out
 
 
-def test_a_load_beyond_the_model_is_one_sentence(folder, capsys):
+def test_a_load_beyond_the_model_is_one_sentence(folder, run):
     Path("over.toml").write_text(FEW.replace("5 kN", "50 MN"), encoding="utf-8")
-    assert main(["check", "over.toml"]) == 0
-    capsys.readouterr()
-    assert main(["bearing", "over.toml", "--out", "results"]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
+    run("check", "over.toml")
+    (line,) = run("bearing", "over.toml", "--out", "results", code=2).err.splitlines()
     assert line.startswith("load must leave every contact of the rollers within the model: load = ")
     assert not Path("results").exists()
 
@@ -297,11 +284,10 @@ diameter = 62
 """
 
 
-def test_the_summary_and_the_file_say_what_takes_the_clearance(folder, capsys):
+def test_the_summary_and_the_file_say_what_takes_the_clearance(folder, run):
     text = (FEW + SLICES).replace("rollers = 6", 'rollers = 6\nclearance = "40 um"')
     Path("fit.toml").write_text(text + FIT, encoding="utf-8")
-    assert main(["bearing", "fit.toml"]) == 0
-    printed = capsys.readouterr().out
+    printed = run("bearing", "fit.toml").out
     taken = {remark: float(value) for value, remark in re.findall(r"([-\d.]+) µm +(taken by .*?) *\n", printed)}
     # NSK's formula, and 12.5e-6 a kelvin.
     assert taken["taken by the fit of the inner ring"] == pytest.approx(12.0 * 30.0 / 37.5, rel=1e-3)
@@ -309,26 +295,22 @@ def test_the_summary_and_the_file_say_what_takes_the_clearance(folder, capsys):
     (left,) = re.findall(r"clearance +([-\d.]+) µm +radial, in operation", printed)
     (before,) = re.findall(r"before mounting +([-\d.]+) µm +radial", printed)
     assert float(left) == pytest.approx(float(before) - sum(taken.values()), abs=0.01)
-    assert main(["bearing", "fit.toml", "--json"]) == 0
-    found = parsed(capsys.readouterr().out)
+    found = run("bearing", "fit.toml", "--json").json
     clearance = found["operating_clearance"]
     assert clearance["clearance"] == pytest.approx(1e-3 * float(left), rel=1e-3)
     assert clearance["inner"]["mounted_pressure"] > 0.0
     assert set(clearance) - {"axial"} == set(found["units"]["operating_clearance"]) - {"axial"}
     assert found["case"]["fit"]["shaft"]["interference"] == 0.012
-    assert main(["bearing", "sliced.toml", "--json"]) == 0
-    assert parsed(capsys.readouterr().out)["operating_clearance"] is None
+    assert run("bearing", "sliced.toml", "--json").json["operating_clearance"] is None
 
 
 @pytest.mark.parametrize(("temperature", "met"), [(20, True), (120, False)])
-def test_a_ring_that_came_loose_is_a_limit_not_met(folder, capsys, temperature, met):
+def test_a_ring_that_came_loose_is_a_limit_not_met(folder, run, temperature, met):
     text = FEW + SLICES + FIT.replace("inner_temperature = 40", f"inner_temperature = {temperature}")
     Path("loose.toml").write_text(text, encoding="utf-8")
-    assert main(["bearing", "loose.toml"]) == 0
-    printed = capsys.readouterr().out
+    printed = run("bearing", "loose.toml").out
     assert ("Limits met" in printed, "Limits not met" in printed) == (met, not met)
-    assert main(["bearing", "loose.toml", "--json"]) == 0
-    verdict = parsed(capsys.readouterr().out)["verdict"]
+    verdict = run("bearing", "loose.toml", "--json").json["verdict"]
     assert verdict["level"] == ("met" if met else "not-met")
     sentence = re.compile(
         "The inner ring has come loose on its shaft: .* MPa between them when mounted, none in operation."
@@ -340,23 +322,21 @@ def test_a_ring_that_came_loose_is_a_limit_not_met(folder, capsys, temperature, 
     )
 
 
-def test_a_load_beyond_half_of_c_is_said(folder, capsys):
+def test_a_load_beyond_half_of_c_is_said(folder, capsys, run):
     Path("heavy.toml").write_text((FEW + SLICES).replace('radial = "5 kN"', 'radial = "15 kN"'), encoding="utf-8")
     assert main(["bearing", "heavy.toml"]) == 0
     words = "exceeds half the rating C of 23.76 kN: contacts may yield"
     assert words in " ".join(capsys.readouterr().out.split())
-    assert main(["bearing", "heavy.toml", "--json"]) == 0
-    found = parsed(capsys.readouterr().out)
+    found = run("bearing", "heavy.toml", "--json").json
     assert words in " ".join(found["warnings"])
     assert "heavy-load" in [each["kind"] for each in found["findings"]]
     assert "heavy-load" in [each["kind"] for each in found["verdict"]["findings"]]
 
 
-def test_a_contact_is_printed_as_a_case_file(tmp_path, capsys):
+def test_a_contact_is_printed_as_a_case_file(tmp_path, run):
     path, contact = tmp_path / "six.toml", tmp_path / "contact.toml"
     path.write_text(FEW, encoding="utf-8")
-    assert main(["bearing", str(path), "--contact", "1", "outer"]) == 0
-    contact.write_text(capsys.readouterr().out, encoding="utf-8")
+    contact.write_text(run("bearing", str(path), "--contact", "1", "outer").out, encoding="utf-8")
     loaded = read_bearing(path).solve()
     case = nh.read_case(contact)
     assert case.title == "six, roller 1 on the outer ring"

@@ -82,9 +82,8 @@ def stop_short(monkeypatch: pytest.MonkeyPatch, solution: Solution) -> None:
     monkeypatch.setattr(nonhertz.solver.one, "solve", solve)
 
 
-def test_the_summary_names_what_an_engineer_asks_for(case, capsys):
-    assert main(["solve", case]) == 0
-    printed = capsys.readouterr()
+def test_the_summary_names_what_an_engineer_asks_for(case, run):
+    printed = run("solve", case)
     assert printed.err == ""
     rows = {line[:21].strip(): line[21:].strip() for line in printed.out.splitlines()}
     assert printed.out.startswith("Roller 20 x 20 on a plate\n")
@@ -108,9 +107,8 @@ def test_json_has_null_where_a_number_is_infinite(case, capsys):
 
 
 @pytest.mark.slow
-def test_out_writes_results_table_and_figures(case, capsys):
-    assert main(["solve", case, "--out", "new/results", "--json"]) == 0
-    printed = capsys.readouterr().out
+def test_out_writes_results_table_and_figures(case, run):
+    printed = run("solve", case, "--out", "new/results", "--json").out
     folder = Path("new/results")
     assert {path.name for path in folder.iterdir()} == FILES
     assert parsed((folder / "result.json").read_text(encoding="utf-8")) == parsed(printed)
@@ -134,24 +132,22 @@ def fail(*_: object) -> None:
     raise RuntimeError("the pen broke")
 
 
-def test_an_older_result_stays_when_writing_fails(case, capsys, monkeypatch):
+def test_an_older_result_stays_when_writing_fails(case, run, monkeypatch):
     Path("old").mkdir()
     Path("old/result.json").write_text("old", encoding="utf-8")
     monkeypatch.setattr("nonhertz.plot.sheets.save", fail)
-    assert main(["solve", case, "--out", "old"]) == 3
-    assert capsys.readouterr().out == ""
+    assert run("solve", case, "--out", "old", code=3).out == ""
     assert [path.name for path in Path("old").iterdir()] == ["result.json"]
     assert Path("old/result.json").read_text(encoding="utf-8") == "old"
 
 
 @pytest.mark.parametrize("out", ["case.toml/below", "new/page"])
-def test_out_that_cannot_be_written_is_refused(case, capsys, monkeypatch, out):
+def test_out_that_cannot_be_written_is_refused(case, run, monkeypatch, out):
     def refuse(*_: object, **__: object) -> str:
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
     monkeypatch.setattr("tempfile.mkdtemp", refuse)  # whoever runs the tests may be allowed everything
-    assert main(["solve", case, "--out", out]) == 2
-    printed = capsys.readouterr()
+    printed = run("solve", case, "--out", out, code=2)
     assert printed.out == ""
     assert len(printed.err.splitlines()) == 1
     assert "must be a directory to write to (" in printed.err
@@ -159,84 +155,76 @@ def test_out_that_cannot_be_written_is_refused(case, capsys, monkeypatch, out):
 
 
 @pytest.mark.slow
-def test_out_refuses_a_directory_in_the_place_of_a_file(case, capsys):
+def test_out_refuses_a_directory_in_the_place_of_a_file(case, run):
     Path("results/table.csv").mkdir(parents=True)
-    assert main(["solve", case, "--out", "results"]) == 2
-    assert "must not hold a directory named table.csv" in capsys.readouterr().err
+    assert "must not hold a directory named table.csv" in run("solve", case, "--out", "results", code=2).err
     assert [path.name for path in Path("results").iterdir()] == ["table.csv"]
 
 
 @pytest.mark.slow
-def test_an_unconverged_solve_is_shown_for_what_it_is(case, capsys, monkeypatch, solution):
+def test_an_unconverged_solve_is_shown_for_what_it_is(case, run, monkeypatch, solution):
     stop_short(monkeypatch, solution)
-    assert main(["solve", case]) == 1
-    printed = capsys.readouterr()
+    printed = run("solve", case, code=1)
     assert "iteration-limit" in printed.out
     assert printed.err == "It did not converge.\n"
 
-    assert main(["solve", case, "--json", "--out", "results"]) == 1
-    assert parsed(capsys.readouterr().out)["status"] == "iteration-limit"
+    assert run("solve", case, "--json", "--out", "results", code=1).json["status"] == "iteration-limit"
     assert parsed(Path("results/result.json").read_text(encoding="utf-8"))["status"] == "iteration-limit"
 
 
-def test_new_prints_a_case_that_solves(tmp_path, capsys, monkeypatch):
+def test_new_prints_a_case_that_solves(tmp_path, run, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    assert main(["new"]) == 0
-    printed = capsys.readouterr().out
+    printed = run("new").out
     assert main(["new", "first.toml"]) == 0
     assert Path("first.toml").read_text(encoding="utf-8") == printed
-    capsys.readouterr()
-    assert main(["solve", "first.toml", "--json"]) == 0
-    assert parsed(capsys.readouterr().out)["warnings"] == []
+    assert run("solve", "first.toml", "--json").json["warnings"] == []
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
-def test_templates_solve_without_a_warning(name, tmp_path, capsys, monkeypatch):
+def test_templates_solve_without_a_warning(name, tmp_path, run, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["new", "case.toml", "--template", name]) == 0
     assert Path("case.toml").read_text(encoding="utf-8") == starting_case(name)
-    capsys.readouterr()
-    assert main(["solve", "case.toml", "--json"]) == 0
-    found = parsed(capsys.readouterr().out)
+    found = run("solve", "case.toml", "--json").json
     assert found["warnings"] == []
     assert len(found["contact_y"]) == 1
 
 
 @pytest.mark.parametrize("kind", ["", *TEMPLATES, *(f"--bearing --template {name}" for name in BEARING_TEMPLATES)])
-def test_a_plan_for_a_case_varies_what_that_has(kind, tmp_path, capsys, monkeypatch):
+def test_a_plan_for_a_case_varies_what_that_has(kind, tmp_path, run, monkeypatch):
     monkeypatch.chdir(tmp_path)
     words = kind.split() if kind.startswith("--") or not kind else ["--template", kind]
     assert main(["new", "own.toml", *words]) == 0
     assert main(["new", "plan.toml", "--plan", "--case", "own.toml"]) == 0
-    assert main(["check", "plan.toml"]) == 0
-    said = capsys.readouterr().out
+    said = run("check", "plan.toml").out
     assert "a sweep of" in said
     assert "a tolerance study" in said
 
 
-def test_a_plan_names_the_file_that_it_is_for(tmp_path, capsys, monkeypatch):
+def test_a_plan_names_the_file_that_it_is_for(tmp_path, run, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("studies").mkdir()
     assert main(["new", "a roller.toml"]) == 0
-    assert main(["new", "studies/plan.toml", "--plan", "--case", "a roller.toml"]) == 0
-    assert "for a roller.toml; try it with: nonhertz check studies/plan.toml" in capsys.readouterr().out
+    assert (
+        "for a roller.toml; try it with: nonhertz check studies/plan.toml"
+        in run("new", "studies/plan.toml", "--plan", "--case", "a roller.toml").out
+    )
     assert 'case = "../a roller.toml"' in Path("studies/plan.toml").read_text(encoding="utf-8")
     assert main(["check", "studies/plan.toml"]) == 0
-    assert main(["new", "other.toml", "--plan", "--case", "nothing.toml"]) == 2
-    assert "nothing.toml must exist" in capsys.readouterr().err
+    assert "nothing.toml must exist" in run("new", "other.toml", "--plan", "--case", "nothing.toml", code=2).err
     assert not Path("other.toml").exists()
-    assert main(["new", "other.toml", "--case", "a roller.toml"]) == 2
-    assert "--case = 'a roller.toml' must be given with --plan" in capsys.readouterr().err
+    assert (
+        "--case = 'a roller.toml' must be given with --plan"
+        in run("new", "other.toml", "--case", "a roller.toml", code=2).err
+    )
 
 
-def test_new_never_overwrites(case, capsys):
-    assert main(["new", case]) == 2
-    assert capsys.readouterr().err == (
+def test_new_never_overwrites(case, run):
+    assert run("new", case, code=2).err == (
         "PATH = 'case.toml' must not exist yet: choose another name, since nothing is overwritten.\n"
     )
     assert Path(case).read_text(encoding="utf-8") == CASE
-    assert main(["new", "nowhere/case.toml"]) == 2
-    assert len(capsys.readouterr().err.splitlines()) == 1
+    assert len(run("new", "nowhere/case.toml", code=2).err.splitlines()) == 1
 
 
 @pytest.mark.slow
@@ -268,9 +256,8 @@ def test_a_table_is_not_cut_to_a_narrow_terminal(capsys):
     assert cells[2] not in printed
 
 
-def test_version(capsys):
-    assert main(["--version"]) == 0
-    assert capsys.readouterr().out == f"{nh.__version__}\n"
+def test_version(run):
+    assert run("--version").out == f"{nh.__version__}\n"
 
 
 @pytest.mark.parametrize(
@@ -282,14 +269,15 @@ def test_version(capsys):
     ],
     ids=range(3),
 )
-def test_check_doubts_slips_of_units(case, capsys, change, doubt):
-    assert main(["check", case, "--set", "body.b.material={modulus=207000, poisson=0.3}", change]) == 0
-    assert f"\ndoubtful: {doubt}" in capsys.readouterr().out
+def test_check_doubts_slips_of_units(case, run, change, doubt):
+    assert (
+        f"\ndoubtful: {doubt}"
+        in run("check", case, "--set", "body.b.material={modulus=207000, poisson=0.3}", change).out
+    )
 
 
-def test_check_names_each_of_several_files(case, capsys):
-    assert main(["check", case, "none.toml"]) == 2
-    first, second, third = capsys.readouterr().out.splitlines()
+def test_check_names_each_of_several_files(case, run):
+    first, second, third = run("check", case, "none.toml", code=2).out.splitlines()
     assert first.startswith("case.toml is fine: ")
     assert (second, third[:27]) == ("none.toml:", "1. none.toml must exist: gi")
 
@@ -304,14 +292,12 @@ def test_every_command_has_an_example_that_is_understood():
 
 
 @pytest.mark.parametrize("words", [[], ["--help"], ["help"], ["solve", "--help"], ["help", "new"]])
-def test_help(capsys, words):
-    assert main(words) == 0
-    assert "Usage: nonhertz" in capsys.readouterr().out
+def test_help(run, words):
+    assert "Usage: nonhertz" in run(*words).out
 
 
-def test_commands_are_listed_by_the_first_line_of_their_help(capsys):
-    assert main(["--help"]) == 0
-    listed = " ".join(capsys.readouterr().out.replace("│", " ").split())
+def test_commands_are_listed_by_the_first_line_of_their_help(run):
+    listed = " ".join(run("--help").out.replace("│", " ").split())
     for name in COMMANDS:
         first, _, _ = (inspect.getdoc(app[name].default_command) or "").partition("\n")
         assert f"{name} {first}" in listed
@@ -332,32 +318,28 @@ def test_help_imports_nothing_heavy(words):
     assert (run.returncode, run.stderr) == (0, "")
 
 
-def test_an_internal_error_is_one_sentence(case, capsys, monkeypatch):
+def test_an_internal_error_is_one_sentence(case, run, monkeypatch):
     def break_down(*_: object, **__: object) -> Solution:
         raise ZeroDivisionError("float division\nby zero")
 
     monkeypatch.delenv("NONHERTZ_DEBUG", raising=False)
     monkeypatch.setattr(nonhertz.solver.one, "solve", break_down)
-    assert main(["solve", case]) == 3
-    printed = capsys.readouterr()
+    printed = run("solve", case, code=3)
     assert printed.out == ""
     assert printed.err.startswith("This is an error in nonhertz (ZeroDivisionError: float division by zero)")
     assert len(printed.err.splitlines()) == 1
 
-    assert main(["solve", case, "--debug"]) == 3
-    assert "Traceback" in capsys.readouterr().err
+    assert "Traceback" in run("solve", case, "--debug", code=3).err
     monkeypatch.setenv("NONHERTZ_DEBUG", "1")
-    assert main(["solve", case]) == 3
-    assert "Traceback" in capsys.readouterr().err
+    assert "Traceback" in run("solve", case, code=3).err
 
 
-def test_interruption(case, capsys, monkeypatch):
+def test_interruption(case, run, monkeypatch):
     def interrupt(*_: object, **__: object) -> Solution:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(nonhertz.solver.one, "solve", interrupt)
-    assert main(["solve", case]) == 130
-    assert capsys.readouterr().err == "Interrupted.\n"
+    assert run("solve", case, code=130).err == "Interrupted.\n"
 
 
 def test_an_interruption_of_a_callback_ends_the_program(case, capsys, monkeypatch):

@@ -6,8 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from nonhertz.cli import main
-
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASES = [path for path in sorted(EXAMPLES.glob("*.toml")) if "[body.a]" in path.read_text(encoding="utf-8")]
 CELLS = ["--cells", "24", "48"]
@@ -21,9 +19,8 @@ def case(tmp_path, monkeypatch):
     return "case.toml"
 
 
-def test_the_table_has_all_three_methods_and_their_times(case, capsys):
-    assert main(["compare", case, *CELLS]) == 0
-    printed = capsys.readouterr()
+def test_the_table_has_all_three_methods_and_their_times(case, run):
+    printed = run("compare", case, *CELLS)
     assert printed.err == ""
     lines = printed.out.splitlines()
     assert lines[0] == "Roller 20 x 20 on a plate"
@@ -41,9 +38,8 @@ def test_the_table_has_all_three_methods_and_their_times(case, capsys):
     assert "warning: On the plane grid: " in text
 
 
-def test_json_is_one_object_and_nothing_else(case, capsys):
-    assert main(["compare", case, *CELLS, "--json", "--out", "new/folder"]) == 0
-    printed = capsys.readouterr()
+def test_json_is_one_object_and_nothing_else(case, run):
+    printed = run("compare", case, *CELLS, "--json", "--out", "new/folder")
     assert printed.err == ""
     found = json.loads(printed.out)
     assert found["cells"] == [24, 48]
@@ -54,19 +50,17 @@ def test_json_is_one_object_and_nothing_else(case, capsys):
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
 @pytest.mark.slow
-def test_every_example_can_be_compared(path, capsys):
-    assert main(["compare", str(path), *CELLS, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_every_example_can_be_compared(path, run):
+    found = run("compare", str(path), *CELLS, "--json").json
     approach = found["quantities"][0]
     # As well as 24 by 48 cells can.
     assert abs(approach["differences"]["semi_elliptic"]) < 1e-2
 
 
-def test_the_strips_of_the_file_are_taken(case, capsys):
+def test_the_strips_of_the_file_are_taken(case, run):
     text = Path(case).read_text(encoding="utf-8").replace('"auto"', "21").replace('"semi-elliptic"', '"parabolic"')
     Path(case).write_text(text, encoding="utf-8")
-    assert main(["compare", case, *CELLS, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = run("compare", case, *CELLS, "--json").json
     assert (found["semi_elliptic"]["strips"], found["parabolic"]["strips"]) == (21, 21)
 
 
@@ -78,8 +72,7 @@ def test_the_strips_of_the_file_are_taken(case, capsys):
         ('depth = "none"', "depth = 0.3", "body.a.depth = 0.3 must be large compared with the half-width"),
     ],
 )
-def test_mistakes_are_named_as_the_file_has_them(case, capsys, old, new, sentence):
+def test_mistakes_are_named_as_the_file_has_them(case, run, old, new, sentence):
     text = Path(case).read_text(encoding="utf-8").replace(old, new, 1)
     Path(case).write_text(text, encoding="utf-8")
-    assert main(["compare", case, *CELLS]) == 2
-    assert capsys.readouterr().err.startswith(sentence)
+    assert run("compare", case, *CELLS, code=2).err.startswith(sentence)

@@ -28,11 +28,9 @@ def folder(tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
-def test_a_plan_is_designed(folder, capsys):
-    assert main(["check", "plan.toml"]) == 0
-    assert capsys.readouterr().out == "plan.toml is fine: 'plan', a design over body.a.profile.radius.\n"
-    assert main(["design", "plan.toml", "--workers", "1"]) == 0
-    out = capsys.readouterr().out
+def test_a_plan_is_designed(folder, run):
+    assert run("check", "plan.toml").out == "plan.toml is fine: 'plan', a design over body.a.profile.radius.\n"
+    out = run("design", "plan.toml", "--workers", "1").out
     title, verdict, best, *_ = out.splitlines()
     assert title == "A roller on a plate"
     assert verdict.startswith("No limit of the pressure under 20 kN at ")
@@ -66,39 +64,34 @@ def test_a_plan_is_designed(folder, capsys):
         (("[vary]", "[varied]"), "varied"),
     ],
 )
-def test_a_mistake_ends_in_a_sentence_and_leaves_nothing(folder, capsys, change, sentence):
+def test_a_mistake_ends_in_a_sentence_and_leaves_nothing(folder, run, change, sentence):
     (folder / "plan.toml").write_text(PLAN.replace(*change), encoding="utf-8")
     before = sorted(folder.iterdir())
-    assert main(["design", "plan.toml"]) == 2
-    captured = capsys.readouterr()
+    captured = run("design", "plan.toml", code=2)
     assert captured.out == ""
     assert sentence in captured.err
     assert sorted(folder.iterdir()) == before
 
 
 @pytest.mark.parametrize(("options", "held"), [((), "case"), (("--bearing",), "bearing")])
-def test_a_case_is_no_plan(folder, capsys, options, held):
-    assert main(["new", *options, "alone.toml"]) == 0
-    capsys.readouterr()
+def test_a_case_is_no_plan(folder, capsys, run, options, held):
+    run("new", *options, "alone.toml")
     assert main(["design", "alone.toml"]) == 2
     remedy = f"begin with one from 'nonhertz new --plan', and name the {held} file in it"
     assert capsys.readouterr().err == f"alone.toml must be a plan, and holds a {held}: {remedy}.\n"
 
 
-def test_a_bearing_is_no_case_of_a_design(folder, capsys):
+def test_a_bearing_is_no_case_of_a_design(folder, run):
     assert main(["new", "--bearing", "bearing.toml"]) == 0
     (folder / "plan.toml").write_text(
         'case = "bearing.toml"\n[vary]\n"load.radial" = "1 kN : 2 kN"\n', encoding="utf-8"
     )
-    capsys.readouterr()
-    assert main(["design", "plan.toml"]) == 2
-    assert "a bearing is swept over" in capsys.readouterr().err
+    assert "a bearing is swept over" in run("design", "plan.toml", code=2).err
 
 
 @pytest.mark.slow
-def test_a_front_of_aligned_and_misaligned_loads(folder, capsys):
-    assert main(["design", "plan.toml", "--workers", "1", "--starts", "1", "--front", "3"]) == 0
-    out = capsys.readouterr().out
+def test_a_front_of_aligned_and_misaligned_loads(folder, run):
+    out = run("design", "plan.toml", "--workers", "1", "--starts", "1", "--front", "3").out
     assert out.startswith("Limits met. The largest pressure of all points, ")
     head = re.split(r"\s{2,}", out.splitlines()[1])
     radius = "body.a.profile.radius [mm]"
@@ -123,8 +116,7 @@ def test_a_front_of_aligned_and_misaligned_loads(folder, capsys):
         (("starts = 2", "starts = 1"), ("2",), "--front = 2 must be a whole number from 3 to 50"),
     ],
 )
-def test_what_has_no_front_is_told(folder, capsys, change, arguments, sentence):
+def test_what_has_no_front_is_told(folder, run, change, arguments, sentence):
     (folder / "plan.toml").write_text(PLAN.replace(*change), encoding="utf-8")
-    assert main(["design", "plan.toml", "--front", *arguments]) == 2
-    assert sentence in capsys.readouterr().err
+    assert sentence in run("design", "plan.toml", "--front", *arguments, code=2).err
     assert not (folder / "plan-design").exists()

@@ -6,7 +6,6 @@ The site itself is built by `make docs`, with warnings as errors.
 import doctest
 import functools
 import importlib
-import json
 import re
 import warnings
 from fnmatch import fnmatch
@@ -186,9 +185,7 @@ def test_the_reference_has_every_public_name():
     assert sorted(listed) == sorted(set(dir(nh)) - modules - elsewhere - {"ContactMap", "contact_map", "__version__"})
 
 
-def test_the_json_that_the_how_to_reads_is_there(tmp_path, capsys):
+def test_the_json_that_the_how_to_reads_is_there(tmp_path, run):
     case = tmp_path / "roller.toml"
-    assert main(["new", str(case)]) == 0
-    capsys.readouterr()
-    assert main(["solve", str(case), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["max_pressure"] < 2200
+    run("new", str(case))
+    assert run("solve", str(case), "--json").json["max_pressure"] < 2200

@@ -14,7 +14,6 @@ import nonhertz.comparison.methods
 import nonhertz.report.layout
 import nonhertz.solver.one
 import nonhertz.verify.half_space
-from nonhertz.cli import main
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.verify import CATALOGUE
 from nonhertz.verify.claim import Claim
@@ -112,10 +111,9 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("words", "sentence"), REFUSED, ids=[words for words, _ in REFUSED])
-def test_what_cannot_be_is_refused_in_a_sentence(words, sentence, folder, capsys):
+def test_what_cannot_be_is_refused_in_a_sentence(words, sentence, folder, run):
     before = sorted(folder.rglob("*"))
-    assert main(words.split()) == 2
-    printed = capsys.readouterr()
+    printed = run(*words.split(), code=2)
     assert printed.out == ""
     (line,) = printed.err.splitlines()
     assert sentence in line
@@ -123,12 +121,11 @@ def test_what_cannot_be_is_refused_in_a_sentence(words, sentence, folder, capsys
 
 
 @pytest.mark.parametrize("words", [*SOLVING.values(), ("bearing", "six.toml", "--compare"), ("verify",)], ids=" ".join)
-def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(words, capsys, monkeypatch):
+def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(words, run, monkeypatch):
     if words[0] != "solve":  # one case alone is solved first
         instead_of_solving(monkeypatch, lambda *_, **__: pytest.fail("it ran"))
     monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: pytest.fail("it ran"))
-    assert main([*words, "--out", "plan.toml"]) == 2
-    printed = capsys.readouterr()
+    printed = run(*words, "--out", "plan.toml", code=2)
     assert printed.out == ""
     assert printed.err.startswith("--out = 'plan.toml' must be a directory, not a file")
     assert Path("plan.toml").read_text(encoding="utf-8") == TOLERANCE
@@ -136,14 +133,13 @@ def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(word
 
 @pytest.mark.parametrize("words", [*SOLVING.values(), ("report", "case.toml", "--no-stress")], ids=" ".join)
 @pytest.mark.slow
-def test_nothing_is_left_behind_when_drawing_fails(words, capsys, monkeypatch):
+def test_nothing_is_left_behind_when_drawing_fails(words, run, monkeypatch):
     def fail(*_: object, **__: object) -> None:
         raise RuntimeError("the pen broke")
 
     monkeypatch.setattr("nonhertz.plot.sheets.save", fail)
     monkeypatch.setattr(nonhertz.report.layout, "image", fail)
-    assert main([*words, "--out", "new/report.html" if words[0] == "report" else "new/folder"]) == 3
-    assert capsys.readouterr().out == ""
+    assert run(*words, "--out", "new/report.html" if words[0] == "report" else "new/folder", code=3).out == ""
     assert not Path("new").exists()
 
 
@@ -156,13 +152,12 @@ def test_nothing_is_left_behind_when_drawing_fails(words, capsys, monkeypatch):
     ],
     ids=" ".join,
 )
-def test_without_a_solution_there_is_a_sentence_and_no_file(words, capsys, monkeypatch):
+def test_without_a_solution_there_is_a_sentence_and_no_file(words, run, monkeypatch):
     def stop(*_: object, **__: object) -> None:
         raise nh.ConvergenceError("It stopped.", None)
 
     instead_of_solving(monkeypatch, stop)
-    assert main([*words, "--out", "folder"]) == 1
-    printed = capsys.readouterr()
+    printed = run(*words, "--out", "folder", code=1)
     assert printed.out == ""
     assert printed.err in {"It stopped.\n", "On semi-elliptic strips: It stopped.\n"}
     assert not Path("folder").exists()
@@ -178,21 +173,19 @@ def test_without_a_solution_there_is_a_sentence_and_no_file(words, capsys, monke
     ],
 )
 @pytest.mark.slow
-def test_a_terminal_sees_what_is_being_done(words, said, capsys, monkeypatch):
+def test_a_terminal_sees_what_is_being_done(words, said, run, monkeypatch):
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
     claims = [Claim("two", "counting", 2.0, lambda: 2.0, 1e-6)]
     monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: claims)
-    assert main([*words, "--json"]) == 0
-    shown = capsys.readouterr().err
+    shown = run(*words, "--json").err
     assert all(each in shown for each in said)
     assert shown.endswith("\r")
 
 
 @pytest.mark.parametrize("name", ["stress", "life", "compare", "bearing"])
 @pytest.mark.slow
-def test_json_is_one_object_and_that_of_the_file(name, capsys):
-    assert main([*SOLVING[name], "--json", "--out", "new/folder"]) == 0
-    printed = capsys.readouterr()
+def test_json_is_one_object_and_that_of_the_file(name, run):
+    printed = run(*SOLVING[name], "--json", "--out", "new/folder")
     assert printed.err == ""
     file = {"bearing": "result", "compare": "comparison"}.get(name, name)
     assert json.loads(Path(f"new/folder/{file}.json").read_text(encoding="utf-8")) == json.loads(printed.out)

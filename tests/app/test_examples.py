@@ -1,7 +1,6 @@
 """Every example runs, and each gives a number that is known from elsewhere; so does the tutorial."""
 
 import importlib.util
-import json
 import re
 import tomllib
 from dataclasses import replace
@@ -13,7 +12,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-from nonhertz.cli import main
 from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.held import holds_plan, meant_as
@@ -46,9 +44,8 @@ def script(name: str, folder: Path = EXAMPLES) -> ModuleType:
 
 @pytest.mark.parametrize("path", BEARINGS, ids=lambda path: path.stem)
 @pytest.mark.slow
-def test_every_bearing_solves_from_the_command_line(path, tmp_path, capsys):
-    assert main(["bearing", str(path), "--json", "--out", str(tmp_path)]) == 0
-    result = json.loads(capsys.readouterr().out)
+def test_every_bearing_solves_from_the_command_line(path, tmp_path, run):
+    result = run("bearing", str(path), "--json", "--out", str(tmp_path)).json
     assert result["warnings"] == []
     # Outer raceways bear what the file asks for; ribs are of the inner ring, and what speed does cancels all round.
     prescribed = read_bearing(path).prescribed
@@ -204,6 +201,5 @@ def test_tutorials_show_what_the_program_prints(name, monkeypatch):
 
 
 @pytest.mark.parametrize("path", PLANS, ids=lambda path: path.stem)
-def test_every_plan_is_fine(path, capsys):
-    assert main(["check", str(path)]) == 0
-    assert "roller-15x20" in capsys.readouterr().out
+def test_every_plan_is_fine(path, run):
+    assert "roller-15x20" in run("check", str(path)).out

@@ -60,18 +60,16 @@ def changed(old: str, new: str, name: str = "other.toml", text: str = CASE) -> s
     return name
 
 
-def found_in(words: list[str], capsys: pytest.CaptureFixture[str]) -> dict[str, Any]:
-    assert main(["life", *words, "--json"]) == 0
-    printed = capsys.readouterr()
+def found_in(words: list[str], run) -> dict[str, Any]:
+    printed = run("life", *words, "--json")
     assert printed.err == ""
     found = json.loads(printed.out)
     assert isinstance(found, dict)
     return found
 
 
-def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
-    assert main(["life", *words]) == 2
-    printed = capsys.readouterr()
+def refused(words: list[str], run) -> str:
+    printed = run("life", *words, code=2)
     assert printed.out == ""
     return printed.err
 
@@ -81,9 +79,8 @@ def solved(path: str) -> nh.Solution:
     return nh.solve(problem.contact, **problem.prescribed, **problem.solver)
 
 
-def test_the_table_says_what_its_numbers_mean(case, capsys):
-    assert main(["life", case, "--model", "lundberg-palmgren", "iso-16281"]) == 0
-    printed = capsys.readouterr()
+def test_the_table_says_what_its_numbers_mean(case, run):
+    printed = run("life", case, "--model", "lundberg-palmgren", "iso-16281")
     assert printed.err == ""
     lines = printed.out.splitlines()
     assert lines[0] == "Roller on a ring"
@@ -103,9 +100,9 @@ def test_the_table_says_what_its_numbers_mean(case, capsys):
     assert "There is no absolute life" not in text
 
 
-def test_a_spectrum_takes_the_place_of_the_load(case, capsys):
+def test_a_spectrum_takes_the_place_of_the_load(case, run):
     Path(case).write_text(CASE + SPECTRUM, encoding="utf-8")
-    found = found_in([case, *QUICK], capsys)
+    found = found_in([case, *QUICK], run)
     contact = read_case(case).contact
     lives = []
     for load, tilt, _ in LOADS:
@@ -115,29 +112,27 @@ def test_a_spectrum_takes_the_place_of_the_load(case, capsys):
     together = 1.0 / sum(share / life for (_, _, share), life in zip(LOADS, lives, strict=True) if life)
     assert found["models"][0]["million_revolutions"] == pytest.approx(together, rel=1e-6)
     assert [each["share"] for each in found["spectrum"]] == [share for *_, share in LOADS]
-    assert main(["life", case, *QUICK]) == 0
-    rows = [line.split() for line in capsys.readouterr().out.splitlines() if re.match(r" *\d+ %", line)]
+    rows = [line.split() for line in run("life", case, *QUICK).out.splitlines() if re.match(r" *\d+ %", line)]
     assert [row[:3] for row in rows] == [["10", "%", "20.000"], ["30", "%", "12.000"], ["60", "%", "5.0000"]]
     # The others go on with [load].
-    assert main(["solve", case, "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["load"] == pytest.approx(12e3, rel=1e-12)
+    assert run("solve", case, "--json").json["load"] == pytest.approx(12e3, rel=1e-12)
 
 
-def test_parameters_come_from_the_file_and_models_from_either(case, capsys):
+def test_parameters_come_from_the_file_and_models_from_either(case, run):
     table = 'rollers = 14\nmodels = ["iso-16281"]\nlaminae = 40\nfatigue_limit = "0.3 GPa"\nslope = 1.5'
     path = changed("rollers = 14", table)
-    (of_file,) = found_in([path], capsys)["models"]
+    (of_file,) = found_in([path], run)["models"]
     assert (of_file["name"], of_file["parameters"]["laminae"]) == ("iso-16281", 40)
-    (asked,) = found_in([path, "--model", "ioannides-harris"], capsys)["models"]
+    (asked,) = found_in([path, "--model", "ioannides-harris"], run)["models"]
     assert (asked["parameters"]["fatigue_limit"], asked["parameters"]["slope"]) == (300.0, 1.5)
     (life,) = assess(solved(case), ioannides_harris(fatigue_limit=300.0, slope=1.5), body="b")
     assert asked["relative_life"]["b"] == life.relative_life
 
 
-def test_another_case_is_compared_by_the_models_of_the_first(case, capsys):
+def test_another_case_is_compared_by_the_models_of_the_first(case, run):
     table = 'rollers = 15\nmodels = ["zaretsky"]\nlaminae = 100\n' + SPECTRUM
     other = changed("rollers = 14", table)
-    found = found_in([case, *QUICK, "--compare", other], capsys)
+    found = found_in([case, *QUICK, "--compare", other], run)
     compared = found["compared_with"]
     assert (compared["rollers"], len(compared["spectrum"])) == (15, 3)
     assert compared["models"][0]["parameters"]["laminae"] == 60
@@ -147,16 +142,15 @@ def test_another_case_is_compared_by_the_models_of_the_first(case, capsys):
     (of_other,) = assess(spectrum, "iso-16281", body="b")
     assert compared["models"][0]["ratio"] == dict.fromkeys("ab", of_first.over(of_other))
     assert abs(compared["models"][0]["ratio"]["b"] - 1.0) > 1e-3
-    assert main(["life", case, *QUICK, "--compare", other]) == 0
-    lines = capsys.readouterr().out.splitlines()
+    lines = run("life", case, *QUICK, "--compare", other).out.splitlines()
     assert f"{case}: Roller on a ring" in lines
     row = lines[lines.index(f"compared with {other}: Roller on a ring") + 6].split()
     assert float(row[-1]) == pytest.approx(of_first.over(of_other), rel=1e-3)
 
 
-def test_all_files_are_written(case, capsys):
+def test_all_files_are_written(case, run):
     models = ["--model", "lundberg-palmgren", "iso-16281"]
-    found = found_in([case, *models, "--out", "new/folder", "--compare", case], capsys)
+    found = found_in([case, *models, "--out", "new/folder", "--compare", case], run)
     folder = Path("new/folder")
     assert {path.name for path in folder.iterdir()} == FILES | {"compared.csv"}
     assert json.loads((folder / "life.json").read_text(encoding="utf-8")) == found
@@ -171,38 +165,36 @@ def test_all_files_are_written(case, capsys):
     assert found["compared_with"]["models"][0]["ratio"] == {"a": 1.0, "b": 1.0}
 
 
-def test_what_is_no_number_is_null_and_said_in_words(case, capsys):
+def test_what_is_no_number_is_null_and_said_in_words(case, run):
     unbounded = Path("endless.toml")
     text = re.sub("(?m)^(kind|length) .*\n", "", CASE).replace("12 kN", "1 kN")
     unbounded.write_text(text.replace('"iso-logarithmic"', '"crown", radius = 100'), encoding="utf-8")
-    assert main(["life", "endless.toml", "--out", "folder"]) == 0
-    printed = " ".join(capsys.readouterr().out.split())
+    printed = " ".join(run("life", "endless.toml", "--out", "folder").out.split())
     assert "none: the bodies can touch over an unlimited length" in printed
     assert "warning: iso-16281 is left out: it needs a length" in printed
     found = json.loads(Path("folder/life.json").read_text(encoding="utf-8"))
     assert found["models"][0]["relative_life"] == {"a": None, "b": None}
     assert found["models"][0]["damage"]["b"] > 0.0
-    sentence = refused(["endless.toml", *QUICK], capsys)
+    sentence = refused(["endless.toml", *QUICK], run)
     assert sentence.startswith("body.a.length must be given for laminae: ")
 
 
-def test_mistakes_of_the_other_file_are_named_with_its_path(case, capsys):
+def test_mistakes_of_the_other_file_are_named_with_its_path(case, run):
     other = changed("rollers = 14", "rollers = -1\nslope = 0")
-    first, second = refused([case, "--compare", other], capsys).splitlines()
+    first, second = refused([case, "--compare", other], run).splitlines()
     assert first.startswith("1. other.toml: life.rollers = -1 must be a whole number of at least 1: ")
     assert second.startswith("2. other.toml: life.slope = 0.0 must be positive: ")
 
 
 @pytest.mark.parametrize("name", ["first", "other"])
-def test_no_life_without_a_solution(case, capsys, monkeypatch, name):
+def test_no_life_without_a_solution(case, monkeypatch, name, run):
     def stop(contact: nh.Contact, *_: object, **__: object) -> Any:
         raise nh.ConvergenceError("It stopped.", None)
 
     monkeypatch.setattr(nonhertz.show.analysis, "solve_spectrum", stop)
     stopping = changed("rollers = 14", "rollers = 14\n" + SPECTRUM)
     words = [stopping] if name == "first" else [case, "--compare", stopping]
-    assert main(["life", *words, *QUICK, "--out", "folder"]) == 1
-    printed = capsys.readouterr()
+    printed = run("life", *words, *QUICK, "--out", "folder", code=1)
     assert (printed.out, printed.err) == ("", "It stopped.\n" if name == "first" else "other.toml: It stopped.\n")
     assert not Path("folder").exists()
 
@@ -253,7 +245,7 @@ def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(tmp_path, monke
     assert "The largest stress around the dent while it is rolled over" in page
 
 
-def test_dents_are_refused_by_their_keys(tmp_path, monkeypatch, capsys):
+def test_dents_are_refused_by_their_keys(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     for old, new, words in (
         ('depth = "2 um"', "depth = -1", "life.dent.depth = -1.0 must be positive"),
@@ -266,4 +258,4 @@ def test_dents_are_refused_by_their_keys(tmp_path, monkeypatch, capsys):
             "life.dent = 'with a spectrum' must be under one load",
         ),
     ):
-        assert words in refused([changed(old, new, text=DENTED)], capsys)
+        assert words in refused([changed(old, new, text=DENTED)], run)

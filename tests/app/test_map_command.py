@@ -1,6 +1,5 @@
 """``nonhertz map`` as a user meets it: tables, files, refusals."""
 
-import json
 import re
 from pathlib import Path
 
@@ -34,10 +33,9 @@ def case(tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
-def test_a_map_is_printed_and_written_in_all_formats(case, capsys):
+def test_a_map_is_printed_and_written_in_all_formats(case, run):
     words = ["map", case, "--accuracy", "0.02"]
-    assert main([*words, "--approach", "-5um:8um:14", "--tilt", "-0.2mrad:0.2mrad:5", "--out", "k.csv"]) == 0
-    printed = capsys.readouterr().out
+    printed = run(*words, "--approach", "-5um:8um:14", "--tilt", "-0.2mrad:0.2mrad:5", "--out", "k.csv").out
     assert printed.startswith("Crowned roller\n")
     rows = [re.split(r"\s{2,}", line) for line in printed.splitlines()]
     assert ["approach", "-5 to 8 µm"] in [row[:2] for row in rows]
@@ -56,9 +54,7 @@ def test_a_map_is_printed_and_written_in_all_formats(case, capsys):
     assert_allclose(load, [0.0, 1000 / 3, 2000 / 3, 1000.0], rtol=1e-9)
     assert_allclose(tilt, 1e-4, rtol=1e-9)  # that of the case
 
-    capsys.readouterr()
-    assert main([*words, "--load", "0:1kN", "--tilt", "0.1 mrad", "--out", "k.npz", "--json"]) == 0
-    said = json.loads(capsys.readouterr().out)
+    said = run(*words, "--load", "0:1kN", "--tilt", "0.1 mrad", "--out", "k.npz", "--json").json
     found = nh.ContactMap.read("k.npz")
     assert said["load"] == list(found.pressed) == [0.0, 1000.0]
     assert said["sampled_error"]["load"] == found.sampled_error.load

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import json
 import warnings
 from pathlib import Path
 
@@ -10,7 +9,6 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.cli import main
 from nonhertz.files.nodes import read_nodes
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -93,12 +91,6 @@ def written(name: str, text: str) -> Path:
     return Path(name)
 
 
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
 @pytest.mark.parametrize(
     "text",
     [
@@ -129,19 +121,17 @@ def test_heads_say_which_column_is_what_in_which_unit(text):
     ],
 )
 @pytest.mark.usefixtures("folder")
-def test_what_is_wrong_with_a_file_of_nodes_is_said(text, expected, capsys):
-    assert main(["nodes", CASE, str(written("nodes.csv", text))]) == 2
-    assert expected in capsys.readouterr().err
+def test_what_is_wrong_with_a_file_of_nodes_is_said(text, expected, run):
+    assert expected in run("nodes", CASE, str(written("nodes.csv", text)), code=2).err
     assert not Path("nodes-pressure.csv").exists()
 
 
 @pytest.mark.usefixtures("folder")
-def test_the_command_writes_a_table_and_says_what_the_sums_are(capsys):
+def test_the_command_writes_a_table_and_says_what_the_sums_are(run):
     x, y = grid(25, 41)
     lines = [f"{k}; {1e3 * a!r}; {b!r}; 0" for k, (a, b) in enumerate(zip(x.tolist(), y.tolist(), strict=True))]
     written("surface.csv", "\n".join(["node; x [um]; y [mm]; z", *lines]))
-    assert main(["nodes", CASE, "surface.csv"]) == 0
-    printed = capsys.readouterr().out
+    printed = run("nodes", CASE, "surface.csv").out
     assert "The forces add up to 15.000 kN of the load of 15.000 kN." in printed
     assert "outside" not in printed
     assert "interpolated linearly between the nodes, carry" in printed
@@ -150,16 +140,14 @@ def test_the_command_writes_a_table_and_says_what_the_sums_are(capsys):
     solution = nh.read_case(CASE).solve()
     np.testing.assert_allclose([float(row["pressure [MPa]"]) for row in table], solution.pressure(x, y), rtol=1e-9)
     assert sum(float(row["force [N]"]) for row in table) == pytest.approx(LOAD, rel=1e-9)
-    assert main(["nodes", CASE, "surface.csv", "--set", "load.load=6kN", "--out", "other.csv", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = run("nodes", CASE, "surface.csv", "--set", "load.load=6kN", "--out", "other.csv", "--json").json
     assert found["force_sum"] == pytest.approx(6000.0, rel=1e-9)
     assert len(found["pressure"]) == x.size
     assert Path("other.csv").exists()
 
 
 @pytest.mark.usefixtures("folder")
-def test_the_file_of_the_nodes_is_not_overwritten(capsys):
+def test_the_file_of_the_nodes_is_not_overwritten(run):
     written("nodes.csv", "x, y\n0, 0\n")
-    assert main(["nodes", CASE, "nodes.csv", "--out", "nodes.csv"]) == 2
-    assert "not that of the nodes" in capsys.readouterr().err
+    assert "not that of the nodes" in run("nodes", CASE, "nodes.csv", "--out", "nodes.csv", code=2).err
     assert Path("nodes.csv").read_text(encoding="utf-8") == "x, y\n0, 0\n"

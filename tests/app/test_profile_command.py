@@ -1,6 +1,5 @@
 """``nonhertz profile`` as a user meets it: steps, numbers, files, refusals, exit codes."""
 
-import json
 import tomllib
 from pathlib import Path
 
@@ -9,7 +8,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-from nonhertz.cli import main
 from nonhertz.files.casefile import read_case
 
 RADIUS = 900.0
@@ -28,9 +26,8 @@ def file(tmp_path, monkeypatch):
     return "roller.txt"
 
 
-def test_the_steps_the_roughness_and_the_best_fit_are_printed(file, capsys):
-    assert main(["profile", file, "--height-unit", "um", "--fit", "best"]) == 0
-    printed = capsys.readouterr().out
+def test_the_steps_the_roughness_and_the_best_fit_are_printed(file, run):
+    printed = run("profile", file, "--height-unit", "um", "--fit", "best").out
     for word in ("raw", "level", "align", "trim", "outliers", "smooth", "thin", "relief", "roughness", "fit"):
         assert f"\n{word} " in printed, word
     first = printed.split("behind\n")[1].split()[0]
@@ -38,14 +35,12 @@ def test_the_steps_the_roughness_and_the_best_fit_are_printed(file, capsys):
     assert "warning" not in printed
 
 
-def test_roughness_that_is_left_in_is_warned_of(file, capsys):
-    assert main(["profile", file, "--height-unit", "um", "--smooth", "no"]) == 0
-    assert "warning: Waves shorter than" in capsys.readouterr().out
+def test_roughness_that_is_left_in_is_warned_of(file, run):
+    assert "warning: Waves shorter than" in run("profile", file, "--height-unit", "um", "--smooth", "no").out
 
 
-def test_json_has_all_numbers(file, capsys):
-    assert main(["profile", file, "--height-unit", "um", "--fit", "crown", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_json_has_all_numbers(file, run):
+    found = run("profile", file, "--height-unit", "um", "--fit", "crown", "--json").json
     assert [step["name"] for step in found["steps"]] == [
         "raw", "level", "align", "trim", "outliers", "smooth", "thin"
     ]  # fmt: skip
@@ -59,10 +54,9 @@ def test_json_has_all_numbers(file, capsys):
 
 
 @pytest.mark.slow
-def test_what_is_written_is_what_a_case_file_reads(file, tmp_path, capsys):
+def test_what_is_written_is_what_a_case_file_reads(file, tmp_path, run):
     """The piece of a case file, the table and the numbers are one profile."""
-    assert main(["profile", file, "--height-unit", "um", "--cutoff", "0.5 mm", "--fit", "crown", "--out", "out"]) == 0
-    capsys.readouterr()
+    run("profile", file, "--height-unit", "um", "--cutoff", "0.5 mm", "--fit", "crown", "--out", "out")
     out = tmp_path / "out"
     assert {path.name for path in out.iterdir()} == FILES
     text = (out / "profile.toml").read_text(encoding="utf-8")
@@ -82,10 +76,9 @@ def test_what_is_written_is_what_a_case_file_reads(file, tmp_path, capsys):
     assert_allclose(fitted, measured, atol=8e-5)
 
 
-def test_options_mean_what_they_say(file, capsys):
+def test_options_mean_what_they_say(file, run):
     words = ["--no-level", "--align", "no", "--trim", "no", "--outliers", "no", "--smooth", "spline", "--points", "99"]
-    assert main(["profile", file, "--height-unit", "um", *words, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = run("profile", file, "--height-unit", "um", *words, "--json").json
     assert [step["name"] for step in found["steps"]] == ["raw", "smooth", "thin"]
     assert len(found["y"]) == 99
 
@@ -106,18 +99,16 @@ def test_options_mean_what_they_say(file, capsys):
     ],
     ids=range(7),
 )
-def test_a_mistake_ends_in_one_sentence_and_two(file, words, sentence, capsys):
-    assert main(["profile", file, *words]) == 2
-    complaint = capsys.readouterr().err
+def test_a_mistake_ends_in_one_sentence_and_two(file, words, sentence, run):
+    complaint = run("profile", file, *words, code=2).err
     assert sentence in complaint
     assert complaint.count("\n") == 1
     assert not Path("out").exists()
 
 
-def test_a_missing_file_is_told(tmp_path, monkeypatch, capsys):
+def test_a_missing_file_is_told(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    assert main(["profile", "none.txt"]) == 2
-    assert "FILE = 'none.txt' must be a file that can be read" in capsys.readouterr().err
+    assert "FILE = 'none.txt' must be a file that can be read" in run("profile", "none.txt", code=2).err
 
 
 @pytest.mark.slow

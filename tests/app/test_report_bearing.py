@@ -80,9 +80,8 @@ def folder(tmp_path, monkeypatch, undrawn):
     return tmp_path
 
 
-def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
-    assert main(["report", *words]) == 2
-    printed = capsys.readouterr()
+def refused(words: list[str], run) -> str:
+    printed = run("report", *words, code=2)
     assert printed.out == ""
     assert not list(Path().glob("*.html"))
     (line,) = printed.err.splitlines()
@@ -92,9 +91,8 @@ def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
 # The file
 
 
-def test_a_bearing_file_becomes_one_page_with_its_files(folder, capsys):
-    assert main(["report", "few.toml"]) == 0
-    assert capsys.readouterr().out == "wrote few-report.html\n"
+def test_a_bearing_file_becomes_one_page_with_its_files(folder, run):
+    assert run("report", "few.toml").out == "wrote few-report.html\n"
     text = Path("few-report.html").read_text(encoding="utf-8")
     assert MARK in text[:500]
     page = Page(text)
@@ -121,8 +119,8 @@ def test_the_files_inside_solve_to_the_same_numbers(folder, tmp_path):
     assert len(files["few-rollers.csv"].splitlines()) == 1 + solved.angle.size
 
 
-def test_mixed_lists_are_refused_in_a_sentence(folder, capsys):
-    line = refused(["case.toml", "few.toml"], capsys)
+def test_mixed_lists_are_refused_in_a_sentence(folder, run):
+    line = refused(["case.toml", "few.toml"], run)
     assert line == (
         "CASE = 'case.toml and few.toml' must be all case files or all bearing files: make a report of each kind, with "
         "'nonhertz report' twice."
@@ -131,8 +129,8 @@ def test_mixed_lists_are_refused_in_a_sentence(folder, capsys):
         compose([nh.read_case("case.toml"), read_bearing("few.toml")])
 
 
-def test_strips_are_compared_with_slices_for_bearings_alone(folder, capsys):
-    line = refused(["case.toml", "--compare"], capsys)
+def test_strips_are_compared_with_slices_for_bearings_alone(folder, run):
+    line = refused(["case.toml", "--compare"], run)
     assert line.startswith("--compare = 'case.toml' must be used with bearing files: use 'nonhertz compare case.toml'")
     assert main(["report", "few.toml", "--compare"]) == 0
     text = Path("few-report.html").read_text(encoding="utf-8")
@@ -140,13 +138,12 @@ def test_strips_are_compared_with_slices_for_bearings_alone(folder, capsys):
     assert {"few-comparison.json", "few-comparison.csv"} <= set(Page(text).files())
 
 
-def test_a_bearing_without_balance_is_reported_as_such(folder, capsys, monkeypatch):
+def test_a_bearing_without_balance_is_reported_as_such(folder, monkeypatch, run):
     def stop(*_: object, **__: object) -> None:
         raise nh.ConvergenceError("No balance.", None)
 
     monkeypatch.setattr("nonhertz.bearing.verb.solve", stop)
-    assert main(["report", "few.toml"]) == 1
-    printed = capsys.readouterr()
+    printed = run("report", "few.toml", code=1)
     assert (printed.out, printed.err) == ("wrote few-report.html\n", "few: No balance.\n")
     text = Path("few-report.html").read_text(encoding="utf-8")
     assert "No balance." in text

@@ -39,18 +39,16 @@ def case(tmp_path, monkeypatch):
     return "case.toml"
 
 
-def refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> list[str]:
+def refused(words: list[str], run) -> list[str]:
     before = sorted(Path().rglob("*"))
-    assert main(["report", *words]) == 2
-    printed = capsys.readouterr()
+    printed = run("report", *words, code=2)
     assert printed.out == ""
     assert sorted(Path().rglob("*")) == before
     return printed.err.splitlines()
 
 
-def test_a_report_is_written_beside_and_replaced(case, capsys):
-    assert main(["report", case, *QUICK]) == 0
-    printed = capsys.readouterr()
+def test_a_report_is_written_beside_and_replaced(case, run):
+    printed = run("report", case, *QUICK)
     assert (printed.out, printed.err) == ("wrote case-report.html\n", "")
     text = Path("case-report.html").read_text(encoding="utf-8")
     assert text.startswith("<!DOCTYPE html>")
@@ -62,23 +60,22 @@ def test_a_report_is_written_beside_and_replaced(case, capsys):
 
 
 @pytest.mark.slow
-def test_several_cases_become_one_report(case, capsys):
+def test_several_cases_become_one_report(case, run):
     Path("other.toml").write_text(CASE.replace("6 kN", "7 kN"), encoding="utf-8")
-    assert main(["report", case, "other.toml", *QUICK, "--out", "new/both.html"]) == 0
-    assert capsys.readouterr().out == "wrote new/both.html\n"
+    assert run("report", case, "other.toml", *QUICK, "--out", "new/both.html").out == "wrote new/both.html\n"
     text = Path("new/both.html").read_text(encoding="utf-8")
     assert "2 cases compared" in text
     assert [path.name for path in Path("new").iterdir()] == ["both.html"]
 
 
-def test_only_reports_are_replaced(case, capsys):
-    (line,) = refused([case, "--out", case], capsys)
+def test_only_reports_are_replaced(case, run):
+    (line,) = refused([case, "--out", case], run)
     assert line.startswith("--out = 'case.toml' must be a new file or an older nonhertz report: ")
     assert Path(case).read_text(encoding="utf-8") == CASE
     Path("folder").mkdir()
-    (line,) = refused([case, "--out", "folder"], capsys)
+    (line,) = refused([case, "--out", "folder"], run)
     assert line.startswith("--out = 'folder' must be a file, not a directory: ")
-    (line,) = refused([case, "--out", "case.toml/report.html"], capsys)
+    (line,) = refused([case, "--out", "case.toml/report.html"], run)
     assert line.startswith("--out = 'case.toml' must be a directory")
 
 
@@ -102,30 +99,29 @@ def test_the_head_says_what_the_file_and_the_options_say(case):
         (["--project", "one\ntwo"], "--project = 'one\\ntwo' must be one line of text"),
     ],
 )
-def test_a_head_that_cannot_be_is_refused(words, sentence, case, capsys):
-    (line,) = refused([case, *words], capsys)
+def test_a_head_that_cannot_be_is_refused(words, sentence, case, run):
+    (line,) = refused([case, *words], run)
     assert line.startswith(sentence)
 
 
-def test_all_mistakes_of_all_files_are_named(case, capsys):
+def test_all_mistakes_of_all_files_are_named(case, run):
     Path("wrong.toml").write_text(CASE.replace("length = 20", "length = -20"), encoding="utf-8")
-    lines = refused([case, "wrong.toml", "nothing.toml"], capsys)
+    lines = refused([case, "wrong.toml", "nothing.toml"], run)
     assert [line.split(" ")[1] for line in lines] == ["wrong.toml:", "nothing.toml"]
-    (line,) = refused(["wrong.toml"], capsys)
+    (line,) = refused(["wrong.toml"], run)
     assert line.startswith("body.a.length = ")
-    (line,) = refused([], capsys)
+    (line,) = refused([], run)
     assert line.startswith("CASE = '' must be given: ")
 
 
 @pytest.mark.slow
-def test_a_case_that_has_not_converged_is_reported_and_told(case, capsys, monkeypatch):
+def test_a_case_that_has_not_converged_is_reported_and_told(case, monkeypatch, run):
     solution = nonhertz.show.analysis.solved(read_case(case))
 
     def stop(*_: object, **__: object) -> None:
         raise nh.ConvergenceError("It stopped.", solution)
 
     monkeypatch.setattr(nonhertz.solver.one, "solve", stop)
-    assert main(["report", case]) == 1
-    printed = capsys.readouterr()
+    printed = run("report", case, code=1)
     assert (printed.out, printed.err) == ("wrote case-report.html\n", "case: It stopped.\n")
     assert "It stopped." in Path("case-report.html").read_text(encoding="utf-8")

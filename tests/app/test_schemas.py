@@ -34,9 +34,8 @@ def mistakes(kind: str, found: Any) -> list[list[str]]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_schema_is_one(kind, capsys, tmp_path):
-    assert main(["schema", kind]) == 0
-    printed = capsys.readouterr().out
+def test_a_schema_is_one(kind, run, tmp_path):
+    printed = run("schema", kind).out
     assert json.loads(printed) == schema_of(kind)
     jsonschema.Draft202012Validator.check_schema(schema_of(kind))
     file = tmp_path / "made" / f"{kind}.json"
@@ -44,9 +43,8 @@ def test_a_schema_is_one(kind, capsys, tmp_path):
     assert file.read_text(encoding="utf-8") == printed
 
 
-def test_there_is_no_schema_of_anything_else(capsys):
-    assert main(["schema", "roller"]) == 2
-    assert "choose from case, bearing, plan, result" in capsys.readouterr().err
+def test_there_is_no_schema_of_anything_else(run):
+    assert "choose from case, bearing, plan, result" in run("schema", "roller", code=2).err
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)

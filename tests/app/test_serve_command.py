@@ -65,18 +65,16 @@ def test_of_many_points_some_are_kept(case):
     assert "the 5001 points of points.csv itself, of which every 3rd is kept." in notes[0]
 
 
-def test_a_mistaken_case_is_refused_as_by_the_other_commands(case, capsys):
+def test_a_mistaken_case_is_refused_as_by_the_other_commands(case, run):
     case.write_text(CASE.replace("20 kN", "20 kg"))
-    assert main(["serve", str(case), "--no-browser"]) == 2
-    assert "load.load = '20 kg' must have a unit of force" in capsys.readouterr().err
+    assert "load.load = '20 kg' must have a unit of force" in run("serve", str(case), "--no-browser", code=2).err
 
 
-def test_a_case_that_the_page_does_not_take_is_refused(case, capsys):
+def test_a_case_that_the_page_does_not_take_is_refused(case, run):
     case.write_text(CASE + "[solver]\nstrips = 2000\n")
-    assert main(["serve", str(case), "--no-browser"]) == 2
     assert (
         "solver.strips = 2000 must be at most 300 on the page: use the command line for more."
-        in capsys.readouterr().err
+        in run("serve", str(case), "--no-browser", code=2).err
     )
 
 
@@ -97,7 +95,7 @@ def test_it_listens_on_this_machine_alone():
 
 
 @pytest.mark.parametrize("browser", [True, False])
-def test_it_tells_its_address_and_opens_a_browser_if_wanted(browser, monkeypatch, capsys):
+def test_it_tells_its_address_and_opens_a_browser_if_wanted(browser, monkeypatch, capsys, run):
     opened = []
 
     class Ended:
@@ -114,14 +112,13 @@ def test_it_tells_its_address_and_opens_a_browser_if_wanted(browser, monkeypatch
     assert [address for (address,) in opened] == [out.split()[4]] * browser
 
 
-def test_it_ends_as_interrupted_where_a_shell_has_interrupts_ignored(monkeypatch, capsys):
+def test_it_ends_as_interrupted_where_a_shell_has_interrupts_ignored(monkeypatch, run):
     class Ended:
         def run(self, sockets):
             """Return, as after an interrupt that the process ignores."""
 
     monkeypatch.setattr(serving, "server_of", lambda app: Ended())
-    assert main(["serve", "--port", "0", "--no-browser"]) == 130
-    assert capsys.readouterr().err == "Interrupted.\n"
+    assert run("serve", "--port", "0", "--no-browser", code=130).err == "Interrupted.\n"
 
 
 class Started:

@@ -1,6 +1,5 @@
 """``--set``: values in place of those in a file, on every command that reads one."""
 
-import json
 import tomllib
 from pathlib import Path
 
@@ -16,23 +15,20 @@ CASE = str(EXAMPLES / "crowned-roller.toml")
 TITLE = "Roller 20 x 20 on a plate"
 
 
-def refused(capsys: pytest.CaptureFixture[str], *words: str) -> str:
-    assert main(words) == 2
-    printed = capsys.readouterr()
+def refused(run, *words: str) -> str:
+    printed = run(*words, code=2)
     return printed.err + printed.out
 
 
-def test_a_value_counts_as_if_the_file_held_it(tmp_path, monkeypatch, capsys):
+def test_a_value_counts_as_if_the_file_held_it(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     text = Path(CASE).read_text(encoding="utf-8")
     assert "load = 20000.0" in text
     assert "radius = 4000.0" in text
     edited = text.replace("load = 20000.0", 'load = "5 kN"').replace("radius = 4000.0", 'radius = "2 m"')
     Path("edited.toml").write_text(edited, encoding="utf-8")
-    assert main(["solve", "edited.toml", "--json"]) == 0
-    expected = json.loads(capsys.readouterr().out)
-    assert main(["solve", CASE, "--set", "load.load=5kN", "--set", "body.a.profile.radius=2m", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    expected = run("solve", "edited.toml", "--json").json
+    found = run("solve", CASE, "--set", "load.load=5kN", "--set", "body.a.profile.radius=2m", "--json").json
     assert found["title"] == TITLE
     assert found["load"] == 5000.0
     for name in ("max_pressure", "approach", "line_load", "edges"):
@@ -48,23 +44,20 @@ def test_a_value_counts_as_if_the_file_held_it(tmp_path, monkeypatch, capsys):
         ("--set", "load.load=5kN", "load.tilt=1mrad", "--", CASE),
     ],
 )
-def test_several_may_follow_one_option(words, capsys):
-    assert main(["solve", "--json", *words]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_several_may_follow_one_option(words, run):
+    found = run("solve", "--json", *words).json
     assert (found["load"], found["tilt"]) == pytest.approx((5000.0, 1e-3))
 
 
-def test_a_file_whose_name_looks_like_a_change_is_a_file(tmp_path, monkeypatch, capsys):
+def test_a_file_whose_name_looks_like_a_change_is_a_file(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     Path("load=low.toml").write_text(Path(CASE).read_text(encoding="utf-8"), encoding="utf-8")
-    assert main(["solve", "--json", "--set", "load.load=5kN", "load=low.toml"]) == 0
-    assert json.loads(capsys.readouterr().out)["load"] == pytest.approx(5000.0)
+    assert run("solve", "--json", "--set", "load.load=5kN", "load=low.toml").json["load"] == pytest.approx(5000.0)
 
 
 @pytest.mark.parametrize("words", [("load.approach=20um",), ("load.approach=20um", "load.load=")])
-def test_a_key_makes_room_for_what_is_given_in_its_place(words, capsys):
-    assert main(["solve", CASE, "--set", *words, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_a_key_makes_room_for_what_is_given_in_its_place(words, run):
+    found = run("solve", CASE, "--set", *words, "--json").json
     assert found["approach"] == 0.02
     assert "load" not in found["case"]["load"]
 
@@ -96,8 +89,8 @@ def test_what_was_set_is_in_the_text_of_the_case():
     assert nh.read_case(CASE).prescribed["load"] == 20000.0
 
 
-def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(capsys):
-    said = refused(capsys, "solve", CASE, "--set", "load.laod=5kN", "--set", "body.a.profile.radus=1m")
+def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(run):
+    said = refused(run, "solve", CASE, "--set", "load.laod=5kN", "--set", "body.a.profile.radus=1m")
     assert said.splitlines() == [
         "1. load.laod must be an input of the file: the nearest is 'load.load'.",
         "2. body.a.profile.radus must be an input of the file: the nearest is 'body.a.profile.radius'.",
@@ -115,37 +108,35 @@ def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(capsys):
         ("=5", "--set = '=5' must have an equals sign"),
     ],
 )
-def test_values_go_through_all_checks_of_the_file(word, expected, capsys):
-    assert expected in refused(capsys, "solve", CASE, "--set", word)
+def test_values_go_through_all_checks_of_the_file(word, expected, run):
+    assert expected in refused(run, "solve", CASE, "--set", word)
 
 
-def test_a_path_is_set_once(capsys):
-    said = refused(capsys, "solve", CASE, "--set", "load.load=5kN", "--set", "load.load=6kN")
+def test_a_path_is_set_once(run):
+    said = refused(run, "solve", CASE, "--set", "load.load=5kN", "--set", "load.load=6kN")
     assert "must set each path once" in said
 
 
-def test_a_file_with_mistakes_is_read_to_the_end(tmp_path, capsys):
+def test_a_file_with_mistakes_is_read_to_the_end(tmp_path, run):
     broken = tmp_path / "broken.toml"
     broken.write_text("body = 3\nload = 4\n", encoding="utf-8")
-    assert "load.load must be an input" in refused(capsys, "check", str(broken), "--set", "load.load=5kN")
+    assert "load.load must be an input" in refused(run, "check", str(broken), "--set", "load.load=5kN")
     misspelled = tmp_path / "misspelled.toml"
     misspelled.write_text(Path(CASE).read_text(encoding="utf-8").replace("20000.0", "-1.0"), encoding="utf-8")
-    assert main(["check", str(misspelled), "--set", "load.load=5kN"]) == 0
-    assert "load = 5000 N" in capsys.readouterr().out
+    assert "load = 5000 N" in run("check", str(misspelled), "--set", "load.load=5kN").out
 
 
-def test_a_bearing_takes_it_too(capsys):
+def test_a_bearing_takes_it_too(run):
     file = str(EXAMPLES / "nu206.toml")
     words = ["--set", "load.radial=5kN", "--set", "solver.method=slices", "--json"]
-    assert main(["bearing", file, *words]) == 0
-    found = json.loads(capsys.readouterr().out)
+    found = run("bearing", file, *words).json
     assert found["method"] == "slices"
     assert max(map(abs, found["force"])) == pytest.approx(5e3, rel=1e-6)
     assert nh.read_bearing(file, {"load.radial": 5e3}).prescribed["radial"] == 5000.0
 
 
 @pytest.mark.slow
-def test_every_command_with_a_case_takes_what_was_set(tmp_path, monkeypatch, capsys):
+def test_every_command_with_a_case_takes_what_was_set(tmp_path, monkeypatch, run):
     (tmp_path / "edited").mkdir()
     text = Path(CASE).read_text(encoding="utf-8")
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
@@ -160,19 +151,20 @@ def test_every_command_with_a_case_takes_what_was_set(tmp_path, monkeypatch, cap
         said = []
         for folder, more in ((tmp_path, ["--set", "load.load=6kN"]), (tmp_path / "edited", [])):
             monkeypatch.chdir(folder)
-            assert main([*words, *more]) == 0
-            said.append(capsys.readouterr().out)
+            said.append(run(*words, *more).out)
         assert said[0] == said[1], words
 
 
 @pytest.mark.slow
-def test_reports_plans_and_designs_take_it(tmp_path, monkeypatch, capsys):
+def test_reports_plans_and_designs_take_it(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     assert main(["report", CASE, "--no-stress", "--out", "r.html", "--set", "load.load=6kN"]) == 0
     report = Path("r.html").read_text(encoding="utf-8")
     assert f"<h1>{TITLE}</h1>" in report
     assert "# Set in place of what the file held: load.load = 6kN" in report
-    assert main(["check", str(EXAMPLES / "roller-15x20-sweep.toml"), "--set", "load.laod=6kN"]) == 2
-    assert "roller-15x20.toml: load.laod must be an input" in capsys.readouterr().out
+    assert (
+        "roller-15x20.toml: load.laod must be an input"
+        in run("check", str(EXAMPLES / "roller-15x20-sweep.toml"), "--set", "load.laod=6kN", code=2).out
+    )
     case, _ = read_design(EXAMPLES / "roller-15x20-design.toml", {"load.load": "6 kN"})
     assert case.prescribed["load"] == 6000.0

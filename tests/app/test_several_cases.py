@@ -2,7 +2,6 @@
 
 import csv
 import io
-import json
 from pathlib import Path
 
 import pytest
@@ -10,7 +9,6 @@ import pytest
 import nonhertz as nh
 import nonhertz.solver.one
 from nonhertz.amounts import digits
-from nonhertz.cli import main
 from nonhertz.files.several import HEAD
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -27,9 +25,8 @@ def cases(tmp_path, monkeypatch):
     return ["one.toml", "other/one.toml"]
 
 
-def test_a_row_for_each_case(cases, capsys):
-    assert main(["solve", *cases]) == 0
-    printed = capsys.readouterr()
+def test_a_row_for_each_case(cases, run):
+    printed = run("solve", *cases)
     assert printed.err == ""
     lines = [line.split() for line in printed.out.splitlines()]
     rows = {line[0]: line for line in lines if line and line[0] in cases}
@@ -43,36 +40,32 @@ def test_a_row_for_each_case(cases, capsys):
     assert sum(line[:1] == ["warning:"] for line in lines) == sum(len(each.warnings) for each in expected)
 
 
-def test_json_is_a_list_of_what_each_alone_prints(cases, capsys):
-    assert main(["solve", *cases, "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
+def test_json_is_a_list_of_what_each_alone_prints(cases, run):
+    found = run("solve", *cases, "--json").json
     assert [each["file"] for each in found] == cases
     for case, each in zip(cases, found, strict=True):
-        assert main(["solve", case, "--json"]) == 0
-        assert each["result"] == json.loads(capsys.readouterr().out)
+        assert each["result"] == run("solve", case, "--json").json
         assert each["complaints"] == []
 
 
-def test_one_that_fails_does_not_hide_the_others(cases, capsys):
+def test_one_that_fails_does_not_hide_the_others(cases, run):
     Path("bad.toml").write_text(CROWNED.replace("load = 20000.0", "load = -1.0\nlaod = 3"), encoding="utf-8")
     bearing = str(EXAMPLES / "nu206.toml")
     files = ["bad.toml", cases[0], "missing.toml", bearing]
-    assert main(["solve", *files]) == 2
-    printed = capsys.readouterr()
+    printed = run("solve", *files, code=2)
     assert printed.out.count("not solved") == 3
     assert "20000" in printed.out
     sentences = printed.err.splitlines()
     assert [sentence.startswith("bad.toml: load") for sentence in sentences] == [True, True, False, False]
     assert sentences[2].startswith("missing.toml must exist")
     assert "nonhertz bearing" in sentences[3]
-    assert main(["solve", *files, "--json"]) == 2
-    found = json.loads(capsys.readouterr().out)
+    found = run("solve", *files, "--json", code=2).json
     assert [each["result"] is None for each in found] == [True, False, True, True]
     assert [len(each["complaints"]) for each in found] == [2, 0, 1, 1]
 
 
 @pytest.mark.slow
-def test_one_that_does_not_converge_is_said_and_shown(cases, monkeypatch, capsys):
+def test_one_that_does_not_converge_is_said_and_shown(cases, monkeypatch, run):
     whole = nonhertz.solver.one.solve
 
     def solve(contact: nh.Contact, **given: object) -> nh.Solution:
@@ -83,8 +76,7 @@ def test_one_that_does_not_converge_is_said_and_shown(cases, monkeypatch, capsys
         raise nh.ConvergenceError("It did not converge.", solution)
 
     monkeypatch.setattr(nonhertz.solver.one, "solve", solve)
-    assert main(["solve", *cases, "--out", "results"]) == 1
-    printed = capsys.readouterr()
+    printed = run("solve", *cases, "--out", "results", code=1)
     assert printed.err == "other/one.toml: It did not converge.\n"
     assert "iteration limit, " in printed.out
     table = list(csv.DictReader(io.StringIO(Path("results", "cases.csv").read_text(encoding="utf-8"))))
@@ -93,9 +85,8 @@ def test_one_that_does_not_converge_is_said_and_shown(cases, monkeypatch, capsys
 
 
 @pytest.mark.slow
-def test_each_has_a_folder_of_its_own_beside_the_table(cases, capsys):
-    assert main(["solve", *cases, "missing.toml", "--out", "results"]) == 2
-    printed = capsys.readouterr().out
+def test_each_has_a_folder_of_its_own_beside_the_table(cases, run):
+    printed = run("solve", *cases, "missing.toml", "--out", "results", code=2).out
     assert {path.name for path in Path("results").iterdir()} == {"one", "one-2", "cases.csv"}
     for folder, case in (("one", cases[0]), ("one-2", cases[1])):
         assert {path.name for path in Path("results", folder).iterdir()} == FIGURES | {"result.json", "table.csv"}

@@ -12,7 +12,6 @@ import nonhertz as nh
 import nonhertz.cli.stress
 import nonhertz.show.analysis
 import nonhertz.solver.one
-from nonhertz.cli import main
 from nonhertz.files.casefile import read_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -56,24 +55,22 @@ def sharp(case):
     return case
 
 
-def found(capsys: pytest.CaptureFixture[str], *words: str) -> Any:
-    assert main(["stress", *words, "--json"]) == 0
-    printed = capsys.readouterr()
+def found(run, *words: str) -> Any:
+    printed = run("stress", *words, "--json")
     assert printed.err == ""
     return json.loads(printed.out)
 
 
 @pytest.mark.slow
-def test_without_a_station_the_section_is_the_worst(sharp, capsys):
-    told = found(capsys, sharp)
+def test_without_a_station_the_section_is_the_worst(sharp, run):
+    told = found(run, sharp)
     assert told["section"]["y"] == told["overall"]["von_mises"]["y"] > 9.0
     assert_allclose(told["section"]["von_mises"]["max"], told["overall"]["von_mises"]["max"], rtol=1e-6)
 
 
 @pytest.mark.slow
-def test_the_table_has_both_and_the_warnings(sharp, capsys):
-    assert main(["stress", sharp, "--station", "9.9"]) == 0
-    printed = capsys.readouterr()
+def test_the_table_has_both_and_the_warnings(sharp, run):
+    printed = run("stress", sharp, "--station", "9.9")
     assert printed.err == ""
     lines = printed.out.splitlines()
     assert lines[0] == "Roller 20 x 20 on a plate"
@@ -100,8 +97,8 @@ def test_the_table_has_both_and_the_warnings(sharp, capsys):
 
 
 @pytest.mark.slow
-def test_files_are_the_json_and_both_planes(case, capsys):
-    told = found(capsys, case, "--station", "0.5", "--out", "new/folder")
+def test_files_are_the_json_and_both_planes(case, run):
+    told = found(run, case, "--station", "0.5", "--out", "new/folder")
     folder = Path("new/folder")
     assert {path.name for path in folder.iterdir()} == FILES
     assert json.loads((folder / "stress.json").read_text(encoding="utf-8")) == told
@@ -129,9 +126,9 @@ material = { modulus = 207000, poisson = 0.3, yield_strength = 400, core_yield_s
 
 
 @pytest.mark.slow
-def test_whether_the_body_bears_it_is_told(case, capsys):
+def test_whether_the_body_bears_it_is_told(case, run):
     Path(case).write_text(STRONG, encoding="utf-8")
-    told = found(capsys, case)
+    told = found(run, case)
     strength, pressure = told["strength"], told["max_pressure"]
     assert_allclose(strength["static_safety"], (4000.0 / pressure) ** 2, rtol=1e-9)
     assert (strength["criterion"], strength["verdict"]) == ("von-mises", "over")
@@ -141,10 +138,9 @@ def test_whether_the_body_bears_it_is_told(case, capsys):
     assert_allclose(checks["yield"]["ratio"], 0.5575 * pressure / 400.0, rtol=1e-3)
     assert_allclose(checks["case depth"]["ratio"] * 2.0, told["overall"]["shear"]["z"], rtol=1e-3)
     assert checks["core"]["verdict"] == checks["case depth"]["verdict"] == "fine"
-    assert main(["stress", case]) == 0
-    printed = capsys.readouterr().out
+    printed = run("stress", case).out
     assert all(check["sentence"] in printed for check in checks.values())
     # Nothing is said of what the other roller bears.
-    other = found(capsys, case, "--body", "b")["strength"]
+    other = found(run, case, "--body", "b")["strength"]
     assert (other["verdict"], other["static_safety"]) == ("not known", None)
     assert {check["ratio"] for check in other["checks"].values()} == {None}

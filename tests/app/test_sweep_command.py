@@ -12,8 +12,6 @@ from pathlib import Path
 import pytest
 from crowned_roller import CASE
 
-from nonhertz.cli import main
-
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
@@ -23,9 +21,8 @@ def folder(tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
-def test_a_case_is_swept_from_the_command_line(folder, capsys):
-    assert main(["sweep", "roller.toml", "--over", "load.load=5kN:20kN:4", "load.tilt=0,0.5mrad"]) == 0
-    out = capsys.readouterr().out
+def test_a_case_is_swept_from_the_command_line(folder, run):
+    out = run("sweep", "roller.toml", "--over", "load.load=5kN:20kN:4", "load.tilt=0,0.5mrad").out
     title, verdict, rows, *_ = out.splitlines()
     assert (title, rows) == ("A roller on a plate", "8 rows")
     assert verdict.startswith("Model strained. ")
@@ -35,43 +32,40 @@ def test_a_case_is_swept_from_the_command_line(folder, capsys):
     assert names == {"rows.sqlite3", "rows.csv", "rows.parquet", "sweep.svg", "sweep.png"}
 
 
-def test_a_plan_is_checked_and_swept(folder, capsys):
+def test_a_plan_is_checked_and_swept(folder, run):
     text = 'case = "roller.toml"\nquantities = ["approach"]\n[samples]\ncount = 5\n'
     text += '[over]\n"load.load" = "normal(20 kN, 1 kN)"\n'
     (folder / "plan.toml").write_text(text, encoding="utf-8")
-    assert main(["check", "plan.toml"]) == 0
-    assert capsys.readouterr().out == "plan.toml is fine: 'plan', a sweep of 5 rows over load.load.\n"
-    assert main(["sweep", "plan.toml", "--json", "--out", "found"]) == 0
-    found = json.loads(capsys.readouterr().out)
+    assert run("check", "plan.toml").out == "plan.toml is fine: 'plan', a sweep of 5 rows over load.load.\n"
+    found = run("sweep", "plan.toml", "--json", "--out", "found").json
     assert (found["rows"], found["failed"], found["over"]) == (5, 0, ["load.load"])
     assert found["extremes"]["approach"][0] < found["extremes"]["approach"][1]
     assert (folder / "found" / "sweep.svg").exists()
 
 
-def test_json_is_ascii_and_comes_through_a_pipe_of_any_encoding(folder, capsys):
+def test_json_is_ascii_and_comes_through_a_pipe_of_any_encoding(folder, run):
     text = (folder / "roller.toml").read_text(encoding="utf-8")
     (folder / "roller.toml").write_text(text.replace("A roller on a plate", "Ø 15 μm"), encoding="utf-8")
-    assert main(["sweep", "roller.toml", "--over", "load.load=5kN,6kN", "--json", "--out", "found"]) == 0
-    printed = capsys.readouterr().out
+    printed = run("sweep", "roller.toml", "--over", "load.load=5kN,6kN", "--json", "--out", "found").out
     assert printed.isascii()
     assert json.loads(printed)["title"] == "Ø 15 μm"
 
 
-def test_mistakes_of_a_plan_are_listed(folder, capsys):
+def test_mistakes_of_a_plan_are_listed(folder, run):
     (folder / "plan.toml").write_text(
         'case = "roller.toml"\n[over]\n"load.laod" = []\nload.tilt = []\n', encoding="utf-8"
     )
-    assert main(["check", "plan.toml"]) == 2
-    said = capsys.readouterr().out.splitlines()
+    said = run("check", "plan.toml", code=2).out.splitlines()
     assert [line[:2] for line in said] == ["1.", "2."]
     assert said[0].startswith("1. over.load.laod")
 
 
-def test_a_plan_that_has_changed_is_refused(folder, capsys):
-    assert main(["sweep", "roller.toml", "--over", "load.load=5kN,6kN", "--out", "x"]) == 0
-    capsys.readouterr()
-    assert main(["sweep", "roller.toml", "--over", "load.load=5kN,7kN", "--out", "x"]) == 2
-    assert "over.load.load was [5000.0, 6000.0], is [5000.0, 7000.0]" in capsys.readouterr().err
+def test_a_plan_that_has_changed_is_refused(folder, run):
+    run("sweep", "roller.toml", "--over", "load.load=5kN,6kN", "--out", "x")
+    assert (
+        "over.load.load was [5000.0, 6000.0], is [5000.0, 7000.0]"
+        in run("sweep", "roller.toml", "--over", "load.load=5kN,7kN", "--out", "x", code=2).err
+    )
 
 
 together = pytest.mark.xdist_group("sweep")  # by one worker, that what is whole is swept once
@@ -175,25 +169,25 @@ def test_on_a_cluster_a_worker_may_be_killed_and_another_added(folder, cluster, 
 
 
 @pytest.mark.slow
-def test_an_address_where_nothing_answers_is_refused(folder, capsys, monkeypatch):
+def test_an_address_where_nothing_answers_is_refused(folder, run, monkeypatch):
     pytest.importorskip("distributed")
     monkeypatch.setattr("nonhertz.study.workers.CONNECTING", "1s")
     words = ["sweep", "roller.toml", "--over", "load.load=1kN,2kN", "--scheduler", "tcp://127.0.0.1:9"]
-    assert main(words) == 2
-    assert "--scheduler = 'tcp://127.0.0.1:9' must be the address of a scheduler" in capsys.readouterr().err
+    assert "--scheduler = 'tcp://127.0.0.1:9' must be the address of a scheduler" in run(*words, code=2).err
 
 
 @pytest.mark.parametrize("address", ["", "here", "10.0.0.1", "tcp://", "tcp://here:port", "tcp://a b:1"])
-def test_what_is_no_address_is_refused_before_anything_is_asked(folder, capsys, address):
+def test_what_is_no_address_is_refused_before_anything_is_asked(folder, run, address):
     pytest.importorskip("distributed")
-    assert main(["sweep", "roller.toml", "--over", "load.load=1kN,2kN", "--scheduler", address]) == 2
-    assert f"--scheduler = '{address}' must be the address of a scheduler, with a port" in capsys.readouterr().err
+    assert (
+        f"--scheduler = '{address}' must be the address of a scheduler, with a port"
+        in run("sweep", "roller.toml", "--over", "load.load=1kN,2kN", "--scheduler", address, code=2).err
+    )
 
 
-def test_why_rows_failed_is_said_in_the_units_that_are_read(folder, capsys):
+def test_why_rows_failed_is_said_in_the_units_that_are_read(folder, run):
     words = ["sweep", "roller.toml", "--over", "load.moment=0Nm,300Nm", "--quantities", "approach"]
     kept = "must keep moment / load between -10 and 10 mm"
     for units, sentence in (("us", "must keep moment / load between -0.393701 and 0.393701 in"), ("si", kept)):
-        assert main([*words, "--units", units]) == 0
-        assert sentence in capsys.readouterr().out
+        assert sentence in run(*words, "--units", units).out
         assert kept in (folder / "roller-sweep" / "rows.csv").read_text(encoding="utf-8")

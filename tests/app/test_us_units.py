@@ -40,20 +40,6 @@ UNITS = {
 }  # fmt: skip
 
 
-def numbers(found: Any) -> Iterator[float]:
-    if isinstance(found, dict):
-        for name, value in found.items():
-            if name != "numbers":
-                yield from numbers(value)
-            else:
-                yield from (each for one in value.values() if isinstance(one, dict) for each in numbers(one["value"]))
-    elif isinstance(found, list):
-        for value in found:
-            yield from numbers(value)
-    elif isinstance(found, int | float):
-        yield float(found)
-
-
 def rounding(text: str) -> float:
     """Half a unit of the last digit."""
     mantissa, _, power = text.partition("e")
@@ -99,7 +85,7 @@ EXTREMES, EXPOSURE = once(nh.subsurface.extremes), once(nh.life.exposure)
 
 
 @pytest.fixture(name="printed")
-def printed_to(capsys, monkeypatch, tmp_path):
+def printed_to(capsys, run, monkeypatch, tmp_path):
     """Return what a command prints, on lines as long as need be: otherwise cells would break in different places."""
 
     def wide(**how: Any) -> Console:

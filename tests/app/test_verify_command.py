@@ -26,9 +26,8 @@ def let_it_fail(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
-def test_a_section_is_printed_and_written(capsys):
-    assert main(["verify", "--only", "half-space", "--out", "new/page"]) == 0
-    printed = capsys.readouterr()
+def test_a_section_is_printed_and_written(run):
+    printed = run("verify", "--only", "half-space", "--out", "new/page")
     assert printed.err == ""
     lines = printed.out.splitlines()
     assert lines[0].split() == ["Rollers", "on", "half-spaces", "(half-space)"]
@@ -47,10 +46,9 @@ def test_a_section_is_printed_and_written(capsys):
     assert "`nonhertz verify --out DIR --only half-space`" in page
 
 
-def test_a_failed_check_is_told_by_the_exit_code(capsys, monkeypatch):
+def test_a_failed_check_is_told_by_the_exit_code(run, monkeypatch):
     let_it_fail(monkeypatch)
-    assert main(["verify", "--only", "half-space", "--out", "page"]) == 1
-    lines = capsys.readouterr().out.splitlines()
+    lines = run("verify", "--only", "half-space", "--out", "page", code=1).out.splitlines()
     assert lines[2].split() == ["two", "counting", "3", "2", "-3.3e-1", "1e-6", "FAIL"]
     assert lines[-1] == "1 checks: 0 passed, 1 failed, 0 shown"
     page = Path("page/validation.md").read_text(encoding="utf-8")

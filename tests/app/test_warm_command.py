@@ -11,9 +11,8 @@ from nonhertz.compiled import cache, files
 
 
 @pytest.mark.slow
-def test_after_every_part_no_command_compiles_anything(capsys, monkeypatch):
-    assert main(["warm"]) == 0
-    *parts, kept = capsys.readouterr().out.splitlines()
+def test_after_every_part_no_command_compiles_anything(run, monkeypatch):
+    *parts, kept = run("warm").out.splitlines()
     assert [line.partition(":")[0] for line in parts] == list(warm.PARTS)
     assert kept.startswith("machine code: ")
     assert "machine-code" in kept

@@ -12,7 +12,6 @@ from numpy.testing import assert_allclose
 from test_bad_input import MISTAKES
 
 import nonhertz as nh
-from nonhertz.cli import main
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.strength import assess
 from nonhertz.subsurface import extremes
@@ -162,11 +161,10 @@ def test_an_unconverged_solve_is_shown_with_its_complaint(monkeypatch):
 
 
 @pytest.mark.parametrize("text", [MISTAKES[0][0], MISTAKES[-1][0]])
-def test_mistakes_are_those_of_the_command_line(text, tmp_path, capsys):
+def test_mistakes_are_those_of_the_command_line(text, tmp_path, run):
     path = tmp_path / "case.toml"
     path.write_text(text, encoding="utf-8")
-    assert main(["check", str(path)]) == 2
-    printed = [line.partition(". ")[2] for line in capsys.readouterr().out.splitlines()]
+    printed = [line.partition(". ")[2] for line in run("check", str(path), code=2).out.splitlines()]
     assert [mistake["sentence"] for mistake in answer(tomllib.loads(text))["mistakes"]] == printed
 
 

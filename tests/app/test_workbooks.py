@@ -35,9 +35,11 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_cases_are_rows_of_numbers_and_inputs_a_second_sheet(capsys):
-    assert main(["solve", *CASES, "missing.toml", "--set", "load.tilt=0.4 mrad", "--out", "r.xlsx"]) == 2
-    assert "wrote r.xlsx" in capsys.readouterr().out
+def test_cases_are_rows_of_numbers_and_inputs_a_second_sheet(run):
+    assert (
+        "wrote r.xlsx"
+        in run("solve", *CASES, "missing.toml", "--set", "load.tilt=0.4 mrad", "--out", "r.xlsx", code=2).out
+    )
     assert [path.name for path in Path().iterdir()] == ["r.xlsx"]
     found = sheets(Path("r.xlsx"))
     assert list(found) == ["cases", "inputs"]
@@ -66,10 +68,9 @@ def test_one_case_makes_a_table_too_and_csv_has_the_same():
 
 
 @pytest.mark.slow
-def test_rows_of_a_sweep(capsys):
+def test_rows_of_a_sweep(run):
     words = ["sweep", CASES[0], "--over", "load.load=5kN:20kN:4", "--excel", "--out", "found"]
-    assert main(words) == 0
-    assert str(Path("found", "rows.xlsx")) in capsys.readouterr().out
+    assert str(Path("found", "rows.xlsx")) in run(*words).out
     found = sheets(Path("found", "rows.xlsx"))
     table = list(csv.reader(io.StringIO(Path("found", "rows.csv").read_text(encoding="utf-8"))))
     assert list(found["rows"][0]) == table[0]
@@ -94,7 +95,7 @@ def test_more_rows_than_a_sheet_holds_are_refused():
         refuse_too_many("excel", MOST_ROWS)
 
 
-def test_without_openpyxl_the_way_out_is_said_before_the_work(monkeypatch, capsys):
+def test_without_openpyxl_the_way_out_is_said_before_the_work(monkeypatch, run):
     whole = builtins.__import__
 
     def without(name: str, *rest: Any, **more: Any) -> Any:
@@ -104,6 +105,5 @@ def test_without_openpyxl_the_way_out_is_said_before_the_work(monkeypatch, capsy
 
     monkeypatch.setattr(builtins, "__import__", without)
     for words in (["solve", *CASES, "--out", "r.xlsx"], ["sweep", CASES[0], "--over", "load.load=5kN,6kN", "--excel"]):
-        assert main(words) == 2
-        assert "pip install 'nonhertz[data]'" in capsys.readouterr().err
+        assert "pip install 'nonhertz[data]'" in run(*words, code=2).err
     assert not list(Path().iterdir())
