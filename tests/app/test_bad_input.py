@@ -214,32 +214,6 @@ def test_a_complaint_of_the_solver_about_both_bodies_names_keys_of_the_file():
     assert str(complaint).startswith("body.b.diameter = -10.0 must leave a positive combined curvature with body.a")
 
 
-def test_a_complaint_names_the_key_that_it_is_about(folder):
-    document = {"body": {"a": {"lenght": 20.0, "profile": [{"kind": "crown", "radius": 0.0}]}, "b": {}}, "load": {}}
-    with pytest.raises(nh.CaseError) as caught:
-        Case.of(document, folder / "case.toml")
-    found = dict(zip(caught.value.places, caught.value.mistakes, strict=True))
-    assert set(found) >= {"body.a.lenght", "body.a.profile[1].radius", "load.load"}
-    assert all(sentence.startswith(place) for place, sentence in found.items())
-
-
-def test_a_document_from_elsewhere_cannot_have_files_read(folder):
-    (folder / "points.csv").write_text("-10, 0.01\n10, 0.01\n", encoding="utf-8")
-    table = {"kind": "tabulated", "file": "points.csv"}
-    document = {"body": {"a": {"diameter": 20.0, "length": 20.0, "profile": [table]}, "b": {}}, "load": {"load": 1e3}}
-    assert Case.of(document, folder / "case.toml").contact.a.profile.extent == (-10.0, 10.0)
-    with pytest.raises(nh.CaseError, match="not be read here") as caught:
-        Case.of(document, folder / "case.toml", files=False)
-    assert caught.value.places == ("body.a.profile[1].file",)
-
-
-def test_a_body_thinner_than_its_contact_is_wide_is_refused(folder, run):
-    (folder / "case.toml").write_text(f"{A}depth = '0.3 mm'\n{REST}", encoding="utf-8")
-    sentence = run("solve", "case.toml", code=2).err
-    assert sentence.startswith("body.a.depth = 0.3 must be large compared with the half-width of the contact")
-    assert len(sentence.splitlines()) == 1
-
-
 @pytest.mark.parametrize(
     "keys",
     [{"side_faces": "miror"}, {"images": 0}, {"images": "series", "depth": "none"}, {"diameter": -20.0}],

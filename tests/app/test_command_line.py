@@ -98,14 +98,6 @@ def test_the_summary_names_what_an_engineer_asks_for(case, run):
     assert "warning: " in printed.out
 
 
-def test_json_has_null_where_a_number_is_infinite(case, capsys):
-    Path(case).write_text(CASE.replace('strips = "auto"', "strips = 1"), encoding="utf-8")
-    main(["solve", case, "--json"])
-    estimate = parsed(capsys.readouterr().out)["error_estimate"]
-    assert estimate["max_pressure"] is None
-    assert estimate["load"] == 0.0
-
-
 @pytest.mark.slow
 def test_out_writes_results_table_and_figures(case, run):
     printed = run("solve", case, "--out", "new/results", "--json").out
@@ -334,14 +326,6 @@ def test_an_internal_error_is_one_sentence(case, run, monkeypatch):
     assert "Traceback" in run("solve", case, code=3).err
 
 
-def test_interruption(case, run, monkeypatch):
-    def interrupt(*_: object, **__: object) -> Solution:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(nonhertz.solver.one, "solve", interrupt)
-    assert run("solve", case, code=130).err == "Interrupted.\n"
-
-
 def test_an_interruption_of_a_callback_ends_the_program(case, capsys, monkeypatch):
     # As LLVM calls Numba back: C code ignores what a callback raises, and Python drops it.
     callback = ctypes.CFUNCTYPE(None)(lambda: signal.raise_signal(signal.SIGINT))
@@ -389,16 +373,6 @@ def test_a_missing_extra_says_how_to_install_it(case, package):
         "install what the command line needs with: pip install 'nonhertz[cli]'\n"
     )
     assert not Path("results").exists()
-
-
-@pytest.mark.slow
-def test_the_module_is_the_command(case):
-    command = [sys.executable, "-m", "nonhertz", "solve", case, "--json"]
-    run = subprocess.run(command, capture_output=True, text=True, check=False, env=environment())
-    assert (run.returncode, run.stderr) == (0, "")
-    assert parsed(run.stdout)["status"] == "converged"
-    command = [sys.executable, "-m", "nonhertz", "check", "nowhere.toml"]
-    assert subprocess.run(command, capture_output=True, check=False, env=environment()).returncode == 2
 
 
 @pytest.mark.slow

@@ -105,8 +105,8 @@ def printed_to(capsys, run, monkeypatch, tmp_path):
     return run
 
 
-def compare_words(said: str, read: str) -> None:
-    """Assert that nothing but numbers and units changes, and that all units do."""
+def compare(said: str, read: str) -> None:
+    """Assert that nothing changes but units, all of them, and numbers, which are converted to those behind them."""
     before, after = (ANY.sub("#", INITIAL.sub("", each)).split() for each in (said, read))
     assert len(before) == len(after)
     for one, other in zip(before, after, strict=True):
@@ -115,23 +115,17 @@ def compare_words(said: str, read: str) -> None:
             assert one == other
         else:
             assert other in {one.replace(unit[1], word, 1) for word in WORDS[unit[1]]}, (one, other)
-
-
-COMMANDS = [
-    *(["solve", name] for name in ("measured-roller", "roller-15x20")),
-    ["solve", "crowned-roller", "elliptical-point-contact"],
-    ["stress", "roller-15x20"],
-    ["life", "roller-15x20"],
-    ["bearing", "nu206-mounted"],
-    ["bearing", "nu206", "--compare"],
-    ["materials", "100Cr6"],
-    ["sweep", "roller-15x20-sweep"],
-]
+    units = "|".join(sorted({"mm", "µm", "in", "µin", "N", "kN", "lbf", "MPa", "ksi", "psi"}, key=len, reverse=True))
+    pattern = re.compile(rf"({ANY.pattern}) ({units})(?![\w/^ ]|\Z)")
+    pairs = [pattern.findall(each) for each in (said, read)]
+    assert len(pairs[0]) == len(pairs[1])
+    for before, after in zip(*pairs, strict=True):
+        assert_same(before, after)
 
 
 def report_text(*words: str) -> str:
     """Return the text of a report, without what is not converted: files, formulas, what the user wrote, versions."""
-    assert main(["report", *words, "--out", "report.html"]) == 0
+    assert main([*words, "--out", "report.html"]) == 0
     page = Path("report.html").read_text(encoding="utf-8")
     for left_out in (
         *(r"<style>.*?</style>", r"<pre.*?</pre>", r"<i>Source:.*?</i>", r'<ul class="references".*?</ul>'),
@@ -143,44 +137,27 @@ def report_text(*words: str) -> str:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "names",
-    [["roller-15x20", "--life"], ["nu206-mounted", "--compare"], ["tapered-pair"], ["roller-15x20", "measured-roller"]],
+    "words",
+    [
+        *(["solve", name] for name in ("measured-roller", "roller-15x20")),
+        ["solve", "crowned-roller", "elliptical-point-contact"],
+        ["stress", "roller-15x20"],
+        ["life", "roller-15x20"],
+        ["bearing", "nu206-mounted"],
+        ["bearing", "nu206", "--compare"],
+        ["materials", "100Cr6"],
+        ["sweep", "roller-15x20-sweep"],
+        ["report", "roller-15x20", "--life"],
+        ["report", "nu206-mounted", "--compare"],
+        ["report", "tapered-pair"],
+        ["report", "roller-15x20", "measured-roller"],
+    ],
     ids=" ".join,
-)  # fmt: skip
-def test_every_unit_of_reports_is_converted_with_its_numbers(names, printed):
-    names = [str(EXAMPLES / f"{each}.toml") if not each.startswith("-") else each for each in names]
-    said, read = report_text(*names), report_text(*names, "--units", "us")
-    compare_words(said, read)
-    compare_beside(said, read)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
-def test_every_unit_of_the_examples_is_converted_with_its_numbers(words, printed):
+)
+def test_every_unit_is_converted_with_its_numbers(words, printed):
     words = [str(EXAMPLES / f"{each}.toml") if (EXAMPLES / f"{each}.toml").exists() else each for each in words]
-    said, read = printed(*words), printed(*words, "--units", "us")
-    compare_words(said, read)
-    compare_beside(said, read)
-
-
-@pytest.mark.slow
-def test_json_and_files_never_change_units(printed):
-    case = str(EXAMPLES / "roller-15x20.toml")
-    assert printed("solve", case, "--json", "--units", "us") == printed("solve", case, "--json")
-    printed("solve", case, "--out", "si")
-    printed("solve", case, "--out", "us", "--units", "us")
-    for name in ("result.json", "table.csv"):
-        assert Path("us", name).read_bytes() == Path("si", name).read_bytes()
-
-
-def compare_beside(said: str, read: str) -> None:
-    """Assert that numbers directly before a unit are converted to it."""
-    units = "|".join(sorted({"mm", "µm", "in", "µin", "N", "kN", "lbf", "MPa", "ksi", "psi"}, key=len, reverse=True))
-    pattern = re.compile(rf"({ANY.pattern}) ({units})(?![\w/^ ]|\Z)")
-    pairs = [pattern.findall(each) for each in (said, read)]
-    assert len(pairs[0]) == len(pairs[1])
-    for before, after in zip(*pairs, strict=True):
-        assert_same(before, after)
+    run = report_text if words[0] == "report" else printed
+    compare(run(*words), run(*words, "--units", "us"))
 
 
 def assert_same(*pairs: tuple[str, str]) -> None:
@@ -307,6 +284,8 @@ def test_ticks_are_round_and_where_they_say(figures, usual, name):
 def test_what_is_drawn_is_what_is_drawn_in_si_units(figures, usual):
     compared = 0
     for name, figure in figures.items():
+        for text in figure.findobj(Text):
+            assert not re.search(r"(?<![\w/])(mm|um|µm|MPa|kN|N)(?![\w])", text.get_text()), (name, text.get_text())
         for axes, before in zip(figure.axes, usual[name].axes, strict=True):
             if axes.name == "polar":
                 continue
@@ -325,41 +304,29 @@ def test_what_is_drawn_is_what_is_drawn_in_si_units(figures, usual):
     assert compared > 20
 
 
-@pytest.mark.slow
-def test_no_unit_of_a_figure_is_left(figures):
-    for name, figure in figures.items():
-        for text in figure.findobj(Text):
-            assert not re.search(r"(?<![\w/])(mm|um|µm|MPa|kN|N)(?![\w])", text.get_text()), (name, text.get_text())
-
-
 # Files
 
 
 @pytest.mark.slow
-def test_figures_of_files_stay_in_si(tmp_path):
-    for units in ("si", "us"):
-        assert main(["stress", str(CASE), "--out", str(tmp_path / units), "--units", units]) == 0
-    for path in (tmp_path / "si").iterdir():
-        assert (tmp_path / "us" / path.name).read_bytes() == path.read_bytes()
+def test_json_and_files_never_change_units(printed):
+    case = str(CASE)
+    assert printed("solve", case, "--json", "--units", "us") == printed("solve", case, "--json")
+    for command in ("solve", "stress"):
+        for units in ("si", "us"):
+            printed(command, case, "--out", f"{command}-{units}", "--units", units)
+        for path in Path(f"{command}-si").iterdir():
+            assert Path(f"{command}-us", path.name).read_bytes() == path.read_bytes()
 
 
 @pytest.mark.slow
-def test_the_files_in_a_report_stay_in_si():
-    def files(page: str) -> list[str]:
-        return re.findall(r'<ul class="files">.*?</details>', page, re.DOTALL)
-
-    cases = [read_case(CASE)]
-    us, si = compose(cases, units="us", stress=False), compose(cases, stress=False)
-    assert files(us) == files(si)
-    assert "Units are in, lbf, ksi and rad" in us
-    assert "Units are mm" not in us
-
-
-@pytest.mark.slow
-def test_what_the_user_wrote_stays(tmp_path):
+def test_the_files_in_a_report_and_what_the_user_wrote_stay(tmp_path):
     text = CASE.read_text(encoding="utf-8").replace("Roller 15 x 20 on a ring of 80", "Roller 20 mm, 5 kN")
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
-    case = read_case(tmp_path / "case.toml")
-    page = compose([case], units="us", stress=False)
-    assert page.count("Roller 20 mm, 5 kN") == compose([case], stress=False).count("Roller 20 mm, 5 kN") > 1
-    assert "<small>written 15 kN</small>" in page
+    cases = [read_case(tmp_path / "case.toml")]
+    us, si = compose(cases, units="us", stress=False), compose(cases, stress=False)
+    files = [re.findall(r'<ul class="files">.*?</details>', page, re.DOTALL) for page in (us, si)]
+    assert files[0] == files[1]
+    assert "Units are in, lbf, ksi and rad" in us
+    assert "Units are mm" not in us
+    assert us.count("Roller 20 mm, 5 kN") == si.count("Roller 20 mm, 5 kN") > 1
+    assert "<small>written 15 kN</small>" in us

@@ -336,18 +336,6 @@ def test_without_a_file_there_is_a_bearing_beside_the_contact():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("method", ["slices", "strips"])
-def test_the_server_solves(page, method):
-    response = post(page, "/bearing/solve", json={"document": FEW, "method": method})
-    assert response.status_code == 200
-    found, alone = response.json(), answer(FEW, method)
-    assert found.pop("ms") > 0.0
-    del alone["ms"]
-    # Another process, but the same machine and the same compiled code.
-    assert found == alone
-
-
-@pytest.mark.slow
 def test_templates(page):
     shown = page.get("/bearing").text
     assert re.findall(r'data-template="(.*?)"', shown) == list(BEARING_TEMPLATES)

@@ -20,8 +20,7 @@ def words(desk: Desk) -> str:
     return desk.page.locator('[data-figure="curve"] svg[role=img]').get_attribute("aria-label")
 
 
-def test_a_slider_becomes_a_curve(desk):
-    desk.settle()
+def test_a_slider_becomes_a_curve_and_another_one_the_next(desk):
     assert desk.page.locator("#curve-choices").is_hidden()
     desk.page.locator("#curve-on").check()
     drawn(desk)
@@ -33,12 +32,7 @@ def test_a_slider_becomes_a_curve(desk):
     desk.page.locator("#curve-quantity").select_option("approach")
     assert words(desk).startswith("Approach over load")
     desk.photograph("curve", whole=True)
-
-
-def test_while_its_slider_is_dragged_the_curve_stays_and_the_mark_moves(desk):
-    desk.settle()
-    desk.page.locator("#curve-on").check()
-    drawn(desk)
+    # While its slider is dragged the curve stays and the mark moves.
     asked: list[str] = []
     desk.page.on("request", lambda request: asked.append(request.url))
     mark = desk.page.locator('[data-figure="curve"] circle[r="4"]')
@@ -46,24 +40,15 @@ def test_while_its_slider_is_dragged_the_curve_stays_and_the_mark_moves(desk):
     desk.write("load.load", "15000")
     assert mark.get_attribute("cx") != before
     assert not [url for url in asked if url.endswith("/curve")]
-    desk.write("load.tilt", "0.0002")  # another case
-    desk.page.wait_for_timeout(200)
-    drawn(desk)
-    assert [url for url in asked if url.endswith("/curve")]
-
-
-def test_another_slider_that_is_dragged_is_the_next_curve(desk):
-    desk.settle()
-    desk.page.locator("#curve-on").check()
-    drawn(desk)
+    # Another one that is dragged is the next curve.
     desk.slider("load.tilt").press("ArrowRight")
     assert desk.page.locator("#curve-path").input_value() == "load.tilt"
     drawn(desk)
     assert "over tilt" in words(desk)
+    assert [url for url in asked if url.endswith("/curve")]
 
 
 def test_values_without_a_solution_are_told(desk):
-    desk.settle()
     desk.page.locator("#curve-on").check()
     drawn(desk)
     desk.page.locator("#curve-path").select_option("body.a.profile[1].fraction")

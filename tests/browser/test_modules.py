@@ -27,34 +27,16 @@ def anywhere(browser, address, tmp_path_factory):
     page.close()
 
 
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [
+CALLS = {
+    "numbers quantity": [
         ("20", 20), (" -1.5e-3 ", -0.0015), (".5", 0.5), ("20 kN", "20 kN"), ("0,5", "0,5"), ("", None), ("   ", None),
         ("0x10", "0x10"), ("Infinity", "Infinity"), ("1e999", "1e999"), ("NaN", "NaN"), ("auto", "auto"),
     ],
-)  # fmt: skip
-def test_quantity(anywhere, text, value):
-    assert calling(anywhere, "numbers", "quantity", text) == value
-
-
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [
-        ("1 2 3", [1, 2, 3]),
-        ("8 mm, 9 mm", ["8 mm", "9 mm"]),
-        ("1; 2", [1, 2]),
+    "numbers list": [
+        ("1 2 3", [1, 2, 3]), ("8 mm, 9 mm", ["8 mm", "9 mm"]), ("1; 2", [1, 2]), ("", None),
         ("zaretsky weibull", ["zaretsky", "weibull"]),
-        ("", None),
     ],
-)
-def test_list(anywhere, text, value):
-    assert calling(anywhere, "numbers", "list", text) == value
-
-
-@pytest.mark.parametrize(
-    ("text", "table"),
-    [
+    "numbers columns": [
         ("1\n2\n3", [[1, 2, 3]]),
         ("-1\t0.5\r\n0\t0\r\n1\t0.5\r\n", [[-1, 0, 1], [0.5, 0, 0.5]]),
         ("y [mm];relief [mm]\n-1,5;0,02\n0;0", [[-1.5, 0], [0.02, 0]]),
@@ -64,66 +46,33 @@ def test_list(anywhere, text, value):
         ("1e-3 2\n3 4", [[1e-3, 3], [2, 4]]),
         ("1 2 3", None), ("1\n2 3", None), ("a\nb", None), ("1\n\n2", None), ("", None), ("1\nx", None),
     ],
-)  # fmt: skip
-def test_columns(anywhere, text, table):
-    assert calling(anywhere, "numbers", "columns", text) == table
-
-
-@pytest.mark.parametrize(
-    ("text", "parts"),
-    [
-        ("4.2 kN", ["4.2", "kN"]), ("12um", ["12", "um"]), ("12 \u00b5m", ["12", "um"]), ("2\u00b0", ["2", "deg"]),
-        ("5 Nm", ["5", "N m"]), ("-.5e-3 mrad", ["-.5e-3", "mrad"]), ("8 um/25 mm", ["8", "um/25 mm"]), ("20", None),
-        ("auto", None), ("", None), ("1e3", None),
+    "numbers split": [
+        ("20", None), ("auto", None), ("", None), ("1e3", None),
+        *((text, {"number": number, "unit": unit}) for text, number, unit in (
+            ("4.2 kN", "4.2", "kN"), ("12um", "12", "um"), ("12 \u00b5m", "12", "um"), ("2\u00b0", "2", "deg"),
+            ("5 Nm", "5", "N m"), ("-.5e-3 mrad", "-.5e-3", "mrad"), ("8 um/25 mm", "8", "um/25 mm"),
+        )),
     ],
-)  # fmt: skip
-def test_split(anywhere, text, parts):
-    found = calling(anywhere, "numbers", "split", text)
-    assert (found and [found["number"], found["unit"]]) == parts
-
-
-@pytest.mark.parametrize(
-    ("number", "text"),
-    [
-        (2086.34, "2086"),
-        (0.029063, "0.02906"),
-        (-5.0, "\u22125.000"),
-        (0, "0"),
-        (None, "none"),
-        (123456.7, "123457"),
-        (3e-7, "3.000e-7"),
+    "numbers digits": [
+        (2086.34, "2086"), (0.029063, "0.02906"), (-5.0, "\u22125.000"), (0, "0"), (None, "none"),
+        (123456.7, "123457"), (3e-7, "3.000e-7"),
     ],
-)
-def test_digits(anywhere, number, text):
-    assert calling(anywhere, "numbers", "digits", number) == text
-
-
-@pytest.mark.parametrize(
-    ("value", "before", "text"),
-    [
-        (2337, 2086, "+12.0 %"),
-        (99, 100, "\u22121.00 %"),
-        (100, 100, "same"),
-        (1, 0, ""),
-        (None, 2, ""),
+    "numbers difference": [
+        (2337, 2086, "+12.0 %"), (99, 100, "\u22121.00 %"), (100, 100, "same"), (1, 0, ""), (None, 2, ""),
         (-2, -1, "\u2212100 %"),
     ],
-)
-def test_difference(anywhere, value, before, text):
-    assert calling(anywhere, "numbers", "difference", value, before) == text
-
-
-@pytest.mark.parametrize(
-    ("path", "parts"),
-    [
-        ("load.load", ["load", "load"]),
-        ("body.a.profile[2].radius", ["body", "a", "profile", 1, "radius"]),
-        ('body.a."odd key"[1]', ["body", "a", "odd key", 0]),
-        ('"a.b".c', ["a.b", "c"]),
+    "paths parts": [
+        ("load.load", ["load", "load"]), ("body.a.profile[2].radius", ["body", "a", "profile", 1, "radius"]),
+        ('body.a."odd key"[1]', ["body", "a", "odd key", 0]), ('"a.b".c', ["a.b", "c"]),
     ],
-)
-def test_parts_of_a_path(anywhere, path, parts):
-    assert calling(anywhere, "paths", "parts", path) == parts
+    "paths outer": [("a.b[2]", "a.b"), ("a.b", "a"), ("a", ""), ('a."x.y"', "a")],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("function", CALLS)
+def test_what_functions_return(anywhere, function):
+    for *arguments, expected in CALLS[function]:
+        assert calling(anywhere, *function.split(), *arguments) == expected, arguments
 
 
 def test_values_are_set_and_taken_away_in_a_copy(anywhere):
@@ -134,11 +83,6 @@ def test_values_are_set_and_taken_away_in_a_copy(anywhere):
     assert changed["life"] == {"spectrum": [{"share": 1}]}
     calls = "async document => (await import('/static/paths.js')).withValue(document, 'body.a.profile[1]', undefined)"
     assert anywhere.page.evaluate(calls, document)["body"]["a"]["profile"] == [{"kind": "straight"}]
-
-
-@pytest.mark.parametrize(("path", "around"), [("a.b[2]", "a.b"), ("a.b", "a"), ("a", ""), ('a."x.y"', "a")])
-def test_the_path_around_another(anywhere, path, around):
-    assert calling(anywhere, "paths", "outer", path) == around
 
 
 def test_links_are_deflated_json(anywhere):

@@ -247,13 +247,6 @@ def test_a_profile_in_a_file_beside_it_is_attached(tmp_path):
     assert case.title == "bearing"
 
 
-def test_a_document_from_elsewhere_cannot_have_files_read(tmp_path):
-    (tmp_path / "points.csv").write_text("-5, 0.01\n0, 0\n5, 0.01\n", encoding="utf-8")
-    text = changed(PLAIN, ('kind = "crown", radius = 1200', 'kind = "tabulated", file = "points.csv"'))
-    with pytest.raises(nh.CaseError, match=r"roller\.profile\.file"):
-        BearingCase.of(tomllib.loads(text), tmp_path / "bearing.toml", files=False)
-
-
 def test_every_key_has_a_meaning():
     for name, table in schema_of("bearing")["$defs"].items():
         assert table["description"], name
