@@ -38,6 +38,9 @@ def test_a_schema_is_one(kind, run, tmp_path):
     printed = run("schema", kind).out
     assert json.loads(printed) == schema_of(kind)
     jsonschema.Draft202012Validator.check_schema(schema_of(kind))
+    for name, table in schema_of(kind).get("$defs", {}).items():
+        for key, value in table.get("properties", {}).items():
+            assert value.get("description") or key == "kind", f"{name}.{key}"
     file = tmp_path / "made" / f"{kind}.json"
     assert main(["schema", kind, "--out", str(file)]) == 0
     assert file.read_text(encoding="utf-8") == printed

@@ -18,9 +18,7 @@ from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.schemas import schema_of
 from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
-from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.model.profile import CATALOGUE
-from nonhertz.solver.one import FEWEST_STRIPS, MOST_STRIPS
 
 PRINTED = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
 Y = np.linspace(-9.5, 9.5, 7)
@@ -286,15 +284,6 @@ def test_the_schema_allows_what_a_body_takes(kind):
     assert not any(re.search(text["pattern"], word) for word in words["enum"])
 
 
-def test_the_schema_and_the_solver_agree_on_the_number_of_strips():
-    strips = schema_of("case")["$defs"]["Solver"]["properties"]["strips"]["anyOf"][1]
-    assert (strips["minimum"], strips["maximum"]) == (FEWEST_STRIPS, MOST_STRIPS)
-    for count in (FEWEST_STRIPS, MOST_STRIPS):
-        assert not mistakes_of(WHOLE | {"solver": {"strips": count}})
-    for count in (FEWEST_STRIPS - 1, MOST_STRIPS + 1):
-        assert len(mistakes_of(WHOLE | {"solver": {"strips": count}})) == 1
-
-
 def test_a_life_table_holds_models_and_a_spectrum():
     life = Case.of(WHOLE, Path()).life
     assert life.contact_angle == pytest.approx(np.radians(12.0))
@@ -345,11 +334,6 @@ def test_shares_are_taken_to_a_thousandth(short):
     assert len(Case.of(WHOLE | {"life": {"spectrum": spectrum}}, Path()).life.spectrum) == 2
     spectrum[1]["share"] -= 0.2e-3 if short > 0.0 else -0.2e-3
     assert len(mistakes_of(WHOLE | {"life": {"spectrum": spectrum}})) == 1
-
-
-def test_the_schema_and_the_models_agree_on_the_number_of_laminae():
-    laminae = schema_of("case")["$defs"]["Life"]["properties"]["laminae"]
-    assert (laminae["minimum"], laminae["maximum"]) == (FEWEST, MOST)
 
 
 NUMBERS = st.one_of(st.floats(), st.integers(), st.just(10**400))
