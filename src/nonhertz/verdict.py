@@ -191,7 +191,7 @@ def of_bearing(
         j, k = np.unravel_index(int(np.argmax(pressure)), pressure.shape)
         where = f" between {solution.place_of(int(j))} and the {RINGS[k]} ring"
         found.append(_pressed(float(pressure[j, k]), STATIC_LIMIT, where=where))
-    if life is not None and math.isfinite(life.static_safety) and not life.internally_loaded:
+    if life is not None and math.isfinite(life.static_safety):
         enough = life.static_safety >= 1.0
         words = "The static safety S0 is {safety:.3g}" + (", at least 1." if enough else ", below 1.")
         found.append(

@@ -172,18 +172,46 @@ def test_of_preload_and_moments_alone_there_is_no_equivalent_load(moment):
     assert "force 0, 0, 0 N along x, y, z" in repr(found)
     assert life.equivalent_load == life.static_load == 0.0
     assert math.isfinite(life.reference_life)
+    assert math.isnan(life.basic_life)
+    assert math.isnan(life.static_safety)
     rows = {name: value for name, *value in life_rows(life, "")}
-    assert rows["equivalent load"] == ["P = 0 N, P0 = 0 N", "knows neither preload nor moment"]
+    assert rows["equivalent load"] == ["P = 0 N, P0 = 0 N", "leaves out preload, moments, speed and ribs"]
     assert rows["static safety"][0] == rows["life L10"][0] == "none"
-    assert "no S0 and no L10: P knows neither preload nor moment" in repr(life)
+    assert "no S0 and no L10: P leaves out preload, moments, speed and ribs" in repr(life)
 
 
-@pytest.mark.parametrize("speed", [0.0, 3000.0])
-def test_an_unloaded_bearing_lasts(speed):
-    """Rollers that speed alone presses on the outer ring are no load: they had a modified life of 6e14."""
-    found = B.assess(B.solve(row(clearance=0.02), speed=speed, method="slices"), speed=1000.0, viscosity=20.0)
-    assert found.basic_life == found.reference_life == found.modified_life == math.inf
-    assert found.static_safety == math.inf
+def test_an_unloaded_bearing_lasts():
+    found = B.assess(B.solve(row(clearance=0.02), method="slices"), speed=1000.0, viscosity=20.0)
+    assert found.basic_life == found.reference_life == found.modified_life == found.static_safety == math.inf
+
+
+def test_what_speed_presses_on_the_outer_ring_counts_without_a_load_as_under_a_small_one():
+    """There was no damage without a load on the inner ring, and under the least of them a life of 62,000 10^6."""
+    bearing = nu206(corner_radius=0.3, profile=nh.profile.crown(radius=1200.0))
+    idle, loaded = (B.solve(bearing, radial=load, speed=60e3) for load in (0.0, 0.01))
+    assert np.all(idle.load[:, 0] == 0.0)
+    life = B.assess(idle)
+    assert life.reference_life == pytest.approx(B.assess(loaded).reference_life, rel=1e-5)
+    assert math.isnan(life.basic_life)
+    volume = B.volume_life(idle)
+    assert volume.inner == math.inf
+    assert volume.outer == volume.rings == pytest.approx(life.reference_life, rel=0.01)
+    assert volume.outer == pytest.approx(B.volume_life(loaded).outer, rel=1e-5)
+    # Of a spectrum an idle load counts for what its speed does.
+    spectrum = B.assess([(idle, 0.5), (B.solve(bearing, radial=5e3, speed=60e3), 0.5)])
+    assert spectrum.equivalent_load == pytest.approx(5e3 * 0.5**0.3)
+    assert math.isfinite(spectrum.basic_life)
+
+
+@pytest.mark.parametrize(("radial", "basic"), [(0.0, math.nan), (8e3, (48416.8 / 8e3) ** (10 / 3))])
+def test_axial_loads_on_ribs_are_in_no_life(radial, basic):
+    """P of a cylindrical bearing is its radial load, whatever its ribs bear: L10 was infinite."""
+    life = B.assess(B.solve(dataclasses.replace(row(), design="NUP"), radial=radial, axial=2e3, method="slices"))
+    assert life.basic_life == pytest.approx(basic, rel=1e-3, nan_ok=True)
+    (found,) = life.findings
+    assert found.kind == "load-on-ribs"
+    assert str(found).startswith("Ribs bear the axial load of 2.000 kN, which no life here counts")
+    assert [each.kind for each in B.assess([(B.solve(row(), radial=4e3, method="slices"), 1.0)]).findings] == []
 
 
 @pytest.mark.parametrize(

@@ -251,13 +251,15 @@ def test_a_bearing_is_swept_too():
 
     text = starting_bearing()
     case = case_or_bearing_in(parsed(text, "bearing"), Path("bearing.toml"), text)
-    over = {"load.radial": ["5 kN", "10 kN"], "solver.method": ["slices"]}
-    found = nh.sweep(case, over=over, quantities=("max_load", "reference_life", "max_pressure"))
-    for number, radial in enumerate((5e3, 10e3)):
+    over = {"load.radial": ["5 kN", "10 kN", "22 kN"], "solver.method": ["slices"]}
+    found = nh.sweep(case, over=over, quantities=("max_load", "reference_life", "max_pressure", "warnings"))
+    # Beyond half of C, 20.2 kN, the life has a finding.
+    assert found["warnings"].ravel().tolist() == [0, 0, 1]
+    for number, radial in enumerate((5e3, 10e3, 22e3)):
         alone = nh.bearing.solve(case.mounted, **case.prescribed | {"radial": radial}, method="slices")
         assert found["max_load"][number, 0] == alone.load.max()
         assert found["reference_life"][number, 0] == case.assess(alone).reference_life
-    assert found["solver.method"].ravel().tolist() == ["slices", "slices"]
+    assert found["solver.method"].ravel().tolist() == ["slices"] * 3
     assert np.isnan(found["max_pressure"]).all()
 
 

@@ -30,7 +30,7 @@ from nonhertz.bearing.lubrication import (
     reference_viscosity,
     reliability_factor,
 )
-from nonhertz.bearing.ratings import Rating, equivalent_loads, rating
+from nonhertz.bearing.ratings import Rating, axial_on_ribs, equivalent_loads, rating
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
@@ -49,6 +49,8 @@ Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]
 
 _LIFE_EXPONENT = 10.0 / 3.0
 _HEAVY = 0.5  # of C: the largest P for which ISO 281 has its life equation hold without asking the maker
+#: Of P, where it is zero and contacts bear loads.
+LEFT_OUT = "leaves out preload, moments, speed and ribs"
 _ROUNDED = "give corners, or a profile with more relief there, or edge_stress = 'standard'"
 _PAIRS = "pairs of a loaded bearing and its share of the revolutions"
 
@@ -65,8 +67,8 @@ class BearingLife(HasFindings):
         P and P_0 [N], which know neither preload nor moment; of a spectrum, the constant load with the same L10, and
         the largest P_0.
     reference_life : float
-        L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum, and
-        infinite, as L10 is, where rollers are pressed by speed alone.
+        L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum.
+        What speed presses on the outer ring counts, under a load on the inner one or none.
     viscosity_ratio, contamination, life_factor : float or None
         kappa, e_C and by how much they change the life, a_ISO [-]; None without a viscosity. Of a spectrum, the
         smallest kappa and e_C.
@@ -76,6 +78,9 @@ class BearingLife(HasFindings):
         Those towards which the damage has no limit, so that there is no L10r; empty if there are none.
     parts : tuple of (BearingLife, float)
         Of a spectrum, the life under each load by itself, and its share; empty under one load.
+    axial_on_ribs : float
+        Axial load that the ribs of cylindrical rows bear [N], which neither P nor the laminae count; of a spectrum, the
+        largest.
     """
 
     rating: Rating
@@ -88,11 +93,12 @@ class BearingLife(HasFindings):
     reliability_factor: float
     singular_ends: tuple[SingularEnd, ...] = ()
     parts: tuple[tuple[BearingLife, float], ...] = ()
+    axial_on_ribs: float = 0.0
 
     @property
     def basic_life(self) -> float:
-        """L10 of ISO 281; infinite without P, whatever preload or moment do."""
-        return (self.rating.dynamic / self.equivalent_load) ** _LIFE_EXPONENT if self.equivalent_load else math.inf
+        """L10 of ISO 281; infinite without load, NaN where contacts bear what P leaves out alone."""
+        return math.pow(self._safety(self.rating.dynamic, self.equivalent_load), _LIFE_EXPONENT)
 
     @property
     def modified_life(self) -> float:
@@ -101,8 +107,11 @@ class BearingLife(HasFindings):
 
     @property
     def static_safety(self) -> float:
-        """S_0 [-]; infinite without P_0."""
-        return self.rating.static / self.static_load if self.static_load else math.inf
+        """S_0 [-]; infinite without load, NaN where contacts bear what P_0 leaves out alone."""
+        return self._safety(self.rating.static, self.static_load)
+
+    def _safety(self, rating: float, load: float) -> float:
+        return rating / load if load else math.nan if self.internally_loaded else math.inf
 
     @property
     def no_reference(self) -> str:
@@ -117,12 +126,19 @@ class BearingLife(HasFindings):
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
-        """What limits the validity: a load under which the equations need not hold, of a spectrum the heaviest."""
+        """What limits the validity: axial loads on ribs, and a load under which the equations need not hold.
+
+        Of a spectrum, the heaviest.
+        """
+        found = []
+        if self.axial_on_ribs:
+            words = "Ribs bear the axial load of {load:4}, which no life here counts: ask the maker whether they can."
+            found.append(finding("load-on-ribs", words, load=newton(self.axial_on_ribs)))
         lives = [life for life, _ in self.parts] or [self]
         heaviest = max(each.equivalent_load for each in lives)
         by_rollers = max((each.reference_load for each in lives if not math.isnan(each.reference_life)), default=0.0)
         if max(heaviest, by_rollers) <= _HEAVY * self.rating.dynamic:
-            return ()
+            return tuple(found)
         by_force = heaviest > _HEAVY * self.rating.dynamic
         words = (
             "The equivalent load P of {load:4} exceeds"
@@ -131,11 +147,11 @@ class BearingLife(HasFindings):
         )
         words += " half the rating C of {rating:4}: contacts may yield, and the equations of life need not hold."
         numbers = {"load": newton(heaviest if by_force else by_rollers), "rating": newton(self.rating.dynamic)}
-        return (finding("heavy-load", words, **numbers),)
+        return (*found, finding("heavy-load", words, **numbers))
 
     @property
     def internally_loaded(self) -> bool:
-        """Whether rollers bear loads though P is zero: those of preload and moments, of which P knows nothing."""
+        """Whether contacts bear loads though P is zero, which leaves out preload, moments, speed and ribs."""
         return self.equivalent_load == 0.0 and not math.isinf(self.reference_life)
 
     def __repr__(self) -> str:
@@ -148,7 +164,7 @@ class BearingLife(HasFindings):
             + self._lubricated(),
         ]
         if self.internally_loaded:
-            said.append("no S0 and no L10: P knows neither preload nor moment")
+            said.append(f"no S0 and no L10: P {LEFT_OUT}")
         if self.no_reference:
             said[1:3] = [f"L10 = {digits(self.basic_life, 4)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
@@ -355,9 +371,8 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
     rated = rating(solution.bearing, dynamic=asked.dynamic, static=asked.static)
     load, still = equivalent_loads(solution)
     means = lamina_means(solution, asked.laminae, stress, asked.turning)
-    idle = load == 0.0 and not np.any(solution.load[:, 0])
-    ends = singular_ends(solution) if stress == "pressure" and not idle else set()
-    reference = math.inf if idle else math.nan if ends else lamina_life(rated, means)
+    ends = singular_ends(solution) if stress == "pressure" else set()
+    reference = math.nan if ends else lamina_life(rated, means)
     kappa = clean = factor = None
     if asked.viscosity is not None and speed is not None:
         pitch = solution.bearing.rows[0].bearing.pitch
@@ -377,20 +392,21 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
         life_factor=factor,
         reliability_factor=asked.reliability_factor,
         singular_ends=tuple(ends),
+        axial_on_ribs=axial_on_ribs(solution),
     )
 
 
 def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeConditions) -> BearingLife:
     lives, shares = [life for life, _ in parts], [share for _, share in parts]
-    basic, reference, modified = (
-        miner([getattr(each, name) for each in lives], shares)
-        for name in ("basic_life", "reference_life", "modified_life")
+    reference, modified = (
+        miner([getattr(each, name) for each in lives], shares) for name in ("reference_life", "modified_life")
     )
+    loads = [each.equivalent_load for each in lives]
     first, oiled = lives[0], asked.viscosity is not None
     of_oil = MOST_FACTOR if math.isinf(reference) else modified / (asked.reliability_factor * reference)
     return replace(
         first,
-        equivalent_load=first.rating.dynamic / basic ** (1.0 / _LIFE_EXPONENT),
+        equivalent_load=float(np.dot(np.power(loads, _LIFE_EXPONENT), shares) ** (1.0 / _LIFE_EXPONENT)),
         static_load=max(each.static_load for each in lives),
         reference_life=reference,
         viscosity_ratio=min(each.viscosity_ratio or 0.0 for each in lives) if oiled else None,
@@ -398,4 +414,5 @@ def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeCondition
         life_factor=of_oil if oiled else None,
         singular_ends=next((each.singular_ends for each in lives if each.singular_ends), ()),
         parts=parts,
+        axial_on_ribs=max(each.axial_on_ribs for each in lives),
     )

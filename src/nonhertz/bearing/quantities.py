@@ -18,6 +18,7 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import NonhertzError
+from nonhertz.findings import Finding, sentences
 from nonhertz.result.quantities import Quantity
 
 LIVES: Final = ("10^6 revolutions", "million revolutions")
@@ -47,6 +48,14 @@ class SolvedBearing:
             If such a bearing has no rating.
         """
         return self.case.assess(self.solution)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What is found about the bearing, and about its life if it has one."""
+        try:
+            return *self.solution.findings, *self.life.findings
+        except NonhertzError:
+            return self.solution.findings
 
 
 def _quantities() -> Iterator[Quantity]:
@@ -81,7 +90,7 @@ def _quantities() -> Iterator[Quantity]:
     yield life("reference_life", "reference life", "L10r")
     yield life("modified_life", "modified life", "Lnmr")
     yield life("static_safety", "static safety", "S0", "", "")
-    yield of("warnings", "warnings", "", "warnings", lambda found: len(found.warnings))
+    yield Quantity("warnings", "warnings", "", "", lambda solved: len(sentences(solved.findings)), within="warnings")
 
 
 def _pressure(found: BearingSolution, ring: int | slice = slice(None)) -> float:

@@ -180,10 +180,7 @@ def opposed(bearing: RollerBearing | Paired) -> bool:
 
 def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
     """Return P of ISO 281 and P_0 of ISO 76 [N]; preload and moments are not in them."""
-    bearing = solution.bearing
-    # What is left of the balance of preloaded rollers is no force.
-    force = np.where(np.abs(solution.force) > NO_LOAD * solution.load.sum(), solution.force, 0.0)
-    radial, axial = math.hypot(*force[1:3]), abs(float(force[0]))
+    bearing, (axial, radial) = solution.bearing, _axial_and_radial(solution)
     row = bearing.rows[0].bearing
     if isinstance(row, CylindricalThrustBearing):
         return axial, axial
@@ -195,6 +192,18 @@ def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
     if opposed(bearing):
         return (0.67 * (radial + along) if much else radial + 0.45 * along), radial + 0.44 * along
     return (0.4 * (radial + along) if much else radial), max(0.5 * radial + 0.22 * along, radial)
+
+
+def axial_on_ribs(solution: BearingSolution) -> float:
+    """Return the axial load on rows without a contact angle [N], which their ribs bear."""
+    return 0.0 if any(row.bearing.nominal_angle for row in solution.bearing.rows) else _axial_and_radial(solution)[0]
+
+
+def _axial_and_radial(solution: BearingSolution) -> tuple[float, float]:
+    # What is left of the balance of preloaded rollers is no force.
+    borne = solution.load.sum() + solution.each_rib_load.sum()
+    force = np.where(np.abs(solution.force) > NO_LOAD * borne, solution.force, 0.0)
+    return abs(float(force[0])), math.hypot(*force[1:3])
 
 
 def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, percent, um
-from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.clearance import Mounting
@@ -80,8 +80,9 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     if found is None:
         return [("life", "none", reason)]
     rating = found.rating
-    unknown = found.internally_loaded
-    safety = f"S0 = {digits(found.static_safety, 3)}" if math.isfinite(found.static_safety) else "no load"
+    safety = "none" if math.isnan(found.static_safety) else "no load"
+    if math.isfinite(found.static_safety):
+        safety = f"S0 = {digits(found.static_safety, 3)}"
     return [
         (
             "load ratings",
@@ -91,10 +92,10 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
         (
             "equivalent load",
             f"P = {newton(found.equivalent_load):4}, P0 = {newton(found.static_load):4}",
-            "knows neither preload nor moment" if unknown else "",
+            LEFT_OUT if found.internally_loaded else "",
         ),
-        ("static safety", "none" if unknown else safety, ""),
-        ("life L10", "none" if unknown else of_life(found.basic_life, _REVOLUTIONS), "ISO 281, of bearing steel"),
+        ("static safety", safety, ""),
+        ("life L10", of_life(found.basic_life, _REVOLUTIONS), "ISO 281, of bearing steel"),
         ("L10r", of_life(found.reference_life, _REVOLUTIONS), found.no_reference or "laminae of ISO/TS 16281"),
         ("modified life", of_life(found.modified_life, _REVOLUTIONS), _hours(found.modified_life, speed)),
         _factors_row(found),
