@@ -183,6 +183,7 @@ def test_a_contact_collects_the_bends_of_both_bodies_in_order():
         (lambda: roller(images=True), "images = True must be 'series' or a whole number from 1 to 100"),
         (lambda: roller(images="series", depth="none"), "images = 'series' must only be used for a body with a depth"),
         (lambda: nh.Contact(roller(), "plate"), "b = 'plate' must be a Body"),
+        (lambda: nh.Contact(roller()), "b = None must be given: make one with Roller, Ring, Plate or Body"),
         (lambda: nh.Contact(roller(), roller(position=20.0)), "position = 20.0 must let the bodies overlap along y"),
         (lambda: nh.TabulatedDiameter((0.0,), (20.0,)), "y = (0.0,) must hold as many points as diameter, at least"),
         (lambda: nh.TabulatedDiameter((0.0, 0.0), (20.0, 20.0)), "y = (0.0, 0.0) must be finite and ascending"),

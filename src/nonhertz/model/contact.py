@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import flag
+from nonhertz.inputs.fields import Flag, Input, Part, described, together
 from nonhertz.model.body import Body
 from nonhertz.model.profile.base import places
 
@@ -22,17 +22,12 @@ Derived = TypeVar("Derived")
 RESOLVED = 1e-8
 
 
-@dataclass(frozen=True)
-class Contact:
-    """Two bodies that are about to touch along the y axis.
+_MADE_BY = "make one with Roller, Ring, Plate or Body"
 
-    Parameters
-    ----------
-    a, b : Body
-        The two bodies; their order matters only for what is reported about each.
-    interpolated : bool
-        Whether solid rollers that deform as a whole are interpolated between those of fixed lengths, which changes an
-        approach by less than 3e-7 of itself. For thousands of different ones: a new shape takes up to a second.
+
+@described()
+class Contact(Input):
+    """Two bodies that are about to touch along the y axis.
 
     Raises
     ------
@@ -49,15 +44,20 @@ class Contact:
     0.1
     """
 
-    a: Body
-    b: Body
-    interpolated: bool = field(default=False, repr=False, kw_only=True)
+    a: Annotated[Body, Part("one body; their order matters only for what is reported about each", Body, _MADE_BY)]
+    b: Annotated[Body, Part("the other body", Body, _MADE_BY)]
+    interpolated: Annotated[
+        bool,
+        Flag(
+            "whether solid rollers that deform as a whole are interpolated between those of fixed lengths, which "
+            "changes an approach by less than 3e-7 of itself; for thousands of different ones: a new shape takes up to "
+            "a second",
+            remedy="write True for thousands of different rollers",
+        ),
+    ] = field(default=False, repr=False, kw_only=True)
 
-    def __post_init__(self) -> None:
-        flag("interpolated", self.interpolated, "write True for thousands of different rollers")
-        for name, body in (("a", self.a), ("b", self.b)):
-            if not isinstance(body, Body):
-                raise InputError(name, body, "be a Body", "make one with Roller, Ring, Plate or Body")
+    @together("a", "b")
+    def _check_overlap(self) -> None:
         low, high = self.interval
         if not low < high:
             raise InputError(
@@ -100,8 +100,8 @@ class Contact:
     def _derived(self) -> dict[Hashable, Any]:
         return {}
 
-    def __getstate__(self) -> dict[str, Body]:
-        return {"a": self.a, "b": self.b}
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in self.descriptions}
 
     def separation(self, y: ArrayLike) -> Array:
         """Return the undeformed separation h [mm] on the centre line: the sum of both reliefs."""
