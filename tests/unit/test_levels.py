@@ -11,36 +11,31 @@ from core_pieces import interpret
 
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
+from nonhertz.result.estimate import left_of_change
 from nonhertz.solver.one import problem_of
 from nonhertz.strip import levels as strip_levels
-from nonhertz.strip.levels import ACCURACY, Levels
+from nonhertz.strip.levels import ACCURACY
 from nonhertz.strip.records import ITERATION_LIMIT
 
 
-def levels(*values, converged=None):
-    flags = converged or [True] * len(values)
-    return Levels(tuple(SimpleNamespace(value=v, converged=c) for v, c in zip(values, flags, strict=True)))
-
-
-def estimate(*values, **options):
-    return levels(*values, **options).difference(lambda state: state.value)
-
-
 def test_the_last_change_counts_twice():
-    assert estimate(1.0, 0.98, 0.97) == pytest.approx(0.04)
+    assert left_of_change(np.array([1.0, 0.98, 0.97]), 1.0) == pytest.approx(0.04)
 
 
 def test_half_the_change_before_counts_where_the_last_is_small_by_chance():
-    assert estimate(1.0, 1.0, 0.9) == pytest.approx(0.1)
+    assert left_of_change(np.array([1.0, 1.0, 0.9]), 1.0) == pytest.approx(0.1)
 
 
-@pytest.mark.parametrize("values", [(1.0,), (0.0, 1.0)])
-def test_without_two_levels_or_with_nothing_to_relate_to_it_is_unknown(values):
-    assert estimate(*values) == np.inf
+@pytest.mark.parametrize(("values", "whole"), [((1.0,), 1.0), ((0.0, 1.0), 0.0)])
+def test_without_two_levels_or_with_nothing_to_relate_to_it_is_unknown(values, whole):
+    assert left_of_change(np.array(values), whole) == np.inf
 
 
 def test_levels_that_failed_do_not_count():
-    assert estimate(1.0, 5.0, 0.99, converged=[True, False, True]) == pytest.approx(0.02)
+    finest, failed, coarser = (SimpleNamespace(converged=solved) for solved in (True, False, True))
+    left = strip_levels.levels_from(SimpleNamespace(accuracy=1e-4), [finest, failed, coarser])
+    assert left.states == (finest, coarser)
+    assert left.accuracy is None
 
 
 def test_a_case_that_diverged_wants_no_finer_grid():

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,30 +24,107 @@ from nonhertz.findings import Finding, finding, said
 from nonhertz.result.end_fit import FIT_REACH, fitted_strength
 from nonhertz.result.ends import corner_ends
 from nonhertz.result.solution import EdgeKind, EdgePressure
-from nonhertz.strip.grid import contact_of, reaches, reaching
+from nonhertz.strip.grid import contact_ends, reaching
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import States
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-SHARP_END_ERROR = 0.12
-LEFT_AT_END = 0.016
 LEAST_EXPONENT = 0.1
 AT_ONE_PLACE = 0.01  # of the last strip
+KINDS = tuple(EdgeKind)
+RUN_OUT, FINITE, SINGULAR, CORNER, CUT_OFF = range(len(KINDS))
+_WORDS = {
+    EdgeKind.RUN_OUT: said("the contact ends before both bodies do"),
+    EdgeKind.CORNER: said("the profile turns away from the other body"),
+    EdgeKind.CUT_OFF: said("the strips end before the contact does"),
+}
 
 
-def edge_pressures(problem: Problem, state: States) -> tuple[EdgePressure, EdgePressure]:
-    """Return the pressures at the low and the high end of a solved contact, without strengths; see `with_strength`."""
-    return _edge_pressure(problem, state, -1), _edge_pressure(problem, state, 1)
+class Ends(NamedTuple):
+    """How contacts end, in columns for the low and the high end.
+
+    Attributes
+    ----------
+    kinds : ndarray of int, shape (cases, 2)
+        Indices into `KINDS`.
+    y, width, image_weight, exponent, correction_exponent : ndarray, shape (cases, 2)
+        As in `nonhertz.result.solution.EdgePressure`, ``width`` that of the last strip.
+    singular : ndarray, shape (cases, k)
+        All places at which the pressure has no limit [mm], nan for none: sharp ends in two columns, then corners.
+    """
+
+    kinds: NDArray[np.int64]
+    y: Array
+    width: Array
+    image_weight: Array
+    exponent: Array
+    correction_exponent: Array
+    singular: Array
 
 
-def corners(problem: Problem, state: States) -> tuple[float, ...]:
-    """Return the corners of the profile at which a contact ends under pressure [mm], ascending."""
-    if not problem.contact.bends:
-        return ()
+def ends_of(problem: Problem, states: States) -> Ends:
+    """Return how contacts end, for many on the same strips or each on its own."""
+    cases = states.status.size
+    kinds, y = np.full((cases, 2), RUN_OUT), contact_ends(states)
+    width, weight, exponent, correction = (np.zeros((cases, 2)) for _ in range(4))
+    for column, side in enumerate((-1, 1)):
+        there = reaching(states, side) & pressed(problem, states.edges, states.rigid, side)
+        for row in states.rows(there):
+            here = there & (states.shared | (np.arange(cases) == row))
+            end = _body_end(problem, states.strips(row), side)
+            kinds[here, column], y[here, column], width[here, column] = end[:3]
+            weight[here, column], exponent[here, column], correction[here, column] = end[3:]
+    singular = [np.where(kinds == SINGULAR, y, np.nan)]
+    if problem.contact.bends:
+        of_cases = [
+            _at_corners(problem, states.one(case), kinds[case], y[case], width[case]) if states.converged[case] else ()
+            for case in range(cases)
+        ]
+        corners = np.full((cases, max(map(len, of_cases))), np.nan)
+        for at, places in enumerate(of_cases):
+            corners[at, : len(places)] = places
+        singular.append(corners)
+    return Ends(kinds, y, width, weight, exponent, correction, np.hstack(singular))
+
+
+def _body_end(problem: Problem, edges: Array, side: int) -> tuple[int, float, float, float, float, float]:
+    """Return how a contact ends that extends to the end of its strips; see `Ends`."""
+    at, next_in = (-1, -2) if side > 0 else (0, 1)
+    place, width = float(edges[at]), abs(float(edges[at] - edges[next_in]))
+    if place not in problem.contact.interval:
+        return CUT_OFF, place, width, 0.0, 0.0, 0.0
+    kappa, free = _freed(problem, place, side, AT_ONE_PLACE * width)
+    if kappa >= FINITE_FROM:
+        return FINITE, place, width, kappa, 0.0, 0.0
+    first, second, _ = edge_powers(kappa, free)
+    return SINGULAR, place, width, kappa, -first, second - first
+
+
+def _at_corners(problem: Problem, state: States, kinds: NDArray[np.int64], y: Array, width: Array) -> tuple[float, ...]:
+    """Return the corners at which a contact ends, and mark run-outs that in fact press against one as corners."""
     half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
-    return corner_ends(problem.contact, state.edges, centre_pressure(problem, state), half_width)
+    corners = corner_ends(problem.contact, state.edges, centre_pressure(problem, state), half_width)
+    bearing = np.flatnonzero(state.m > 0.0)
+    for corner in corners:
+        for column, side, at in ((0, -1, bearing[0]), (1, 1, bearing[-1])):
+            if kinds[column] == RUN_OUT and side * corner > side * state.y[at] - state.width[at]:
+                kinds[column], y[column], width[column] = CORNER, corner, state.width[at]
+    return corners
+
+
+def edge_pressures(problem: Problem, state: States, ends: Ends) -> tuple[EdgePressure, EdgePressure]:
+    """Return the pressures at both ends of the only case in ``ends``, without strengths; see `with_strength`."""
+    bearing, pressure = np.flatnonzero(state.m > 0.0), centre_pressure(problem, state)
+    found = []
+    for column, side in enumerate((-1, 1)):
+        y, width, kappa, exponent, correction = (float(each[0, column]) for each in ends[1:-1])
+        kind = KINDS[ends.kinds[0, column]]
+        words = _WORDS.get(kind) or _convention(problem, y, side, AT_ONE_PLACE * width)
+        of_last = 0.0 if kind is EdgeKind.RUN_OUT else float(pressure[bearing[-column]])
+        found.append(EdgePressure(y, kind, of_last, width, kappa, exponent, None, None, correction, words))
+    return found[0], found[1]
 
 
 def centre_pressure(problem: Problem, state: States) -> Array:
@@ -55,28 +133,6 @@ def centre_pressure(problem: Problem, state: States) -> Array:
         2.0 * state.scaled_pressure / (np.pi * problem.model.element.hertz_ratio * problem.contact.compliance)
     )
     return pressure
-
-
-def singular_places(problem: Problem, states: States) -> Array:
-    """Return the ends of contacts on the same strips at which the pressure has no limit [mm].
-
-    Returns
-    -------
-    ndarray, shape (cases, k)
-        Padded with nan where a case has fewer such ends than others, or none.
-    """
-    columns: list[Array] = []
-    for side in (-1, 1):
-        place = states.edges[:, -1 if side > 0 else 0]
-        ends_there = reaching(states, side) & pressed(problem, states.edges, states.rigid, side)
-        sharp = {row: _is_sharp(problem, states.strips(row), side) for row in states.rows(ends_there)}
-        here = np.broadcast_to([sharp.get(row, False) for row in range(place.size)], ends_there.shape)
-        columns.append(np.where(here & ends_there, place, np.nan))
-    if problem.contact.bends:
-        of_cases = [corners(problem, states.one(case)) for case in range(states.status.size)]
-        most = max(map(len, of_cases))
-        columns += np.array([(*each, *[np.nan] * (most - len(each))) for each in of_cases]).T.tolist()
-    return np.array(columns).T
 
 
 def pressed(problem: Problem, edges: Array, rigid: Array, side: int) -> Flags:
@@ -100,48 +156,6 @@ def pressed(problem: Problem, edges: Array, rigid: Array, side: int) -> Flags:
     return overlap if rigid.ndim > 1 else overlap[0]
 
 
-def _is_sharp(problem: Problem, edges: Array, side: int) -> bool:
-    """Return whether a contact that extends to the end of the strips ends at a sharp end of a body."""
-    at, next_in = (-1, -2) if side > 0 else (0, 1)
-    place, width = float(edges[at]), abs(float(edges[at] - edges[next_in]))
-    return place in problem.contact.interval and _freed(problem, place, side, AT_ONE_PLACE * width)[0] < FINITE_FROM
-
-
-def sharp_end_error(edges: tuple[EdgePressure, ...], length: float) -> float:
-    """Return the relative error that strips cause at the ends of a contact, proportional to the last one's width.
-
-    Measured on straight rollers: a tenth of both end strips' widths over the length, on equal and graded grids alike;
-    0.4 of that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and zero at 1. Ends that are free of normal stress count as
-    those of images with the same exponent.
-    """
-    left = (edge.strip_width * _sharpness(edge) for edge in edges if not edge.converges)
-    return SHARP_END_ERROR * sum(left) / length
-
-
-def left_at_sharp_ends(problem: Problem, state: States, edges: tuple[EdgePressure, ...]) -> float:
-    """Return the relative error of approach or load that no number of strips removes, at sharp ends in contact.
-
-    Within a half-width of such an end the pressure across is no semi-ellipse. What that changes is in proportion to the
-    load that a length of one half-width bears there: for kappa = 0, 0.0150 of its share of the load on a straight
-    roller and 0.0103 on a crowned one, against three-dimensional solutions; `LEFT_AT_END` is above both.
-    """
-    half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
-    left = 0.0
-    for edge in edges:
-        if edge.kind is EdgeKind.SINGULAR:
-            distance = np.abs(state.y - edge.y)
-            beside = half_width[int(np.argmin(np.abs(distance - half_width)))]
-            at = int(np.argmin(np.abs(distance - beside)))
-            borne = float(state.r[at] * state.m[at] * half_width[at])
-            left += borne * _sharpness(edge)
-    return LEFT_AT_END * left / float(state.scaled_load)
-
-
-def _sharpness(edge: EdgePressure) -> float:
-    """Return the error that an end causes, over that of an end of half-spaces."""
-    return math.pow(1.0 - math.cos(math.pi * edge.exponent), 1.5)
-
-
 def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[float, float]:
     """Return kappa summed over the free faces within ``reach`` of an end of the strips, at most 1, and its free part.
 
@@ -149,29 +163,6 @@ def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[flo
     """
     found = [end for end in problem.model.influence.ends if end.side == side and abs(end.y - place) <= reach]
     return min(sum(end.image_weight for end in found), 1.0), min(sum(end.free for end in found), 1.0)
-
-
-def _edge_pressure(problem: Problem, state: States, side: int) -> EdgePressure:
-    at = -1 if side > 0 else 0
-    place, width = float(state.edges[at]), float(state.width[at])
-    if not reaches(state.edges, state.m, side) or not pressed(problem, state.edges, state.rigid, side):
-        touched = contact_of(state)
-        y = touched[at][(side + 1) // 2] if touched else place
-        words = said("the contact ends before both bodies do")
-        return EdgePressure(y, EdgeKind.RUN_OUT, 0.0, 0.0, 0.0, 0.0, None, None, 0.0, words)
-    pressure = centre_pressure(problem, state)[::-side]
-    if place not in problem.contact.interval:
-        words = said("the strips end before the contact does")
-        return EdgePressure(place, EdgeKind.CUT_OFF, float(pressure[0]), width, 0.0, 0.0, None, None, 0.0, words)
-    convention = _convention(problem, place, side, AT_ONE_PLACE * width)
-    kappa, free = _freed(problem, place, side, AT_ONE_PLACE * width)
-    if not _is_sharp(problem, state.edges, side):
-        return EdgePressure(place, EdgeKind.FINITE, float(pressure[0]), width, kappa, 0.0, None, None, 0.0, convention)
-    first, second, _ = edge_powers(kappa, free)
-    of_last = float(pressure[0])
-    return EdgePressure(
-        place, EdgeKind.SINGULAR, of_last, width, kappa, -first, None, None, second - first, convention
-    )  # fmt: skip
 
 
 def with_strength(problem: Problem, state: States, edge: EdgePressure, side: int) -> EdgePressure:

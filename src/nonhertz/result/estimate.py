@@ -1,9 +1,10 @@
-"""The discretisation error of a solution, estimated from coarser grids and unresolved relief, for one case or many."""
+"""The discretisation errors of solutions, estimated from coarser grids and unresolved relief, for one case or many."""
 
 from __future__ import annotations
 
 import math
-from functools import partial
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,14 +12,13 @@ from numpy.typing import NDArray
 from nonhertz.bodies.depths import AxisOfRoller
 from nonhertz.compiled import compiled
 from nonhertz.result.checks import WIDER_THAN_LONG
-from nonhertz.result.end_pressure import left_at_sharp_ends, sharp_end_error
-from nonhertz.result.maximum import distance_beyond, largest_pressure
-from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate
-from nonhertz.strip.grid import contact_of, intervals
-from nonhertz.strip.levels import ACCURACY, SAFETY, Levels, cusps
+from nonhertz.result.end_pressure import CORNER, CUT_OFF, SINGULAR, Ends
+from nonhertz.result.maximum import largest_of
+from nonhertz.strip.grid import intervals
+from nonhertz.strip.levels import ACCURACY, LEFT_OF_CHANGE, SAFETY, cusp
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import States
-from nonhertz.strip.resolution import departures, roughness, within
+from nonhertz.strip.records import CONVERGED, States
+from nonhertz.strip.resolution import RIPPLE, departure, within
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -36,74 +36,45 @@ HIDDEN = 4.0  # times the last strip's excess over the maximum: its mean is lowe
 # rollers. A load at one end alone leaves 8e-5 of the approach, one at a sharp end 5e-4 of the pressure beside it.
 LEFT_BY_MODES, PRESSURE_LEFT_BY_MODES = 2e-5, 1e-4
 MISSED = 0.02  # of the deepest interference: an overlap this large where no strip is in contact is a missed contact
+SHARP_END_ERROR, LEFT_AT_END = 0.12, 0.016  # see `_at_ends`
+USUALLY_LEFT = 0.6  # of the accuracy aimed for: about the largest error found where the change was small
 
 
-def error_estimate(
-    problem: Problem,
-    levels: Levels,
-    edges: tuple[EdgePressure, ...],
-    singular: Array,
-    highest: float,
-    *,
-    at_corner: bool,
-) -> ErrorEstimate:
-    """Return the estimated errors of the finest level; infinite if the loop failed.
+def estimates(
+    problem: Problem, levels: Sequence[States], accuracy: float | None, ends: Ends, highest: Array, at_corner: Flags
+) -> Array:
+    """Return the estimated errors of the finest levels, infinite where a loop failed.
 
     Parameters
     ----------
-    problem, levels
-        What was solved.
-    edges : tuple of EdgePressure
-        How the contact ends.
-    singular : ndarray, shape (k,)
-        The ends at which the pressure has no limit [mm].
-    highest : float
-        The largest pressure of the finest level more than a half-width from these, as `States.scaled_pressure`.
-    at_corner : bool
-        Whether that is at a corner of the profile within the contact.
+    problem : Problem
+        What the cases share.
+    levels : sequence of States
+        The states of all cases on every grid, finest first; of coarser ones only those count that have converged.
+    accuracy : float or None
+        As `nonhertz.strip.levels.Levels.accuracy`.
+    ends : Ends
+        How the contacts end.
+    highest : ndarray, shape (cases,)
+        The largest pressures of the finest level more than a half-width from ends without a limit, as
+        `States.scaled_pressure`.
+    at_corner : ndarray of bool, shape (cases,)
+        Whether these are at a corner of the profile within the contact.
+
+    Returns
+    -------
+    ndarray, shape (cases, 5)
+        As the fields of `nonhertz.result.solution.ErrorEstimate`.
     """
-    state = levels.finest
-    if not state.converged:
-        return ErrorEstimate(*[math.inf] * 5)
-    by_load, by_moment = problem.prescribed.tolist()
-    floor = sharp_end_error(edges, sum(high - low for low, high in contact_of(state)))
+    finest, ratio = levels[0], problem.model.element.hertz_ratio
     whole = has_whole_roller(problem)
-    left = left_at_sharp_ends(problem, state, edges) + LEFT_BY_MODES * whole
-    unlimited = at_corner or any(edge.kind is EdgeKind.CUT_OFF for edge in edges)
-    places, separation = within(problem, state.edges)
-    # Relief deeper than the bodies approach is out of contact, however deep it is.
-    near = np.minimum(separation, np.maximum(state.rigid[0] + state.rigid[1] * places, np.min(separation)))
-    departure = departures(near)
-    mean, ripples = roughness(departure, state.width, state.r * state.m * state.width)
-    # Relative to the penetration: what is approached before the bodies touch has no error, and may be most of it.
-    penetration = float(np.max(state.rigid[0] + state.rigid[1] * places - separation))
-    before_touch = float(state.rigid[0]) - penetration
-    # Towards a corner errors fall in proportion to the strips only, and anyhow in contacts that are wider than long.
-    corners = at_corner or any(edge.kind is EdgeKind.CORNER for edge in edges)
-    wide = bool(wide_among(state.row(), problem.model.element.hertz_ratio)[0])
-    error = levels.difference if corners or wide else levels.remaining
-    aimed = levels.accuracy or 0.0
-    unseen = _relative(mean, penetration), _relative(mean * state.stiffness[0, 0], float(state.scaled_load))
-    reach = 0.5 * float(np.ptp(state.edges))
-
-    def largest(of: States) -> float:
-        return highest if of is state else _largest(problem.model.element.hertz_ratio, singular, of)
-
-    return ErrorEstimate(
-        approach=max(floor, error(partial(_beyond, before_touch)) + unseen[0]) + left if by_load else 0.0,
-        load=0.0 if by_load else max(floor, error(_load) + unseen[1]) + left,
-        max_pressure=math.inf
-        if unlimited
-        else max(
-            floor,
-            (COARSE if aimed > ACCURACY else 1.0) * max(PRESSURE_LEFT * aimed, levels.difference(largest)),
-            _raised_at_ends(problem, state, edges, highest),
-        )
-        + _beside_strips(problem, levels, singular, ripples, highest)
-        + PRESSURE_LEFT_BY_MODES * whole,
-        moment=0.0 if by_moment else max(floor, error(_moment, float(state.scaled_load) * reach) + unseen[1]) + left,
-        tilt=max(floor, error(_tilt, penetration / reach) + unseen[0]) + left if by_moment else 0.0,
-    )
+    known = _Known(
+        problem.prescribed, highest, at_corner, _falls_away(problem, finest, ends.singular),
+        *within(problem, finest.edges), accuracy or 0.0, ratio, LEFT_BY_MODES * whole, PRESSURE_LEFT_BY_MODES * whole,
+    )  # fmt: skip
+    coarse, coarser = (levels[min(k, len(levels) - 1)] for k in (1, 2))
+    errors: Array = _estimates(finest, coarse, coarser, min(len(levels), 3), ends, known)
+    return errors
 
 
 def has_whole_roller(problem: Problem) -> bool:
@@ -111,18 +82,207 @@ def has_whole_roller(problem: Problem) -> bool:
     return any(isinstance(each, AxisOfRoller) for each in problem.model.influence.references)
 
 
-def _raised_at_ends(problem: Problem, state: States, edges: tuple[EdgePressure, ...], highest: float) -> float:
-    """Return the relative error of the largest pressure if it is that a half-width from a sharp end, in wide strips."""
-    half_width, raised = problem.model.element.hertz_ratio * np.sqrt(state.m), 0.0
-    for edge in edges:
-        distance = np.where(state.m > 0.0, np.abs(state.y - edge.y) - half_width, np.inf)
-        if np.count_nonzero(distance <= 0.0) < FEW_AT_END and np.isfinite(distance).any():
-            beyond = float(state.scaled_pressure[np.argmin(np.where(distance > 0.0, distance, np.inf))])
-            raised = max(raised, (1.0 + RAISED * edge.exponent) * beyond / highest - 1.0)
-    return raised
+def _falls_away(problem: Problem, states: States, singular: Array) -> Flags:
+    """Return beside which ends that few strips resolve the bodies overlap less than a half-width inside."""
+    inside = _inside_few(states, problem.model.element.hertz_ratio, singular)
+    found = np.zeros(singular.shape, dtype=bool)
+    few = np.nonzero(np.isfinite(inside))
+    case = few[0]
+    if case.size:
+        places = np.array([singular[few], inside[few]])
+        separation = problem.model.separation(places.ravel()).reshape(places.shape)
+        at_end, before = states.rigid[case, 0] + states.rigid[case, 1] * places - separation
+        found[few] = at_end < (1.0 - FALLS_AWAY) * before
+    return found
 
 
-def _beside_strips(problem: Problem, levels: Levels, singular: Array, ripples: Array, highest: float) -> float:
+@compiled
+def _inside_few(states: States, hertz_ratio: float, singular: Array) -> Array:
+    """Return the place a half-width inside each end that few strips resolve [mm], nan for any other."""
+    found: Array = np.full(singular.shape, np.nan)
+    for case in range(found.shape[0]):
+        row = 0 if states.edges.shape[0] == 1 else case
+        n = states.counts[row]
+        edges = states.edges[row, : n + 1]
+        for k in range(found.shape[1]):
+            count, widest = 0, 0.0
+            for i in range(n):
+                half_width = hertz_ratio * math.sqrt(states.m[case, i])
+                if half_width > 0.0 and abs(0.5 * (edges[i] + edges[i + 1]) - singular[case, k]) <= half_width:
+                    count, widest = count + 1, max(widest, half_width)
+            if 0 < count < FEW_AT_END:
+                found[case, k] = singular[case, k] + math.copysign(widest, edges.mean() - singular[case, k])
+    return found
+
+
+class _Known(NamedTuple):
+    """What the estimates depend on beside states and ends."""
+
+    prescribed: Flags
+    highest: Array
+    at_corner: Flags
+    falls_away: Flags
+    places: Array
+    separation: Array
+    accuracy: float
+    hertz_ratio: float
+    left_by_modes: float
+    pressure_left_by_modes: float
+
+
+@compiled
+def _estimates(finest: States, coarse: States, coarser: States, count: int, ends: Ends, known: _Known) -> Array:
+    errors = np.full((finest.status.size, 5), np.inf)
+    wide = wide_among(finest, known.hertz_ratio)
+    second, _ = largest_of(coarse, known.hertz_ratio, ends.singular)
+    third, _ = largest_of(coarser, known.hertz_ratio, ends.singular)
+    values = np.empty((3, 5))
+    for case in range(errors.shape[0]):
+        if finest.status[case] != CONVERGED:
+            continue
+        highest, at_corner = known.highest[case], known.at_corner[case]
+        cut_off = corners = False
+        for kind in ends.kinds[case]:
+            cut_off, corners = cut_off or kind == CUT_OFF, corners or kind == CORNER
+        # Towards a corner errors fall in proportion to the strips only, and anyhow in contacts wider than long.
+        accuracy = 0.0 if at_corner or corners or wide[case] else known.accuracy
+        strips = _strips(finest, known.hertz_ratio, case)
+        penetration, mean, ripples = _unresolved(finest, known, strips, case)
+        floor, left, raised = _at_ends(strips, ends, highest, case)
+        left += known.left_by_modes
+        # Relative to the penetration: what is approached before the bodies touch has no error, and may be most of it.
+        before_touch = finest.rigid[case, 0] - penetration
+        for k, (states, pressure) in enumerate(((finest, highest), (coarse, second[case]), (coarser, third[case]))):
+            load, moment = _resultant(states, case)
+            values[k] = states.rigid[case, 0] - before_touch, load, pressure, moment, states.rigid[case, 1]
+        load, reach = values[0, 1], 0.5 * (strips.edges[-1] - strips.edges[0])
+        unseen, unborne = _relative(mean, penetration), _relative(mean * finest.stiffness[case, 0, 0], load)
+        of_grids = np.empty(5)
+        for k, whole in enumerate((abs(values[0, 0]), abs(load), highest, load * reach, penetration / reach)):
+            of_grids[k] = left_of_change(values[:count, k], whole, 0.0 if k == 2 else accuracy)
+        if known.prescribed[0]:
+            errors[case, 0], errors[case, 1] = max(floor, of_grids[0] + unseen) + left, 0.0
+        else:
+            errors[case, 0], errors[case, 1] = 0.0, max(floor, of_grids[1] + unborne) + left
+        if known.prescribed[1]:
+            errors[case, 3], errors[case, 4] = 0.0, max(floor, of_grids[4] + unseen) + left
+        else:
+            errors[case, 3], errors[case, 4] = max(floor, of_grids[3] + unborne) + left, 0.0
+        if not (at_corner or cut_off):
+            coarseness = COARSE if known.accuracy > ACCURACY else 1.0
+            by_strips = max(floor, coarseness * max(PRESSURE_LEFT * known.accuracy, of_grids[2]), raised)
+            reach_of = _reaches(strips, coarse, case, count)
+            beside = _beside_strips(strips, ends.singular[case], known.falls_away[case], reach_of, ripples, highest)
+            errors[case, 2] = by_strips + beside + known.pressure_left_by_modes
+    return errors
+
+
+class _Strips(NamedTuple):
+    """The strips of a case: centres, widths and half-widths [mm]; K q / a, and K times the load of each."""
+
+    edges: Array
+    y: Array
+    half_width: Array
+    pressure: Array
+    load: Array
+
+
+@compiled
+def _strips(states: States, hertz_ratio: float, case: int) -> _Strips:
+    row = 0 if states.edges.shape[0] == 1 else case
+    n = states.counts[row]
+    edges, r, m = states.edges[row, : n + 1], states.r[case, :n], states.m[case, :n]
+    y, width = 0.5 * (edges[1:] + edges[:-1]), edges[1:] - edges[:-1]
+    return _Strips(edges, y, hertz_ratio * np.sqrt(m), r * np.sqrt(m), r * m * width)
+
+
+@compiled
+def _unresolved(states: States, known: _Known, strips: _Strips, case: int) -> tuple[float, float, Array]:
+    """Return the penetration, and what of the relief strips do not resolve.
+
+    The mean departure from parabolas within the strips [mm], by their loads, and the ripple of pressure, as K q / a,
+    that flattens each strip. A wave of amplitude A and length l takes pi E* A / l = A / (K l), and within a strip l is
+    at most the strip's width.
+    """
+    row = 0 if states.edges.shape[0] == 1 else case
+    rigid, n = states.rigid[case], strips.y.size
+    places, separation = known.places[row, :n], known.separation[row, :n]
+    least, penetration = separation.min(), -np.inf
+    mean, ripples, within_strip = 0.0, np.empty(n), np.empty(places.shape[1])
+    for i in range(n):
+        for k in range(within_strip.size):
+            depth = rigid[0] + rigid[1] * places[i, k]
+            penetration = max(penetration, depth - separation[i, k])
+            # Relief deeper than the bodies approach is out of contact, however deep it is.
+            within_strip[k] = min(separation[i, k], max(depth, least))
+        off = departure(within_strip)
+        mean, ripples[i] = mean + strips.load[i] * off, RIPPLE * off / (strips.edges[i + 1] - strips.edges[i])
+    return penetration, mean / strips.load.sum(), ripples
+
+
+@compiled
+def _at_ends(strips: _Strips, ends: Ends, highest: float, case: int) -> tuple[float, float, float]:
+    """Return what ends of the contact leave of approach or load on these strips, and on any; and of the pressure.
+
+    The first is in proportion to the width of the last strip: measured on straight rollers, a tenth of both end strips'
+    widths over the length, on equal and graded grids alike; 0.4 of that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and
+    zero at 1. Ends that are free of normal stress count as those of images with the same exponent.
+
+    The second no number of strips removes. Within a half-width of a sharp end the pressure across is no semi-ellipse;
+    what that changes is in proportion to the load that a length of one half-width bears there: for kappa = 0, 0.0150 of
+    its share of the load on a straight roller and 0.0103 on a crowned one, against three-dimensional solutions;
+    `LEFT_AT_END` is above both.
+
+    The third is that of the largest pressure if it is that a half-width from a sharp end, in wide strips.
+    """
+    floor = left = raised = length = 0.0
+    contact = intervals(strips.edges, strips.half_width**2)
+    for k in range(contact.shape[0]):
+        length += contact[k, 1] - contact[k, 0]
+    for side in range(2):
+        y, exponent = ends.y[case, side], ends.exponent[case, side]
+        sharpness = (1.0 - math.cos(math.pi * exponent)) ** 1.5
+        floor += SHARP_END_ERROR * ends.width[case, side] * sharpness / length
+        distance = np.abs(strips.y - y)
+        if ends.kinds[case, side] == SINGULAR:
+            beside = strips.half_width[np.argmin(np.abs(distance - strips.half_width))]
+            at = np.argmin(np.abs(distance - beside))
+            borne = strips.load[at] / (strips.edges[at + 1] - strips.edges[at]) * strips.half_width[at]
+            left += LEFT_AT_END * borne * sharpness / strips.load.sum()
+        near, nearest, beyond = 0, np.inf, highest
+        for i in range(distance.size):
+            if strips.half_width[i] > 0.0:
+                past = distance[i] - strips.half_width[i]
+                near += past <= 0.0
+                if 0.0 < past < nearest:
+                    nearest, beyond = past, strips.pressure[i]
+        if near < FEW_AT_END:
+            raised = max(raised, (1.0 + RAISED * exponent) * beyond / highest - 1.0)
+    return floor, left, raised
+
+
+@compiled
+def _reaches(strips: _Strips, coarse: States, case: int, count: int) -> Array:
+    """Return how high summits may reach that are narrower than their strips, zero for all other strips.
+
+    A summit stands out no further than by twice what halving the strips has just raised it by.
+    """
+    found = np.zeros(strips.y.size)
+    before = _strips(coarse, 1.0, case)
+    at = np.searchsorted(before.edges, strips.y) - 1
+    for i in range(1, found.size - 1):
+        found[i] = cusp(strips.pressure, i)
+        if count > 1:
+            beside = min(max(at[i], 0), before.y.size - 1)
+            height = before.pressure[max(beside - 1, 0) : beside + 2].max()
+            found[i] = min(found[i], strips.pressure[i] + SAFETY * abs(strips.pressure[i] - height))
+    return found
+
+
+@compiled
+def _beside_strips(
+    strips: _Strips, singular: Array, falls_away: Flags, reaches: Array, ripples: Array, highest: float
+) -> float:
     """Return the relative error of the largest pressure caused by what strips do not resolve.
 
     Flattening the departure from a parabola within each strip takes ripples of pressure. A summit may be narrower than
@@ -130,67 +290,66 @@ def _beside_strips(problem: Problem, levels: Levels, singular: Array, ripples: A
     shortly before the end of the bodies looks like one that reaches it: where the profile falls away there, the last
     strip may well have the largest pressure.
     """
-    state = levels.finest
-    half_width = problem.model.element.hertz_ratio * np.sqrt(state.m)
-    bearing = state.m > 0.0
-    hidden, sure = 0.0, []
-    for end in singular:
-        near = bearing & (np.abs(state.y - end) <= half_width)
-        if 0 < np.count_nonzero(near) < FEW_AT_END and _falls_away(problem, state, end, float(half_width[near].max())):
-            hidden = max(hidden, HIDDEN * (float(np.max(state.scaled_pressure[near])) / highest - 1.0))
-        else:
-            sure.append(end)
-    counted = bearing & (distance_beyond(state.y, half_width, np.array(sure)) > 0.0)
-    summit = float(np.max(np.where(counted, _reach(levels), 0.0)))
-    return max(hidden, summit / highest - 1.0) + float(np.max(np.where(counted, ripples, 0.0))) / highest
+    hidden = summit = ripple = 0.0
+    for i in range(strips.y.size):
+        counted = strips.half_width[i] > 0.0
+        for k in range(singular.size):
+            if abs(strips.y[i] - singular[k]) <= strips.half_width[i]:
+                if falls_away[k]:
+                    hidden = max(hidden, HIDDEN * (strips.pressure[i] / highest - 1.0))
+                else:
+                    counted = False
+        if counted:
+            summit, ripple = max(summit, reaches[i]), max(ripple, ripples[i])
+    return max(hidden, summit / highest - 1.0) + ripple / highest
 
 
-def _reach(levels: Levels) -> Array:
-    """Return how high summits may reach that are narrower than their strips, zero for all other strips.
+@compiled
+def _resultant(states: States, case: int) -> tuple[float, float]:
+    """Return K Q and K T."""
+    row, load, moment = 0 if states.edges.shape[0] == 1 else case, 0.0, 0.0
+    for i in range(states.counts[row]):
+        low, high = states.edges[row, i], states.edges[row, i + 1]
+        borne = states.r[case, i] * states.m[case, i] * (high - low)
+        load, moment = load + borne, moment + 0.5 * (low + high) * borne
+    return load, moment
 
-    A summit stands out no further than by twice what halving the strips has just raised it by.
+
+@compiled
+def left_of_change(values: Array, whole: float, accuracy: float = 0.0) -> float:
+    """Return an estimate of the error of a quantity from its values on successively coarser grids.
+
+    An error that halves when the strips are halved is as large as the last change. At sharp ends it falls a little
+    less, and a contact whose end happens to suit the strips can hide it in one change, but hardly in two: so it is
+    twice the larger of the last change and half the change before it. Where strips follow the ends of the contact,
+    errors fall to a quarter or less, and `LEFT_OF_CHANGE` of the last change is left at most; but a change may be small
+    by chance, so that it is never less than what such grids usually leave.
+
+    Parameters
+    ----------
+    values : ndarray, shape (levels,)
+        Up to three, finest first.
+    whole : float
+        What the error is relative to.
+    accuracy : float
+        What the grid aims for whose strips follow the ends of the contact; zero for any other.
+
+    Returns
+    -------
+    float
+        Infinite if there is only one value, or nothing to relate it to.
     """
-    state = levels.finest
-    reach: Array = cusps(state.scaled_pressure)
-    if len(levels.states) > 1:
-        coarse = levels.states[1]
-        at = np.clip(np.searchsorted(coarse.edges, state.y) - 1, 0, coarse.scaled_pressure.size - 1)
-        beside = np.pad(coarse.scaled_pressure, 1)
-        before = np.max([beside[at + k] for k in range(3)], axis=0)
-        reach = np.minimum(reach, state.scaled_pressure + SAFETY * np.abs(state.scaled_pressure - before))
-    return reach
+    if values.size < 2 or not whole > 0.0:
+        return math.inf
+    last, before = float(abs(values[0] - values[1])) / whole, float(abs(values[-2] - values[-1])) / whole
+    if accuracy > 0.0:
+        return max(LEFT_OF_CHANGE * last, USUALLY_LEFT * accuracy)
+    return SAFETY * max(last, 0.5 * before) if math.isfinite(last + before) else math.inf
 
 
-def _falls_away(problem: Problem, state: States, end: float, half_width: float) -> bool:
-    """Return whether the bodies overlap less at an end than a half-width inside."""
-    inside = end + math.copysign(half_width, float(np.mean(state.edges)) - end)
-    places = np.array([end, inside])
-    at_end, before = state.rigid[0] + state.rigid[1] * places - problem.model.separation(places)
-    return bool(at_end < (1.0 - FALLS_AWAY) * before)
-
-
-def _relative(part: Array, whole: float) -> float:
-    return float(part) / abs(whole) if whole != 0.0 else math.inf
-
-
-def _beyond(before_touch: float, state: States) -> float:
-    return float(state.rigid[0]) - before_touch
-
-
-def _load(state: States) -> float:
-    return float(state.scaled_load)
-
-
-def _moment(state: States) -> float:
-    return float(state.scaled_moment)
-
-
-def _tilt(state: States) -> float:
-    return float(state.rigid[1])
-
-
-def _largest(hertz_ratio: float, singular: Array, state: States) -> float:
-    return float(largest_pressure(state.y, state.scaled_pressure, hertz_ratio * np.sqrt(state.m), singular)[0])
+@compiled
+def _relative(part: float, whole: float) -> float:
+    return part / abs(whole) if whole != 0.0 else math.inf
 
 
 @compiled

@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError
-from nonhertz.findings import Finding, said
-from nonhertz.result.end_pressure import centre_pressure, corners, edge_pressures, singular_places, with_strength
+from nonhertz.findings import Finding
+from nonhertz.result.end_pressure import Ends, edge_pressures, ends_of, with_strength
 from nonhertz.result.ends import singular_ends
-from nonhertz.result.estimate import error_estimate
-from nonhertz.result.maximum import largest_pressure
-from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.result.estimate import estimates
+from nonhertz.result.maximum import largest_of
+from nonhertz.result.solution import EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.result.suspicion import suspected
 from nonhertz.result.validity import (
     AT_CORNER,
@@ -130,16 +130,19 @@ class Judgement:
         return contact_of(self.levels.finest)
 
     @cached_property
-    def _corners(self) -> tuple[float, ...]:
-        return corners(self.problem, self.levels.finest) if self.levels.finest.converged else ()
+    def _rows(self) -> list[States]:
+        return [level.row() for level in self.levels.states]
+
+    @cached_property
+    def _ends(self) -> Ends:
+        with contextlib.nullcontext() if self.levels.finest.converged else np.errstate(all="ignore"):
+            return ends_of(self.problem, self._rows[0])
 
     @cached_property
     def ends(self) -> tuple[EdgePressure, EdgePressure]:
         """How the contact ends: the pressure at both ends, without strengths."""
-        state = self.levels.finest
-        with contextlib.nullcontext() if state.converged else np.errstate(all="ignore"):
-            edges = edge_pressures(self.problem, state)
-        return _with_corners(self.problem, state, edges, self._corners)
+        with contextlib.nullcontext() if self.levels.finest.converged else np.errstate(all="ignore"):
+            return edge_pressures(self.problem, self.levels.finest, self._ends)
 
     @cached_property
     def edge_pressure(self) -> tuple[EdgePressure, EdgePressure]:
@@ -151,71 +154,43 @@ class Judgement:
     @cached_property
     def singular_ends(self) -> tuple[SingularEnd, ...]:
         """The ends without a limit of the pressure."""
-        sharp = (edge.y for edge in self.ends if edge.kind is EdgeKind.SINGULAR)
-        return singular_ends(sharp, self._corners, float(np.ptp(self.levels.finest.edges)))
+        places = self._ends.singular[0]
+        sharp, corners = places[:2], places[2:]
+        return singular_ends(
+            sharp[np.isfinite(sharp)].tolist(), corners[np.isfinite(corners)].tolist(),
+            float(np.ptp(self.levels.finest.edges)),
+        )  # fmt: skip
 
     @cached_property
-    def _places(self) -> Array:
-        return np.array([end.y for end in self.singular_ends])
-
-    @cached_property
-    def _largest(self) -> tuple[float, float]:
+    def _largest(self) -> tuple[Array, Array]:
         """The largest pressure, scaled, and where it is."""
-        state = self.levels.finest
-        half_width = self.problem.model.element.hertz_ratio * np.sqrt(state.m)
-        highest, at = largest_pressure(state.y, state.scaled_pressure, half_width, self._places)
-        return float(highest), float(at)
+        return largest_of(self._rows[0], self.problem.model.element.hertz_ratio, self._ends.singular)
 
     @cached_property
     def peaks_at_corner(self) -> bool:
         """Whether the largest pressure is at a corner."""
-        state = self.levels.finest
-        return bool(state.converged) and _is_at_kink(self.problem, state, self._largest[1], self._places)
+        state, (_, (at,)) = self.levels.finest, self._largest
+        return bool(state.converged) and _is_at_kink(self.problem, state, at, self._ends.singular)
+
+    @cached_property
+    def _errors(self) -> Array:
+        highest, at_corner = self._largest[0], np.array([self.peaks_at_corner])
+        return estimates(self.problem, self._rows, self.levels.accuracy, self._ends, highest, at_corner)
 
     @cached_property
     def error_estimate(self) -> ErrorEstimate:
         """The estimated errors."""
-        return error_estimate(
-            self.problem, self.levels, self.ends, self._places, self._largest[0],
-            at_corner=self.peaks_at_corner,
-        )  # fmt: skip
+        return ErrorEstimate(*self._errors[0].tolist())
 
     def found(self, solution: Solution) -> tuple[Finding, ...]:
         """Return what strains the model: nothing, without a closer look, in most cases."""
         if "findings" in vars(self) or solution.status is not Status.CONVERGED:
             return tuple(vars(self).get("findings", ()))
-        rows = [level.row() for level in self.levels.states]
+        rows = self._rows
         grids = self._grids or self.problem.model.grids(rows[0].counts, rows[0].edges)
-        singular = singular_places(self.problem, rows[0])
-        sharp = bool(np.any(np.isfinite(singular)))
-        # Given strips are hardly ever narrow enough for a sharp end.
-        if not (sharp and self.problem.accuracy is None) and not suspected(self.problem, grids, rows, singular)[0]:
-            return singularities(solution) if sharp else ()
-        return (*strains(solution, self.problem, self.levels.finest), *singularities(solution))
-
-
-def _with_corners(
-    problem: Problem,
-    state: States,
-    ends: tuple[EdgePressure, EdgePressure],
-    at_corners: tuple[float, ...],
-) -> tuple[EdgePressure, EdgePressure]:
-    """Return the pressures at both ends, with run-outs that in fact press against a corner marked as corners."""
-    pressure = centre_pressure(problem, state)
-    low, high = ends
-    bearing = np.flatnonzero(state.m > 0.0)
-    for corner in at_corners:
-        first, last = bearing[0], bearing[-1]
-        if low.kind is EdgeKind.RUN_OUT and corner < state.y[first] + state.width[first]:
-            low = _at_corner(low, corner, float(pressure[first]), float(state.width[first]))
-        if high.kind is EdgeKind.RUN_OUT and corner > state.y[last] - state.width[last]:
-            high = _at_corner(high, corner, float(pressure[last]), float(state.width[last]))
-    return low, high
-
-
-def _at_corner(end: EdgePressure, corner: float, pressure: float, width: float) -> EdgePressure:
-    why = said("the profile turns away from the other body")
-    return replace(end, y=corner, kind=EdgeKind.CORNER, pressure=pressure, strip_width=width, convention=why)
+        if suspected(self.problem, grids, rows, self._ends, self._errors, self._largest[1])[0]:
+            return (*strains(solution, self.problem, self.levels.finest), *singularities(solution))
+        return singularities(solution) if np.isfinite(self._ends.singular).any() else ()
 
 
 def _is_at_kink(problem: Problem, state: States, y: float, ends: Array) -> bool:

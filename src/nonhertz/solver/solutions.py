@@ -20,8 +20,9 @@ from nonhertz.inputs.checks import listed
 from nonhertz.model.contact import Contact
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import dataframe, dataset
-from nonhertz.result.end_pressure import singular_places
-from nonhertz.result.maximum import largest_half_width, largest_pressure
+from nonhertz.result.end_pressure import Ends, ends_of
+from nonhertz.result.estimate import estimates
+from nonhertz.result.maximum import largest_half_width, largest_of, largest_pressure
 from nonhertz.result.outcome import solution_of
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES
@@ -375,7 +376,11 @@ class Block:
     @cached_property
     def singular(self) -> Array:
         """The ends at which the pressure has no limit [mm], shape (cases, k), nan for no such end."""
-        return singular_places(self.problem, self.finest)
+        return self._ends.singular
+
+    @cached_property
+    def _ends(self) -> Ends:
+        return ends_of(self.problem, self.finest)
 
     @property
     def has_singular_ends(self) -> NDArray[np.bool_]:
@@ -396,7 +401,11 @@ class Block:
         """Yield the numbers of cases that strain the model, each with its first finding."""
         if self.error is not None:
             return
-        for row in np.flatnonzero(suspected(self.problem, self._grids, self.states, self.singular)):
+        problem, states, ends = self.problem, self.states, self._ends
+        highest, at = largest_of(self.finest, problem.model.element.hertz_ratio, ends.singular)
+        # Those whose largest pressure may be at a corner are suspected for it.
+        errors = estimates(problem, states, problem.accuracy, ends, highest, np.zeros(highest.shape, dtype=bool))
+        for row in np.flatnonzero(suspected(problem, self._grids, states, ends, errors, at)):
             first = next(strains(self.solution(int(row)), self.problem, self.finest.one(int(row))), None)
             if first is not None:
                 yield self.numbers[row], first

@@ -157,6 +157,20 @@ def contact_of(state: States) -> tuple[tuple[float, float], ...]:
 
 
 @compiled
+def contact_ends(states: States) -> Array:
+    """Return the outermost ends [mm] of many contacts, those of the strips where nothing is in contact."""
+    found = np.empty((states.status.size, 2))
+    for case in range(found.shape[0]):
+        row = 0 if states.edges.shape[0] == 1 else case
+        n = states.counts[row]
+        edges = states.edges[row, : n + 1]
+        contact = intervals(edges, states.m[case, :n])
+        found[case, 0] = contact[0, 0] if contact.shape[0] else edges[0]
+        found[case, 1] = contact[-1, 1] if contact.shape[0] else edges[-1]
+    return found
+
+
+@compiled
 def intervals(edges: Array, m: Array) -> Array:
     """Return the two ends of every interval in contact [mm], where m, continued linearly, vanishes; shape (k, 2)."""
     n = m.size

@@ -10,9 +10,8 @@ Every level is taken for all cases before the next; a single case is a batch of 
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import NamedTuple
@@ -52,7 +51,6 @@ SAFETY = 2.0
 # below ACCURACY; it falls with about the power ORDER of the width, on coarser grids faster and less regularly, and is
 # mostly less than this share of the change from half the strips.
 ACCURACY, COARSENESS, ORDER, ORDER_COARSER, LEFT_OF_CHANGE = 1e-4, 0.28, 2.2, 3.0, 0.4
-USUALLY_LEFT = 0.6  # of the accuracy aimed for: about the largest error found where the change was small
 LEAST_FINER, MARGIN = 0.4, 0.95
 FULL = 0.97
 # At the largest pressure: its sagitta in a strip over the accuracy, how much narrower strips may become at once, below
@@ -99,39 +97,6 @@ class Levels:
     def finest(self) -> States:
         """The state on the grid of the result."""
         return self.states[0]
-
-    def remaining(self, quantity: Callable[[States], float], scale: float | None = None) -> float:
-        """Return an estimate of the error of an approach, load, tilt or moment, relative to ``scale`` or to itself.
-
-        Where strips follow the ends of the contact, errors fall to a quarter or less, and `LEFT_OF_CHANGE` of the last
-        change is left at most; but a change may be small by chance, so that it is never less than what such grids
-        usually leave. Elsewhere it is the `difference`.
-        """
-        change = self._changes(quantity, scale)
-        if self.accuracy is None or not change:
-            return self.difference(quantity, scale)
-        return max(LEFT_OF_CHANGE * change[0], USUALLY_LEFT * self.accuracy)
-
-    def difference(self, quantity: Callable[[States], float], scale: float | None = None) -> float:
-        """Return an estimate of the error of any quantity, relative to ``scale`` or else to itself.
-
-        An error that halves when the strips are halved is as large as the last change. At sharp ends it falls
-        a little less, and a contact whose end happens to suit the strips can hide it in one change, but hardly in two:
-        so twice the larger of the last change and half the change before it.
-        """
-        changes = self._changes(quantity, scale)
-        if not changes:
-            return math.inf
-        error = SAFETY * max(changes[0], 0.5 * changes[-1])
-        return error if math.isfinite(sum(changes)) else math.inf
-
-    def _changes(self, quantity: Callable[[States], float], scale: float | None) -> list[float]:
-        """Return the last two relative changes, the last one first; none if there is nothing to relate them to."""
-        values = [quantity(state) for state in [state for state in self.states if state.converged][:3]]
-        whole = abs(values[0]) if scale is None else scale
-        if not whole > 0.0:
-            return []
-        return [abs(fine - coarse) / whole for fine, coarse in itertools.pairwise(values)]
 
 
 def levels_from(problem: Problem, states: list[States]) -> Levels:
@@ -354,15 +319,6 @@ def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
                 if pointed:
                     wanted = wide * max(math.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK)
                     found[case, 0, side], found[case, 1, side], found[case, 2, side] = place, wanted, wide
-    return found
-
-
-@compiled
-def cusps(pressure: Array) -> Array:
-    """Return how high summits may reach that are narrower than their strips, zero for all others; shape (n,)."""
-    found = np.zeros(pressure.size)
-    for i in range(1, pressure.size - 1):
-        found[i] = cusp(pressure, i)
     return found
 
 

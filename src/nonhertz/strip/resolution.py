@@ -13,6 +13,7 @@ import math
 
 import numpy as np
 
+from nonhertz.compiled import compiled, plain_array
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Array
 
@@ -31,34 +32,34 @@ def within(problem: Problem, edges: Array) -> tuple[Array, Array]:
 
 
 def departures(separation: Array) -> Array:
-    """Return the root mean square departure of the separation `within` each strip from a parabola [mm].
+    """Return the `departure` of the separation `within` each of many strips [mm], shape (...)."""
+    found: Array = _departures(plain_array(separation).reshape(-1, WITHIN)).reshape(separation.shape[:-1])
+    return found
 
-    Zero where the separation is infinite in part of a strip, where it is undefined.
+
+@compiled
+def _departures(separation: Array) -> Array:
+    found = np.empty(separation.shape[0])
+    for i in range(found.size):
+        found[i] = departure(separation[i])
+    return found
+
+
+@compiled
+def departure(separation: Array) -> float:
+    """Return the root mean square departure of the separation within a strip from a parabola [mm].
+
+    Zero where the separation is infinite in part of the strip, where it is undefined.
     """
-    finite = np.all(np.isfinite(separation), axis=-1)
-    h = np.where(finite[..., None], separation, 0.0)
-    left = h - (h @ _PARABOLA) @ _PARABOLA.T
-    departure: Array = np.sqrt(np.mean(left**2, axis=-1))
-    return departure
-
-
-def roughness(departure: Array, width: Array, load: Array) -> tuple[Array, Array]:
-    """Return the roughness that strips do not resolve, for one case or many.
-
-    Parameters
-    ----------
-    departure, width : ndarray, shape (..., strips)
-        See `departures`; widths [mm], zero in padding.
-    load : ndarray, shape (..., strips)
-        Load of each strip, in any unit.
-
-    Returns
-    -------
-    tuple of ndarray, shape (...), and ndarray, shape (..., strips)
-        Mean over the contact [mm], each strip weighted by its load; and the pressure ripple needed to flatten each
-        strip, as K q / a. A wave of amplitude A and length l takes pi E* A / l = A / (K l), and within a strip l is at
-        most the strip's width.
-    """
-    mean = np.sum(load * departure, axis=-1) / np.sum(load, axis=-1)
-    steepness = np.divide(departure, width, out=np.zeros_like(departure), where=width > 0.0)
-    return mean, RIPPLE * steepness
+    total = 0.0
+    for h in separation:
+        if not math.isfinite(h):
+            return 0.0
+    one = two = three = 0.0
+    for k in range(WITHIN):
+        h = separation[k]
+        one, two, three = one + h * _PARABOLA[k, 0], two + h * _PARABOLA[k, 1], three + h * _PARABOLA[k, 2]
+    for k in range(WITHIN):
+        of_parabola = one * _PARABOLA[k, 0] + two * _PARABOLA[k, 1] + three * _PARABOLA[k, 2]
+        total += (separation[k] - of_parabola) ** 2
+    return math.sqrt(total / WITHIN)
