@@ -16,7 +16,7 @@ from nonhertz.maps import ContactMap, loaded, pressed, pressures, share
 from nonhertz.maps.build import Building
 from nonhertz.maps.evaluation import tilt_coordinate
 from nonhertz.maps.spline import cells, rows, size
-from nonhertz.maps.spread import Spread
+from nonhertz.maps.spread import spread
 from nonhertz.maps.touch import Relief
 
 MOST, TILT, ACCURACY = 10e3, 1e-3, 2e-3
@@ -384,9 +384,8 @@ def test_a_straight_length_tips_over_and_a_crown_rolls():
     assert_allclose(inclined.tipping(-1e-3, 2e-3)[0], 5e-4, atol=1e-9)
     crowned = Relief.between(CONTACT, -10.0, 10.0)
     assert crowned.tipping(-1e-3, 1e-3)[1] == 0.0
-    approach, place = crowned.touched(np.array([0.0, 1e-3, -5e-3]))
-    assert_allclose(place, [0.0, 4.0, -10.0], atol=1e-3)
-    assert_allclose(approach[:2], [0.0, -2e-3], atol=1e-8)
+    # At y = 0, at y = 4, and at the end of the roller.
+    assert_allclose(crowned.touched(np.array([0.0, 1e-3, -5e-3])), [0.0, -2e-3, 0.0125 - 0.05], atol=1e-7)
 
 
 def test_the_load_of_a_point_contact_spreads_as_hertz_says():
@@ -396,11 +395,13 @@ def test_the_load_of_a_point_contact_spreads_as_hertz_says():
     t = np.linspace(-1.0, 1.0, 2001)
     expected = np.interp(np.sin(np.arange(25) * np.pi / 48) ** 2, 0.5 + 0.75 * t - 0.25 * t**3, t)
     along = nh.hertz.point_contact(radius_x=10.0, radius_y=400.0, compliance=contact.compliance, load=1e3).half_length
-    assert_allclose(Spread.of(contact, solution.edges, solution.line_load).places, along * expected, atol=0.002 * along)
+    places, loads = spread(contact, solution.edges, solution.line_load, solution.edges[[0, -1]])
+    assert_allclose(places, along * expected, atol=0.002 * along)
+    assert_allclose(loads, [1e3], rtol=1e-9)
     # Of even strips the last ones in contact reach beyond it, by 0.016 of its half-length.
     even = nh.solve(contact, load=1e3, strips=300)
-    ends = Spread.of(contact, even.edges, even.line_load).places[[0, -1]]
-    assert_allclose(ends, [-along, along], atol=0.008 * along)
+    places, _ = spread(contact, even.edges, even.line_load, even.edges)
+    assert_allclose(places[[0, -1]], [-along, along], atol=0.008 * along)
 
 
 def test_a_range_whose_end_cannot_be_solved_is_refused_with_the_reason():
@@ -409,6 +410,11 @@ def test_a_range_whose_end_cannot_be_solved_is_refused_with_the_reason():
     with pytest.raises(InputError, match=r"^load = 1000000.0 must leave the half-width, .* reduce it") as refused:
         nh.contact_map(contact, load=(0, 1e6), accuracy=0.1, checks=20)
     assert "\n" not in str(refused.value)
+    # Of a round in which no case has a solution nothing is kept.
+    none = Building(contact, nh.SEMI_ELLIPTIC, None, np.array([-10.0, 0.0, 10.0]), 20).solved(
+        np.array([1e6]), np.zeros(1)
+    )
+    assert (none.load.shape, none.places.shape, none.strip_loads.shape) == ((0,), (0, 25), (0, 2))
 
 
 def test_a_range_in_which_hardly_anything_is_solved_is_refused(monkeypatch):

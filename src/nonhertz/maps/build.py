@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError, without_accuracy_warnings
-from nonhertz.maps.evaluation import QUANTILES, Tables
-from nonhertz.maps.fitting import Samples, Shape, Touch, fitted, tables
-from nonhertz.maps.misses import SAFETY, Misses, SampledErrors
+from nonhertz.maps.evaluation import QUANTILES
+from nonhertz.maps.fitting import Samples, Shape, fitted, tables
+from nonhertz.maps.misses import SAFETY, Misses
 from nonhertz.maps.spline import jumps
-from nonhertz.maps.spread import Spread
+from nonhertz.maps.spread import spread
 from nonhertz.maps.touch import Relief
 from nonhertz.model.contact import Contact
 from nonhertz.solver.many import solve_many
@@ -65,38 +65,28 @@ class Building:
 
     def solved(self, load: Array, tilt: Array) -> Samples:
         """Solve cases under loads [N] and at tilts [rad]; those that fail are left out."""
-        if load.size == 0:
-            none = np.empty(0)
-            along = np.empty((0, QUANTILES)), np.empty((0, self.stations.size - 1))
-            return Samples(none, none, none, none, np.empty((0, 2, 2)), none, none, *along)
         found = self.pressed("load", load, tilt)
         good = np.flatnonzero(found.converged)
-        spreads = [Spread.of(self.contact, *found.line_load(int(number))) for number in good]
+        spreads = [spread(self.contact, *found.line_load(int(number)), self.stations) for number in good]
         return Samples(
             found.load[good], found.tilt[good], found.approach[good], found.moment[good], found.stiffness[good],
             found.max_pressure[good], found.max_half_width[good],
-            np.array([each.places for each in spreads]).reshape(good.size, -1),
-            np.array([each.loads_between(self.stations) for each in spreads]).reshape(good.size, -1),
+            np.array([places for places, _ in spreads]).reshape(good.size, QUANTILES),
+            np.array([loads for _, loads in spreads]).reshape(good.size, self.stations.size - 1),
         )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Built:
-    """A stand-in with what is known about it."""
-
-    shape: Shape
-    mean_approach: Array
-    others: Array
-    tables: Tables
-    sampled_error: SampledErrors
-    cases: int
-    failed: int
-
-
-def built(building: Building, shape: Shape, relief: Relief, accuracy: float, announce: Callable[[str], None]) -> Built:
+def built(
+    building: Building, shape: Shape, relief: Relief, accuracy: float, announce: Callable[[str], None]
+) -> dict[str, Any]:
     """Solve, fit, check and refine until load and moment are accurate enough or refinement no longer helps.
 
     Points that a check was made on are used to build the next stand-in, which is checked on new ones.
+
+    Returns
+    -------
+    dict
+        The fields of a `ContactMap` that follow from this.
 
     Raises
     ------
@@ -105,50 +95,47 @@ def built(building: Building, shape: Shape, relief: Relief, accuracy: float, ann
     """
     random = np.random.default_rng(_SEED)
     asked: set[tuple[float, float]] = set()
-    samples = building.solved(np.empty(0), np.empty(0))
     tried: list[tuple[Misses, Shape]] = []
+    samples: Samples | None = None
     failed = 0
+
+    def checked(count: int) -> tuple[Samples, Misses]:
+        nonlocal failed
+        checks = building.solved(*_check_points(shape, random, count))
+        failed += count - checks.load.size
+        return checks, Misses.of(shape, tables(shape.counted, shape.breaks, *found), building.stations, checks)
+
     while True:
         load, tilt = _new_nodes(shape, asked)
-        announce(f"{samples.load.size + load.size} cases")
+        announce(f"{load.size + (samples.load.size if samples else 0)} cases")
         fresh = building.solved(load, tilt)
         failed += load.size - fresh.load.size
-        samples = samples.joined(fresh)
-        _refuse_too_few(samples.load.size, failed)
-        found, made = _fit(shape, samples, relief)
+        samples = samples.joined(fresh) if samples else fresh
+        if failed > samples.load.size:
+            condition = f"not exceed the number of cases with one, {samples.load.size}"
+            raise InputError("cases without a solution", failed, condition, "narrow the range of the map")
+        found = fitted(shape, samples, _touch(shape, relief))
         for count in (min(_ROUND_POINTS, building.checks), building.checks):
-            checks = building.solved(*_check_points(shape, random, count))
-            failed += count - checks.load.size
-            misses = Misses.of(shape, made, building.stations, checks)
+            checks, misses = checked(count)
             if SAFETY * misses.worst > accuracy:
                 break
         else:
-            return Built(shape, *found, made, misses.sampled(), samples.load.size, failed)
+            break
         tried.append((misses, shape))
         refined = _refined(shape, found[0], checks, misses.combined, accuracy / SAFETY)
         samples = samples.joined(checks)
         if refined is None or _scattered(tried) or samples.load.size > _MOST_CASES:
+            least = min(misses.typical for misses, _ in tried)
+            shape = next(each for misses, each in tried if misses.typical <= _AS_GOOD * least)
+            found = fitted(shape, samples, _touch(shape, relief))
+            _, misses = checked(building.checks)
             break
         shape = refined
-    least = min(misses.typical for misses, _ in tried)
-    shape = next(each for misses, each in tried if misses.typical <= _AS_GOOD * least)
-    found, made = _fit(shape, samples, relief)
-    checks = building.solved(*_check_points(shape, random, building.checks))
-    failed += building.checks - checks.load.size
-    return Built(
-        shape, *found, made, Misses.of(shape, made, building.stations, checks).sampled(), samples.load.size, failed
-    )
-
-
-def _fit(shape: Shape, samples: Samples, relief: Relief) -> tuple[tuple[Array, Array], Tables]:
-    found = fitted(shape, samples, _touch(shape, relief))
-    return found, tables(shape.counted, shape.breaks, *found)
-
-
-def _refuse_too_few(solved: int, failed: int) -> None:
-    if failed > solved:
-        condition = f"not exceed the number of cases with one, {solved}"
-        raise InputError("cases without a solution", failed, condition, "narrow the range of the map")
+    return {
+        "numbers": shape.counted, "breaks": np.concatenate(shape.breaks), "half_length": shape.half_length,
+        "mean_approach": found[0], "others": found[1],
+        "sampled_error": misses.sampled(), "cases": samples.load.size, "failed": failed,
+    }  # fmt: skip
 
 
 def _scattered(tried: list[tuple[Misses, Shape]]) -> bool:
@@ -160,7 +147,7 @@ def _scattered(tried: list[tuple[Misses, Shape]]) -> bool:
 
 def _new_nodes(shape: Shape, asked: set[tuple[float, float]]) -> tuple[Array, Array]:
     """Return load and tilt at the nodes of the cells that were not asked for before, which are added to ``asked``."""
-    x, z = _nodes(shape.loads)[1:], _nodes(shape.tilts)
+    x, z = _nodes(shape.breaks[0])[1:], _nodes(shape.breaks[1])
     x[0] = max(x[0], _LEAST_X)
     new = [node for node in ((float(a), float(b)) for a in x for b in z) if node not in asked]
     asked.update(new)
@@ -187,12 +174,13 @@ def _check_points(shape: Shape, random: np.random.Generator, count: int) -> tupl
     return np.concatenate([load, of_cells[0]]), np.concatenate([low + (high - low) * even[1], of_cells[1]])
 
 
-def _touch(shape: Shape, relief: Relief) -> Touch:
-    """Return the first touch at tilts four to a cell."""
-    count = _TOUCH_POINTS * (shape.tilts.size - 1)
-    z = np.interp(np.arange(count + 1) / _TOUCH_POINTS, np.arange(shape.tilts.size), shape.tilts)
+def _touch(shape: Shape, relief: Relief) -> tuple[Array, Array]:
+    """Return tilts, four to a cell, and the approaches of first touch at them."""
+    borders = shape.breaks[1]
+    count = _TOUCH_POINTS * (borders.size - 1)
+    z = np.interp(np.arange(count + 1) / _TOUCH_POINTS, np.arange(borders.size), borders)
     _, tilt = shape.prescribed(np.zeros(z.size), z)
-    return Touch(tilt, relief.touched(tilt)[0])
+    return tilt, relief.touched(tilt)
 
 
 def _refined(shape: Shape, mean_approach: Array, checks: Samples, errors: Array, permitted: float) -> Shape | None:
@@ -211,4 +199,4 @@ def _refined(shape: Shape, mean_approach: Array, checks: Samples, errors: Array,
         halved.append(np.unique(np.concatenate([breaks, middles])))
     if max(each.size for each in halved) > _MOST_CELLS + 1:
         return None
-    return replace(shape, loads=halved[0], tilts=halved[1])
+    return replace(shape, breaks=(halved[0], halved[1]))

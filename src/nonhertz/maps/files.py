@@ -62,7 +62,8 @@ def _fields(entries: Mapping[str, np.ndarray[Any, Any]]) -> dict[str, Any] | Non
         values = entries.get(name)
         if values is None or values.dtype != (np.int64 if name in _COUNTS else np.float64):
             return None
-        if not np.all(np.isfinite(values)) or (name not in _ARRAYS and values.shape != _shape(name)):
+        shape = {"pressed": (2,), "sampled_error": (len(dataclasses.fields(SampledErrors)),)}.get(name, ())
+        if not np.all(np.isfinite(values)) or (name not in _ARRAYS and values.shape != shape):
             return None
     texts = {name: text(entries, name) for name in _TEXTS}
     if (
@@ -71,21 +72,14 @@ def _fields(entries: Mapping[str, np.ndarray[Any, Any]]) -> dict[str, Any] | Non
         or not _fits({name: entries[name] for name in _ARRAYS})
     ):
         return None
-    errors = dict(
-        zip((each.name for each in dataclasses.fields(SampledErrors)), entries["sampled_error"].tolist(), strict=True)
-    )
-    low, high = entries["pressed"].tolist()
+    *errors, points = entries["sampled_error"].tolist()
     return {
         **texts,
         **{name: np.ascontiguousarray(entries[name]) for name in _ARRAYS},
         **{name: entries[name].item() for name in (*_NUMBERS, *_COUNTS)},
-        "pressed": (low, high),
-        "sampled_error": SampledErrors(**errors | {"points": int(errors["points"])}),
+        "pressed": tuple(entries["pressed"].tolist()),
+        "sampled_error": SampledErrors(*errors, points=int(points)),  # type: ignore[misc]
     }
-
-
-def _shape(name: str) -> tuple[int, ...]:
-    return {"pressed": (2,), "sampled_error": (len(dataclasses.fields(SampledErrors)),)}.get(name, ())
 
 
 def _fits(arrays: Mapping[str, np.ndarray[Any, Any]]) -> bool:

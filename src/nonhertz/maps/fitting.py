@@ -65,14 +65,6 @@ class Samples:
 
 
 @dataclass(frozen=True)
-class Touch:
-    """First touch: the approaches [mm] at tilts [rad], shape (n,)."""
-
-    tilt: Array
-    approach: Array
-
-
-@dataclass(frozen=True)
 class Shape:
     """Where a stand-in has its cells.
 
@@ -80,26 +72,20 @@ class Shape:
     ----------
     numbers : ndarray
         The first of ``Tables.mean_approach``, without the numbers of cells.
-    loads, tilts : ndarray
+    breaks : tuple of ndarray
         Borders of the cells in x and in z, from 0 to 1.
     half_length : float
         Lever arm [mm] that moments are compared with.
     """
 
     numbers: Array
-    loads: Array
-    tilts: Array
+    breaks: tuple[Array, Array]
     half_length: float
-
-    @property
-    def breaks(self) -> tuple[Array, Array]:
-        """Borders of the cells in both directions."""
-        return self.loads, self.tilts
 
     @property
     def counted(self) -> Array:
         """The first eleven of ``Tables.mean_approach``."""
-        return np.concatenate([self.numbers, [self.loads.size - 1, self.tilts.size - 1]])
+        return np.concatenate([self.numbers, [each.size - 1 for each in self.breaks]])
 
     @property
     def max_load(self) -> float:
@@ -129,8 +115,10 @@ class Shape:
         return x, np.array(z).reshape(-1, 6).T
 
 
-def fitted(shape: Shape, samples: Samples, touch: Touch) -> tuple[Array, Array]:
+def fitted(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> tuple[Array, Array]:
     """Return the coefficients of the mean approach, and those of all other quantities.
+
+    ``touch`` are tilts [rad], and the approaches of first touch at them [mm].
 
     Returns
     -------
@@ -141,10 +129,10 @@ def fitted(shape: Shape, samples: Samples, touch: Touch) -> tuple[Array, Array]:
     x, z = shape.coordinates(samples.load, samples.tilt)
     light = np.maximum(samples.load, LIGHT * shape.max_load)
     system, right = _mean_approach_rows(shape, samples, x, z, light)
-    _, touch_z = shape.coordinates(np.zeros(touch.tilt.size), touch.tilt)
+    touch_x, touch_z = shape.coordinates(np.zeros(touch[0].size), touch[0])
     weight = _TOUCH_WEIGHT * float(np.median(samples.stiffness[:, 0, 0] / light))
-    system.append(weight * rows(shape.breaks, (np.zeros(touch.tilt.size), touch_z[0])))
-    right.append(weight * touch.approach)
+    system.append(weight * rows(shape.breaks, (touch_x, touch_z[0])))
+    right.append(weight * touch[1])
     # The first two rows of coefficients are the same: no slope at no load.
     merged = sparse.kron(
         sparse.csr_array(np.concatenate([np.eye(1, counts[0] - 1), np.eye(counts[0] - 1)])), sparse.eye(counts[1])

@@ -53,14 +53,9 @@ class SampledErrors:
 
 @dataclass(frozen=True)
 class Misses:
-    """Errors of a stand-in at check points, relative as `SampledErrors` says: each an array of shape (points,)."""
+    """Errors of a stand-in at check points: rows in the order of `SampledErrors`, and relative as it says."""
 
-    load: Array
-    moment: Array
-    stiffness: Array
-    max_pressure: Array
-    max_half_width: Array
-    strip_loads: Array
+    relative: Array
 
     @classmethod
     def of(cls, shape: Shape, tables: Tables, stations: Array, samples: Samples) -> Misses:
@@ -77,19 +72,21 @@ class Misses:
             (found[:, 5] - solid[:, 0, 1]) / stiffness / half,
             (found[:, 6] - solid[:, 1, 1]) / stiffness / half**2,
         ]
-        return cls(
+        relative = [
             np.abs(found[:, 2] - samples.load) / light,
             np.abs(found[:, 3] - samples.moment) / (light * half),
             np.abs(entries).max(axis=0),
             np.abs(found[:, 8] - samples.max_pressure) / _but_least(samples.max_pressure),
             np.abs(found[:, 9] - samples.max_half_width) / _but_least(samples.max_half_width),
             np.abs(strip_loads - samples.strip_loads).max(axis=1) / light,
-        )
+        ]
+        return cls(np.array(relative))
 
     @property
     def combined(self) -> Array:
         """The larger error of load and moment, shape (points,)."""
-        return np.maximum(self.load, self.moment)
+        combined: Array = self.relative[:2].max(axis=0)
+        return combined
 
     @property
     def worst(self) -> float:
@@ -103,8 +100,7 @@ class Misses:
 
     def sampled(self) -> SampledErrors:
         """Return the largest of each, times `SAFETY`."""
-        found = {name: SAFETY * float(values.max()) for name, values in vars(self).items()}
-        return SampledErrors(**found, points=self.load.size)
+        return SampledErrors(*(SAFETY * self.relative.max(axis=1)).tolist(), points=self.relative.shape[1])  # type: ignore[misc]
 
 
 def _but_least(values: Array) -> Array:

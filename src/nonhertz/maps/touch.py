@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.model.contact import Contact
+from nonhertz.result.penetration import deepest
 
 Array = NDArray[np.float64]
 
 _SAMPLES = 4001
-_ROUNDS, _FINER = 4, 41  # each round searches two steps to both sides on 41 points
 # Of the whole way that the touch moves: more within a small tilt means a straight length tips over between its ends.
 _TIPPING = 0.2
 _FINE_TILTS = 2001
@@ -42,24 +42,9 @@ class Relief:
         known = np.isfinite(separation)
         return cls(contact, y[known], separation[known])
 
-    def touched(self, tilt: Array) -> tuple[Array, Array]:
-        """Return the approach of first touch [mm] and where it is [mm] at each tilt [rad]."""
-        found = np.array([self._touched(each) for each in tilt.tolist()])
-        return found[:, 0], found[:, 1]
-
-    def _touched(self, tilt: float) -> tuple[float, float]:
-        gap = self.separation - tilt * self.y
-        at = int(gap.argmin())
-        best, place = float(gap[at]), float(self.y[at])
-        low, high = self.y[max(at - 1, 0)], self.y[min(at + 1, self.y.size - 1)]
-        for _ in range(_ROUNDS):
-            y = np.linspace(low, high, _FINER)
-            gap = self.contact.separation(y) - tilt * y
-            at = int(gap.argmin())
-            if gap[at] < best:
-                best, place = float(gap[at]), float(y[at])
-            low, high = y[max(at - 1, 0)], y[min(at + 1, y.size - 1)]
-        return best, place
+    def touched(self, tilt: Array) -> Array:
+        """Return the approach of first touch [mm] at each tilt [rad]."""
+        return -deepest(self.contact.separation, self.y, np.column_stack([np.zeros(tilt.size), tilt]))
 
     def tipping(self, low: float, high: float) -> tuple[float, float, float]:
         """Return the tilt at which the touch moves fastest, how far it moves there, and within which tilt.
@@ -75,8 +60,7 @@ class Relief:
             The tilt [rad], the length [mm], zero where the touch moves evenly, and the width [rad].
         """
         tilts = np.linspace(low, high, _FINE_TILTS)
-        at = [int((self.separation - tilt * self.y).argmin()) for tilt in tilts.tolist()]
-        places = self.y[at]
+        places = np.array([self._nearest(tilt) for tilt in tilts.tolist()])
         moved = np.diff(places)
         whole = float(places[-1] - places[0])
         fastest = int(moved.argmax())
@@ -87,9 +71,12 @@ class Relief:
         left, right = tilts[fastest], tilts[fastest + 1]
         for _ in range(30):
             middle = 0.5 * (left + right)
-            place = self.y[int((self.separation - middle * self.y).argmin())]
-            if place - places[fastest] > 0.5 * moved[fastest]:
+            if self._nearest(middle) - places[fastest] > 0.5 * moved[fastest]:
                 right = middle
             else:
                 left = middle
         return float(0.5 * (left + right)), float(moved[fastest]), float(step)
+
+    def _nearest(self, tilt: float) -> float:
+        """Return the sampled place [mm] that touches first at a tilt [rad]."""
+        return float(self.y[int((self.separation - tilt * self.y).argmin())])

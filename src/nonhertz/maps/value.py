@@ -33,6 +33,14 @@ COLUMNS = (
 )  # fmt: skip
 ROWS, TILTS = 41, 21
 _TILT_ROUNDING = 1e-12  # of the range
+_OF = {
+    "load": "of the load",
+    "moment": "of load times half-length",
+    "stiffness": "of the stiffness",
+    "max_pressure": "of the maximum pressure",
+    "max_half_width": "of the half-width",
+    "strip_loads": "of the load on each of {strips} strips",
+}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -124,21 +132,21 @@ class ContactMap(ReadOnly):
         error = self.sampled_error
         pressed = (newton if self.given == "load" else um)(*self.pressed, between=" to ")
         tilts = mrad(*self.tilt_range, between=" to ")
+        failures = f"; {self.failed} had no solution" if self.failed else ""
+        errors = ", ".join(" ".join(each) for each in self.errors_in_words)
         said = [
             self.description,
             f"{self.given} {pressed:.4g}, tilt {tilts:.4g}, loads up to {newton(self.max_load)}",
-            f"built from {self.cases} cases{self._failures()}",
-            f"largest of {error.points} sampled errors, times {SAFETY:g}, not a bound: "
-            f"{in_share(error.load)} of the load, {in_share(error.moment)} of load times half-length, "
-            f"{in_share(error.stiffness)} of the stiffness, "
-            f"{in_share(error.max_pressure)} of the maximum pressure, "
-            f"{in_share(error.max_half_width)} of the half-width, "
-            f"{in_share(error.strip_loads)} of the load on each of {self.stations.size - 1} strips",
+            f"built from {self.cases} cases{failures}",
+            f"largest of {error.points} sampled errors, times {SAFETY:g}, not a bound: {errors}",
         ]
         return plain_text("ContactMap", said)
 
-    def _failures(self) -> str:
-        return f"; {self.failed} had no solution" if self.failed else ""
+    @property
+    def errors_in_words(self) -> list[tuple[str, str]]:
+        """Each sampled error, and what it is relative to."""
+        strips = self.stations.size - 1
+        return [(in_share(getattr(self.sampled_error, name)), of.format(strips=strips)) for name, of in _OF.items()]
 
     @property
     def max_load(self) -> float:
@@ -154,12 +162,8 @@ class ContactMap(ReadOnly):
     def tables(self) -> Tables:
         """What compiled code needs: an argument of `nonhertz.maps.pressed`, `loaded` and `pressures`."""
         numba_for_us()  # who asks for these may be about to compile a function that calls ours
-        return tables(self.numbers, self._borders, self.mean_approach, self.others)
-
-    @property
-    def _borders(self) -> tuple[Array, Array]:
         count = self.breaks.size - int(self.numbers[-1]) - 1
-        return self.breaks[:count], self.breaks[count:]
+        return tables(self.numbers, (self.breaks[:count], self.breaks[count:]), self.mean_approach, self.others)
 
     def at(self, *, approach: ArrayLike, tilt: ArrayLike = 0.0) -> MapPoint:
         """Return load, moment, stiffness and the rest at approaches and tilts.

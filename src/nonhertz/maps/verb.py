@@ -12,7 +12,7 @@ from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.findings import finding, warn
 from nonhertz.inputs.checks import callback, finite, number_that, numbers, thread_count, whole
-from nonhertz.maps.build import FIRST_CELLS, Building, Built, built
+from nonhertz.maps.build import FIRST_CELLS, Building, built
 from nonhertz.maps.fitting import Shape
 from nonhertz.maps.touch import Relief
 from nonhertz.maps.value import ContactMap
@@ -104,29 +104,31 @@ def contact_map(
     4000.0
     """
     callback("announce", announce)
-    building = _building(contact, element, threads, accuracy, checks)
+    if not isinstance(contact, Contact):
+        raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
+    thread_count(threads)
+    _relative_error("accuracy", accuracy, "1e-4 suits most uses")
+    checks = whole("checks", checks, FEWEST_CHECKS, MOST_CHECKS, "300 suit most uses")
+    building = Building(contact, element_of(element), threads, np.empty(0), checks)
     by_load, pressed = _pressed(contact, load, approach)
     max_load, relief, rise = _extent(building, by_load, pressed, tilts := _tilts(tilt))
     ends = float(relief.y[0]), float(relief.y[-1])
     building = replace(building, stations=_stations(stations, ends))
     shape = _shape(relief, max_load, rise, tilts)
     found = built(building, shape, relief, accuracy, announce or (lambda _: None))
-    reached = max(found.sampled_error.load, found.sampled_error.moment)
+    reached = max(found["sampled_error"].load, found["sampled_error"].moment)
     if reached > accuracy:
         words = "The map is accurate to {reached:.2g}, not to the requested {accuracy:g}; see its sampled_error."
         warn([finding("inaccurate-map", words, reached=reached, accuracy=accuracy)])
-    return _made(building, found, ("load" if by_load else "approach", pressed), accuracy)
-
-
-def _building(contact: Contact, element: Element | str, threads: int | None, accuracy: float, checks: int) -> Building:
-    """Return what a map is built of, checked, without stations."""
-    if not isinstance(contact, Contact):
-        raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
-    element = element_of(element)
-    thread_count(threads)
-    _relative_error("accuracy", accuracy, "1e-4 suits most uses")
-    checks = whole("checks", checks, FEWEST_CHECKS, MOST_CHECKS, "300 suit most uses")
-    return Building(contact, element, threads, np.empty(0), checks)
+    bodies = f"{brief.body_line(contact.a)} against {brief.body_line(contact.b)}"
+    return ContactMap(
+        description=f"{bodies}, {building.element.name} strips",
+        given="load" if by_load else "approach",
+        pressed=pressed,
+        stations=building.stations,
+        accuracy=float(accuracy),
+        **found,
+    )
 
 
 def _pressed(contact: Contact, load: Range | None, approach: Range | None) -> tuple[bool, Range]:
@@ -202,8 +204,7 @@ def _extent(building: Building, by_load: bool, pressed: Range, tilts: Range) -> 
     outermost = min(float(each[0]) for each in edges), max(float(each[-1]) for each in edges)
     ends = low if np.isfinite(low) else outermost[0], high if np.isfinite(high) else outermost[1]
     relief = Relief.between(building.contact, *ends)
-    first, _ = relief.touched(tilt[good])
-    return max_load, relief, float(np.median(found.approach[good] - first))
+    return max_load, relief, float(np.median(found.approach[good] - relief.touched(tilt[good])))
 
 
 def _shape(relief: Relief, max_load: float, rise: float, tilts: Range) -> Shape:
@@ -215,27 +216,5 @@ def _shape(relief: Relief, max_load: float, rise: float, tilts: Range) -> Shape:
     # A single tilt has a range only for the derivatives: one cell averages their scatter.
     cells = FIRST_CELLS if tilts[1] - tilts[0] > 2.0 * _SINGLE else (FIRST_CELLS[0], 1)
     numbers_of_shape = np.array([max_load, *tilts, centre, narrow, widening, rise, relief.y[0], relief.y[-1]])
-    return Shape(
-        numbers_of_shape, np.linspace(0.0, 1.0, cells[0] + 1), np.linspace(0.0, 1.0, cells[1] + 1),
-        0.5 * float(relief.y[-1] - relief.y[0]),
-    )  # fmt: skip
-
-
-def _made(building: Building, found: Built, given: tuple[str, Range], accuracy: float) -> ContactMap:
-    contact = building.contact
-    bodies = f"{brief.body_line(contact.a)} against {brief.body_line(contact.b)}"
-    return ContactMap(
-        description=f"{bodies}, {building.element.name} strips",
-        given=given[0],
-        pressed=given[1],
-        numbers=found.shape.counted,
-        breaks=np.concatenate(found.shape.breaks),
-        mean_approach=found.mean_approach,
-        others=found.others,
-        stations=building.stations,
-        half_length=found.shape.half_length,
-        accuracy=float(accuracy),
-        sampled_error=found.sampled_error,
-        cases=found.cases,
-        failed=found.failed,
-    )
+    breaks = np.linspace(0.0, 1.0, cells[0] + 1), np.linspace(0.0, 1.0, cells[1] + 1)
+    return Shape(numbers_of_shape, breaks, 0.5 * float(relief.y[-1] - relief.y[0]))
