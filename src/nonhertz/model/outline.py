@@ -55,8 +55,8 @@ class Outline:
     @property
     def symmetric(self) -> bool:
         """Whether it is its own mirror image about the middle."""
-        z, outer, inner = (np.array(each) for each in (self.z, self.outer, self.inner))
-        return bool(np.all(z == -z[::-1]) and np.all(outer == outer[::-1]) and np.all(inner == inner[::-1]))
+        z, *radii = self._points
+        return bool(np.all(z == -z[::-1]) and all(np.all(each == each[::-1]) for each in radii))
 
     @property
     def bored(self) -> bool:
@@ -71,26 +71,33 @@ class Outline:
     @property
     def steepest(self) -> float:
         """The largest slope of the surface."""
-        return float(np.max(np.abs(np.diff(self.outer) / np.diff(self.z))))
+        return float(np.max(np.abs(self._slopes[0])))
 
     @cached_property
     def kinks(self) -> tuple[float, ...]:
         """Axial positions of corners of the outline, but for the side faces."""
-        slopes = np.array([np.diff(radius) / np.diff(self.z) for radius in (self.outer, self.inner)])
-        sharp = np.any(np.abs(np.diff(slopes, axis=1)) > _KINK, axis=0)
+        sharp = np.any(np.abs(np.diff(self._slopes, axis=1)) > _KINK, axis=0)
         return tuple(place for place, is_sharp in zip(self.z[1:-1], sharp, strict=True) if is_sharp)
 
     def radii(self, z: Array) -> tuple[Array, Array]:
         """Return the radii of surface and bore at places."""
-        outer: Array = np.interp(z, self.z, self.outer)
-        inner: Array = np.interp(z, self.z, self.inner)
-        return outer, inner
+        points, outer, inner = self._points
+        return np.interp(z, points, outer), np.interp(z, points, inner)
+
+    @cached_property
+    def _points(self) -> Array:
+        return np.array([self.z, self.outer, self.inner])
+
+    @cached_property
+    def _slopes(self) -> Array:
+        points, *radii = self._points
+        slopes: Array = np.diff(radii, axis=1) / np.diff(points)
+        return slopes
 
     def slopes(self, z: Array) -> tuple[Array, Array]:
         """Return how both radii change along the axis at places between the points."""
-        at = np.clip(np.searchsorted(self.z, z) - 1, 0, len(self.z) - 2)
-        outer, inner = (np.diff(radius) / np.diff(self.z) for radius in (self.outer, self.inner))
-        return outer[at], inner[at]
+        at = np.clip(np.searchsorted(self._points[0], z) - 1, 0, len(self.z) - 2)
+        return self._slopes[0, at], self._slopes[1, at]
 
     def cosines(self, z: Array) -> Array:
         """Return the cosine of the angle between surface and axis at places between the points."""

@@ -69,8 +69,13 @@ def ends_of(problem: Problem, states: States) -> Ends:
     cases = states.status.size
     kinds, y = np.full((cases, 2), RUN_OUT), contact_ends(states)
     width, weight, exponent, correction = (np.zeros((cases, 2)) for _ in range(4))
+    # Where undeformed bodies do not overlap at the end of the strips, they cannot touch there: the last strip may be
+    # wider than the remainder of a contact that runs out close to the end.
+    last = states.edges[:, [0, -1]]
+    separation = problem.model.separation(last.ravel()).reshape(last.shape)
+    overlapping = states.rigid[:, :1] + states.rigid[:, 1:] * last > separation
     for column, side in enumerate((-1, 1)):
-        there = reaching(states, side) & pressed(problem, states.edges, states.rigid, side)
+        there = reaching(states, side) & overlapping[:, column]
         for row in states.rows(there):
             here = there & (states.shared | (np.arange(cases) == row))
             end = _body_end(problem, states.strips(row), side)
@@ -133,27 +138,6 @@ def centre_pressure(problem: Problem, state: States) -> Array:
         2.0 * state.scaled_pressure / (np.pi * problem.model.element.hertz_ratio * problem.contact.compliance)
     )
     return pressure
-
-
-def pressed(problem: Problem, edges: Array, rigid: Array, side: int) -> Flags:
-    """Return whether the undeformed bodies overlap at the end of the strips, without which they cannot touch there.
-
-    The last strip alone does not tell: it may be wider than the remainder of a contact that runs out close to the end.
-
-    Parameters
-    ----------
-    problem : Problem
-        The problem solved.
-    edges : ndarray, shape (n + 1,) or (cases, n + 1) or (1, n + 1)
-        Edges of the strips [mm].
-    rigid : ndarray, shape (2,) or (cases, 2)
-        Approach and tilt [mm, rad].
-    side : int
-        -1 at the low, 1 at the high end.
-    """
-    place = np.atleast_1d(edges[..., -1 if side > 0 else 0])
-    overlap: Flags = rigid[..., 0] + rigid[..., 1] * place > problem.model.separation(place)
-    return overlap if rigid.ndim > 1 else overlap[0]
 
 
 def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[float, float]:
