@@ -26,7 +26,7 @@ test: $(READY)
 
 # The tests that take seconds each, which `make test` leaves out.
 test-slow: $(READY)
-	$(BIN)/python -m pytest -n auto --dist loadgroup -m slow
+	$(BIN)/python -m pytest -n auto --dist loadfile -m slow
 
 # The same tests in other orders, one for each number.
 test-orders: $(READY)
@@ -52,7 +52,7 @@ mutants: $(READY)
 	$(BIN)/python tests/mutation/run.py $(MUTANTS) --out out/mutants
 
 campaign: $(READY)
-	$(BIN)/python -m pytest -n auto --dist loadgroup -rP -m campaign tests
+	$(BIN)/python -m pytest -n auto --dist loadfile -rP -m campaign tests
 
 # Many hours of one core: the campaigns whole, 100,000 contacts with mirror images, scaled twins and batches among them.
 campaign-all: $(READY)

@@ -68,9 +68,6 @@ def test_a_plan_that_has_changed_is_refused(folder, run):
     )
 
 
-together = pytest.mark.xdist_group("sweep")  # by one worker, that what is whole is swept once
-
-
 def command(*words: str) -> list[str]:
     over = ["--over", "load.load=1kN:30kN:40", "load.tilt=-1mrad:1mrad:41", "--quantities", "approach", "max_pressure"]
     return [sys.executable, "-m", "nonhertz", "sweep", "roller.toml", *over, *words]
@@ -104,7 +101,6 @@ def whole(tmp_path_factory):
 
 
 @pytest.mark.slow
-@together
 def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder, whole):
     store, seed, there = folder / "killed" / "rows.sqlite3", random.Random(5), [0]
     for kill in range(12):
@@ -152,7 +148,6 @@ def worker(address: str) -> subprocess.Popen[bytes]:
 
 
 @pytest.mark.slow
-@together
 def test_on_a_cluster_a_worker_may_be_killed_and_another_added(folder, cluster, whole):
     address, workers = cluster
     running = subprocess.Popen(command("--out", "spread", "--scheduler", address), stdout=subprocess.DEVNULL)

@@ -28,7 +28,6 @@ from nonhertz.show.analysis import assessed, largest_stresses, models_for, solve
 from nonhertz.show.lives import sections as life_sections
 from nonhertz.show.sections import Section, Table
 
-pytestmark = pytest.mark.xdist_group("units")  # by one worker, that what is read in both units is computed once
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASE = EXAMPLES / "roller-15x20.toml"
 PINT = pint.UnitRegistry()

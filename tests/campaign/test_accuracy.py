@@ -17,7 +17,6 @@ from rollers import cornered_case, roller_case, whole_roller_case
 import nonhertz as nh
 
 CASES, SOME = 300, 70
-pytestmark = pytest.mark.xdist_group("accuracy")  # what is solved takes both cores: once, not in every worker
 ASKED = (1e-3, 1e-4, 1e-5)
 TRUE, LEAST = 3e-6, 0.1  # the accuracy of the truth, and of errors too small to be judged by it, of what is asked for
 # The least shares of rollers whose error is what was asked for, and is what was stated; the same of the maximum.

@@ -57,11 +57,6 @@ def pytest_sessionfinish() -> None:
         tracer.save()
 
 
-def pytest_configure(config: pytest.Config) -> None:
-    """Know the marker of the plugin that is left out: an unknown one is an error, and the file would have no tests."""
-    config.addinivalue_line("markers", "xdist_group(name): ")
-
-
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Keep the tests in the list, in its order."""

@@ -13,10 +13,7 @@ from nonhertz.errors import InputError
 from nonhertz.life import VolumeModel, exposure, lundberg_palmgren, model, overrolled, weibull, zaretsky
 
 # Coarse cells say what they miss; how far the results depend on them is tested here.
-pytestmark = [
-    pytest.mark.filterwarnings("ignore::nonhertz.errors.AccuracyWarning"),
-    pytest.mark.xdist_group("overrolling"),  # by one worker, that what they share is solved once
-]
+pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.errors.AccuracyWarning")
 
 DENT = nh.patch.Dent(y=0.0, depth=0.002, diameter=0.3, shoulder=0.0005)
 COARSE = 0.02  # mm, a cell
