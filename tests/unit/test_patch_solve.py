@@ -20,48 +20,83 @@ STRAIGHT = nh.Contact(nh.Roller(diameter=20, length=20, **HALF_SPACE), nh.Plate(
 SMALL = (32, 64)
 
 
+BODIES_AS_THEY_COME = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000)), nh.Plate())
+REGION = ((-0.3, 0.3), (-5.0, 5.0))
+
+
 @pytest.fixture(scope="module")
 def solution():
     return nh.patch.solve(CROWNED, load=3e3, tilt=2e-4, cells=SMALL)
 
 
-# Input
+def flat(x, y):
+    return 0.0 * x * y
 
 
-@pytest.mark.parametrize(
-    ("values", "sentence"),
-    [
-        ({"load": 1e3, "approach": 0.01}, "approach = 0.01 must not be given together with load"),
-        ({"load": 1e3, "moment": 1.1e4}, "moment = 11000.0 must keep moment / load between -10 and 10 mm"),
-        ({"load": 1e3, "cells": (64, 3)}, "cells = (64, 3) must be whole numbers of at least 4"),
-        ({"load": 1e3, "cells": (10**7, 10**7)}, "cells = (10000000, 10000000) must need less than"),
-        ({"load": 1e3, "region": (1.0, 2.0)}, "region = (1.0, 2.0) must be two pairs of ends"),
-        ({"load": 1e3, "region": ((0.0, 1.0), (11.0, 12.0))}, "region = ((0.0, 1.0), (11.0, 12.0)) must ascend"),
-        ({"load": 1000.0, "region": ((0.0, math.nan), (0.0, 1.0))}, "region = ((0.0, nan), (0.0, 1.0)) must be finite"),
-        ({"load": 1e3, "features": [Dent]}, "features[0] = <class 'nonhertz.patch.features.Dent'> must be callable"),
-        ({"load": 1e3, "features": [math.sin]}, "features[0] = <built-in function sin> must be callable with x and y"),
-    ],
-    ids=str,
-)
-def test_what_is_refused(values, sentence):
+def everywhere(value):
+    return lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), value)
+
+
+REFUSED = [
+    (CROWNED, {"load": 1e3, "approach": 0.01}, "approach = 0.01 must not be given together with load"),
+    (CROWNED, {"load": 1e3, "moment": 1.1e4}, "moment = 11000.0 must keep moment / load between -10 and 10 mm"),
+    (CROWNED, {"load": 1e3, "cells": (64, 3)}, "cells = (64, 3) must be whole numbers of at least 4"),
+    (CROWNED, {"load": 1e3, "cells": (10**7, 10**7)}, "cells = (10000000, 10000000) must need less than"),
+    (CROWNED, {"load": 1e3, "region": (1.0, 2.0)}, "region = (1.0, 2.0) must be two pairs of ends"),
+    (CROWNED, {"load": 1e3, "region": ((0.0, 1.0), (11.0, 12.0))}, "region = ((0.0, 1.0), (11.0, 12.0)) must ascend"),
+    (
+        CROWNED,
+        {"load": 1e3, "region": ((0.0, math.nan), (0.0, 1.0))},
+        "region = ((0.0, nan), (0.0, 1.0)) must be finite",
+    ),
+    (
+        CROWNED,
+        {"load": 1e3, "features": [Dent]},
+        "features[0] = <class 'nonhertz.patch.features.Dent'> must be callable",
+    ),
+    (CROWNED, {"load": 1e3, "features": [math.sin]}, "features[0] = <built-in function sin> must be callable with x"),
+    # A gap that is none.
+    (CROWNED, {"load": 1e3, "gap": everywhere(math.nan)}, "must return a number everywhere"),
+    (CROWNED, {"load": 1e3, "gap": everywhere(math.inf)}, "must be finite somewhere"),
+    (CROWNED, {"load": 1e3, "gap": lambda x, y: np.zeros((2, 3))}, "must return the broadcast shape"),
+    (CROWNED, {"load": 1e3, "gap": lambda x, y: (x > 0.0) | (y > 0.0)}, "must return real numbers, not bool"),
+    (CROWNED, {"load": 1e3, "gap": lambda x, y: None}, "must return real numbers"),
+    # Nothing touches. y^2 / 2000 - 0.002 y is least at y = 2, by 0.002.
+    *(
+        (contact, {"approach": approach, **more}, f"approach = {approach} must exceed 0 mm, where the bodies begin")
+        for contact, more in ((BODIES_AS_THEY_COME, {}), (CROWNED, {"moment": 0.0}), (CROWNED, {"region": REGION}))
+        for approach in (-1.0, 0.0)
+    ),
+    (BODIES_AS_THEY_COME, {"approach": -0.01, "tilt": 2e-3}, "approach = -0.01 must exceed -0.002 mm"),
+    (BODIES_AS_THEY_COME, {"approach": 1e-3, "features": lambda x, y: 3e-3}, "approach = 0.001 must exceed 0.003 mm"),
+    (
+        CROWNED,
+        {"approach": 1e-6, "cells": (8, 8), "region": ((-1.0, 1.0), (-9.0, 9.0))},
+        "put the centre of a cell",
+    ),
+    (
+        CROWNED,
+        {"load": 3e3, "moment": 1.5e4, "cells": (24, 32), "region": ((-0.3, 0.3), (-1.0, 1.0))},
+        "moment = 15000.0 must keep moment / load = 5 mm between -0.96875 and",
+    ),
+    # A body thinner than its contact, and contacts that nothing ends.
+    (BODIES_AS_THEY_COME, {"load": 1e9}, "must leave the half-width, about"),
+    (BODIES_AS_THEY_COME, {"approach": 100.0}, "must leave the half-width, about"),
+    (BODIES_AS_THEY_COME, {"load": 3e3, "gap": flat}, "below the 20 mm of body a"),
+    (nh.Contact(nh.Body(diameter=10), nh.Plate()), {"load": 100.0}, "length = None must be given where nothing"),
+    (CROWNED, {"load": 1e300}, "load = 1e+300 must not exceed 3.6e+10 kN for bodies of this size and stiffness"),
+    (CROWNED, {"load": 1e13}, "load = 10000000000000.0 must keep the contact narrower than 30 radii"),
+    (CROWNED, {"approach": 1e6}, "approach = 1000000.0 must keep the contact narrower than 30 radii"),
+    (CROWNED, {"load": 3e3, "gap": flat}, "must rise away from the contact"),
+    (CROWNED, {"load": 3e3, "gap": lambda x, y: y**2 - x**2}, "must rise away from the contact"),
+]
+
+
+@pytest.mark.parametrize(("contact", "given", "sentence"), REFUSED, ids=range(len(REFUSED)))
+def test_what_is_refused(contact, given, sentence):
     with pytest.raises(nh.InputError) as caught:
-        nh.patch.solve(CROWNED, **values)
-    assert str(caught.value).startswith(sentence)
-
-
-@pytest.mark.parametrize(
-    ("gap", "condition"),
-    [
-        (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.nan), "return a number everywhere"),
-        (lambda x, y: np.full(np.broadcast_shapes(x.shape, y.shape), math.inf), "be finite somewhere"),
-        (lambda x, y: np.zeros((2, 3)), "return the broadcast shape"),
-        (lambda x, y: (x > 0.0) | (y > 0.0), "return real numbers, not bool"),
-        (lambda x, y: None, "return real numbers"),
-    ],
-)
-def test_a_gap_that_is_none_is_refused(gap, condition):
-    with pytest.raises(nh.InputError, match=condition):
-        nh.patch.solve(CROWNED, load=1e3, gap=gap, cells=SMALL)
+        nh.patch.solve(contact, **{"cells": SMALL, **given})
+    assert sentence in str(caught.value)
 
 
 def test_a_wrong_return_is_said_of_the_function_that_made_it():
@@ -70,8 +105,7 @@ def test_a_wrong_return_is_said_of_the_function_that_made_it():
 
     with pytest.raises(nh.InputError) as caught:
         nh.patch.solve(CROWNED, load=1e3, features=[Dent(depth=0.001, diameter=3.0), wrong], cells=SMALL)
-    assert caught.value.field == "features[1]"
-    assert caught.value.value is wrong
+    assert (caught.value.field, caught.value.value) == ("features[1]", wrong)
 
 
 def test_a_feature_that_works_in_place_cannot_move_the_cells():
@@ -83,46 +117,21 @@ def test_a_feature_that_works_in_place_cannot_move_the_cells():
         nh.patch.solve(CROWNED, load=3e3, features=[careless], cells=SMALL)
 
 
-# First touch
+# Where the contact is
 
 
-BODIES_AS_THEY_COME = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000)), nh.Plate())
-
-
-@pytest.mark.parametrize(
-    ("contact", "more"),
-    [(BODIES_AS_THEY_COME, {}), (CROWNED, {"moment": 0.0}), (CROWNED, {"region": ((-0.3, 0.3), (-5.0, 5.0))})],
-)
-@pytest.mark.parametrize("approach", [-1.0, 0.0])
-def test_an_approach_at_which_nothing_touches_is_refused(contact, more, approach):
-    with pytest.raises(nh.InputError, match=f"approach = {approach} must exceed 0 mm, where the bodies begin to touch"):
-        nh.patch.solve(contact, approach=approach, cells=SMALL, **more)
-
-
-def test_where_bodies_begin_to_touch_counts_tilt_and_features():
-    # y^2 / 2000 - 0.002 y is least at y = 2, by 0.002.
-    with pytest.raises(nh.InputError, match=r"approach = -0\.01 must exceed -0\.002 mm"):
-        nh.patch.solve(BODIES_AS_THEY_COME, approach=-0.01, tilt=2e-3, cells=SMALL)
-    with pytest.raises(nh.InputError, match=r"approach = 0\.001 must exceed 0\.003 mm"):
-        nh.patch.solve(BODIES_AS_THEY_COME, approach=0.001, features=lambda x, y: 0.003, cells=SMALL)
+def test_bodies_that_only_touch_where_they_are_tilted_do():
     assert nh.patch.solve(BODIES_AS_THEY_COME, approach=-0.0019, tilt=2e-3, cells=SMALL).load > 0.0
 
 
-@pytest.mark.parametrize("crown", [10.0, 1000.0])
-@pytest.mark.parametrize("approach", [1e-9, 1e-6, 3e-4])
+@pytest.mark.parametrize(("crown", "approach"), [(10.0, 1e-9), (1000.0, 1e-6), (1000.0, 3e-4)])
 def test_a_light_contact_by_approach_is_hertz(crown, approach):
     # Faces and a depth do 0.9 % at most, cells 1e-3.
     for given, rtol in (({}, 1.5e-2), (HALF_SPACE, 3e-3)):
         roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(crown), **given)
         contact = nh.Contact(roller, nh.Plate())
         exact = nh.hertz.point_contact(approach=approach, radius_x=10, radius_y=crown, compliance=contact.compliance)
-        found = nh.patch.solve(contact, approach=approach, cells=SMALL)
-        np.testing.assert_allclose(found.load, exact.load, rtol=rtol, atol=0.0)
-
-
-def test_cells_that_miss_the_contact_are_refused():
-    with pytest.raises(nh.InputError, match="put the centre of a cell inside the contact"):
-        nh.patch.solve(CROWNED, approach=1e-6, cells=(8, 8), region=((-1.0, 1.0), (-9.0, 9.0)))
+        assert nh.patch.solve(contact, approach=approach, cells=SMALL).load == pytest.approx(exact.load, rel=rtol)
 
 
 @pytest.mark.filterwarnings("ignore:Between the centres of cells", "ignore:The estimated error of the largest")
@@ -142,42 +151,6 @@ def test_a_bump_within_two_cells_of_the_region_is_found(cells_away):
         cells=(32, 32),
     )
     assert without.y[-1] < place < found.y[-1]
-
-
-@pytest.mark.parametrize("given", [{"load": 1e9}, {"approach": 100.0}, {"load": 3e3, "gap": lambda x, y: 0.0 * x * y}])
-def test_a_body_thinner_than_its_contact_is_refused(given):
-    with pytest.raises(nh.InputError, match=r"= \S+ must leave the half-width, .* below the 20 mm of body a"):
-        nh.patch.solve(BODIES_AS_THEY_COME, cells=SMALL, **given)
-
-
-def test_a_moment_beyond_the_outer_cells_is_refused():
-    with pytest.raises(nh.InputError, match=r"moment = 15000\.0 must keep moment / load = 5 mm between -0\.96875 and"):
-        nh.patch.solve(CROWNED, load=3e3, moment=1.5e4, cells=(24, 32), region=((-0.3, 0.3), (-1.0, 1.0)))
-
-
-@pytest.mark.parametrize(
-    ("contact", "given", "sentence"),
-    [
-        (nh.Contact(nh.Body(diameter=10), nh.Plate()), {"load": 100.0}, "length = None must be given where nothing"),
-        (CROWNED, {"load": 1e300}, "load = 1e+300 must not exceed 3.6e+10 kN for bodies of this size and stiffness"),
-        (
-            CROWNED,
-            {"load": 1e13},
-            "load = 10000000000000.0 must keep the contact narrower than 30 radii",
-        ),
-        (CROWNED, {"approach": 1e6}, "approach = 1000000.0 must keep the contact narrower than 30 radii"),
-        (CROWNED, {"load": 3e3, "gap": lambda x, y: 0.0 * x * y}, "gap = <function"),
-        (CROWNED, {"load": 3e3, "gap": lambda x, y: y**2 - x**2}, "gap = <function"),
-    ],
-    ids=["endless", "load", "wide", "approach", "flat", "concave"],
-)
-def test_a_contact_that_nothing_ends_is_refused(contact, given, sentence):
-    with pytest.raises(nh.InputError) as caught:
-        nh.patch.solve(contact, cells=SMALL, **given)
-    assert str(caught.value).startswith(sentence)
-
-
-# Other pieces
 
 
 def burr(x_at, y_at):
@@ -212,13 +185,12 @@ def test_three_rails_bear_alike():
     np.testing.assert_allclose(share[0], share[2], rtol=1e-6)
 
 
-@pytest.mark.parametrize("load", [100.0, 3e3, 30e3])
-def test_nothing_is_said_of_other_pieces_where_there_are_none(load):
-    for contact in (CROWNED, BODIES_AS_THEY_COME):
-        found = nh.patch.solve(contact, load=load, tilt=3e-4, cells=SMALL)
-        half = 0.5 * found.dx, 0.5 * found.dy
-        ends = [(each[0] - more, each[-1] + more) for each, more in zip((found.x, found.y), half, strict=True)]
-        assert nh.patch.solve(contact, load=load, tilt=3e-4, cells=SMALL, region=tuple(ends)).warnings == found.warnings
+@pytest.mark.parametrize("contact", [CROWNED, BODIES_AS_THEY_COME])
+def test_nothing_is_said_of_other_pieces_where_there_are_none(contact):
+    found = nh.patch.solve(contact, load=3e3, tilt=3e-4, cells=SMALL)
+    half = 0.5 * found.dx, 0.5 * found.dy
+    ends = [(each[0] - more, each[-1] + more) for each, more in zip((found.x, found.y), half, strict=True)]
+    assert nh.patch.solve(contact, load=3e3, tilt=3e-4, cells=SMALL, region=tuple(ends)).warnings == found.warnings
 
 
 def test_an_infinite_gap_keeps_cells_out():
@@ -258,24 +230,19 @@ def test_features_add_up():
 # Solution
 
 
-def test_it_says_how_it_ended(solution):
+def test_it_says_how_it_ended_and_what_its_pressures_bear(solution):
     assert isinstance(solution, PatchSolution)
     assert solution.status is nh.Status.CONVERGED
     assert solution.residual <= 1e-8
     assert 0 < solution.iterations < 60
     assert solution.warnings == ()
-    assert solution.cells == solution.pressure.shape == solution.gap.shape == solution.footprint.shape == SMALL
-    assert solution.line_load.shape == solution.half_width.shape == solution.centre_pressure.shape == SMALL[1:]
-    np.testing.assert_allclose(np.diff(solution.x), solution.dx, rtol=1e-12, atol=0.0)
-    np.testing.assert_allclose(np.diff(solution.y), solution.dy, rtol=1e-12, atol=0.0)
-
-
-def test_sums_of_the_pressure(solution):
-    area = solution.dx * solution.dy
+    assert solution.cells == solution.gap.shape == solution.footprint.shape == SMALL
+    assert solution.half_width.shape == solution.centre_pressure.shape == SMALL[1:]
+    steps = np.concatenate([np.diff(solution.x) / solution.dx, np.diff(solution.y) / solution.dy])
+    np.testing.assert_allclose(steps, 1.0, rtol=1e-12)
     # Rounding of sums in another order.
-    np.testing.assert_allclose(solution.load, solution.pressure.sum() * area, rtol=1e-12, atol=0.0)
     np.testing.assert_allclose(solution.line_load.sum() * solution.dy, solution.load, rtol=1e-12, atol=0.0)
-    np.testing.assert_allclose(solution.moment, (solution.pressure @ solution.y).sum() * area, rtol=1e-12, atol=0.0)
+    area = solution.dx * solution.dy
     np.testing.assert_allclose(solution.contact_area, area * (solution.pressure > 0).sum(), rtol=1e-12, atol=0.0)
     at = solution.x == solution.max_pressure_x, solution.y == solution.max_pressure_y
     assert solution.pressure[at] == solution.max_pressure
@@ -320,7 +287,10 @@ def test_running_out_of_iterations_carries_the_state(monkeypatch):
 
 def test_a_contact_up_to_the_ends_has_them_on_edges_of_cells():
     solution = nh.patch.solve(STRAIGHT, load=5e3, cells=SMALL)
-    np.testing.assert_allclose(solution.y[[0, -1]] + [-0.5 * solution.dy, 0.5 * solution.dy], [-10.0, 10.0], rtol=1e-12)
+    beyond = nh.patch.solve(STRAIGHT, load=5e3, cells=SMALL, region=((-0.3, 0.3), (-30.0, 30.0)))
+    np.testing.assert_allclose(
+        [solution.edges[0], solution.edges[-1], beyond.edges[-1]], [-10.0, 10.0, 10.0], rtol=1e-12
+    )
     assert len(solution.warnings) == 2
     assert "sharp end at y = -10 mm" in solution.warnings[0]
     assert [end.y for end in solution.singular_ends] == [-10.0, 10.0]
@@ -359,11 +329,6 @@ def test_the_region_is_found_far_from_where_it_is_looked_for():
     np.testing.assert_allclose(found.approach, exact.approach, rtol=1e-3, atol=0.0)  # 40 cells across the circle
 
 
-def test_a_region_beyond_the_bodies_is_cut_off():
-    solution = nh.patch.solve(STRAIGHT, load=5e3, cells=SMALL, region=((-0.3, 0.3), (-30.0, 30.0)))
-    np.testing.assert_allclose(solution.y[-1] + 0.5 * solution.dy, 10.0, rtol=1e-12, atol=0.0)
-
-
 @pytest.mark.parametrize(
     ("region", "ends"),
     [
@@ -393,16 +358,15 @@ def test_thin_bodies_heavy_images_and_wide_contacts_are_warned_of():
     assert "The depth of body a is only" in said
 
 
-@pytest.mark.parametrize(
-    ("feature", "sentence"),
-    [
-        (Dent(depth=0.001, diameter=0.5), "The diameter of a dent of 0.5 mm is only"),
-        (Dent(depth=0.001, diameter=1.0, shoulder=1e-4, shoulder_diameter=1.2), "The shoulder of a dent of 0.1 mm is"),
-        (Waviness(amplitude=1e-4, wavelength=0.4, direction="along"), "The wavelength of 0.4 mm is only"),
-        (Waviness(amplitude=1e-4, wavelength=0.05), "The wavelength of 0.05 mm is only"),
-    ],
-    ids=str,
-)
+FEW_CELLS = [
+    (Dent(depth=0.001, diameter=0.5), "The diameter of a dent of 0.5 mm is only"),
+    (Dent(depth=0.001, diameter=1.0, shoulder=1e-4, shoulder_diameter=1.2), "The shoulder of a dent of 0.1 mm is"),
+    (Waviness(amplitude=1e-4, wavelength=0.4, direction="along"), "The wavelength of 0.4 mm is only"),
+    (Waviness(amplitude=1e-4, wavelength=0.05), "The wavelength of 0.05 mm is only"),
+]
+
+
+@pytest.mark.parametrize(("feature", "sentence"), FEW_CELLS, ids=str)
 def test_features_of_a_few_cells_are_warned_of(feature, sentence):
     with pytest.warns(nh.AccuracyWarning) as caught:
         nh.patch.solve(CROWNED, load=3e3, features=feature, cells=SMALL)
@@ -420,25 +384,21 @@ def test_waves_along_are_not_measured_across():
 # Memory
 
 
-def mirrored(**changes):
-    return nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), side_faces="mirror", **changes)
-
-
-BODIES = {
-    "half-spaces": CROWNED,
-    "faces": nh.Contact(mirrored(depth="none"), nh.Plate()),
-    "depth": nh.Contact(mirrored(), nh.Plate()),
-    "images": nh.Contact(mirrored(images=3), nh.Plate()),
-    "free": nh.Contact(nh.Roller(diameter=20, length=20, side_faces="free", depth="none"), nh.Plate()),
+MIRRORED = {"diameter": 20, "length": 20, "profile": nh.profile.crown(1000), "side_faces": "mirror"}
+TAKEN = {
+    "half-spaces": (CROWNED, (256, 256)),
+    "faces": (nh.Contact(nh.Roller(**MIRRORED, depth="none"), nh.Plate()), (96, 512)),
+    "depth": (nh.Contact(nh.Roller(**MIRRORED), nh.Plate()), (96, 512)),
+    "images": (nh.Contact(nh.Roller(**MIRRORED, images=3), nh.Plate()), (256, 256)),
+    "free": (nh.Contact(nh.Roller(diameter=20, length=20, side_faces="free", depth="none"), nh.Plate()), (256, 256)),
 }
 
 
 @pytest.mark.filterwarnings("ignore:The estimated error of the approach:nonhertz.AccuracyWarning")  # 16 x 16 cells
-@pytest.mark.parametrize("name", BODIES)
-@pytest.mark.parametrize("cells", [(256, 256), (96, 512)], ids=str)
+@pytest.mark.parametrize("name", TAKEN)
 @pytest.mark.slow
-def test_the_memory_foretold_is_what_is_taken(name, cells):
-    contact = BODIES[name]
+def test_the_memory_foretold_is_what_is_taken(name):
+    contact, cells = TAKEN[name]
     nh.patch.solve(contact, load=3e3, cells=(16, 16))  # so that compilers have had their share
     tracemalloc.start()
     solution = nh.patch.solve(contact, load=3e3, cells=cells, threads=1, tolerance=1e-4)

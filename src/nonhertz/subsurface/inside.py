@@ -103,13 +103,9 @@ class Inside:
             If ``name`` is neither body, or ``solution`` is not a solution.
         """
         kept = _KEPT.setdefault(checked_solution(solution), {})
-        if checked_body(name) not in kept:
-            load = next((each.load for each in kept.values()), None) or _load(solution)
-            kept[name] = cls._made(solution, name, load)
-        return kept[name]
-
-    @classmethod
-    def _made(cls, solution: Solved, name: BodyName, load: Load) -> Inside:
+        if checked_body(name) in kept:
+            return kept[name]
+        load = next((each.load for each in kept.values()), None) or _load(solution)
         which = BODIES.index(name)
         body = (solution.contact.a, solution.contact.b)[which]
         terms, reference = influence_within(solution.contact, solution.shape, which)
@@ -119,10 +115,8 @@ class Inside:
         pressed = solution.contact.compliance * solution.line_load
         faces = tuple(_faces(solution, body, load))
         wall = Wall.of(solution, body, Extent(name, body), terms, faces)
-        return cls(name, body, load, terms, faces, wall, reference, solution.edges, pressed, afar)
-
-    def _sides(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        return (self.body.faces[0], -1.0), (self.body.faces[1], 1.0)
+        kept[name] = cls(name, body, load, terms, faces, wall, reference, solution.edges, pressed, afar)
+        return kept[name]
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -170,8 +164,8 @@ class Inside:
         for face in self.faces:
             total += face.stress(points)
         if self.afar:
-            low, high = (face + side * SEPARATE_LINKS * (self.body.length or 0.0) for face, side in self._sides())
-            _add_from_afar(points, low, high, self.afar / TWO_PI, self.body.material.poisson, total)
+            (low, high), apart = self.body.faces, SEPARATE_LINKS * (self.body.length or 0.0)
+            _add_from_afar(points, low - apart, high + apart, self.afar / TWO_PI, self.body.material.poisson, total)
         return total
 
     def displacement(self, points: Array) -> Array:

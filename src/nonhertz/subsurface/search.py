@@ -6,7 +6,7 @@ requires, and end with a grid that shrinks around the best point of each quantit
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Unpack
 
@@ -22,7 +22,7 @@ from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.solution import EdgeKind, ReadOnly, Solved
 from nonhertz.subsurface.evaluation import Within, across_at, field_at, one_station, refuse_options
 from nonhertz.subsurface.inside import Inside, checked_solution
-from nonhertz.subsurface.rolling import QUANTITIES, Passage, passage
+from nonhertz.subsurface.rolling import QUANTITIES, Passage, StressMeasure, passage
 
 Array = NDArray[np.float64]
 
@@ -38,13 +38,7 @@ MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 12, 0.5
 
 EVERYWHERE = (0.0, np.inf)
 
-
-@dataclass(frozen=True)
-class _Region:
-    """Where to search: stretches along y [mm], and the least and largest depth [mm]."""
-
-    stretches: list[tuple[float, float]]
-    depths: tuple[float, float]
+Span = tuple[float, float]
 
 
 @dataclass(frozen=True, repr=False)
@@ -101,7 +95,7 @@ def extremes(
     solution: Solved,
     station: float | None = None,
     *,
-    depths: tuple[float, float] = EVERYWHERE,
+    depths: Span = EVERYWHERE,
     **options: Unpack[Within],
 ) -> Extremes:
     """Return the largest stresses below a contact, or those in the cross-section at a station.
@@ -146,55 +140,84 @@ def extremes(
     refuse_options("extremes", options, Within)
     checked_solution(solution)
     depths = _checked_depths(depths)
+    inside = Inside.of(solution, options.get("body", "a"))
     if station is not None:
         sections = np.array([one_station(station) + 0.0])
         stretches = [(float(sections[0]), float(sections[0]))]
-        _refuse_outside(solution, station, options.get("body", "a"))
+        try:
+            inside.refuse_outside(np.zeros(1), sections, np.zeros(1))
+        except InputError as error:
+            if error.field != "y":
+                raise
+            raise InputError("station", station, error.condition, error.remedy) from None
     else:
-        stretches = _stretches(solution, _searched(solution, options.get("body", "a")))
+        stretches = _stretches(solution, _searched(solution, inside))
         sections = _sections(solution, stretches)
     below = across_at(solution, sections)[1][:, None] * DEPTHS
     if station is not None:  # outside the contact the stress comes from further away and peaks further down
         below = np.unique(np.concatenate([below, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
     coarse = passage(solution, sections[:, None], np.minimum(depths[0] + below, depths[1]), **options)
-    options.pop("announce", None)  # the rest is quick
-    region = _Region(stretches, depths)
-    largest = {name: _largest(solution, name, coarse, region, options) for name in QUANTITIES}
-    inside = Inside.of(solution, options.get("body", "a"))
+    largest = {}
+    for name in QUANTITIES:
+        values = np.nan_to_num(getattr(coarse, name), nan=0.0)
+        found = [
+            _refined(solution, inside, name, coarse, place, stretches, depths, options.get("threads"))
+            for place in [_first_of_equals(values, coarse.y), *_other_crests(values)]
+        ]
+        # The first among equals.
+        best = max(each.max for each in found)
+        largest[name] = next(each for each in found if each.max >= (1.0 - EQUAL) * best)
     at_bore = {} if inside.wall is None else _at_bore(inside, station, depths)
-    for name, found in at_bore.items():
-        largest[name] = max(largest[name], found, key=lambda each: each.max)
+    for name, at in at_bore.items():
+        largest[name] = max(largest[name], at, key=lambda each: each.max)
     left_out = (*(_findings(solution) if station is None else ()), *inside.findings)
     return Extremes(body=inside.name, findings=left_out, bore=at_bore.get("von_mises"), **largest)
 
 
-def _at_bore(inside: Inside, station: float | None, depths: tuple[float, float]) -> dict[str, Extreme]:
+def _highest(
+    at: Callable[[Array], Array], best: Array, span: Array, limits: list[Span], top: float, mesh: Array = MESHES
+) -> tuple[float, Array]:
+    """Return the largest of values at places (n, d) on nets that shrink around the highest yet, and its place."""
+    for _ in range(ROUNDS):
+        axes = [
+            np.unique(np.clip(centre + reach * mesh, *ends))
+            for centre, reach, ends in zip(best, span, limits, strict=True)
+        ]
+        net = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, best.size)
+        values = at(net)
+        if values.max() > top:
+            top, best = float(values.max()), net[int(values.argmax())]
+        span = span * (SHRINKING if mesh.size == MESHES.size else 2.0 / (mesh.size - 1))
+        mesh = MESHES
+    return top, best
+
+
+def _at_bore(inside: Inside, station: float | None, depths: Span) -> dict[str, Extreme]:
     """Return the largest stresses on the bore between some depths; tau_xz has no meaning of its own there."""
     low, high = inside.body.faces if station is None else (station, station)
+    span, limits = np.array([0.5 * (high - low), 0.25 * np.pi]), [(low, high), (0.0, 0.5 * np.pi)]
     found = {}
+
+    def places(net: Array) -> tuple[Array, Array, Array]:
+        outer, inner = inside.extent.radii(net[:, 0])
+        return inner * np.sin(net[:, 1]), net[:, 0], outer - inner * np.cos(net[:, 1])
+
     for name in ("von_mises", "shear"):
-        best, top = np.array([0.5 * (low + high), 0.25 * np.pi]), -np.inf
-        span = np.array([0.5 * (high - low), 0.25 * np.pi])
-        count = ALONG_BORE
-        for _ in range(ROUNDS):
-            mesh = np.linspace(-1.0, 1.0, count)
-            along = np.unique(np.clip(best[0] + span[0] * mesh, low, high))
-            angle = np.unique(np.clip(best[1] + span[1] * mesh, 0.0, 0.5 * np.pi))
-            y, theta = (each.ravel() for each in np.meshgrid(along, angle, indexing="ij"))
-            outer, inner = inside.extent.radii(y)
-            x, z = inner * np.sin(theta), outer - inner * np.cos(theta)
-            values = np.nan_to_num(QUANTITIES[name](field_at(inside, (x, y, z)).stress))
-            values[(z < depths[0]) | (z > depths[1])] = -np.inf
-            k = int(values.argmax())
-            if values[k] > top:
-                top, best = float(values[k]), np.array([y[k], theta[k]])
-                found[name] = Extreme(top, float(x[k]), float(y[k]), float(z[k]), at_bore=True)
-            span *= SHRINKING if count == MESHES.size else 2.0 / (count - 1)
-            count = MESHES.size
+
+        def at(net: Array, quantity: StressMeasure = QUANTITIES[name]) -> Array:
+            x, y, z = places(net)
+            values = np.nan_to_num(quantity(field_at(inside, (x, y, z)).stress))
+            return np.where((z < depths[0]) | (z > depths[1]), -np.inf, values)
+
+        middle = np.array([0.5 * (low + high), 0.25 * np.pi])
+        top, best = _highest(at, middle, span, limits, -np.inf, np.linspace(-1.0, 1.0, ALONG_BORE))
+        if np.isfinite(top):
+            x, y, z = (float(each[0]) for each in places(best[None]))
+            found[name] = Extreme(top, x, y, z, at_bore=True)
     return found
 
 
-def _checked_depths(depths: tuple[float, float]) -> tuple[float, float]:
+def _checked_depths(depths: Span) -> Span:
     remedy = "give the least and the largest depth in mm, the latter may be infinite"
     pair = listed("depths", depths, "be a pair of depths", remedy)
     if len(pair) != 2:
@@ -207,19 +230,10 @@ def _checked_depths(depths: tuple[float, float]) -> tuple[float, float]:
     return float(pair[0]), float(pair[1])
 
 
-def _refuse_outside(solution: Solved, station: float, body: BodyName) -> None:
-    try:
-        Inside.of(solution, body).refuse_outside(np.zeros(1), np.array([station]), np.zeros(1))
-    except InputError as error:
-        if error.field != "y":
-            raise
-        raise InputError("station", station, error.condition, error.remedy) from None
-
-
-def _searched(solution: Solved, body: BodyName) -> tuple[float, float]:
+def _searched(solution: Solved, inside: Inside) -> Span:
     """Return the contact, and with it the free side faces of a body within a half-width."""
     low, high = outermost(solution)
-    for face in Inside.of(solution, body).faces:
+    for face in inside.faces:
         if face.side < 0.0 and low - face.half_width < face.place:
             low = min(low, face.place)
         elif face.side > 0.0 and high + face.half_width > face.place:
@@ -227,7 +241,7 @@ def _searched(solution: Solved, body: BodyName) -> tuple[float, float]:
     return low, high
 
 
-def _stretches(solution: Solved, whole: tuple[float, float]) -> list[tuple[float, float]]:
+def _stretches(solution: Solved, whole: Span) -> list[Span]:
     """Return where to search: all of it except a half-width around singular ends, or the contact if nothing is left.
 
     A corner of the profile may have contact on either side.
@@ -250,7 +264,7 @@ def clear_of_ends(solution: Solved) -> bool:
     return not solution.singular_ends or _stretches(solution, whole) != [whole]
 
 
-def _sections(solution: Solved, stretches: list[tuple[float, float]]) -> Array:
+def _sections(solution: Solved, stretches: list[Span]) -> Array:
     """Return the stations to search: strips and their edges, or rows, and the ends of the search."""
     searched = _within(solution.y, stretches)
     rows = np.flatnonzero((solution.line_load > 0.0) & searched)
@@ -267,21 +281,9 @@ def _sections(solution: Solved, stretches: list[tuple[float, float]]) -> Array:
     return np.unique(np.concatenate([np.ravel(stretches), solution.y[rows], between]))
 
 
-def _within(y: Array, stretches: list[tuple[float, float]]) -> NDArray[np.bool_]:
+def _within(y: Array, stretches: list[Span]) -> NDArray[np.bool_]:
     found: NDArray[np.bool_] = np.any([(y > low) & (y < high) for low, high in stretches], axis=0)
     return found
-
-
-def _largest(solution: Solved, name: str, coarse: Passage, region: _Region, options: Within) -> Extreme:
-    """Return the largest value near the best points of a grid."""
-    values = np.nan_to_num(getattr(coarse, name), nan=0.0)
-    found = [
-        _refined(solution, name, coarse, region, place, options)
-        for place in [_first_of_equals(values, coarse.y), *_other_crests(values)]
-    ]
-    # The first among equals.
-    best = max(each.max for each in found)
-    return next(each for each in found if each.max >= (1.0 - EQUAL) * best)
 
 
 def _other_crests(values: Array) -> list[tuple[int, int]]:
@@ -310,31 +312,29 @@ def _distances(solution: Solved, station: Array) -> Array:
 
 def _refined(
     solution: Solved,
+    inside: Inside,
     name: str,
     coarse: Passage,
-    region: _Region,
     place: tuple[int, int],
-    options: Within,
+    stretches: list[Span],
+    depths: Span,
+    threads: int | None,
 ) -> Extreme:
     """Return the largest value near one point of a grid, on shrinking grids."""
     row, column = place
     best = np.array([getattr(coarse, f"{name}_x")[place], coarse.y[place], coarse.z[place]])
     top, sections = float(getattr(coarse, name)[place]), coarse.y[:, 0]
-    limits = next(each for each in region.stretches if each[0] <= best[1] <= each[1])
+    limits = next(each for each in stretches if each[0] <= best[1] <= each[1])
     half_width = float(across_at(solution, sections[row])[1])
     neighbours = sections[max(row - 1, 0) : row + 2]
     step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()
     reach = max(0.1 * half_width, 0.5 * step)
     span = np.array([reach, float(np.ptp(neighbours)) if sections.size > 1 else 0.0, max(0.2 * half_width, step)])
-    quantity, inside = QUANTITIES[name], Inside.of(solution, options.get("body", "a"))
-    for _ in range(ROUNDS):
-        x, y, z = (np.unique(centre + reach * MESHES) for centre, reach in zip(best, span, strict=True))
-        y, z = np.unique(np.clip(y, *limits)), np.unique(np.clip(z, *region.depths))
-        net = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
-        found = np.nan_to_num(quantity(field_at(inside, tuple(net.T), threads=options.get("threads")).stress), nan=0.0)
-        if found.max() > top:
-            top, best = float(found.max()), net[int(found.argmax())]
-        span *= SHRINKING
+
+    def at(net: Array) -> Array:
+        return np.nan_to_num(QUANTITIES[name](field_at(inside, tuple(net.T), threads=threads).stress), nan=0.0)
+
+    top, best = _highest(at, best, span, [(-np.inf, np.inf), limits, depths], top)
     across = float(abs(best[0]) if solution.symmetric_across else best[0])
     across = 0.0 if abs(across) < ROUNDING * half_width else across
     along = 0.0 if abs(best[1]) < ROUNDING * half_width else float(best[1])
