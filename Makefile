@@ -54,7 +54,7 @@ mutants: $(READY)
 campaign: $(READY)
 	$(BIN)/python -m pytest -n auto --dist loadfile -rP -m campaign tests
 
-# Many hours of one core: the campaigns whole, 100,000 contacts with mirror images, scaled twins and batches among them.
+# Many hours of one core: the campaigns whole, 50,000 extreme contacts and 20,000 real rollers among them.
 campaign-all: $(READY)
 	NONHERTZ_CAMPAIGN_CASES=all $(BIN)/python -m pytest -m campaign -s tests
 

@@ -1,4 +1,4 @@
-"""Runs cases of a campaign, each whole: the solve, its mirror image, its scaled twins, and many at once."""
+"""Runs cases of a campaign, each alone and among many."""
 
 import multiprocessing
 import os
@@ -8,19 +8,16 @@ import warnings
 from collections import defaultdict
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
-from functools import partial
 from pathlib import Path
 
 import plain_case
 from extreme_cases import random_case
 from own_theory import kernel
-from verdict import sentence_faults, solution_faults, stiffness_faults, twin_faults, without_numbers
+from verdict import sentence_faults, solution_faults, without_numbers
 
 import nonhertz as nh
 
 SLOWEST, FEW_STRIPS = 5.0, 400  # seconds of processor, up to so many strips
-NEARER = 1e-3  # of the interference
-ALL_TWINS = ("mirrored", "twice as large", "ten times as large", "ten times as stiff", "many", "nearer")
 
 
 @dataclass
@@ -84,45 +81,13 @@ def _strips(case):
     return 0 if strips is None else strips if isinstance(strips, int) else len(strips) - 1
 
 
-TWINS = {
-    "mirrored": (plain_case.mirrored, {"approach": 1, "load": 1, "max_pressure": 1, "moment": -1, "tilt": -1}),
-    "twice as large": (
-        lambda case: plain_case.scaled(case, 2.0),
-        {"approach": 2, "load": 4, "max_pressure": 1, "moment": 8, "tilt": 1},
-    ),
-    "ten times as large": (
-        lambda case: plain_case.scaled(case, 10.0),
-        {"approach": 10, "load": 100, "max_pressure": 1, "moment": 1000, "tilt": 1},
-    ),
-    "ten times as stiff": (
-        lambda case: plain_case.stiffened(case, 10.0),
-        {"approach": 1, "load": 10, "max_pressure": 10, "moment": 10, "tilt": 1},
-    ),
-}
-
-
-def chosen_twins(twins, number):
-    """The names of the twins that a case is compared with: all, one in turn, or none."""
-    return {"all": ALL_TWINS, "one": (ALL_TWINS[number % len(ALL_TWINS)],), "none": ()}[twins]
-
-
-def examined(case, number, twins="all"):
-    """Solve a case and its twins and return the record."""
+def examined(case, number):
+    """Solve a case alone and among many, and return the record."""
     start = time.perf_counter()
     ending = solved(case)
     faults = faults_of(case, ending)
     if ending.kind != "crash":
-        for name in chosen_twins(twins, number):
-            if name in OTHERS:
-                faults += OTHERS[name](case, ending)
-                continue
-            make, factors = TWINS[name]
-            twin = make(case)
-            other = solved(twin)
-            if other.kind == "crash":
-                faults += [(f"{name}: {kind}", detail) for kind, detail in faults_of(twin, other)]
-            else:
-                faults += twin_faults(name, case, ending, other, factors)
+        faults += many_faults(case, ending)
     warned = [] if ending.solution is None else [one.kind for one in ending.solution.findings]
     words = "" if ending.solution is not None else f"{ending.words} | {ending.error}"
     seconds = time.perf_counter() - start
@@ -130,15 +95,12 @@ def examined(case, number, twins="all"):
 
 
 def many_faults(case, ending):
-    """Solve the case in a batch with its mirror image and with one that cannot be solved, and compare."""
-    turned = plain_case.mirrored(case)
-    cases = [case, turned, case, _impossible(case)]
-    if isinstance(case["strips"], list) and turned["strips"] != case["strips"]:
-        cases[1] = case
-    endings = [ending, solved(cases[1]) if cases[1] is not case else ending, ending, solved(cases[3])]
+    """Solve the case twice in a batch with one that cannot be solved, and compare."""
+    cases = [case, case, _impossible(case)]
+    endings = [ending, ending, solved(cases[2])]
     try:
         contacts = [plain_case.arguments(one)[0] for one in cases]
-    except nh.InputError:  # a mirror image can be refused by the rounding of its position
+    except nh.InputError:  # there is no such contact
         return []
     given = {name: [one["given"][name] for one in cases] for name in case["given"]}
     with warnings.catch_warnings():
@@ -163,22 +125,6 @@ def many_faults(case, ending):
                 for kind, detail in _row_faults(many, row, failures, one, alone)
             ]
         return faults
-
-
-def nearer_faults(case, ending):
-    """Press the bodies a little nearer on the same strips and compare with what the stiffness says."""
-    before = ending.solution
-    if before is None:
-        return []
-    by = NEARER * float(before.interference[before.line_load > 0.0].max())
-    given = {"approach": before.approach + by, "tilt": before.tilt}
-    after = solved({**case, "given": given, "strips": before.edges.tolist()}).solution
-    if after is None or not after.approach - before.approach > 0.999 * by:
-        return []
-    return stiffness_faults(before, after)
-
-
-OTHERS = {"many": many_faults, "nearer": nearer_faults}
 
 
 def _impossible(case):
@@ -222,10 +168,10 @@ def _row_faults(many, row, failures, case, alone):
     return faults
 
 
-def case_record(number, twins):
+def case_record(number):
     """The record of one numbered case; what goes wrong in the campaign itself is one too."""
     try:
-        return examined(random_case(number), number, twins)
+        return examined(random_case(number), number)
     except Exception:  # noqa: BLE001  (a checker that fails must not hide the other cases)
         return Record(number, "campaign", faults=[("the campaign itself failed", traceback.format_exc()[-1500:])])
 
@@ -244,11 +190,11 @@ def warm_up():
                 )
 
 
-def records(numbers, twins):
+def records(numbers):
     """The records of all numbers."""
     spawning = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(os.cpu_count(), spawning, initializer=warm_up) as pool:
-        return list(pool.map(partial(case_record, twins=twins), numbers))
+        return list(pool.map(case_record, numbers))
 
 
 def grouped(found):
@@ -277,5 +223,5 @@ def grouped(found):
         ]
     seconds = sorted(record.seconds for record in found)
     if seconds:
-        lines.append(f"seconds per case with twins: median {seconds[len(seconds) // 2]:.3f}, longest {seconds[-1]:.1f}")
+        lines.append(f"seconds per case: median {seconds[len(seconds) // 2]:.3f}, longest {seconds[-1]:.1f}")
     return "\n".join(lines)

@@ -1,4 +1,4 @@
-"""What is wrong with an answer, a refusal, or two answers that should be one; nothing if all is right.
+"""What is wrong with an answer or a refusal; nothing if all is right.
 
 A fault is a pair: its kind, a few words that group it with others, and the detail. Answers are judged by `own_theory`
 from what was prescribed and from the arrays alone.
@@ -17,9 +17,6 @@ BETWEEN_STRIPS, MARGIN = 0.02, 0.03  # overlap of the interference, away from co
 MOST_ROWS, SCANNED = 160, 401
 ESTIMATE_WARNED, MAXIMUM_WARNED = 0.05, 0.20
 TABLE_DIGITS = 2e-10  # documented: ten digits of a relief that is read from a table
-UNDERFLOWS = 1e-100  # N or N mm, whose squares and cubes are no longer numbers on one scale and may be on another
-STIFFNESS = 0.02  # of the rise of the load
-SPARE = 1e-6  # beside the error estimates of two answers compared
 NUMBER = re.compile(r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|\binf\b|\bnan\b)", re.IGNORECASE)
 
 
@@ -308,81 +305,6 @@ def _touching(case, given, low, high):
     depth = given["approach"] + given.get("tilt", 0.0) * y - separation(case, y)
     noise = 1e-9 * (abs(given["approach"]) + abs(given.get("tilt", 0.0)) * float(np.max(np.abs(y))))
     return bool(np.max(depth[np.isfinite(depth)], initial=-math.inf) > noise)
-
-
-def _near_underflow(given):
-    return any(0.0 < abs(given.get(name, 0.0)) < UNDERFLOWS for name in ("load", "moment"))
-
-
-def twin_faults(name, case, one, other, factors):
-    """Faults of two answers that should be one; ``factors`` take the quantities of the first to the second."""
-    unlike = one.kind != other.kind
-    if one.kind == other.kind == "unconverged" or (unlike and _near_underflow(case["given"])):
-        return []
-    if one.words != other.words and (one.solution is None or other.solution is None):
-        return [(f"{name}: {one.kind} and {other.kind}", f"{one.words[:160]} | {other.words[:160]}")]
-    if one.solution is None:
-        return []
-    first, second, faults = one.solution, other.solution, []
-    errors, others = first.error_estimate, second.error_estimate
-    for quantity in ("approach", "load", "max_pressure"):
-        estimate = getattr(errors, quantity) + getattr(others, quantity)
-        expected, found = getattr(first, quantity) * factors[quantity], getattr(second, quantity)
-        whole = max(abs(expected), abs(found))
-        noise = SPARE * whole
-        if quantity == "approach":
-            whole = max(first.penetration * factors["approach"], second.penetration)
-            noise += 1e-12 * _heights(first) * factors["approach"]
-        if not abs(found - expected) <= estimate * whole + noise:
-            off = abs(found / expected - 1.0) if expected else math.inf
-            faults.append((f"{name}: {quantity} differs", f"by {off:.3g}, stated {estimate:.3g}"))
-    faults += _resultants(name, case, first, second, factors)
-    return faults
-
-
-def _heights(solution):
-    return abs(solution.tilt) * float(np.max(np.abs(solution.edges)))
-
-
-def stiffness_faults(before, after):
-    """Faults of the stiffness of an answer, from the one on the same strips a little nearer to each other.
-
-    Strips that enter or leave change the slope: the rise of load and moment must lie between the slopes of both.
-    """
-    if any("wider than long" in said for said in before.warnings):  # and errors to be expected
-        return []
-    by, load = after.approach - before.approach, abs(after.load - before.load)
-    reach = max(abs(before.contact_y[0][0]), abs(before.contact_y[-1][1]))
-    rounding = 8.0 * EPS * (abs(before.approach) + abs(before.tilt) * reach) / by
-    faults = []
-    for row, name, scale in ((0, "load", load), (1, "moment", load * reach)):
-        rise = getattr(after, name) - getattr(before, name)
-        slopes = sorted(answer.stiffness[row, 0] * by for answer in (before, after))
-        spare = STIFFNESS * scale + 1e-9 * before.load * (reach if row else 1.0) + rounding * abs(slopes[1])
-        if not slopes[0] - spare <= rise <= slopes[1] + spare:
-            faults.append((f"stiffness: d {name} / d approach", f"rise {rise:.6g}, stiffness {slopes}"))
-    return faults
-
-
-def _resultants(name, case, first, second, factors):
-    """Tilt and moment have no estimate of their own; they are held to those of approach and load, with a margin."""
-    errors = [max(answer.error_estimate.approach, answer.error_estimate.load) for answer in (first, second)]
-    allowed, faults = 3.0 * sum(errors) + SPARE, []
-    if math.isinf(allowed):
-        return []
-    reach = 0.5 * max(end - start for start, end in ((first.contact_y[0][0], first.contact_y[-1][1]),))
-    offset = max(abs(first.contact_y[0][0]), abs(first.contact_y[-1][1]))
-    if "moment" not in case["given"]:
-        expected = factors["moment"] * first.moment
-        if not abs(second.moment - expected) <= allowed * abs(factors["moment"] * first.load) * max(reach, offset):
-            faults.append((f"{name}: moment differs", f"{second.moment:.8g} for {expected:.8g}"))
-    else:
-        expected = factors["tilt"] * first.tilt
-        depth = float(np.max(first.interference[first.line_load > 0.0]))
-        spare = allowed * (depth / reach + abs(first.tilt))
-        if not abs(second.tilt - expected) <= abs(factors["tilt"]) * spare:
-            faults.append((f"{name}: tilt differs", f"{second.tilt:.8g} for {expected:.8g}"))
-    return faults
 
 
 def without_numbers(sentence):

@@ -50,15 +50,6 @@ def test_a_sweep_on_equal_strips_is_that_of_single_solves(contact, element, stri
         assert_same(many, number, alone(contact, load=LOADS[number], **case), **SAME)
 
 
-@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
-def test_random_cases_in_any_order_are_those_of_single_solves():
-    rng = np.random.default_rng(2)
-    load, tilt = rng.uniform(1e3, 30e3, 70), rng.uniform(-2e-3, 2e-3, 70)
-    many = nh.solve_many(LOGARITHMIC, load=load, tilt=tilt, strips=41)
-    for number in range(0, 70, 9):
-        assert_same(many, number, alone(LOGARITHMIC, load=load[number], tilt=tilt[number], strips=41), **SAME)
-
-
 @pytest.mark.parametrize(
     "case",
     [
@@ -96,14 +87,6 @@ def test_given_edges_and_unbounded_bodies_work():
     assert_same(on_edges, 1, alone(CROWNED, load=9.5e3, strips=edges), **SAME)
     unbounded = nh.solve_many(BALL, load=[500.0, 900.0], strips=30)
     assert_same(unbounded, 0, alone(BALL, load=500.0, strips=30), **SAME)
-
-
-@pytest.mark.slow
-def test_the_number_of_threads_changes_nothing():
-    load = np.linspace(2e3, 30e3, 200)
-    one, three = (nh.solve_many(CROWNED, load=load, tilt=4e-4, strips=31, threads=count) for count in (1, 3))
-    for name in ("approach", "moment", "max_pressure", "stiffness"):
-        assert np.array_equal(getattr(one, name), getattr(three, name))
 
 
 def test_a_solution_comes_whole():
@@ -147,15 +130,6 @@ def test_a_case_that_fails_stops_no_other():
     assert str(many.failures[1]).startswith("approach = -0.5 must exceed ")
     with pytest.raises(nh.InputError, match=r"approach = -0\.5 must exceed"):
         many[1]
-
-
-@pytest.mark.parametrize("strips", [21, None], ids=["equal", "automatic"])
-def test_a_body_thinner_than_its_contact_is_refused_among_others(strips):
-    thin = nh.Contact(nh.Roller(diameter=20, length=20, depth=0.2), nh.Plate())
-    with pytest.warns(nh.AccuracyWarning):  # the first one's depth is no three half-widths
-        many = nh.solve_many(thin, load=[2e3, 60e3], strips=strips)
-    assert many.converged.tolist() == [True, False]
-    assert "depth" in str(many.failures[1])
 
 
 THIN = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000), depth="none"), nh.Plate(depth=1.0))
@@ -216,13 +190,6 @@ def test_the_largest_pressure_away_from_singular_ends_is_that_of_the_solution(pr
         assert many.warnings.get(number, ()) == solution.warnings
 
 
-def test_strained_circles_are_told_apart_from_long_contacts():
-    wide = nh.Contact(nh.Body(diameter=100, profile=nh.profile.crown(20)), nh.Plate())
-    with pytest.warns(nh.AccuracyWarning, match="wider than long"):
-        many = nh.solve_many([wide, BALL], load=200.0)
-    assert list(many.warnings) == [0]
-
-
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
@@ -275,15 +242,6 @@ def test_a_relief_that_is_no_number_is_a_failure(strips):
     many = nh.solve_many([CROWNED, holed], load=5e3, strips=strips)
     assert many.converged.tolist() == [True, False]
     assert "profile = nan must not be NaN, but is at y =" in str(many.failures[1])
-
-
-def test_what_a_body_refuses_stops_no_other():
-    conforming = nh.Contact(
-        nh.Body(diameter=nh.TabulatedDiameter((-10.0, 10.0), (10.0, 30.0)), length=20.0), nh.Ring(diameter=-20)
-    )
-    many = nh.solve_many([CROWNED, conforming], load=1e3, strips=21)
-    assert many.converged.tolist() == [True, False]
-    assert "leave a positive combined curvature" in str(many.failures[1])
 
 
 def test_an_error_does_not_grow_with_every_look_at_it():
