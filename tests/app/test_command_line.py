@@ -14,7 +14,6 @@ import signal
 import subprocess
 import sys
 import time
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +27,7 @@ import nonhertz.solver.one
 from nonhertz.cli import main
 from nonhertz.cli.commands import COMMANDS, EXAMPLES, app, each_with_option
 from nonhertz.cli.printing import print_result
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import BEARING_TEMPLATES
 from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.result.solution import Solution
@@ -62,8 +62,7 @@ def case(tmp_path, monkeypatch):
 def solution():
     profile = nh.profile.crown(radius=4000)
     roller = nh.Roller(diameter=20, length=20, profile=profile, side_faces="none", depth="none")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return nh.solve(nh.Contact(roller, nh.Plate()), load=20000.0, tilt=0.0005)
 
 

@@ -62,17 +62,3 @@ def test_the_strips_of_the_file_are_taken(case, run):
     Path(case).write_text(text, encoding="utf-8")
     found = run("compare", case, *CELLS, "--json").json
     assert (found["semi_elliptic"]["strips"], found["parabolic"]["strips"]) == (21, 21)
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "sentence"),
-    [
-        ("load = 20000.0", "approach = -0.01", "load.approach = -0.01 must exceed -0.0005 mm"),
-        ("length = 20.0", "length = -1", "body.a.length = -1.0 must be positive"),
-        ('depth = "none"', "depth = 0.3", "body.a.depth = 0.3 must be large compared with the half-width"),
-    ],
-)
-def test_mistakes_are_named_as_the_file_has_them(case, run, old, new, sentence):
-    text = Path(case).read_text(encoding="utf-8").replace(old, new, 1)
-    Path(case).write_text(text, encoding="utf-8")
-    assert run("compare", case, *CELLS, code=2).err.startswith(sentence)

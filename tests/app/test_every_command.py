@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from crowned_roller import CASE
 from few_rollers import SIX, changed
+from test_design_command import PLAN
 
 import nonhertz as nh
 import nonhertz.cli.stress
@@ -40,6 +41,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     six = changed(SIX, ('clearance = "12 um"\n', ""))
     texts = {"case": CASE, "six": six, "sliced": f'{six}[solver]\nmethod = "slices"\n', "plan": TOLERANCE}
+    texts |= {"roller": CASE, "design": PLAN}
     texts["broken"] = "[bearing\n"
     for name, text in texts.items():
         Path(f"{name}.toml").write_text(text, encoding="utf-8")
@@ -95,6 +97,14 @@ REFUSED = [
     ("bearing six.toml --contact 7 inner", "--contact = 7 must be a whole number from 0 to 5"),
     ("bearing six.toml --contact 3 inner", "--contact = 3 must be a roller that the inner ring loads"),
     ("bearing six.toml --contact 0 inner --json", "must be given without --compare, --json and --out"),
+    ("materials unobtainium", "NAME = 'unobtainium' must be a known material: the nearest is 'aluminium'."),
+    *(
+        (
+            f"design {kind}.toml",
+            f"{kind}.toml must be a plan, and holds a {held}: begin with one from 'nonhertz new --pl",
+        )
+        for kind, held in (("case", "case"), ("six", "bearing"))
+    ),
     ("bearing broken.toml", "broken.toml must be valid TOML: "),
     ("bearing nowhere.toml", "nowhere.toml must exist: give the path of a bearing file, or begin with one from"),
     ("bearing case.toml", "case.toml must hold a bearing, not a single contact: use 'nonhertz solve case.toml'."),
@@ -108,6 +118,40 @@ REFUSED = [
         "KIND = 'cases' must be a kind of file that has a schema: choose from case, ",
     ),
 ]
+
+
+#: The same of files with something else in them: words, what is changed, and what is said.
+CHANGED = [
+    ("design design.toml", '"1500 mm : 30 m"', '"30 m : 1500 mm"', "must ascend"),
+    ("design design.toml", "profile.radius", "profile.radios", "the nearest is 'body.a.profile.radius'"),
+    ("design design.toml", "starts = 2", "starts = 0", "starts = 0 must be"),
+    ("design design.toml", "starts = 2", 'goal = "price"', "goal = 'price' must be one of"),
+    ("design design.toml", "starts = 2", 'model = "lundberg"', "design.model = 'lundberg' must be one of 'lundberg-pa"),
+    ("design design.toml", "starts = 2", 'where = { approach = "30 um" }', "begin with 'at most'"),
+    ("design design.toml", '{ load = "20 kN" }', '{ load = "20 kN", share = 0.2 }', "share"),
+    ("design design.toml", "[vary]", "[varied]", "varied"),
+    ("design design.toml --front 3", ', tilt = "2 arcmin"', "", "must hold loads without tilt and loads with tilt for"),
+    ("design design.toml --front 3", "starts = 2", 'goal = "life"', "goal = 'life' must be 'pressure' for a front"),
+    ("design design.toml --front 2", "starts = 2", "starts = 1", "--front = 2 must be a whole number from 3 to 50"),
+    (
+        "design design.toml",
+        'case = "roller.toml"\n[vary]\n"body.a.profile.radius" = "1500 mm : 30 m"',
+        'case = "six.toml"\n[vary]\n"load.radial" = "1 kN : 2 kN"',
+        "a bearing is swept over",
+    ),
+    ("compare case.toml", 'load = "20 kN"', "approach = -0.02", "load.approach = -0.02 must exceed "),
+    ("compare case.toml", "length = 20.0", "length = -1", "body.a.length = -1.0 must be positive"),
+    ("compare case.toml", 'depth = "none"', "depth = 0.2", "body.a.depth = 0.2 must be large compared with the half-"),
+]
+
+
+@pytest.mark.parametrize(("words", "old", "new", "sentence"), CHANGED)
+def test_what_cannot_be_in_a_file_is_refused_in_a_sentence(words, old, new, sentence, folder, run):
+    path = Path(words.split()[1])
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+    test_what_cannot_be_is_refused_in_a_sentence(words, sentence, folder, run)
 
 
 @pytest.mark.parametrize(("words", "sentence"), REFUSED, ids=[words for words, _ in REFUSED])

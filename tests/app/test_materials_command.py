@@ -1,7 +1,6 @@
 """``nonhertz materials``: the library as a table, as JSON, and one material with its source."""
 
 import nonhertz as nh
-from nonhertz.cli import main
 from nonhertz.model.materials import LIBRARY
 
 
@@ -29,9 +28,3 @@ def test_the_json_holds_every_number_and_source(run):
     assert rail["yield_strength"] is None
     assert "EN 13674-1" in rail["source"]
     assert found["materials"]["X105CrMo17"]["modulus"] == nh.MATERIALS["440C"].modulus
-
-
-def test_a_name_that_is_none_is_refused(capsys):
-    assert main(["materials", "unobtainium"]) == 2
-    sentence = "NAME = 'unobtainium' must be a known material: the nearest is 'aluminium'.\n"
-    assert capsys.readouterr().err == sentence

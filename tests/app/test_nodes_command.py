@@ -2,13 +2,13 @@
 
 import csv
 import io
-import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.nodes import read_nodes
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -19,8 +19,7 @@ LOAD = 15000.0
 @pytest.fixture(scope="module")
 def solution():
     case = nh.read_case(CASE, {"load.tilt": "0.3 mrad"})
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return case.solve()
 
 

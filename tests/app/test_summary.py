@@ -1,21 +1,20 @@
 """What the summary and the result say about the pressure where a contact ends."""
 
 import re
-import warnings
 
 import numpy as np
 import pytest
 
 import nonhertz as nh
 from nonhertz.cli.printing import print_result
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.result.solution import Solution
 from nonhertz.show.summary import sections, summary_rows
 from nonhertz.verdict import of_contact
 
 
 def solved(roller: nh.Body, against: nh.Body, tilt: float = 0.0, load: float = 20e3, **more: object) -> Solution:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return nh.solve(nh.Contact(roller, against), load=load, tilt=tilt, **more)  # type: ignore[arg-type]
 
 

@@ -2,7 +2,6 @@
 
 import copy
 import json
-import random
 import tomllib
 from functools import cache
 from pathlib import Path
@@ -149,22 +148,6 @@ DOCUMENTS = {
 def test_a_form_is_the_document_again(name):
     document = DOCUMENTS[name]
     assert as_text(document_in(form_of(document))) == as_text(document)
-
-
-@pytest.mark.slow
-def test_a_form_is_the_document_again_whatever_is_changed():
-    picked = random.Random(11)
-    junk = [0, -1.5, "", "5 um", "x y", "7", [], ["1 mm", 2], {}, {"kind": "crown"}, True, 1e300, [[1]], "[", "{}"]
-    for number in range(25):
-        document = copy.deepcopy(picked.choice([with_life(), DOCUMENTS["tables for values"]]))
-        paths = [field.path for field in form(document).fields if field.path]
-        for _ in range(4):
-            value = picked.choice(junk)
-            try:
-                set_at(document, picked.choice(paths), copy.deepcopy(value))
-            except (KeyError, TypeError, IndexError):
-                continue  # something on the way is no table any more
-        assert as_text(document_in(form_of(document))) == as_text(document), number
 
 
 def test_every_key_of_the_schema_is_in_the_form():
@@ -446,14 +429,6 @@ def test_every_key_of_a_bearing_is_in_its_form():
     asked = set(keys_of(schema_of("bearing"), schema_of("bearing")["$defs"], ()))
     optional = {("format",), ("fit",), ("solver",), ("report",), ("bearing", "pair")}  # tables themselves
     assert asked - {plain_path(name) for name in shown} - optional == set()
-
-
-def test_text_cannot_leave_its_place():
-    evil = '"><script>alert(1)</script>'
-    document = {"title": evil, "body": {"a": {evil: evil, "kind": evil, "profile": [{"kind": evil, evil: 1}]}}}
-    html = form_of(document)
-    assert "<script" not in html
-    assert as_text(document_in(html)) == as_text(document)
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,6 @@ The truth is a grid whose errors are a few millionths.
 """
 
 import os
-import warnings
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
@@ -15,6 +14,7 @@ from extent import extent
 from rollers import cornered_case, roller_case, whole_roller_case
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 
 CASES, SOME = 300, 70
 ASKED = (1e-3, 1e-4, 1e-5)
@@ -43,8 +43,7 @@ class Finding:
 
 def findings(number, made=roller_case):
     """Solve one roller at all accuracies."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         contact, given = made(number)
         true = nh.solve(contact, **given, accuracy=TRUE)
         return [finding(number, asked, true, nh.solve(contact, **given, accuracy=asked)) for asked in ASKED]

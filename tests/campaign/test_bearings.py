@@ -1,7 +1,6 @@
 """5,000 random bearings of all kinds under loads up to twice their static rating, with forces summed in space."""
 
 import os
-import warnings
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 
@@ -10,6 +9,7 @@ import pytest
 from extent import extent
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.verify.bearing_sums import sums_in_space
 
 CASES, SOME = 5_000, {"strips": 12, "slices": 60}
@@ -134,8 +134,7 @@ def faults(task):
     """The kind of outcome, and what is wrong with it."""
     number, method = task
     bearing, given = random_bearing(number)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         try:
             found = B.solve(bearing, method=method, **given)
         except nh.ConvergenceError as error:

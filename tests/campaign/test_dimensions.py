@@ -2,7 +2,6 @@
 
 import dataclasses
 import math
-import warnings
 
 import numpy as np
 import pytest
@@ -11,6 +10,7 @@ from extent import extent
 import nonhertz as nh
 from nonhertz.bodies import whole_roller
 from nonhertz.bodies.harmonic_elements import HarmonicElements
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.outline import outline_of
 from nonhertz.result.gradient import family_of, landmarks
 from nonhertz.result.measures import measure_of
@@ -81,8 +81,7 @@ def test_rollers_that_are_almost_alike_have_almost_the_same_contact():
         rng = np.random.default_rng([SEED, number])
         rollers = pair(rng, at_step=number % 2 == 0)
         given = random_case(rng, rollers[0])
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", nh.AccuracyWarning)
+        with without_accuracy_warnings():
             one, other = (nh.solve(nh.Contact(roller, ring), **given) for roller in rollers)
         assert other.approach == pytest.approx(one.approach, rel=1e-5), (number, rollers)
         assert other.max_pressure == pytest.approx(one.max_pressure, rel=1e-5), (number, rollers)
@@ -100,8 +99,7 @@ def fault(number):
     roller = random_roller(rng)
     name, quantity = dimension(rng, roller), str(rng.choice(["approach", "max_pressure"]))
     contact = nh.Contact(roller, nh.Ring(diameter=80.0))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         solution = nh.solve(contact, **random_case(rng, roller))
         found = solution.gradient(quantity, holding=("load", "tilt"))
         family, at = family_of(contact, f"a.{name}")

@@ -5,7 +5,6 @@ what a bearing is comes in: places, profiles, gaps, ribs, and what speed loads r
 """
 
 import os
-import warnings
 from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
@@ -15,6 +14,7 @@ from scipy.optimize import minimize
 from test_bearings import KINDS, random_bearing
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 
 CASES, SOME, LAMINAE = 400, 20, 41
 LOADS = 1e-6  # of the largest
@@ -159,8 +159,7 @@ def _slice(row, axis, radial, sign, y, j, energy):
 def departure(number):
     """How far loads are from those of the lowest energy, over the largest."""
     bearing, given = random_bearing(number)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         found = nh.bearing.solve(bearing, method="slices", **given).load
     return float(np.abs(found - Energy(bearing, given).loads()).max() / found.max())
 

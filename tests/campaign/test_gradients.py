@@ -1,12 +1,11 @@
 """300 random contacts: gradients by one adjoint solve beside contacts that are solved again on the same strips."""
 
-import warnings
-
 import numpy as np
 import pytest
 from extent import extent
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.result.gradient import family_of
 from nonhertz.result.measures import measure_of
 
@@ -57,8 +56,7 @@ def random_measure(rng, solution):
 def fault(number):
     """What is wrong with a random gradient; None if nothing is, or if the number has a kink there."""
     rng = np.random.default_rng([SEED, number])
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         solution = random_solution(rng)
         quantity, holding = random_measure(rng, solution), HOLDING[rng.integers(4)]
         found = solution.gradient(quantity, holding=holding)

@@ -4,13 +4,13 @@ The checker knows the pressures and Boussinesq's point load, and looks at the us
 """
 
 import math
-import warnings
 
 import numpy as np
 import pytest
 from extent import extent
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 
 CASES, SEED = extent(300, 20), 291
 NET, HALF = 1201, 6.0  # places along a side of the square looked at [mm]
@@ -74,8 +74,7 @@ def test_no_bump_in_contact_is_missed_in_silence():
     for number in range(CASES):
         generator = np.random.default_rng((SEED, number))
         gap, load = bumps(generator), 10.0 ** generator.uniform(1.0, 3.7)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", nh.AccuracyWarning)
+        with without_accuracy_warnings():
             solution = nh.patch.solve(BODY, gap=gap, load=load, cells=(64, 64))
         worst = overlap_missed(solution, gap)
         if worst > NOTICED:

@@ -1,13 +1,13 @@
 """How often the plane grid's estimate of its own error covers it: random contacts, and the truth from finer cells."""
 
 import math
-import warnings
 
 import numpy as np
 import pytest
 from extent import extent
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.patch import Dent, Waviness
 
 KINDS = ("ellipse", "crown", "iso", "dent", "waves", "bumps", "balls", "rough", "punch", "wall", "straight", "moment")
@@ -107,8 +107,7 @@ def stated_over_true(kind, number):
     generator = np.random.default_rng((KINDS.index(kind), number))
     contact, given = case(kind, generator)
     cells = int(generator.integers(16, 49)), int(generator.integers(24, 97))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         found = nh.patch.solve(contact, cells=cells, **given)
         finer = tuple(FINER * count for count in cells)
         true = nh.patch.solve(contact, cells=finer, region=region_of(found), tolerance=1e-6, **given)

@@ -5,7 +5,6 @@ the strips, load and moment, mirror images and scaled twins.
 """
 
 import os
-import warnings
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
@@ -17,6 +16,7 @@ from rollers import pressed, profile
 
 import nonhertz as nh
 from nonhertz.bodies.influence import influence_of
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.strip.influence import displacements
 
 CASES, SOME = 20_000, 25
@@ -114,8 +114,7 @@ def other_body(rng, roller, diameter, material):
 
 def solved(contact, given):
     """The solution, or the kind of sentence in its place."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         try:
             return nh.solve(contact, **given)
         except nh.InputError as error:
@@ -126,8 +125,7 @@ def solved(contact, given):
 
 def faults(number):
     """The kind of outcome, and what is wrong with it."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         contact, given = real_case(number)
     found = solved(contact, given)
     twins = {"mirror image": mirrored(contact, given), "scaled twin": scaled(contact, given, 3.0)}

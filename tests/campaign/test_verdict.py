@@ -1,7 +1,6 @@
 """The checker of the campaigns is checked: it passes what is right and catches every wrong answer made here."""
 
 import math
-import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +12,7 @@ from scipy.integrate import quad
 from verdict import sentence_faults, solution_faults
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.result.outcome import Judgement
 
 pytestmark = pytest.mark.campaign
@@ -33,8 +33,7 @@ BY_APPROACH = {**FINITE, "given": {"approach": 0.02, "moment": -500.0}, "strips"
 
 def answer(case):
     contact, keywords = plain_case.arguments(case)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return nh.solve(contact, **keywords)
 
 

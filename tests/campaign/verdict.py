@@ -17,6 +17,7 @@ BETWEEN_STRIPS, MARGIN = 0.02, 0.03  # overlap of the interference, away from co
 MOST_ROWS, SCANNED = 160, 401
 ESTIMATE_WARNED, MAXIMUM_WARNED = 0.05, 0.20
 TABLE_DIGITS = 2e-10  # documented: ten digits of a relief that is read from a table
+SPARE = 1e-6  # beside the error estimates of two answers compared
 NUMBER = re.compile(r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|\binf\b|\bnan\b)", re.IGNORECASE)
 
 

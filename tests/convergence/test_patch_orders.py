@@ -1,11 +1,10 @@
 """How errors fall with the cells, and how the work grows with them."""
 
-import warnings
-
 import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.hertz import point_contact
 
 pytestmark = pytest.mark.slow
@@ -54,8 +53,7 @@ def test_the_estimate_covers_the_error_of_few_cells_in_one_direction(cells):
         ring = nh.Ring(diameter=generator.uniform(3.0, 8.0) * diameter)
         contact = nh.Contact(nh.Roller(diameter=diameter, length=length, profile=profile), ring)
         given = {"load": 8.0 * diameter * length, "tilt": generator.uniform(0.0, 3e-4)}
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", nh.AccuracyWarning)
+        with without_accuracy_warnings():
             found = nh.patch.solve(contact, cells=cells, **given)
             half = 0.5 * found.dx, 0.5 * found.dy
             ends = [(each[0] - more, each[-1] + more) for each, more in zip((found.x, found.y), half, strict=True)]

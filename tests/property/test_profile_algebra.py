@@ -79,12 +79,6 @@ def test_reliefs_add_in_any_order(a, b):
 
 
 @untimed
-@given(profiles, profiles, profiles)
-def test_sums_associate(a, b, c):
-    assert (a + b) + c == a + (b + c)
-
-
-@untimed
 @given(profiles, number(-30.0, 30.0))
 def test_shift_moves_relief_bends_and_extent(profile, by):
     moved = profile.shifted(by)

@@ -1,12 +1,11 @@
 """The last check: no solution leaves the package that does not meet what was prescribed."""
 
-import warnings
-
 import numpy as np
 import pytest
 from core_pieces import interpret
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.outcome import outcome
 from nonhertz.solver.one import problem_of, states_of
@@ -95,8 +94,7 @@ def test_what_is_not_one_is_refuted_in_words(given, changed, words):
 
 
 def test_a_single_strip_that_resists_no_tilt_is_a_solution():
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         alone = nh.solve(FINITE, load=8e3, strips=1)
     assert alone.status is nh.Status.CONVERGED
     assert abs(alone.stiffness[1, 1]) < 1e-6 * alone.stiffness[0, 0]
@@ -107,8 +105,7 @@ def test_an_interference_that_rounding_hides_is_no_solution_alone_or_among_many(
     contact = nh.Contact(nh.Roller(diameter=20, length=20, side_faces="none", depth="none"), nh.Plate(depth="none"))
     edges = np.linspace(9.999999, 10.0, 12)
     given = {"approach": 2e-14 - 1e-2 * np.mean(edges[-2:]), "tilt": 1e-2, "strips": edges}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         with pytest.raises(nh.ConvergenceError, match="which is lost in the rounding of tilt and relief"):
             nh.solve(contact, **given)
         many = nh.solve_many(contact, **{**given, "approach": [given["approach"]]})
@@ -147,8 +144,7 @@ def conforming():
 def test_a_share_of_the_load_is_no_solution():
     # Rises in steps from a small load, and gets stuck at a share of it.
     contact, given = conforming()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         many = nh.solve_many(contact, **given)
         with pytest.raises(nh.ConvergenceError) as caught:
             nh.solve(contact, **given)

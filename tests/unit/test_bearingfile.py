@@ -4,7 +4,6 @@ import dataclasses
 import math
 import re
 import tomllib
-import warnings
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +11,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase, read_bearing, starting_bearing
 from nonhertz.files.casefile import read_case
 from nonhertz.files.held import parsed
@@ -448,8 +448,7 @@ def test_gaps_in_a_measured_profile_are_noted(tmp_path):
     (tmp_path / "trace.txt").write_text(lines, encoding="utf-8")
     text = changed(PLAIN, ('{ kind = "crown", radius = 1200 }', '{ kind = "measured", file = "trace.txt" }'))
     (tmp_path / "bearing.toml").write_text(text, encoding="utf-8")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         case = read_bearing(tmp_path / "bearing.toml")
     assert case.notes == ("Nothing was measured between y = -1 and 1 mm; the profile bridges it with a curve.",)
 

@@ -2,19 +2,18 @@
 
 import inspect
 import re
-import warnings
 
 import pytest
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000))
 CONTACT = nh.Contact(ROLLER, nh.Ring(diameter=80))
 
 
 def quietly(solve, *arguments, **given):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return solve(*arguments, **given)
 
 

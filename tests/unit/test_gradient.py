@@ -2,13 +2,13 @@
 
 import dataclasses
 import pickle
-import warnings
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.result.gradient import family_of
 from nonhertz.result.measures import HalfWidthAt, PowerIntegral, PressureAt, PressureNorm, measure_of
 
@@ -30,8 +30,7 @@ PATHS = ["a.diameter", "a.profile.end_radius", "b.diameter", "b.depth", "b.mater
 
 
 def solved(contact, edges, **given):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return nh.solve(contact, strips=edges, **given)
 
 
@@ -136,13 +135,6 @@ def test_an_ellipse_is_that_of_hertz():
     assert_allclose(approach.given["load"] * 500.0 / approach.value, 2 / 3, rtol=1e-3)
 
 
-def test_symmetric_contacts_have_symmetric_gradients():
-    solution = solved(CROWNED, None, load=15e3)
-    found = solution.gradient(PressureNorm(20.0))
-    assert_allclose(found.relief, found.relief[::-1], rtol=1e-6, atol=1e-6 * np.abs(found.relief).max())
-    assert abs(found.given["tilt"]) < 1e-6 * found.value / 1e-3
-
-
 @pytest.mark.parametrize("y", [-9.7, -8.8, 0.0, 5.0, 9.3])
 @pytest.mark.parametrize("measure", [PressureAt, HalfWidthAt])
 def test_places_have_what_the_solution_says(crowned, y, measure):
@@ -163,12 +155,6 @@ def test_where_a_contact_runs_out_the_end_moves():
     assert min(each.value for each in found) > 0.0
     assert_allclose([each.given["load"] for each in found], expected, rtol=1e-5)
     assert low < 0.0
-
-
-def test_a_norm_comes_near_the_largest_pressure(crowned):
-    values = [PressureNorm(power).partials(crowned).value for power in (4.0, 20.0, 200.0)]
-    assert values == sorted(values)
-    assert 0.95 * crowned.centre_pressure.max() < values[-1] <= crowned.centre_pressure.max()
 
 
 def test_families_of_contacts(crowned):

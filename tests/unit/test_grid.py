@@ -9,6 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bodies.influence import influence_of
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import Profile
 from nonhertz.solver.one import problem_of
@@ -279,8 +280,7 @@ def test_a_corner_that_an_end_presses_on_is_found_however_short_the_contact():
     ring = nh.Ring(diameter=-0.3, depth=0.5)
     roller = nh.Roller(diameter=0.06, length=0.2877, side_faces="mirror", depth="none", position=-0.02)
     roller = replace(roller, profile=profile.chamfer(length=0.2877, width=1.2e-5).shifted(0.1034))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         solution = nh.solve(nh.Contact(ring, roller), approach=8.65e-19, moment=-3e-17)
     corner = -0.02 + 0.1034 - 0.5 * 0.2877 + 1.2e-5
     assert solution.contact_y[0][0] == pytest.approx(corner, abs=1e-3)
@@ -292,8 +292,7 @@ def test_a_strip_beside_the_contact_hides_no_other_contact(fine):
     # The strips beside the fine ones have their centres out of contact, and nearly all of the contact within.
     roller = nh.Roller(diameter=20, length=20, profile=profile.crown(4000))
     edges = np.concatenate([[-10.0], fine, [10.0]])
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), approach=2e-3, strips=edges)
     assert any("a contact region is missed" in said for said in solution.warnings)
 
@@ -387,8 +386,7 @@ def test_a_grid_cut_from_an_end_next_to_the_middle_does_not_depend_on_the_unit_o
     def edges(times):
         roller = nh.Roller(diameter=20 * times, length=20 * times, profile=profile.crown(4000 * times))
         plate = nh.Plate(length=20 * times, position=side * (10.0 - 5e-3) * times)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", nh.AccuracyWarning)
+        with without_accuracy_warnings():
             return nh.solve(nh.Contact(roller, plate), load=1e3 * times**2).edges
 
     np.testing.assert_allclose(edges(1024.0) / 1024.0, edges(1.0), rtol=1e-6, atol=1e-9)

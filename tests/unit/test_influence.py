@@ -9,7 +9,7 @@ import nonhertz as nh
 from nonhertz.bodies.depths import PointsAtDepth
 from nonhertz.bodies.influence import HALF_SPACE, FreeSide, Influence
 from nonhertz.strip import influence
-from nonhertz.strip.influence import coefficients, displacements, lift, remote_of, self_displacement
+from nonhertz.strip.influence import coefficients, displacements, remote_of, self_displacement
 
 EDGES = np.array([-2.0, -1.4, -0.3, 0.1, 0.9, 3.0])
 LOW, HIGH = EDGES[:-1], EDGES[1:]
@@ -105,22 +105,6 @@ def test_an_image_is_the_mirrored_strip(element):
 
 
 @both_elements
-def test_terms_add_up(element):
-    image = (-1.0, 7.0, 0.7)
-    together = blocks(element, terms=np.vstack([HALF_SPACE, image]))
-    np.testing.assert_allclose(together, blocks(element) + blocks(element, terms=image), rtol=1e-13, atol=1e-14)
-
-
-@both_elements
-def test_displacement_is_the_coefficients_times_the_loads(element):
-    terms = np.vstack([HALF_SPACE, (-1.0, 7.0, 0.7)])
-    expected = blocks(element, terms=terms)[0] @ (R * M)[ACTIVE]
-    strips, kernel, found = strips_between(LOW, HIGH), kernel_of(element, terms), np.empty(M.size)
-    lift(strips, M, R * M, kernel, remote_of(strips, kernel, M), found)
-    np.testing.assert_allclose(found[ACTIVE], expected, rtol=1e-13, atol=0.0)
-
-
-@both_elements
 def test_displacement_does_not_depend_on_how_a_strip_is_cut(element):
     def from_strips(edges):
         r, m = np.full(edges.size - 1, 0.03), np.full(edges.size - 1, 0.2)
@@ -173,40 +157,6 @@ def test_displacement_at_depth_is_that_of_point_loads_below_them(depth, poisson)
     np.testing.assert_allclose(found, expected, rtol=1e-11, atol=0.0)
 
 
-def test_far_below_all_strips_only_their_load_counts():
-    # Y' -> (3 - 2 nu) width / d, over 2 (1 - nu); the next terms are (distance / d)^2 = 1e-6.
-    depth, width = 3000.0, np.diff(EDGES)
-    expected = np.tile((3.0 - 0.6) / (2.0 * 0.7) * width / depth, (Y.size, 1))
-    np.testing.assert_allclose(deep(depth).displacement(Y, EDGES), expected, rtol=5e-6, atol=0.0)
-
-
-def test_just_below_its_middle_a_strip_moves_by_its_logarithm():
-    # d << width: 2 ln(width / d) + 1 / (1 - nu).
-    depth = 1e-4
-    found = deep(depth).displacement(np.array([0.5]), np.array([0.0, 1.0]))
-    np.testing.assert_allclose(found, 2.0 * np.log(1.0 / depth) + 1.0 / 0.7, rtol=1e-8, atol=0.0)
-
-
-def test_an_image_acts_at_depth_as_the_mirrored_strip():
-    # A face at f sends the strip to 2 f - high ... 2 f - low with the same load.
-    face, weight = 3.5, 0.7
-    image = deep(1.5, terms=(-1.0, 2.0 * face, weight)).displacement(Y, EDGES)
-    mirrored = deep(1.5).displacement(Y, (2.0 * face - EDGES)[::-1])[:, ::-1]
-    np.testing.assert_allclose(image, weight * mirrored, rtol=1e-13, atol=1e-15)
-
-
-def test_a_shifted_image_acts_at_depth_as_the_shifted_strip():
-    image = deep(1.5, terms=(1.0, -8.0, 0.4)).displacement(Y, EDGES)
-    np.testing.assert_allclose(image, 0.4 * deep(1.5).displacement(Y, EDGES - 8.0), rtol=1e-13, atol=1e-15)
-
-
-def test_terms_add_up_at_depth():
-    image = (-1.0, 7.0, 0.7)
-    together = deep(1.5, terms=np.vstack([HALF_SPACE, image])).displacement(Y, EDGES)
-    apart = deep(1.5).displacement(Y, EDGES) + deep(1.5, terms=image).displacement(Y, EDGES)
-    np.testing.assert_allclose(together, apart, rtol=1e-13, atol=0.0)
-
-
 def test_every_place_has_its_own_depth():
     depths = 1.0 + Y**2
     varying = PointsAtDepth(lambda y: 1.0 + y**2, 1.0 / 1.4, HALF_SPACE)
@@ -222,22 +172,6 @@ def test_what_far_images_add_goes_by_the_load_of_each_strip():
 
 def test_without_depths_nothing_moves_there():
     np.testing.assert_array_equal(Influence(HALF_SPACE).at_depth(Y, EDGES), np.zeros((Y.size, Y.size)))
-
-
-def test_depths_of_both_bodies_add_up():
-    one, other = deep(1.5, terms=(1.0, 0.0, 0.3)), deep(4.0, terms=(1.0, 0.0, 0.7), poisson=0.2)
-    expected = one.displacement(Y, EDGES) + other.displacement(Y, EDGES)
-    np.testing.assert_allclose(Influence(HALF_SPACE, (one, other)).at_depth(Y, EDGES), expected, rtol=1e-15, atol=0.0)
-
-
-@both_elements
-def test_points_at_depth_count_against_the_displacement_alone(element):
-    # Curvature and both derivatives by the half-width are those of the surface.
-    at_depth = deep(1.5).displacement(Y, EDGES)
-    surface, against_depth = blocks(element), blocks(element, at_depth=at_depth)
-    expected = surface[0] - at_depth[np.ix_(ACTIVE, ACTIVE)]
-    np.testing.assert_allclose(against_depth[0], expected, rtol=1e-14, atol=0.0)
-    np.testing.assert_array_equal(against_depth[1:], surface[1:])
 
 
 @both_elements

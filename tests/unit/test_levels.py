@@ -2,7 +2,6 @@
 
 import itertools
 import math
-import warnings
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,6 +9,7 @@ import pytest
 from core_pieces import interpret
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.prescription import Prescription
 from nonhertz.result.estimate import left_of_change
 from nonhertz.solver.one import problem_of
@@ -93,8 +93,7 @@ def test_bodies_without_ends_are_looked_at_as_far_as_the_contact_calls_for(times
     # From half-widths of 1e-6 of the radius to 0.01: neither lost in the net of places nor in one of its meshes.
     crown = nh.profile.crown(50 * times)
     contact = nh.Contact(nh.Ring(diameter=100 * times, profile=crown), nh.Plate())
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         exact = nh.hertz.point_contact(
             load=load * times**2, radius_x=50 * times, radius_y=50 * times, compliance=contact.compliance
         )

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.life import (
     MODELS,
     LoadCase,
@@ -176,8 +177,7 @@ def test_at_a_sharp_end_it_is_said_what_is_not_counted():
 def test_at_a_corner_where_the_contact_ends_the_same_is_left_out_on_finer_strips():
     contact = nh.Contact(roller(nh.profile.chamfer(20, 1.0), length=20, diameter=20), nh.Ring(diameter=80))
     # Damage goes with the tenth power of the pressure, which has no limit there: finer than the default.
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         corner = nh.solve(contact, load=20e3, accuracy=6e-5)
     halved = np.unique(np.concatenate([corner.edges, 0.5 * (corner.edges[1:] + corner.edges[:-1])]))
     lives = [assess(each, "lundberg-palmgren")[0] for each in (corner, nh.solve(contact, load=20e3, strips=halved))]

@@ -1,11 +1,10 @@
 """Many cases in one call: each as if it had been solved alone, and none lost."""
 
-import warnings
-
 import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 
 CROWNED = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000)), nh.Plate())
 LOGARITHMIC = nh.Contact(
@@ -19,8 +18,7 @@ SAME = {"rtol": 1e-9, "atol": 0.0}
 
 
 def alone(contact, **case):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return nh.solve(contact, **case)
 
 
@@ -280,8 +278,7 @@ def test_a_grid_that_resists_is_solved_in_any_order():
     )
     sizes = np.exp(np.linspace(-0.06, 0.06, 8))
     case = {"load": 2480.492166 * sizes, "tilt": 7.8563406e-4 * (1.0 + np.linspace(-0.06, 0.06, 8))}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         up = nh.solve_many(contact, **case, strips=edges)
         down = nh.solve_many(contact, **{name: values[::-1] for name, values in case.items()}, strips=edges)
     assert np.all(up.converged)

@@ -7,7 +7,6 @@ import nonhertz as nh
 from nonhertz.show.summary import summary_rows
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
-POINTS = [-10.0, -7.3, 2.1, 4.7, 10.0], [0.01, 0.0, 0.004, 0.0, 0.02]
 LOGARITHMIC = nh.profile.logarithmic(amplitude=0.005, length=20, fraction=1.0)  # infinite at the ends
 PROFILES = {
     "straight": nh.profile.straight(),
@@ -42,13 +41,6 @@ def test_it_is_the_deepest_interference(name, tilt):
     dense = solution.approach + tilt * y - contact.separation(y)
     assert solution.penetration == pytest.approx(dense.max(), rel=1e-6)
     assert solution.penetration >= solution.interference.max()
-
-
-def test_without_tilt_and_gap_it_is_the_approach():
-    solution = nh.solve(on_plate(nh.profile.crown(400)), load=5e3)
-    assert solution.penetration == pytest.approx(solution.approach, rel=1e-12)
-    assert "penetration" not in [name for name, *_ in summary_rows(solution)]
-    assert "penetration" not in repr(solution)
 
 
 def test_a_gap_before_touch_changes_neither_it_nor_the_estimated_error():

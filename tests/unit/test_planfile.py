@@ -161,13 +161,6 @@ def test_mistakes_of_the_case_are_named_with_its_file(folder):
     assert all("case.toml: " in sentence for sentence in caught.value.mistakes)
 
 
-def test_a_case_that_is_not_there_is_missed_in_one_sentence(folder):
-    path = folder / "plan.toml"
-    path.write_text('case = "other.toml"\n', encoding="utf-8")
-    with pytest.raises(nh.CaseError, match=r"other\.toml must exist"):
-        read_plan(path)
-
-
 def test_plans_and_cases_are_told_apart():
     assert holds_plan({"case": "x"})
     assert holds_plan({"over": {}})

@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import warnings
 from dataclasses import replace
 from functools import cache
 from xml.etree import ElementTree
@@ -17,6 +16,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz import plot
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.plot.axial import mark_unlimited
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.overlay import compared_contacts
@@ -53,8 +53,7 @@ CASES = {
 @cache
 def solved(name: str) -> Solution:
     body, given = CASES[name]
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return nh.solve(nh.Contact(body, nh.Plate()), **given)  # type: ignore[arg-type]
 
 
@@ -97,8 +96,7 @@ class TestPressure:
     @pytest.mark.parametrize(("load", "largest"), [(20e3, False), (60e3, True)])
     def test_a_pressure_that_rises_again_at_a_land_end_says_so(self, load, largest, ax):
         cornered = roller(profile=nh.profile.crown(1500.0), corner_radius=0.8)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", nh.AccuracyWarning)
+        with without_accuracy_warnings():
             solution = nh.solve(nh.Contact(cornered, nh.Plate()), load=load)
         plot.pressure(solution, ax)
         shown = [text for text in ax.texts if "land end" in text.get_text()]

@@ -141,11 +141,6 @@ def test_the_files_inside_solve_to_the_same_numbers(page, results_of_case, tmp_p
     assert files["roller-table.csv"].count(b"\n") == 16
 
 
-@pytest.mark.slow
-def test_it_is_the_same_file_every_time(text, results_of_case):
-    assert rendered([results_of_case]) == text
-
-
 def test_key_numbers_stand_first(results_of_case):
     shown = {name: float(value.split()[0]) for name, (value, _) in numbers_of(results_of_case).items()}
     assert shown["maximum pressure"] == pytest.approx(results_of_case.solution.max_pressure, rel=1e-4)

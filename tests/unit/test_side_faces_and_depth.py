@@ -19,7 +19,6 @@ from nonhertz.strip.influence import displacements
 EDGES = np.linspace(-8.0, 8.0, 25)
 Y = 0.5 * (EDGES[1:] + EDGES[:-1])
 STEEL = nh.Material(modulus=206000.0, poisson=0.3)
-DIRECT = {(1.0, 0.0): 1.0}
 
 
 def roller(**changes):
@@ -32,14 +31,6 @@ def plate(**changes):
 
 def on_plate(**changes):
     return nh.Contact(roller(**changes), plate())
-
-
-def rows(contact, element=nh.SEMI_ELLIPTIC):
-    """(sign, offset) -> weight of all that acts on the surfaces."""
-    terms = influence_of(contact, element).terms
-    table = {(sign, offset): weight for sign, offset, weight in terms.tolist()}
-    assert len(table) == len(terms)  # no place twice
-    return table
 
 
 def below(contact, element=nh.SEMI_ELLIPTIC):
@@ -132,50 +123,6 @@ def test_weights_are_lowered_in_proportion_to_kappa_one(of_a, of_b, wanted, used
 
 
 # Images
-
-IMAGES = {
-    "half-spaces": (on_plate(side_faces="none"), {}),
-    "one body that ends": (on_plate(), {(-1.0, -16.0): 0.5, (-1.0, 16.0): 0.5}),
-    "moved, faces at -6 and 10": (on_plate(position=2.0), {(-1.0, -12.0): 0.5, (-1.0, 20.0): 0.5}),
-    "one face, three images": (on_plate(images=3, side_faces=("none", "mirror")), {(-1.0, 16.0): 0.5}),
-    "one face, all images": (on_plate(images="series", side_faces=("none", "mirror")), {(-1.0, 16.0): 0.5}),
-    # Low face 0.4, high face 1.6, each image also carrying the weights of those before it in its chain; from the
-    # second on no weight is more than 1.
-    "two of unlike faces": (
-        on_plate(images=2, side_faces=(0.4, 1.6)),
-        {
-            (-1.0, -16.0): 0.2, (1.0, 32.0): 0.2, (-1.0, -48.0): 0.08,
-            (-1.0, 16.0): 0.8, (1.0, -32.0): 0.32, (-1.0, 48.0): 0.32,
-        },
-    ),
-    "coincident faces": (
-        nh.Contact(roller(), plate(length=16.0, side_faces=0.3)), {(-1.0, -16.0): 0.65, (-1.0, 16.0): 0.65}
-    ),
-    "other faces": (
-        nh.Contact(roller(), plate(length=24.0)),
-        dict.fromkeys([(-1.0, -16.0), (-1.0, 16.0), (-1.0, -24.0), (-1.0, 24.0)], 0.5),
-    ),
-    # Of the roller 1.6 alone; of the plate 4 times its half, lowered to 1.
-    "lowered": (
-        nh.Contact(roller(side_faces="calibrated"), plate(length=20.0, side_faces=(4.0, "none"))),
-        {(-1.0, -16.0): 0.8, (-1.0, 16.0): 0.8, (-1.0, -20.0): 1.0},
-    ),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", IMAGES)
-def test_images_lie_about_the_faces_with_the_weights_of_their_chain(name):
-    contact, expected = IMAGES[name]
-    assert rows(contact) == pytest.approx(DIRECT | expected, rel=1e-12)
-
-
-@pytest.mark.parametrize("count", [1, 2, 3, 7])
-def test_several_images_alternate_between_both_faces(count):
-    # Per face count mirrored strips, 2 L apart, and count - 1 shifted by 2 L, 4 L ...
-    length = 16.0
-    mirrored = {(-1.0, side * (16.0 + 2.0 * length * k)): 0.5 for side in (-1, 1) for k in range(count)}
-    shifted = {(1.0, side * 2.0 * length * k): 0.5 for side in (-1, 1) for k in range(1, count)}
-    assert rows(on_plate(images=count)) == pytest.approx(DIRECT | mirrored | shifted, rel=1e-12)
 
 
 @pytest.mark.parametrize("element", [nh.SEMI_ELLIPTIC, nh.PARABOLIC], ids=lambda e: e.name)

@@ -2,7 +2,6 @@
 
 import math
 import re
-import warnings
 from dataclasses import dataclass
 from types import SimpleNamespace
 
@@ -10,7 +9,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.errors import shown
+from nonhertz.errors import shown, without_accuracy_warnings
 from nonhertz.model.prescription import loads_between
 from nonhertz.model.profile import Profile
 from nonhertz.result import validity
@@ -152,24 +151,30 @@ def test_impossible_edges_are_refused(edges, condition):
 # Contacts
 
 
-def test_conforming_surfaces_are_refused():
-    said = refusal(nh.Contact(roller(), nh.Ring(diameter=-20)), **LOAD)
-    assert said == "diameter = (20.0, -20.0) must leave a positive combined curvature"
-
-
-def test_surfaces_that_conform_at_one_place_are_refused():
-    outer = nh.Ring(diameter=nh.TabulatedDiameter((-10.0, 10.0), (-19.0, -40.0)))
-    assert refusal(nh.Contact(roller(), outer), **LOAD).endswith("must leave a positive combined curvature")
-
-
-def test_a_contact_that_nothing_ends_is_refused():
-    said = refusal(nh.Contact(nh.Body(diameter=20), nh.Plate()), **LOAD)
-    assert said == "length = None must be given where nothing else ends the contact"
-
-
-def test_a_relief_without_end_is_refused():
-    said = refusal(nh.Contact(roller(profile=Gone()), nh.Plate()), **LOAD)
-    assert said == "profile = inf must leave a finite separation somewhere on the bodies"
+@pytest.mark.parametrize(
+    ("contact", "said"),
+    [
+        (
+            nh.Contact(roller(), nh.Ring(diameter=-20)),
+            "diameter = (20.0, -20.0) must leave a positive combined curvature",
+        ),
+        (
+            nh.Contact(roller(), nh.Ring(diameter=nh.TabulatedDiameter((-10.0, 10.0), (-19.0, -40.0)))),
+            "must leave a positive combined curvature",
+        ),
+        (
+            nh.Contact(nh.Body(diameter=20), nh.Plate()),
+            "length = None must be given where nothing else ends the contact",
+        ),
+        (
+            nh.Contact(roller(profile=Gone()), nh.Plate()),
+            "profile = inf must leave a finite separation somewhere on the bodies",
+        ),
+    ],
+    ids=range(4),
+)
+def test_bodies_that_cannot_touch_are_refused(contact, said):
+    assert refusal(contact, **LOAD).endswith(said)
 
 
 # Warned of
@@ -265,8 +270,7 @@ def test_a_moment_just_inside_the_end_of_a_logarithm_without_a_body_end():
 
 def test_nobody_is_told_of_strips_that_nobody_gave():
     straight = nh.Contact(nh.Roller(diameter=20, length=20, side_faces="none", depth="none"), nh.Plate())
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         many = nh.solve_many(straight, load=1e3, moment=[0.0, 9990.0, 9999.0, 9999.9999, 9999.99999999])
     assert many.converged[0]
     assert not any("strips" in str(error).split("Try")[0] for error in many.failures.values())
@@ -311,8 +315,7 @@ def test_bodies_too_small_for_the_load_refuse_what_was_given(roller, given):
     contact = nh.Contact(nh.Roller(**({"diameter": 20.0, "length": 20.0} | roller)), nh.Plate())
     name, value = next(iter(given.items()))
     said = rf"^{name} = {value} must leave the half-width, .* (radius of 10 mm|mm of body a)"
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         for solve in (nh.solve, nh.patch.solve):
             with pytest.raises(nh.InputError, match=said):
                 solve(contact, **given)

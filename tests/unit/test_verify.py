@@ -3,13 +3,11 @@
 import json
 import math
 import pkgutil
-from pathlib import Path
 
 import pytest
 
 import nonhertz as nh
 from nonhertz import verify
-from nonhertz.verify import half_space
 from nonhertz.verify.claim import Claim, Section, forget, named, series, solved
 from nonhertz.verify.page import as_json, as_markdown, row
 
@@ -123,21 +121,6 @@ def test_sections_come_in_reading_order_and_unknown_ones_are_refused():
     assert verify.chosen(["quarter-space", "half-space", "quarter-space"]) == ("half-space", "quarter-space")
     with pytest.raises(nh.InputError, match="choose from hertz-ellipse, line-limits, "):
         verify.chosen(["half-space", "nonsense"])
-
-
-def test_each_section_is_announced_before_it_runs(monkeypatch):
-    events = []
-    claim = Claim("a number", "a law", 2.0, lambda: events.append("runs") or 2.0, 0.0)
-    monkeypatch.setattr(half_space, "rollers", lambda: [claim])
-    (section,) = verify.sections(["half-space"], events.append)
-    assert (section.name, section.title, len(section.checks)) == ("half-space", "Rollers on half-spaces", 1)
-    assert events == ["half-space", "runs"]
-
-
-def test_the_catalogue_lists_every_section():
-    modules = {path.stem for path in Path(verify.__file__).parent.glob("*.py")}
-    apart = {"__init__", "bearing_sums", "claim", "known_bearings", "page"}
-    assert {place.partition(":")[0] for place, _ in verify.CATALOGUE.values()} == modules - apart
 
 
 def test_claims_are_data_until_their_numbers_are_asked_for(monkeypatch):

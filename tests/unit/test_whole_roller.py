@@ -65,31 +65,12 @@ def test_a_uniform_pressure_all_around_moves_the_surface_by_the_same_everywhere(
     np.testing.assert_allclose(moved[:, 0], in_k, rtol=1e-9)
 
 
-def test_even_and_odd_loads_move_the_surface_evenly_and_oddly():
-    places = np.array([-0.7, 0.7])
-    moved = compressed(elements(), 2, lambda z: np.stack([z**2, z], -1), places)
-    np.testing.assert_allclose(moved[0], [moved[1, 0], -moved[1, 1]], rtol=1e-12)
-
-
-@pytest.mark.parametrize("n", [0, 2, 6])
-def test_modes_are_reciprocal(n):
-    node, weight = np.polynomial.legendre.leggauss(24)
-    moved = compressed(elements(), n, lambda z: np.stack([z**0, z, z**4], -1), node)
-    assert weight @ (moved[:, 0] * node**4) == pytest.approx(weight @ moved[:, 2], rel=1e-4)
-
-
 def test_the_smooth_part_is_symmetric_and_does_not_mix_even_and_odd():
     found = whole_roller(Outline.cylinder(1.0), 0.3).matrix
     np.testing.assert_allclose(found, found.T, atol=1e-12)
     count = np.arange(len(found))
     assert np.all(found[np.add.outer(count, count) % 2 == 1] == 0.0)
     assert np.abs(found[-2:, :4]).max() < 0.02 * np.abs(found).max()
-
-
-def test_a_strip_moves_as_its_parts_do():
-    whole, y = whole_roller(Outline.cylinder(1.0), 0.3), np.array([[-0.5, 0.1, 0.9]])
-    parts = whole.displacement(y, np.array([[-0.3, 0.0, 0.2, 0.7]]))
-    np.testing.assert_allclose(parts.sum(axis=-1), whole.displacement(y, np.array([[-0.3, 0.7]]))[..., 0], rtol=1e-12)
 
 
 def test_slopes_of_the_curved_part_are_those_of_its_values():
@@ -148,14 +129,6 @@ def plane_mode(bore, n, poisson, modulus):
     return -0.5 * sum(a * f(1.0)[2] for a, f in zip(amplitudes, functions, strict=True))
 
 
-@pytest.mark.slow
-def test_as_the_bore_closes_a_roller_becomes_a_solid_one():
-    solid = uniformly(Outline.cylinder(1.0))
-    np.testing.assert_allclose(uniformly(Outline.cylinder(1.0, 0.01)), solid, atol=0.02)
-    apart = [np.abs(uniformly(Outline.cylinder(1.0, bore)) - solid).max() for bore in (0.2, 0.1, 0.05)]
-    assert apart == sorted(apart, reverse=True)
-
-
 @pytest.mark.parametrize("taper", [0.05, 0.1])
 @pytest.mark.slow
 def test_a_tapered_roller_is_the_same_in_any_unit_of_length(taper):
@@ -167,13 +140,6 @@ def test_a_tapered_roller_is_the_same_in_any_unit_of_length(taper):
     for other in (small, large):
         np.testing.assert_allclose(other[1:-1], mean[1:-1], atol=0.02)
         np.testing.assert_allclose(other, mean, atol=0.06)
-
-
-@pytest.mark.slow
-def test_a_slightly_tapered_roller_is_nearly_a_cylinder():
-    # Its ends are no right angles: 2 of the logarithm of the distance per radian.
-    tapered = uniformly(Outline((-1.0, 1.0), (0.9995, 1.0005), (0.0, 0.0)))
-    np.testing.assert_allclose(tapered, uniformly(Outline.cylinder(1.0)), atol=0.005)
 
 
 def recessed(wall, deep=0.1, radius=0.4):
@@ -256,18 +222,6 @@ def test_bodies_that_are_no_whole_roller_are_refused(make, message):
 def test_sizes_beyond_all_numbers_are_no_whole_roller():
     with np.errstate(all="raise"):
         assert nh.Roller(diameter=1e100, length=1.0).behind.word == "plane-strain"
-
-
-@pytest.mark.parametrize("changed", [{"length": 20.0}, {"diameter": 10.0}, {"bore": 20.0 * (1.0 - (6.0 / 8.0) ** 2)}])
-def test_rollers_that_are_almost_alike_have_almost_the_same_contact(changed):
-    # There are 12 + 6 (L / D) / sqrt(wall) polynomials: 18, 24 and 20, which becomes one more.
-    ((name, value),) = changed.items()
-    one, other = (
-        nh.solve(nh.Contact(roller(**{name: value + change}), nh.Ring(diameter=80.0)), load=5e3, tilt=2e-4)
-        for change in (-2e-7, 2e-7)
-    )
-    for quantity in ("approach", "max_pressure"):
-        assert getattr(other, quantity) == pytest.approx(getattr(one, quantity), rel=1e-6)
 
 
 @pytest.mark.parametrize("name", ["diameter", "length", "bore"])

@@ -1,12 +1,12 @@
 """Waves as short as the contact is wide, against the plane grid, which lets the pressure across have any shape."""
 
-import warnings
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.profile.base import Formula
 from nonhertz.result.checks import MODEL_ERROR, MOST_UNEVEN, checks
 
@@ -31,8 +31,7 @@ def waved(height, length):
 
 
 def solved(contact, **options):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", nh.AccuracyWarning)
+    with without_accuracy_warnings():
         return nh.solve(contact, load=10e3, **options)
 
 
