@@ -44,8 +44,8 @@ def script(name: str, folder: Path = EXAMPLES) -> ModuleType:
 
 @pytest.mark.parametrize("path", BEARINGS, ids=lambda path: path.stem)
 @pytest.mark.slow
-def test_every_bearing_solves_from_the_command_line(path, tmp_path, run):
-    result = run("bearing", str(path), "--json", "--out", str(tmp_path)).json
+def test_every_bearing_solves_from_the_command_line(path, run):
+    result = run("bearing", str(path), "--json").json
     assert result["warnings"] == []
     # Outer raceways bear what the file asks for; ribs are of the inner ring, and what speed does cancels all round.
     prescribed = read_bearing(path).prescribed
@@ -53,7 +53,6 @@ def test_every_bearing_solves_from_the_command_line(path, tmp_path, run):
     turned = np.where(np.array(result["row"]) == 2, -1.0, 1.0)
     assert_allclose(np.sum(load * np.cos(inclined) * np.cos(result["angle"])), prescribed["radial"], rtol=1e-6)
     assert_allclose(np.sum(turned * load * np.sin(inclined)), prescribed.get("axial", 0.0), rtol=1e-6)
-    assert {"result.json", "rollers.csv", "lines.csv"} <= {file.name for file in tmp_path.iterdir()}
 
 
 @pytest.mark.parametrize(("name", "static", "tolerance"), [("nu206", 36.5e3, 2e-3), ("tapered-pair", 60e3, 0.015)])

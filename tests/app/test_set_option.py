@@ -145,7 +145,6 @@ def test_every_command_with_a_case_takes_what_was_set(tmp_path, monkeypatch, run
     for words in (
         ["check", "case.toml"],
         ["stress", "case.toml", "--json"],
-        ["map", "case.toml", "--load", "0:5kN", "--accuracy", "0.1", "--json"],
         ["sweep", "case.toml", "--over", "load.tilt=0,0.5mrad", "--json"],
     ):
         said = []

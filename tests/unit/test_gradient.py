@@ -195,9 +195,7 @@ def test_nonsense_is_refused(crowned, ask, said):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "model", [nh.life.lundberg_palmgren(), nh.life.zaretsky(), nh.life.iso_16281(edge_stress="none")]
-)
+@pytest.mark.parametrize("model", [nh.life.zaretsky(), nh.life.iso_16281(edge_stress="none")])
 def test_damage_changes_with_the_load_as_the_assessed_one(model):
     """From the stress below the surface, or from laminae, at two loads on the same strips."""
     contact = nh.Contact(

@@ -201,11 +201,6 @@ def test_given_edges_are_kept():
     np.testing.assert_array_equal(as_list.line_load, solution.line_load)
 
 
-def test_the_automatic_grid_is_what_comes_of_leaving_it_out():
-    left_out = solved(profile.crown(4000), load=3e3, strips=None)
-    np.testing.assert_array_equal(left_out.y, solved(profile.crown(4000), load=3e3).y)
-
-
 # Ends anywhere
 
 
