@@ -36,6 +36,7 @@ HIDDEN = 4.0  # times the last strip's excess over the maximum: its mean is lowe
 # rollers. A load at one end alone leaves 8e-5 of the approach, one at a sharp end 5e-4 of the pressure beside it.
 LEFT_BY_MODES, PRESSURE_LEFT_BY_MODES = 2e-5, 1e-4
 MISSED = 0.02  # of the deepest interference: an overlap this large where no strip is in contact is a missed contact
+LEVELS = 3  # of grids, from whose changes errors are estimated
 SHARP_END_ERROR, LEFT_AT_END = 0.12, 0.016  # see `_at_ends`
 USUALLY_LEFT = 0.6  # of the accuracy aimed for: about the largest error found where the change was small
 
@@ -73,7 +74,7 @@ def estimates(
         *within(problem, finest.edges), accuracy or 0.0, ratio, LEFT_BY_MODES * whole, PRESSURE_LEFT_BY_MODES * whole,
     )  # fmt: skip
     coarse, coarser = (levels[min(k, len(levels) - 1)] for k in (1, 2))
-    errors: Array = _estimates(finest, coarse, coarser, min(len(levels), 3), ends, known)
+    errors: Array = _estimates(finest, coarse, coarser, min(len(levels), LEVELS), ends, known)
     return errors
 
 
@@ -136,7 +137,7 @@ def _estimates(finest: States, coarse: States, coarser: States, count: int, ends
     wide = wide_among(finest, known.hertz_ratio)
     second, _ = largest_of(coarse, known.hertz_ratio, ends.singular)
     third, _ = largest_of(coarser, known.hertz_ratio, ends.singular)
-    values = np.empty((3, 5))
+    values = np.empty((LEVELS, 5))
     for case in range(errors.shape[0]):
         if finest.status[case] != CONVERGED:
             continue

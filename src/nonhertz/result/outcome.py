@@ -14,7 +14,7 @@ from nonhertz.errors import ConvergenceError
 from nonhertz.findings import Finding
 from nonhertz.result.end_pressure import Ends, edge_pressures, ends_of, with_strength
 from nonhertz.result.ends import singular_ends
-from nonhertz.result.estimate import estimates
+from nonhertz.result.estimate import LEVELS, estimates
 from nonhertz.result.maximum import largest_of
 from nonhertz.result.solution import EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.result.suspicion import suspected
@@ -131,7 +131,7 @@ class Judgement:
 
     @cached_property
     def _rows(self) -> list[States]:
-        return [level.row() for level in self.levels.states]
+        return [level.row() for level in self.levels.states[:LEVELS]]
 
     @cached_property
     def _ends(self) -> Ends:

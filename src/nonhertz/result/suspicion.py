@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.compiled import compiled
 from nonhertz.result.checks import HEAVIEST, LEAST_DEPTH, MOST_OF_MODULUS, MOST_OF_RADIUS, MOST_UNEVEN, unevenness
 from nonhertz.result.end_pressure import Ends
-from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, LEFT_BY_MODES, has_whole_roller
+from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, LEFT_BY_MODES, LEVELS, has_whole_roller
 from nonhertz.result.validity import AT_CORNER, searched
 from nonhertz.strip.overlaps import suspects
 from nonhertz.strip.problem import Problem
@@ -50,7 +50,7 @@ def suspected(problem: Problem, grids: Grids, levels: Sequence[States], ends: En
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     hardest = 0.5 * MOST_OF_MODULUS * softer * contact.compliance
     strained = _strained(finest, grids, uneven, np.array(contact.bends), at, ratio, hardest)
-    failed = ~np.logical_and.reduce([level.converged for level in levels[:3]])
+    failed = ~np.logical_and.reduce([level.converged for level in levels[:LEVELS]])
     heavy = any(end.requested > HEAVIEST for end in problem.model.influence.ends)
     region = searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
     large = LARGE_ERROR
