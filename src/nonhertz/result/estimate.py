@@ -36,6 +36,7 @@ HIDDEN = 4.0  # times the last strip's excess over the maximum: its mean is lowe
 # rollers. A load at one end alone leaves 8e-5 of the approach, one at a sharp end 5e-4 of the pressure beside it.
 LEFT_BY_MODES, PRESSURE_LEFT_BY_MODES = 2e-5, 1e-4
 MISSED = 0.02  # of the deepest interference: an overlap this large where no strip is in contact is a missed contact
+APPROACH, LOAD, MAX_PRESSURE, MOMENT, TILT = range(5)  # columns of the estimates
 LEVELS = 3  # of grids, from whose changes errors are estimated
 SHARP_END_ERROR, LEFT_AT_END = 0.12, 0.016  # see `_at_ends`
 USUALLY_LEFT = 0.6  # of the accuracy aimed for: about the largest error found where the change was small
@@ -51,7 +52,8 @@ def estimates(
     problem : Problem
         What the cases share.
     levels : sequence of States
-        The states of all cases on every grid, finest first; of coarser ones only those count that have converged.
+        The states of all cases on every grid, finest first. Where a case has not converged on the second or third, its
+        errors mean nothing.
     accuracy : float or None
         As `nonhertz.strip.levels.Levels.accuracy`.
     ends : Ends
@@ -156,30 +158,25 @@ def _estimates(finest: States, coarse: States, coarser: States, count: int, ends
         for k, (states, pressure) in enumerate(((finest, highest), (coarse, second[case]), (coarser, third[case]))):
             load, moment = _resultant(states, case)
             values[k] = states.rigid[case, 0] - before_touch, load, pressure, moment, states.rigid[case, 1]
-        load, reach = values[0, 1], 0.5 * (strips.edges[-1] - strips.edges[0])
+        load, reach = values[0, LOAD], 0.5 * (strips.edges[-1] - strips.edges[0])
         unseen, unborne = _relative(mean, penetration), _relative(mean * finest.stiffness[case, 0, 0], load)
         of_grids = np.empty(5)
-        for k, whole in enumerate((abs(values[0, 0]), abs(load), highest, load * reach, penetration / reach)):
-            of_grids[k] = left_of_change(values[:count, k], whole, 0.0 if k == 2 else accuracy)
-        if known.prescribed[0]:
-            errors[case, 0], errors[case, 1] = max(floor, of_grids[0] + unseen) + left, 0.0
-        else:
-            errors[case, 0], errors[case, 1] = 0.0, max(floor, of_grids[1] + unborne) + left
-        if known.prescribed[1]:
-            errors[case, 3], errors[case, 4] = 0.0, max(floor, of_grids[4] + unseen) + left
-        else:
-            errors[case, 3], errors[case, 4] = max(floor, of_grids[3] + unborne) + left, 0.0
+        for k, whole in enumerate((abs(values[0, APPROACH]), abs(load), highest, load * reach, penetration / reach)):
+            of_grids[k] = left_of_change(values[:count, k], whole, 0.0 if k == MAX_PRESSURE else accuracy)
+        for by_force, motion, force in ((known.prescribed[0], APPROACH, LOAD), (known.prescribed[1], TILT, MOMENT)):
+            errors[case, motion] = max(floor, of_grids[motion] + unseen) + left if by_force else 0.0
+            errors[case, force] = 0.0 if by_force else max(floor, of_grids[force] + unborne) + left
         if not (at_corner or cut_off):
             coarseness = COARSE if known.accuracy > ACCURACY else 1.0
-            by_strips = max(floor, coarseness * max(PRESSURE_LEFT * known.accuracy, of_grids[2]), raised)
+            by_strips = max(floor, coarseness * max(PRESSURE_LEFT * known.accuracy, of_grids[MAX_PRESSURE]), raised)
             reach_of = _reaches(strips, coarse, case, count)
             beside = _beside_strips(strips, ends.singular[case], known.falls_away[case], reach_of, ripples, highest)
-            errors[case, 2] = by_strips + beside + known.pressure_left_by_modes
+            errors[case, MAX_PRESSURE] = by_strips + beside + known.pressure_left_by_modes
     return errors
 
 
 class _Strips(NamedTuple):
-    """The strips of a case: centres, widths and half-widths [mm]; K q / a, and K times the load of each."""
+    """The strips of a case: their edges, centres and half-widths [mm]; K q / a, and K times the load of each."""
 
     edges: Array
     y: Array

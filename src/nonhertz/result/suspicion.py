@@ -11,7 +11,16 @@ from numpy.typing import NDArray
 from nonhertz.compiled import compiled
 from nonhertz.result.checks import HEAVIEST, LEAST_DEPTH, MOST_OF_MODULUS, MOST_OF_RADIUS, MOST_UNEVEN, unevenness
 from nonhertz.result.end_pressure import Ends
-from nonhertz.result.estimate import LARGE_ERROR, LARGE_PRESSURE_ERROR, LEFT_BY_MODES, LEVELS, has_whole_roller
+from nonhertz.result.estimate import (
+    APPROACH,
+    LARGE_ERROR,
+    LARGE_PRESSURE_ERROR,
+    LEFT_BY_MODES,
+    LEVELS,
+    LOAD,
+    MAX_PRESSURE,
+    has_whole_roller,
+)
 from nonhertz.result.validity import AT_CORNER, searched
 from nonhertz.strip.overlaps import suspects
 from nonhertz.strip.problem import Problem
@@ -56,7 +65,9 @@ def suspected(problem: Problem, grids: Grids, levels: Sequence[States], ends: En
     large = LARGE_ERROR
     if problem.accuracy_given and problem.accuracy is not None:
         large = min(LARGE_ERROR, problem.accuracy + LEFT_BY_MODES * has_whole_roller(problem))
-    sure = (np.maximum(errors[:, 0], errors[:, 1]) <= large) & (errors[:, 2] <= LARGE_PRESSURE_ERROR)
+    sure = (np.maximum(errors[:, APPROACH], errors[:, LOAD]) <= large) & (
+        errors[:, MAX_PRESSURE] <= LARGE_PRESSURE_ERROR
+    )
     found: Flags = strained | failed | heavy | ~sure | suspects(problem, finest, region)
     return found
 
