@@ -55,6 +55,9 @@ def test_pieces_bear_load_and_moment(case):
     of_pieces = np.add.reduceat(load * (high - low), cut.first[:-1] - strips)
     np.testing.assert_allclose(whole, of_pieces, rtol=1e-12)
     assert cut.first[-1] == cut.low.size
+    # They follow each other without a gap inside a contact.
+    assert np.count_nonzero(low[1:] != high[:-1]) == len(solution.contact_y) - 1
+    assert np.all(high > low)
 
 
 @pytest.mark.filterwarnings("ignore::nonhertz.errors.AccuracyWarning")  # few strips are what this is about
@@ -82,19 +85,15 @@ def test_pieces_that_bear_another_load_are_not_used(monkeypatch):
     strips = lamination.LoadedStrips.of(solution)
     right = laminated(solution)
     assert lamination.bears(right, strips)
-    one = cut_with(right, line_load=np.where(np.arange(right.low.size) == right.low.size // 2, 1.1, 1.0))
-    negative = cut_with(right, line_load=np.where(np.arange(right.low.size) == right.low.size - 1, -1.0, 1.0))
-    turned = cut_with(right, line_load=1.0 + 0.01 * 0.5 * (right.low + right.high))
-    endless = cut_with(right, half_width=np.inf)
-    for wrong in (one, negative, turned, endless):
+    one, negative = np.ones((2, right.low.size))
+    one[one.size // 2], negative[-1] = 1.1, -1.0
+    turned = 1.0 + 0.005 * (right.low + right.high)
+    loads = [right._replace(line_load=right.line_load * factor) for factor in (one, negative, turned)]
+    for wrong in (*loads, right._replace(half_width=np.inf * right.half_width)):
         assert not lamination.bears(wrong, strips)
         monkeypatch.setattr(lamination, "cut_into_pieces", lambda _, wrong=wrong: wrong)
         low, high, load, _ = pieces_of(laminated(solution))
         assert load @ (high - low) == pytest.approx(4e3, rel=1e-12)
-
-
-def cut_with(cut, **factors):
-    return cut._replace(**{name: getattr(cut, name) * factor for name, factor in factors.items()})
 
 
 @pytest.mark.parametrize("load", [20e3, 200.0])
@@ -103,14 +102,6 @@ def test_at_a_corner_the_last_strip_bears_its_pressure(load):
     touching = solution.line_load > 0.0
     field = nh.subsurface.stress(solution, 0.0, solution.y[touching], 0.0)
     np.testing.assert_allclose(-field.sigma_z, solution.centre_pressure[touching], rtol=2e-4)
-
-
-def test_pieces_follow_each_other_without_a_gap_inside_a_contact(case):
-    solution, cut = case
-    low, high, _, _ = pieces_of(cut)
-    gaps = np.flatnonzero(low[1:] != high[:-1])
-    assert gaps.size == len(solution.contact_y) - 1
-    assert np.all(high > low)
 
 
 def test_pieces_keep_the_values_at_the_centres(case):
@@ -142,12 +133,6 @@ def test_an_even_pressure_is_left_alone():
     long = nh.Roller(diameter=20, length=10, side_faces="mirror", images="series")
     cut = laminated(nh.solve(nh.Contact(long, long), load=10e3, strips=11))
     assert cut.low.size == 22
-
-
-@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
-def test_a_single_strip_is_its_own_piece():
-    cut = laminated(solved(strips=1))
-    assert cut.low.tolist() == [-10.0, -10.0]
 
 
 def test_a_strip_falls_to_where_its_contact_runs_out():

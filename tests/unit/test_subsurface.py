@@ -1,7 +1,5 @@
 """Stress below solved contacts: the verbs, their values and their complaints."""
 
-import pickle
-
 import numpy as np
 import pytest
 
@@ -47,13 +45,6 @@ def test_what_follows_from_the_six_components():
     np.testing.assert_allclose(field.max_shear[1], 50.0, rtol=1e-12)
     assert (field.tau_xz[0], field.tau_yz[0], field.tau_xy[0]) == (2.0, 0.5, -1.0)
     assert (field.sigma_x[0], field.sigma_y[0], field.sigma_z[0]) == (-3.0, -5.0, -9.0)
-
-
-def test_fields_are_read_only_also_after_pickling(tilted):
-    field = pickle.loads(pickle.dumps(stress(tilted, 0.0, [0.0, 1.0], 0.1)))
-    for array in (field.stress, field.von_mises, field.y):
-        with pytest.raises(ValueError, match="read-only"):
-            array[0] = 0.0
 
 
 # Where there is no material
@@ -222,7 +213,7 @@ def test_over_a_pass_of_a_dent_the_range_is_from_one_side_to_the_other():
 
 
 @pytest.mark.slow
-def test_the_largest_of_the_body_is_no_less_than_of_any_section(tilted):
+def test_the_largest_of_the_body_is_no_less_than_of_any_section_and_found_on_a_fine_net_too(tilted):
     overall, section = extremes(tilted), extremes(tilted, station=4.5)
     for name in ("von_mises", "shear", "orthogonal_shear"):
         whole, part = getattr(overall, name), getattr(section, name)
@@ -232,31 +223,17 @@ def test_the_largest_of_the_body_is_no_less_than_of_any_section(tilted):
         again = {"von_mises": there.von_mises, "shear": there.max_shear, "orthogonal_shear": abs(there.tau_xz)}[name]
         assert whole.max == pytest.approx(float(again), rel=1e-9)
     assert overall.warnings == ()
-
-
-@pytest.mark.slow
-def test_the_largest_is_found_on_a_fine_net_too(tilted):
     block = volume(tilted, np.linspace(0.0, 0.4, 9), np.linspace(3.0, 6.0, 13), np.linspace(0.1, 0.4, 31))
-    found = extremes(tilted).von_mises.max
-    assert block.von_mises.max() <= found * (1.0 + 1e-6)
-    assert block.von_mises.max() == pytest.approx(found, rel=2e-3)
+    assert overall.von_mises.max * (1.0 - 2e-3) <= block.von_mises.max() <= overall.von_mises.max * (1.0 + 1e-6)
 
 
-def test_off_contact_the_largest_orthogonal_shear_lies_deeper(tilted):
+def test_off_contact_the_largest_orthogonal_shear_lies_deeper():
     crowned = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000))
     solution = nh.solve(nh.Contact(crowned, nh.Plate()), load=4e3)
     station = solution.contact_y[-1][1] + 1.0
     found = extremes(solution, station=station).orthogonal_shear
     block = volume(solution, np.linspace(0.0, 4.0, 81), [station], np.linspace(0.0, 6.0, 121))
     assert found.max == pytest.approx(np.abs(block.tau_xz).max(), rel=2e-3)
-
-
-@pytest.mark.slow
-def test_towards_a_sharp_end_nothing_is_searched_and_that_is_said():
-    solution = nh.solve(nh.Contact(nh.Roller(diameter=20, length=20), RING), load=10e3)
-    found = extremes(solution)
-    assert abs(found.von_mises.y) < 10.0 - 0.9 * solution.half_width[0]
-    assert "no limit towards the sharp ends at y = -10 and 10 mm" in found.warnings[0]
 
 
 @pytest.fixture(scope="module")
@@ -294,7 +271,6 @@ ENDS = {
     "chamfers of 45 degrees, light": (nh.profile.chamfer(20, 0.3), 100.0, [-9.7, 9.7]),
     "a crown that runs out before its chamfer": (nh.profile.crown(radius=2000) + nh.profile.chamfer(20, 1.0), 3e3, []),
     "a bend that turns far too little": (nh.profile.tapered_ends(straight=14, angle=1e-4), 10e3, [-10.0, 10.0]),
-    "no bend at all": (nh.profile.iso_logarithmic(diameter=20, length=20), 20e3, []),
     "both sides of a groove": (
         nh.profile.tabulated([-10, -2.1, -2, 2, 2.1, 10], [0, 0, 0.1, 0.1, 0, 0], interpolation="linear"),
         10e3,
@@ -332,21 +308,17 @@ def test_the_largest_is_found_up_to_where_a_contact_runs_out():
 
 
 @pytest.mark.slow
-def test_a_plane_grid_is_not_searched_at_sharp_ends_either():
+def test_towards_a_sharp_end_nothing_is_searched_and_that_is_said():
     contact = nh.Contact(nh.Roller(diameter=20, length=20), RING)
     # On the surface next to what is left out, the strips' semi-ellipse is not quite the pressure of the cells.
     below = (0.05, np.inf)
     found = extremes(nh.patch.solve(contact, load=10e3, cells=(24, 128)), depths=below)
-    of_strips = extremes(nh.solve(contact, load=10e3), depths=below)
-    assert "no limit towards the sharp ends" in found.warnings[0]
+    solution = nh.solve(contact, load=10e3)
+    of_strips = extremes(solution, depths=below)
+    for each in (found, of_strips):
+        assert abs(each.von_mises.y) < 10.0 - 0.9 * solution.half_width[0]
+        assert "no limit towards the sharp ends at y = -10 and 10 mm" in each.warnings[0]
     assert found.von_mises.max == pytest.approx(of_strips.von_mises.max, rel=0.03)
-
-
-@pytest.mark.slow
-def test_a_corner_of_the_profile_is_warned_of():
-    tapered = nh.Roller(diameter=20, length=20, profile=nh.profile.tapered_ends(straight=14, angle=0.015))
-    found = extremes(nh.solve(nh.Contact(tapered, RING), load=10e3))
-    assert "corner of the profile" in found.warnings[-1]
 
 
 def test_a_depth_of_minus_nothing_is_the_surface(tilted):
