@@ -9,11 +9,11 @@ from accuracy_reached import PEERS, PROGRAMS, Entry
 from entrants import DEAREST, LEARNT
 from races import QUANTITIES
 
-# How many times faster than the best peer strips were hoped to be, on their own and many at once.
 # How many times faster than the best peer strips are meant to be, on their own and many at once.
 TARGETS = {"approach": {"strips": 20.0, "batch": 100.0}, "max_pressure": {"strips": 10.0, "batch": 50.0}}
 AHEAD = 1.0  # the target everywhere else
 LABELS = dict(zip(PROGRAMS, ("strips", "strips, many at once", "plane grid", *PEERS), strict=True))
+RATIOS = ("strips : peer", "many : peer", "strips : plane grid")
 NOT_REACHED = "not reached"
 
 INTRODUCTION = """\
@@ -29,12 +29,8 @@ ARRIVALS = """\
 Time of the cheapest grid that meets the target, provided that all finer grids of the same program meet it too. In
 brackets the grid: strips (automatic grids by their `accuracy`), or cells across and along. The plane grid is
 `nonhertz.patch`. Many at once: {cases} loads, up to {less:.0f} % apart, in one call of `solve_many`, the time divided
-by their number; "reused" is the automatic grid of the first load, used for all.
-"""
-
-RATIOS = """\
-How many times as fast as the best peer (tamaas or ContactMechanics) strips are, with the target in brackets, and as the
-plane grid:
+by their number; "reused" is the automatic grid of the first load, used for all. The last columns: how many times as
+fast as the best peer strips are, with the target in brackets, and as the plane grid.
 """
 
 DRAWINGS = """\
@@ -42,22 +38,20 @@ DRAWINGS = """\
 
 ![Error of approach and of maximum pressure against time](race.svg)
 
-Filled marks: automatic and reused grids of strips, and cells sixteen times as many along as across. Open: equal strips,
-and four times as many. Shaded: below the uncertainty of the reference. Every entry, with its grid, memory, errors,
-tolerance and the pressure at the centre, is in [race.json](race.json); the errors at the centre are drawn
-[here](race-centre.svg).
+Filled marks: automatic and reused grids, and cells sixteen times as many along as across. Open: equal strips, and four
+times as many. Shaded: below the uncertainty of the reference. Every entry is in [race.json](race.json); errors at the
+centre are drawn [here](race-centre.svg).
 """
 
 RULES = """\
 ## Rules
 
-- All plane grids solve the same equations on the same cells: uniform pressure on each rectangle, half-spaces, the load
-  prescribed. That their solutions agree is checked.
+- All plane grids solve the same equations on the same cells: rectangles of uniform pressure on half-spaces under a load.
+  That their solutions agree is checked.
 - Each runs with its loosest tolerance that ends within {approach} of the converged approach and {pressure} of the
   maximum pressure on its grid, a tenth of what is asked above.
 - Plane grids are given a rectangle that just holds the contact, with sharp ends on edges of cells; strips find it.
-- What a peer can keep between solves is made before the clock starts. Strips and our plane grid are timed from contact
-  to answer.
+- What a peer can keep between solves is made before the clock starts. Ours are timed from contact to answer.
 - ContactMechanics runs the fastest of its solvers for a prescribed load: "{winner}". tamaas starts from zero pressure.
 - A process for each program, contact and grid; after a warm-up, the median of five runs or more, or of as many as fit
   into a second. A solve expected to take longer than {dearest} s is left out.
@@ -79,9 +73,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield from (f"Without {LABELS[program]}: {reason}.\n" for program, reason in results["missing"].items())
     yield from (f"Failed: {failure}.\n" for failure in results["failures"])
     yield ARRIVALS.format(cases=results["batch"]["cases"], less=100 * results["batch"]["range"])
-    yield _table(("contact", "asked", *LABELS.values()), _arrivals(results))
-    yield RATIOS
-    yield _table(("contact", "asked", "strips", "many at once", "than the plane grid"), _ratios(results))
+    yield _table(("contact", "asked", *LABELS.values(), *RATIOS), _arrivals(results))
     yield _verdict(results)
     yield DRAWINGS
     yield from _full_size(results["full size"], results["races"])
@@ -93,13 +85,9 @@ def page(results: dict[str, Any]) -> Iterator[str]:
 def _arrivals(results: dict[str, Any]) -> Iterator[list[str]]:
     for row in results["headlines"]:
         cells = (_arrival(row["cheapest"][program], program in results["missing"]) for program in LABELS)
-        yield [results["races"][row["race"]]["title"], _asked(row), *cells]
-
-
-def _ratios(results: dict[str, Any]) -> Iterator[list[str]]:
-    for row in results["headlines"]:
         judged = [f"{_times(row[f'{way} against peer'])} ({target:g})" for way, target in _targets(row).items()]
-        yield [results["races"][row["race"]]["title"], _asked(row), *judged, _times(row["strips against patch"])]
+        ratios = *judged, _times(row["strips against patch"])
+        yield [results["races"][row["race"]]["title"], _asked(row), *cells, *ratios]
 
 
 def _verdict(results: dict[str, Any]) -> str:

@@ -35,7 +35,7 @@ class Level(Enum):
 
     MET = "limits met"
     STRAINED = "model strained"
-    UNLIMITED = "no limit of the pressure"
+    UNLIMITED = "pressure unbounded"
     NOT_MET = "limits not met"
 
     @property
@@ -162,7 +162,8 @@ def of_rows(
         return None
     limit, body = (STATIC_LIMIT, "") if contact is None else _limit(contact)
     over = np.count_nonzero(known > limit)
-    among = f"; so do {over} of {known.size} {what}" if over else ""
+    verb = "exceeds" if over == 1 else "exceed"
+    among = f"; {over} of {known.size} {what} {verb} it" if over and known.size > 1 else ""
     found = [_pressed(float(known.max()), limit, body, f" of all {what}", among)]
     strained = np.count_nonzero(np.asarray(warned, dtype=float) > 0.0)
     if strained:
@@ -234,9 +235,9 @@ def _pressed(pressure: float, limit: float, body: str = "", where: str = "", mor
 
 def _without_limit(solution: Solution) -> Finding:
     if solution.singular_ends:
-        words = "The pressure has no limit towards {ends}."
+        words = "The pressure grows without limit towards {ends}."
         return finding("no-limit", words, ends=ends_in_words(solution.singular_ends))
-    return finding("no-limit", "The pressure has no limit at a corner of the profile, where it is largest.")
+    return finding("no-limit", "The pressure grows without limit at a corner of the profile, where it is largest.")
 
 
 def _strained(found: Iterable[Finding]) -> Iterator[tuple[Level, Finding]]:

@@ -233,6 +233,7 @@ def test_a_body_is_refused_in_the_words_of_python(folder, keys):
     ("words", "beginning"),
     [
         (["slove", "case.toml"], 'Unknown command "slove". Did you mean "solve"? See \''),
+        (["case.toml"], "A command comes first, such as 'nonhertz solve case.toml'; see 'nonhertz --help'"),
         (["solve"], 'Command "solve" parameter CASE requires an argument'),
         (["stress", "a", "b"], "This command takes no 'b'; see"),
         (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
@@ -243,6 +244,6 @@ def test_wrong_usage_is_one_sentence(run, words, beginning):
     printed = run(*words, code=2)
     assert printed.out == ""
     assert printed.err.startswith(beginning)
-    of = "nonhertz" if words[0] == "slove" else f"nonhertz {words[0]}"
+    of = "nonhertz" if words[0] in ("slove", "case.toml") else f"nonhertz {words[0]}"
     assert printed.err.endswith((f"; see '{of} --help'.\n", f"? See '{of} --help'.\n"))
     assert len(printed.err.splitlines()) == 1

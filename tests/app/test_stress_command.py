@@ -74,7 +74,7 @@ def test_the_table_has_both_and_the_warnings(sharp, run):
     assert printed.err == ""
     lines = printed.out.splitlines()
     assert lines[0] == "Roller 20 x 20 on a plate"
-    assert lines.pop(1).startswith("No limit of the pressure. ")
+    assert lines.pop(1).startswith("Pressure unbounded. ")
     heads = ["largest [MPa]", "of p0 there", "x [mm]", "y [mm]", "z [mm]"]
     assert [word.strip() for word in lines[1].split("  ") if word.strip()] == heads
     assert [line.strip() for line in lines[2:10:4]] == ["in body a", "at y = 9.9 mm"]

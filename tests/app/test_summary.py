@@ -102,4 +102,4 @@ def test_the_rows_fit_a_narrow_terminal(sharp, capsys):
     lines = [line.rstrip() for line in capsys.readouterr().out.splitlines() if not line.startswith("warning")]
     # A row that is broken begins with the remark's column.
     assert len(lines) == len(summary_rows(sharp)) + 2
-    assert lines[1].startswith("No limit of the pressure. ")
+    assert lines[1].startswith("Pressure unbounded. ")

@@ -164,9 +164,9 @@ FREED = "ends with its side face freed by images of weight 1"
 @pytest.mark.parametrize(
     ("a", "b", "convention"),
     [
-        (roller(**HALF_SPACE), nh.Plate(), "a ends as a half-space, b goes on"),
-        (roller(), nh.Plate(), "a ends with its side face free, b goes on"),
-        (roller(side_faces="mirror"), nh.Plate(), f"a {FREED}, b goes on"),
+        (roller(**HALF_SPACE), nh.Plate(), "a ends as a half-space, b continues"),
+        (roller(), nh.Plate(), "a ends with its side face free, b continues"),
+        (roller(side_faces="mirror"), nh.Plate(), f"a {FREED}, b continues"),
         (
             roller(side_faces="calibrated"),
             nh.Plate(length=20.0, side_faces="calibrated"),
@@ -175,9 +175,9 @@ FREED = "ends with its side face freed by images of weight 1"
         (
             roller(effective_length=19.0),
             nh.Plate(),
-            "a can touch only up to here, 0.5 mm short of its side face, b goes on",
+            "a can touch only up to here, 0.5 mm short of its side face, b continues",
         ),
-        (roller(length=30.0), nh.Plate(length=20.0, side_faces="none"), "a goes on, b ends as a half-space"),
+        (roller(length=30.0), nh.Plate(length=20.0, side_faces="none"), "a continues, b ends as a half-space"),
     ],
 )  # fmt: skip
 def test_the_convention_says_what_ends_and_what_is_freed(a, b, convention):

@@ -39,7 +39,7 @@ def test_rows_are_counted_above_the_limit():
     found = of_rows([2000.0, 2600.0, math.nan, 2700.0], contact, [0.0, 0.0, math.nan, 2.0])
     assert found.level is Level.NOT_MET
     assert found.sentence == (
-        "The largest pressure of all rows, 2700 MPa, exceeds 2500 MPa, the limit of body a; so do 2 of 3 rows."
+        "The largest pressure of all rows, 2700 MPa, exceeds 2500 MPa, the limit of body a; 2 of 3 rows exceed it."
     )
     assert str(found.findings[1]).startswith("1 of 3 rows have warnings")
     assert of_rows([2000.0], None).sentence.endswith("is below 4000 MPa, that of bearing steel at rest (ISO 76).")
@@ -51,7 +51,7 @@ def test_a_sweep_has_that_of_its_rows_and_none_without_pressures():
     over = {"load.load": [20e3, 200e3]}
     found = nh.sweep(case, over=over)
     assert found.verdict.level is Level.NOT_MET
-    assert "so do 1 of 2 rows" in found.verdict.sentence
+    assert "1 of 2 rows exceeds it" in found.verdict.sentence
     assert nh.sweep(case, over=over, quantities=("approach",)).verdict is None
 
 

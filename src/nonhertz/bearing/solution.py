@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import mm, mrad, newton, newton_mm, um
+from nonhertz.amounts import mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.laws import Slices
@@ -176,6 +176,9 @@ class BearingSolution(ReadOnly):
             f"{loaded} rollers loaded; at {np.degrees(self.angle[most]):.1f} degrees "
             f"{newton(*self.load[most], between=' and ')} at the inner and the outer ring",
         ]
+        if self.method == "strips":
+            largest = mpa(*self.max_pressure.max(axis=0), between=" and ")
+            said.append(f"maximum pressure {largest} at the inner and the outer ring")
         return plain_text("BearingSolution", said)
 
     def contact(self, roller: int, ring: str = "inner") -> Solution | None:

@@ -116,7 +116,8 @@ class StrippedContact:
                 states, pose = solved.states[0].one(k).row(), poses[rows[case]]
                 if states.status[0] != CONVERGED:
                     at = f"an approach of {um(pose[0]):.6g} and a tilt of {mrad(pose[1]):.6g}"
-                    raise ConvergenceError(f"The contact of a roller at {at} has no solution.", None)
+                    said = f"The contact of a roller at {at} has no solution: is a load too large?"
+                    raise ConvergenceError(said, None)
                 grids = self._grids(states.counts, states.edges)
                 found[rows[case]] = LaidContact(grids, pose, depths[case], pose, states, _answer(states))
         return found

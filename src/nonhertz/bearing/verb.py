@@ -193,7 +193,7 @@ def _checked(
 ) -> tuple[BearingSolver, Array]:
     """Return how a bearing is solved, and what its speed loads every roller with; refuse what cannot be."""
     if not isinstance(bearing, RollerBearing | Paired):
-        remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
+        remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing, or take that of a BearingCase"
         raise InputError("bearing", bearing, "be a bearing", remedy)
     solver = BearingSolver(method=method, laminae=laminae)
     rate = _UNIT_OF_SPEED * BearingLoad(speed=speed).speed

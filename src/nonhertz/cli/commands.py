@@ -131,6 +131,8 @@ def run(words: Sequence[str]) -> int:
         print(f"This command takes no {unused}; see {_help_on(words)}.", file=sys.stderr)
     except CycloptsError as error:
         said, _, _ = " ".join(str(error).split()).partition(" Available commands: ")  # which help lists
+        if words and words[0].endswith(".toml"):
+            said = f"A command comes first, such as 'nonhertz solve {words[0]}'"
         lead = f"{said} See" if said.endswith("?") else f"{said.rstrip('.')}; see"
         print(f"{lead} {_help_on(words)}.", file=sys.stderr)
     return BAD_INPUT

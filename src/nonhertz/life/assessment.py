@@ -18,7 +18,7 @@ from typing import NamedTuple, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import mm
+from nonhertz.amounts import digits, mm
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding, said
 from nonhertz.inputs.checks import listed, whole
@@ -29,6 +29,7 @@ from nonhertz.life.spectrum import checked_shares, miner
 from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words, outermost, step_at
 from nonhertz.result.solution import EdgeKind, ReadOnly, SingularEnd, Solution, Solved
 from nonhertz.subsurface.evaluation import Running, refuse_options
@@ -84,6 +85,14 @@ class Life(HasFindings, ReadOnly):
     y: Array
     density: Array
     findings: tuple[Finding, ...]
+
+    def __repr__(self) -> str:
+        relative, absolute = self.relative_life, self.million_revolutions
+        ideal = "no damage" if math.isnan(relative) else f"{digits(relative, 3)} of the life under the ideal pressure"
+        rated = f"no life in revolutions: {self.unrated}"
+        if absolute is not None:
+            rated = f"L10 = {digits(absolute, 4)} million revolutions"
+        return plain_text("Life", [f"{self.model.name}, body {self.body}", ideal, rated, *self.warnings])
 
     @property
     def no_revolutions(self) -> str:

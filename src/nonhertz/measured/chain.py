@@ -93,7 +93,7 @@ class Measured:
 
     def __post_init__(self) -> None:
         if not isinstance(self.trace, Trace):
-            raise InputError("trace", self.trace, "be a Trace", "make one with nonhertz.measured.Trace")
+            raise InputError("trace", self.trace, "be a Trace", "read one with nonhertz.files.traces.read_trace")
         steps = listed("steps", self.steps, "be a list of steps", "give Level(), Align() and the like")
         for step in steps:
             if not (isinstance(getattr(step, "name", None), str) and callable(getattr(step, "apply", None))):
@@ -330,7 +330,7 @@ class Measured:
 
 @checked
 def prepare(
-    trace: Annotated[Trace, Part("the raw measurement", Trace, "make one with nonhertz.measured.Trace")],
+    trace: Annotated[Trace, Part("the raw measurement", Trace, "read one with nonhertz.files.traces.read_trace")],
     *,
     level: Annotated[bool, Flag("whether to take off the tilt at which the body lay in the machine")] = True,
     align: Annotated[

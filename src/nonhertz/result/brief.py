@@ -48,7 +48,10 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
         said.append(_pressure(solution))
         said.append(_numbers(solution, ("max_half_width",)))
         places = ", ".join(f"{mm(*ends, between=' to '):4}" for ends in solution.contact_y)
-        said.append(f"contact along y from {shortened(places)}: {' and '.join(ends)}")
+        named = list(ends)
+        alike = len(named) == 2 and len({*named}) == 1
+        how = f"both ends {named[0]}" if alike else " and ".join(named)
+        said.append(f"contact along y from {shortened(places)}: {how}")
     if solution.warnings:
         more = "" if len(solution.warnings) == 1 else f" (and {len(solution.warnings) - 1} more)"
         said.append(f"warning: {shortened(solution.warnings[0])}{more}")

@@ -170,7 +170,7 @@ def _convention(problem: Problem, place: float, side: int, reach: float) -> Find
         face = body.faces[index]
         weight = max((end.weights[which] for end in problem.model.influence.ends if end.side == side), default=0.0)
         if abs(body.interval[index] - place) > reach:
-            words.append(f"{name} goes on")
+            words.append(f"{name} continues")
         elif math.isfinite(face) and abs(face - place) > reach:
             words.append(f"{name} can touch only up to here, {{{name}:.3g}} short of its side face")
             short[name] = mm(abs(face - place))

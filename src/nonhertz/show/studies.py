@@ -60,7 +60,8 @@ def design_sections(found: Design) -> list[Section]:
 
 
 def _counted(sweep: Sweep) -> str:
-    return f"{len(sweep)} rows{f', {sweep.failed} of them failed' if sweep.failed else ''}"
+    rows = "row" if len(sweep) == 1 else "rows"
+    return f"{len(sweep)} {rows}{f', {sweep.failed} of them failed' if sweep.failed else ''}"
 
 
 def varied_rows(sweep: Sweep) -> list[Row]:

@@ -269,4 +269,5 @@ def _point(place: str, content: str, values: list[float | None]) -> tuple[float,
 def _check_header(place: str, content: str) -> None:
     # Micrometres read as millimetres would make the relief a thousand times too large, and no later check could tell.
     if _SMALL_UNIT.search(content):
-        raise InputError(place, content, "name mm as the unit", "convert both columns to mm, or delete the line")
+        remedy = "convert both columns to mm, delete the line, or use kind = 'measured', which reads units"
+        raise InputError(place, content, "name mm as the unit", remedy)
