@@ -46,8 +46,8 @@ centre are drawn [here](race-centre.svg).
 RULES = """\
 ## Rules
 
-- All plane grids solve the same equations on the same cells: rectangles of uniform pressure on half-spaces under a load.
-  That their solutions agree is checked.
+- All plane grids solve the same equations on the same cells: rectangles of uniform pressure on half-spaces under a
+  load. That their solutions agree is checked.
 - Each runs with its loosest tolerance that ends within {approach} of the converged approach and {pressure} of the
   maximum pressure on its grid, a tenth of what is asked above.
 - Plane grids are given a rectangle that just holds the contact, with sharp ends on edges of cells; strips find it.

@@ -39,7 +39,7 @@ def bearing(profile):
         inner=nh.Ring(diameter=37.5, depth=3.75),
         outer=nh.Ring(diameter=-55.5, depth=3.25),
         rollers=13,
-        clearance=0.018,
+        clearance=0.0184,
     )
 
 

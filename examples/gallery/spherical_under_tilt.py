@@ -31,7 +31,7 @@ BARRELS = nh.bearing.SphericalRollerBearing(
     profile_radius=0.97 * SPHERE,
     inner_groove=SPHERE,
     outer_groove=SPHERE,
-    clearance=0.018,
+    clearance=0.0184,
 )
 BEARINGS = {
     # The lines of pressure of both rows meet in the middle of the sphere.
@@ -43,7 +43,7 @@ BEARINGS = {
         inner=nh.Ring(diameter=37.5, depth=3.75),
         outer=nh.Ring(diameter=-55.5, depth=3.25),
         rollers=13,
-        clearance=0.018,
+        clearance=0.0184,
     ),
 }
 STYLES = {"spherical": (FIRST, "-"), "cylindrical": (SECOND, "--")}

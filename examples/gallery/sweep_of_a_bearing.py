@@ -20,7 +20,7 @@ bearing = nh.bearing.CylindricalRollerBearing(
     inner=nh.Ring(diameter=37.5, depth=3.75),
     outer=nh.Ring(diameter=-55.5, depth=3.25),
     rollers=13,
-    clearance=0.018,
+    clearance=0.0184,
 )
 case = nh.BearingCase(bearing, {"radial": 11e3, "tilt": 0.5e-3}, {"method": "slices"}, title="NU 206 by slices")
 found = nh.sweep(
