@@ -81,18 +81,14 @@ def test_the_axial_load_goes_through_every_roller():
     assert np.all(np.abs(found.moment[:2]) > 100.0)
 
 
-def test_slices_bear_axial_loads_by_ribs_too():
-    found = B.solve(row(), radial=4e3, axial=900.0, method="slices")
-    assert np.sum(found.each_rib_load[:, 0]) * found.bearing.rib_contacts[0].motion[0, 0] == pytest.approx(
-        900.0, rel=1e-9
-    )
-
-
 def test_two_ways_are_borne_alike():
     both = row("NUP", axial_clearance=0.1)
     up, down = (B.solve(both, radial=4e3, axial=axial, method="slices") for axial in (700.0, -700.0))
     assert_allclose(down.displacement, up.displacement * [-1, 1, 1, 1, 1], rtol=1e-7, atol=1e-9)
     assert_allclose(down.rib_load, up.rib_load, rtol=1e-7, atol=1e-4)
+    of_inner = [rib.motion[0, 0] * (rib.ring == "inner") for rib in both.rib_contacts]
+    # To what is left of the balance, over the loads.
+    assert np.sum(up.each_rib_load @ of_inner) == pytest.approx(700.0, abs=1e-9 * up.load.sum())
     # Ring and rollers move through the clearance before ribs bear.
     stiff = B.solve(row("NUP"), radial=4e3, axial=700.0, method="slices")
     assert up.displacement[0] - stiff.displacement[0] == pytest.approx(0.05, rel=1e-6)
@@ -123,7 +119,6 @@ def test_a_contact_beyond_the_flank_is_said():
 @pytest.mark.parametrize(
     ("made", "said"),
     [
-        (lambda: row("NU", rib=B.Rib(100.0, 3.0)), "design = 'NU' must have ribs that bear loads, since"),
         (lambda: row(rib=B.Rib(100.0, 4.2)), "rib.height = 4.2 must be less than the radius of the rollers' ends, 4.1"),
         (lambda: row(rib=B.Rib(40.0, 3.9)), None),
         (lambda: row("NJ", rib=B.Rib(9e5, 4.0)), None),

@@ -28,29 +28,21 @@ def gauss(low, high, points):
 
 
 # Load zone
-def test_preload_without_load_loads_every_roller():
-    found = B.solve(row(clearance=-0.01), radial=0.0, method="slices")
-    assert_allclose(found.load_zone, [2.0 * math.pi], rtol=1e-15)
-    assert_array_equal(found.loaded_share, [1.0])
-
-
-def test_with_much_clearance_one_roller_bears_all():
-    # 100 N move the ring by about 0.1 um beyond the clearance; the next roller is 0.1 (1 - cos 27.7 deg) / 2 mm away.
-    found = B.solve(row(clearance=0.1), radial=100.0, method="slices")
-    assert_allclose(found.load_zone, [2.0 * math.pi / 13.0], rtol=1e-15)
-    assert_allclose(found.load[0, 0], 100.0, rtol=1e-8)
-
-
-def test_without_clearance_nearly_half_the_rollers_bear_load():
-    # Those with cos(angle) > 0, whatever the load: 7 of 13.
-    found = B.solve(row(clearance=0.0), radial=2e3, method="slices")
-    assert_allclose(found.loaded_share, [7.0 / 13.0], rtol=1e-15)
-
-
-def test_rollers_that_speed_alone_presses_outwards_are_not_in_the_load_zone():
-    found = B.solve(row(clearance=0.1), radial=100.0, speed=5e3, method="slices")
-    assert np.count_nonzero(found.load[:, 1]) == 13
-    assert_allclose(found.loaded_share, [1.0 / 13.0], rtol=1e-15)
+@pytest.mark.parametrize(
+    ("clearance", "radial", "speed", "loaded"),
+    [
+        (-0.01, 0.0, 0.0, 13),
+        # Some 0.1 um beyond the clearance; the next roller is 0.1 (1 - cos 27.7 deg) / 2 mm away.
+        (0.1, 100.0, 0.0, 1),
+        (0.1, 100.0, 5e3, 1),  # speed presses the others on the outer ring alone
+        (0.0, 2e3, 0.0, 7),  # those with cos(angle) > 0, whatever the load
+    ],
+)
+def test_rollers_that_the_inner_ring_loads_are_the_load_zone(clearance, radial, speed, loaded):
+    found = B.solve(row(clearance=clearance), radial=radial, speed=speed, method="slices")
+    assert_allclose(found.load_zone, [2.0 * math.pi * loaded / 13.0], rtol=1e-15)
+    assert_array_equal(found.loaded_share, [loaded / 13.0])
+    assert np.count_nonzero(found.load[:, 1]) == (13 if speed else loaded)
 
 
 def test_every_row_has_its_load_zone(both):

@@ -407,13 +407,6 @@ def test_what_the_solver_refuses_names_the_key():
         dataclasses.replace(case, life={"viscosity": 0.1, "speed": 1e3}).assess(case.solve("slices"))
 
 
-def test_a_pair_is_assessed_as_its_file_says():
-    text = changed(TAPERED, ("rollers = 14", 'rollers = 14\npair = { arrangement = "O", distance = 20 }'))
-    case = read(f"{text}[life]\nreliability = 0.95\n")
-    solution = case.solve("slices")
-    assert case.assess(solution) == nh.bearing.assess(solution, reliability=0.95)
-
-
 SPECTRUM = """
 [[life.spectrum]]
 share = 0.1
@@ -526,22 +519,6 @@ def test_a_fit_leaves_less_clearance():
     assert case.solve("slices").bearing == case.mounted
     assert read(LOOSE).mounted.clearance == 0.0325
     assert read(LOOSE).operating_clearance is None
-
-
-def test_temperatures_and_speed_take_their_share():
-    text = changed(LOOSE + FIT, ("[fit.shaft]", "[fit]\ninner_temperature = 50\n[fit.shaft]\ntemperature = 50"))
-    found = read(changed(text, ('radial = "10 kN"', 'radial = "10 kN"\nspeed = "12000 rpm"'))).operating_clearance
-    # Shaft and ring grow together, by 12.5e-6 a kelvin of the raceway.
-    assert found.lost_to_temperatures == pytest.approx(12.5e-6 * 30.0 * 37.5)
-    assert found.lost_to_speed > 0.0
-    left = (
-        found.unmounted
-        - found.lost_to_inner_fit
-        - found.lost_to_outer_fit
-        - found.lost_to_temperatures
-        - found.lost_to_speed
-    )
-    assert found.clearance == pytest.approx(left)
 
 
 def test_tapered_rows_lose_axial_clearance():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
@@ -40,7 +39,6 @@ CONTACT_UNITS = {
     "max_pressure": "MPa", "max_pressure_y": "mm", "rib_load": "N",
 }  # fmt: skip
 _SAME = 1e-9  # of the largest approach
-_NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -199,8 +197,7 @@ class BearingSolution(ReadOnly):
         InputError
             If there is no such contact, or the bearing was solved by slices.
         """
-        roller = whole("roller", roller, 0, self.angle.size - 1, "count from 0")
-        one_of("ring", ring, RINGS, "name one of both")
+        self._check_contact(roller, ring)
         if self.method != "strips":
             raise InputError("method", self.method, "be 'strips' for pressures", "solve the bearing by strips")
         found: Solution | None = self._solutions[roller][RINGS.index(ring)]
@@ -229,8 +226,7 @@ class BearingSolution(ReadOnly):
         InputError
             If there is no such roller or ring.
         """
-        roller = whole("roller", roller, 0, self.angle.size - 1, "count from 0")
-        one_of("ring", ring, RINGS, "name one of both")
+        self._check_contact(roller, ring)
         pressing = [(float(loads[roller]), rib) for loads, rib in self._ribs() if rib.ring == ring]
         load, rib = max(pressing, key=lambda each: each[0], default=(0.0, None))
         return rib.under(load) if rib is not None and load > 0.0 else None
@@ -248,10 +244,14 @@ class BearingSolution(ReadOnly):
         InputError
             If there is no such roller.
         """
-        roller = whole("roller", roller, 0, self.angle.size - 1, "count from 0")
+        self._check_contact(roller)
         row = next(k for k, row in enumerate(self.bearing.rows, start=1) if roller < row.rollers.stop)
         among = f", row {row}" if len(self.bearing.rows) > 1 else ""
         return f"roller {roller} at {np.degrees(self.angle[roller]):.1f} degrees{among}"
+
+    def _check_contact(self, roller: int, ring: str = RINGS[0]) -> None:
+        whole("roller", roller, 0, self.angle.size - 1, "count from 0")
+        one_of("ring", ring, RINGS, "name one of both")
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import RegularGridInterpolator
 
-from nonhertz.amounts import digits, given
+from nonhertz.amounts import digits, given, mrad, um
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.section import MOTIONS
@@ -84,8 +84,7 @@ class ForceTable(ReadOnly):
     def __repr__(self) -> str:
         rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
         grid = [
-            f"{name} {given(1e3 * axis[0], 4)} to {given(1e3 * axis[-1], 4)} "
-            f"{'mrad' if name.startswith('about') else 'um'} in {axis.size}"
+            f"{name} {(mrad if name.startswith('about') else um)(axis[0], axis[-1], between=' to '):.4g} in {axis.size}"
             for name, axis in zip(self.names, self.axes, strict=True)
         ]
         at = f", at {given(self.speed)} 1/min of the {self.turning} ring" if self.speed else ""

@@ -165,16 +165,10 @@ class Design:
     @cached_property
     def relief(self) -> tuple[Array, Array, Array]:
         """Positions along body a, its relief after and before, all [mm]; nan where it has none."""
-        return relief_of(self.case, self.was)
-
-
-def relief_of(case: Case, was: Case) -> tuple[Array, Array, Array]:
-    """Return positions along body a, its relief in one case and in another, all [mm]; nan where it has none."""
-    low, high = case.contact.interval
-    y = np.linspace(low, high, PLACES)
-    new, old = (each.contact.a.relief(y) + each.contact.b.relief(y) for each in (case, was))
-    new, old = (np.where(np.isfinite(each), each, np.nan) for each in (new, old))
-    return y, new, old
+        y = np.linspace(*self.case.contact.interval, PLACES)
+        new, old = (each.contact.a.relief(y) + each.contact.b.relief(y) for each in (self.case, self.was))
+        new, old = (np.where(np.isfinite(each), each, np.nan) for each in (new, old))
+        return y, new, old
 
 
 @dataclass(frozen=True)

@@ -74,17 +74,8 @@ class Work:
             # What strains the model is a column of its own.
             warnings.simplefilter("ignore", AccuracyWarning)
             if template.is_bearing:
-                return [self._of_bearing(template, each) for each in named]
+                return [self._alone(template, each) for each in named]
             return self._of_contacts(template, named)
-
-    def _of_bearing(self, template: Template, values: Values) -> Row:
-        try:
-            case = template.case(values)
-            assert isinstance(case, BearingCase)
-            solved = SolvedBearing(case, case.solve(interpolated=True))
-        except NonhertzError as error:
-            return self._failed(error)
-        return Row(tuple(number_of(quantity, solved) for quantity in self.quantities))
 
     def _of_contacts(self, template: Template, values: Sequence[Values]) -> list[Row]:
         """Return rows of contacts, those with equal bodies solved together."""
@@ -142,9 +133,11 @@ class Work:
     def _alone(self, template: Template, values: Values) -> Row:
         try:
             case = template.case(values)
-            assert isinstance(case, Case)
-            case = replace(case, contact=replace(case.contact, interpolated=True))
-            solved = SolvedContact(case, case.solve())
+            if isinstance(case, BearingCase):
+                solved: SolvedBearing | SolvedContact = SolvedBearing(case, case.solve(interpolated=True))
+            else:
+                case = replace(case, contact=replace(case.contact, interpolated=True))
+                solved = SolvedContact(case, case.solve())
         except NonhertzError as error:
             return self._failed(error)
         return Row(tuple(number_of(quantity, solved) for quantity in self.quantities))

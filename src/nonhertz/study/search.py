@@ -62,19 +62,16 @@ class _Searching:
         for accuracy in (SEARCHING, None) if self._task.is_automatic else (None,):
             self._accuracy, self._best, self._at = accuracy, None, (b"", None)
             if self._judged(x) is None:
-                return Search(begun, x, math.nan, tuple(self._history), -math.inf, self._why(x))
+                why = "It could not be solved."
+                try:
+                    self._task.at(x)
+                except NonhertzError as error:
+                    why = str(error)
+                return Search(begun, x, math.nan, tuple(self._history), -math.inf, why)
             x = self._improved(x)
         assert self._best is not None
         value, x, margin = self._best
         return Search(begun, x, value, tuple(self._history), margin)
-
-    def _why(self, x: Array) -> str:
-        """Return why a point cannot be solved."""
-        try:
-            self._task.at(x)
-        except NonhertzError as error:
-            return str(error)
-        return "It could not be solved."
 
     def _improved(self, x: Array) -> Array:
         """Return the best point that a search from ``x`` finds."""

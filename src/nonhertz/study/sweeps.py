@@ -311,7 +311,11 @@ def sweep(
     numbers = chosen(asked.quantities, bearing=asked.template.is_bearing)
     processes = thread_count(workers)
     solving = Workers(scheduler)
-    directory = None if out is None else _directory(out)
+    if not isinstance(out, str | Path | None):
+        raise InputError("out", out, "be the name of a directory", "give a string or a Path")
+    directory = None if out is None else Path(out)
+    if directory is not None:
+        refuse_unwritable(directory)
     most = OF_BEARINGS if asked.template.is_bearing else OF_CONTACTS
     size = min(most, math.ceil(len(points) / PORTIONS))
     store = Store(directory, _made_from(asked, points, numbers, size), points.paths, [each.name for each in numbers])
@@ -368,13 +372,6 @@ def planned(
         remedy = "read one with nonhertz.read_case, nonhertz.read_bearing or nonhertz.read_plan"
         raise InputError("plan", plan, "be a plan, its file, a case or a bearing case", remedy)
     return Plan(plan).changed(over=over, samples=samples, quantities=quantities)
-
-
-def _directory(out: object) -> Path:
-    if not isinstance(out, str | Path):
-        raise InputError("out", out, "be the name of a directory", "give a string or a Path")
-    refuse_unwritable(Path(out))
-    return Path(out)
 
 
 def _made_from(plan: Plan, points: Points, numbers: tuple[Quantity, ...], size: int) -> dict[str, Any]:
