@@ -35,21 +35,14 @@ PAIR = tomllib.loads(
         ('radial = "8 kN"', 'radial = ["8 kN", "1 kN"]'),
     )
 )
-THRUST = tomllib.loads("""
-[bearing]
-kind = "thrust"
-rollers = 8
-pitch_diameter = 60
-[roller]
-diameter = 8
-length = 8
-profile = { kind = "crown", radius = 1000 }
-[inner]
-[outer]
-[load]
-axial_displacement = "5 um"
-moment = "10 N m"
-""")
+THRUST = tomllib.loads(
+    few_rollers.changed(
+        few_rollers.THRUST,
+        ("rollers = 20", "rollers = 8"),
+        ("length = 8", 'length = 8\nprofile = { kind = "crown", radius = 1000 }'),
+        ('axial = "20 kN"', 'axial_displacement = "5 um"\nmoment = "10 N m"'),
+    )
+)
 
 
 def answer(given: Any, method: Any = "slices") -> dict[str, Any]:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from few_rollers import SPHERICAL, THRUST, changed
 from peak import peak_memory
 
 from nonhertz.errors import CaseError
@@ -82,42 +83,14 @@ tilt = -1e-3
 load = 5000
 share = 0.75
 """
-BARRELS = """
-[bearing]
-kind = "spherical"
-rollers = 17
-contact_angle = "10 deg"
-profile_radius = 60
-inner_groove = 61.5
-outer_groove = 61.5
-[roller]
-diameter = 12
-length = 14
-[inner]
-diameter = 60
-[outer]
-diameter = -84.35
-[load]
-radial = ["20 kN", "5 kN"]
-axial = 6e3
-"""
-THRUST = """
-[bearing]
-kind = "thrust"
-rollers = 20
-pitch_diameter = 60
-density = "7.85 g/cm^3"
-[roller]
-diameter = 8
-length = 8
-profile = { kind = "tabulated", file = "points.csv" }
-[inner]
-depth = 4
-[outer]
-[load]
-axial_displacement = "5 um"
-moment = "10 N m"
-"""
+BARRELS = changed(SPHERICAL, ('radial = ["20 kN", "5 kN"]', 'radial = ["20 kN", "5 kN"]\naxial = 6e3'))
+WASHERS = changed(
+    THRUST,
+    ("pitch_diameter = 60", 'pitch_diameter = 60\ndensity = "7.85 g/cm^3"'),
+    ("length = 8", 'length = 8\nprofile = { kind = "tabulated", file = "points.csv" }'),
+    ("[inner]", "[inner]\ndepth = 4"),
+    ('axial = "20 kN"', 'axial_displacement = "5 um"\nmoment = "10 N m"'),
+)
 FILES = {
     "points.csv": "y, relief\n-10, 0.01\n-3, 0\n3, 0\n10, 0.01\n",
     "trace.txt": "y [mm]; z [um]\n" + "".join(f"{y / 20}; {-(y**2) / 1000}\n" for y in range(-200, 201, 10)),
@@ -173,7 +146,7 @@ def sound_texts() -> list[str]:
 
 def sound_bearings() -> list[str]:
     """Return the same of bearing files."""
-    return [starting_bearing(), *map(_example, ("nu206", "tapered-pair")), BARRELS, THRUST]
+    return [starting_bearing(), *map(_example, ("nu206", "tapered-pair")), BARRELS, WASHERS]
 
 
 def _example(name: str) -> str:

@@ -7,9 +7,11 @@ import time
 import zipfile
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 
 import numpy as np
 import pytest
+import trace_files
 import x3pio
 from extent import extent
 from hypothesis import HealthCheck, Phase, given, settings
@@ -34,33 +36,8 @@ UM = -12.0 * ((Y - 5.0) / 5.0) ** 2 + 0.2 * np.sin(40.0 * Y)
 PAIRS = list(zip(Y.tolist(), UM.tolist(), strict=True))
 
 
-def text(form: str, head: str = "", end: str = "\n") -> bytes:
-    return (head + end.join(form.format(y, z) for y, z in PAIRS) + end).encode()
-
-
-def smd() -> bytes:
-    head = "ISO 5436-2:2012\0roller\0\r\nPRF\0 1 ISO5436\0\r\nCX\0 I\0 120 mm\0 1.0e0 D\0 8.4e-002 \r\n"
-    head += "CZ\0 A\0 120 um\0 1.0e0 D\0\r\n\x03\r\nDATE: 01-May-2024\0\r\n\x03\r\n"
-    return (head + "\r\n".join(f"{z:.4f}" for z in UM) + "\r\n\x03\r\n12345\r\n\x03\r\n\x1a").encode()
-
-
-def prf() -> bytes:
-    head = (
-        "1 2\r\nSG2004 0.0e+000 PRF\r\nCX M 120.0e+000 MM 1.000000e+000 D\r\nCZ M 120.0e+000 MM 1.0e-009 L\r\nEOR\r\n"
-    )
-    head += "STYLUS_RADIUS 0.0 MM\r\nSPACING CX 8.4e-002\r\nEOR\r\n"
-    return (head + "\r\n".join(f"{1e6 * z:.0f}" for z in UM) + "\r\nEOR\r\nEOF\r\n").encode()
-
-
-def marwin() -> bytes:
-    head = "[PROFILE_HEADER]\nNAME=a\nNO_POINTS=120\n[PROFILE_VALUES]\n// X,Y,Z,C,Lock\n"
-    return (head + "\n".join(f"{k}={y:.6f} 0.0 {1e-3 * z:.6f} 0.0 0" for k, (y, z) in enumerate(PAIRS)) + "\n").encode()
-
-
-def x3p(storage: x3pio.DataStorage) -> bytes:
-    stream = io.BytesIO()
-    x3pio.Profile.from_array(1e-6 * UM, x_scale=0.084e-3).save(stream, storage=storage)
-    return stream.getvalue()
+text, marwin = partial(trace_files.lines, PAIRS), partial(trace_files.marwin, PAIRS)
+smd, prf, x3p = (partial(each, UM, 0.084) for each in (trace_files.smd, trace_files.prf, trace_files.x3p))
 
 
 SEEDS: dict[str, list[bytes]] = {
@@ -78,8 +55,8 @@ SEEDS: dict[str, list[bytes]] = {
     ],
     "marwin": [marwin()],
     "records": [smd(), prf()],
-    "x3p": [x3p(x3pio.DataStorage.BINARY), x3p(x3pio.DataStorage.XML)],
-    "description of x3p": [x3p(x3pio.DataStorage.BINARY), x3p(x3pio.DataStorage.XML)],
+    "x3p": [x3p(storage=x3pio.DataStorage.BINARY), x3p(storage=x3pio.DataStorage.XML)],
+    "description of x3p": [x3p(storage=x3pio.DataStorage.BINARY), x3p(storage=x3pio.DataStorage.XML)],
 }
 TOKENS = [
     b"", b"\0", b"\n", b"\r", b";", b",", b".", b" ", b"\t", b"-", b"e", b"nan", b"inf", b"*****", b"#", b'"', b"[",

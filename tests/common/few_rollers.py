@@ -1,4 +1,4 @@
-"""Bearing files of few rollers, of bodies without ends: as little as makes a bearing, solved by strips in a blink."""
+"""Bearing files: of few rollers without ends, solved by strips in a blink, of two rows of barrels, of washers."""
 
 SIX = """
 title = "six"
@@ -40,6 +40,38 @@ diameter = -62.32
 [load]
 radial = "8 kN"
 axial = "3 kN"
+"""
+SPHERICAL = """
+[bearing]
+kind = "spherical"
+rollers = 17
+contact_angle = "10 deg"
+profile_radius = 60
+inner_groove = 61.5
+outer_groove = 61.5
+pair = { arrangement = "X", distance = 20 }
+[roller]
+diameter = 12
+length = 14
+[inner]
+diameter = 60
+[outer]
+diameter = -84.35
+[load]
+radial = ["20 kN", "5 kN"]
+"""
+THRUST = """
+[bearing]
+kind = "thrust"
+rollers = 20
+pitch_diameter = 60
+[roller]
+diameter = 8
+length = 8
+[inner]
+[outer]
+[load]
+axial = "20 kN"
 """
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from few_rollers import SPHERICAL, THRUST, changed
 from numpy.testing import assert_array_equal
 
 import nonhertz as nh
@@ -57,49 +58,10 @@ diameter = -62.32
 radial = "30 kN"
 axial = "9 kN"
 """
-THRUST = """
-[bearing]
-kind = "thrust"
-rollers = 20
-pitch_diameter = 60
-[roller]
-diameter = 8
-length = 8
-[inner]
-[outer]
-[load]
-axial = "20 kN"
-"""
-SPHERICAL = """
-[bearing]
-kind = "spherical"
-rollers = 17
-contact_angle = "10 deg"
-profile_radius = 60
-inner_groove = 61.5
-outer_groove = 61.5
-pair = { arrangement = "X", distance = 20 }
-[roller]
-diameter = 12
-length = 14
-[inner]
-diameter = 60
-[outer]
-diameter = -84.35
-[load]
-radial = ["20 kN", "5 kN"]
-"""
 
 
 def read(text: str) -> BearingCase:
     return BearingCase.of(parsed(text, "bearing.toml"), Path("bearing.toml"))
-
-
-def changed(text: str, *changes: tuple[str, str]) -> str:
-    for old, new in changes:
-        assert old in text
-        text = text.replace(old, new)
-    return text
 
 
 def mistakes(text: str) -> list[str]:

@@ -7,10 +7,12 @@ import struct
 import tracemalloc
 import zipfile
 import zlib
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
+import trace_files
 import x3pio
 from numpy.testing import assert_allclose, assert_array_equal
 
@@ -24,8 +26,7 @@ UM = np.array([-3.125, -1.5, 0.0, -0.25, -1.75, -4.0])
 PAIRS = list(zip(Y, UM, strict=True))
 
 
-def lines(form: str, head: str = "", end: str = "\n") -> bytes:
-    return (head + end.join(form.format(y, z) for y, z in PAIRS) + end).encode()
+lines = partial(trace_files.lines, PAIRS)
 
 
 def with_comma(data: bytes) -> bytes:
@@ -311,29 +312,8 @@ def test_material_taken_away_turns_the_sign():
     assert_allclose(depth.height, -1e-3 * UM, rtol=1e-12)
 
 
-def smd(count: int = 6, heights: str = "\r\n".join(str(z) for z in UM), kind: str = "I") -> bytes:
-    head = f"ISO 5436-2:2012\0roller\0\r\nPRF\0 1 ISO5436\0\r\nCX\0 {kind}\0 {count} mm\0 1.0e0 D\0 2.50000e-001 \r\n"
-    head += f"CZ\0 A\0 {count} um\0 1.0e0 D\0\r\n\x03\r\nDATE: 01-May-2024\0\r\nCOMMENT /* no */\0\r\n\x03\r\n"
-    return (head + heights + "\r\n\x03\r\n12345\r\n\x03\r\n\x1a").encode("latin-1")
-
-
-def prf(count: int = 6, spacing: str = "SPACING CX 2.5e-001\r\n") -> bytes:
-    head = f"1 2\r\nSG2004 0.0e+000 PRF\r\nCX M {count}.0e+000 MM 1.000000e+000 D\r\n"
-    head += f"CZ M {count}.0e+000 MM 1.000000e-009 L\r\nEOR\r\nSTYLUS_RADIUS 0.0 MM\r\n{spacing}EOR\r\n"
-    return (head + "\r\n".join(f"{1e6 * z:.0f}" for z in UM) + "\r\nEOR\r\nEOF\r\n").encode()
-
-
-def marwin(count: int = 6, along: str = "{0:.9f} 0.0 {1:.9f}") -> bytes:
-    rows = [f"{k}=" + along.format(y, 1e-3 * z) + " 0.000000000 0" for k, (y, z) in enumerate(PAIRS)]
-    head = f"[PROFILE_HEADER]\nNAME=a\nNO_POINTS={count}\n[PROFILE_HISTORY]\nProductName=e\n[PROFILE_VALUES]\n"
-    return (head + "// X,Y,Z,C,Lock\n" + "\n".join(rows) + "\n").encode()
-
-
-def x3p(**changes: object) -> bytes:
-    held = x3pio.Profile.from_array(1e-6 * UM, x_scale=0.25e-3, **changes)
-    stream = io.BytesIO()
-    held.save(stream)
-    return stream.getvalue()
+smd, prf, x3p = (partial(each, UM, 0.25) for each in (trace_files.smd, trace_files.prf, trace_files.x3p))
+marwin = partial(trace_files.marwin, PAIRS)
 
 
 def simpack(kind: int = 0, factor: float = 1e3) -> bytes:
@@ -395,11 +375,8 @@ def test_units_beside_a_file_that_states_them_are_refused(name):
 
 
 def test_invalid_points_of_x3p_are_a_gap():
-    heights = np.array(UM) * 1e-6
-    heights[3] = np.nan
-    stream = io.BytesIO()
-    x3pio.Profile.from_array(heights, x_scale=0.25e-3).save(stream)
-    assert_allclose(read_trace(stream.getvalue()).gaps, [(0.5, 1.0)], rtol=1e-9)
+    heights = np.where(np.arange(6) == 3, np.nan, UM)
+    assert_allclose(read_trace(trace_files.x3p(heights, 0.25)).gaps, [(0.5, 1.0)], rtol=1e-9)
 
 
 def test_invalid_points_of_smd_are_a_gap():
