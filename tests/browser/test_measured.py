@@ -46,29 +46,25 @@ def steps(desk: Desk) -> list[str]:
 def test_a_measured_profile_is_prepared_and_used(desk, path):
     ideal = desk.numbers["Largest pressure"]
     upload(desk, path)
-    assert {"level", "align", "outliers", "smooth"} <= set(steps(desk))
-    assert desk.page.locator("#measured .step svg").count() == len(steps(desk))
+    everything = steps(desk)
+    assert {"level", "align", "outliers", "smooth"} <= set(everything)
+    assert desk.page.locator("#measured .step svg").count() == len(everything)
     desk.photograph("measured")
+    # A step is switched off and on again.
+    words = desk.page.locator('.step[data-step="smooth"] figcaption').inner_text()
+    desk.page.locator("#step-smooth").uncheck()
+    desk.page.locator('.step[data-step="smooth"]').wait_for(state="detached")
+    assert steps(desk) != everything
+    desk.page.locator("#step-smooth").check()
+    desk.page.locator('.step[data-step="smooth"]').wait_for()
+    assert steps(desk) == everything
+    assert desk.page.locator('.step[data-step="smooth"] figcaption').inner_text() == words
     desk.press("#measured-use")
     assert not desk.page.locator("#measured").is_visible()
     assert desk.field("body.a.profile[1].kind").input_value() == "tabulated"
     assert desk.mistakes == []
     assert desk.numbers["Largest pressure"] != ideal
     desk.photograph("measured-used")
-
-
-def test_a_step_is_switched_off_and_on_again(desk, path):
-    upload(desk, path)
-    everything = steps(desk)
-    words = desk.page.locator('.step[data-step="smooth"] figcaption').inner_text()
-    desk.page.locator("#step-smooth").uncheck()
-    desk.page.locator('.step[data-step="smooth"]').wait_for(state="detached")
-    assert steps(desk) != everything
-    assert desk.page.locator("#measured-use").is_visible()
-    desk.page.locator("#step-smooth").check()
-    desk.page.locator('.step[data-step="smooth"]').wait_for()
-    assert steps(desk) == everything
-    assert desk.page.locator('.step[data-step="smooth"] figcaption').inner_text() == words
 
 
 def test_what_is_no_trace_is_refused_in_a_sentence(desk, tmp_path):

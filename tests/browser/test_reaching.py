@@ -36,14 +36,11 @@ def test_everything_is_reached_with_tab_in_the_order_of_the_page(desk):
     assert all(each["outlined"] for each in walked)
 
 
-def test_the_first_link_skips_to_the_results(desk):
+def test_the_first_link_skips_to_the_results_and_menus_and_dialogs_are_left_with_escape(desk):
     desk.page.keyboard.press("Tab")
     desk.page.keyboard.press("Enter")
     assert desk.page.evaluate("() => document.activeElement.id") == "results"
     assert_allclose(desk.numbers["Load"], 20000.0, rtol=SAME)
-
-
-def test_menus_and_dialogs_are_left_with_escape(desk):
     desk.page.locator("#downloads summary").focus()
     desk.page.keyboard.press("Enter")
     assert desk.page.locator('[data-download="case.toml"]').is_visible()

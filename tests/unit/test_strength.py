@@ -65,6 +65,11 @@ def crowned(load=6e3, profile=None, solve=nh.solve, **body):
     return solve(nh.Contact(roller, nh.Plate()), load=load)
 
 
+@pytest.fixture(scope="module")
+def largest(plain):
+    return extremes(plain)
+
+
 # Exact results
 
 
@@ -81,11 +86,11 @@ def test_what_is_known_of_the_line_contact_is_what_johnson_prints():
     ("criterion", "pressure_over_strength"),
     [("von-mises", 1.0 / largest_of(von_mises_on_axis)[0]), ("tresca", 0.5 / largest_of(shear_on_axis)[0])],
 )
-def test_a_line_contact_yields_from_the_exact_pressure_on(plain, criterion, pressure_over_strength):
+def test_a_line_contact_yields_from_the_exact_pressure_on(plain, criterion, pressure_over_strength, largest):
     # The search is within 1e-5 of the largest stress, strips within 1e-6 of Hertz's pressure.
     for factor, verdict in ((1.0 + 1e-4, Verdict.FINE), (1.0 - 1e-4, Verdict.OVER)):
         strength = factor * plain.max_pressure / pressure_over_strength
-        found = assess(with_material(plain, yield_strength=strength), criterion=criterion)
+        found = assess(with_material(plain, yield_strength=strength), criterion=criterion, largest=largest)
         assert found.yield_ratio == pytest.approx(1.0 / factor, rel=2e-5)
         assert found.checks[1].verdict is verdict
         assert CRITERIA[criterion] in found.checks[1].sentence
@@ -138,13 +143,13 @@ def test_a_shallow_case_yields_by_the_stress_within_it(plain):
 
 
 @pytest.mark.slow
-def test_static_safety_is_the_square_of_the_pressures(plain):
-    found = assess(with_material(plain, pressure_limit=2.0 * plain.max_pressure))
+def test_static_safety_is_the_square_of_the_pressures(plain, largest):
+    found = assess(with_material(plain, pressure_limit=2.0 * plain.max_pressure), largest=largest)
     assert found.static_safety == pytest.approx(4.0, rel=1e-12)
     assert found.checks[0].sentence.endswith(
         f"MPa is 50 % of the limit of {given(2.0 * plain.max_pressure)} MPa: static safety 4.00."
     )
-    over = assess(with_material(plain, pressure_limit=0.8 * plain.max_pressure))
+    over = assess(with_material(plain, pressure_limit=0.8 * plain.max_pressure), largest=largest)
     assert over.static_safety == pytest.approx(0.64, rel=1e-12)
     assert over.verdict is Verdict.OVER
     assert " by 25 %: static safety 0.640." in over.sentences[0]
@@ -168,15 +173,11 @@ def test_what_is_not_given_is_not_known(plain):
 
 
 @pytest.mark.slow
-def test_a_core_whose_depth_is_not_known_is_asked_for():
-    found = assess(crowned(**KNOWN))
+def test_a_core_without_a_depth_or_a_strength_is_not_known(plain, largest):
+    found = assess(with_material(plain, **KNOWN), largest=largest)
     assert found.checks[2].sentence == "Whether the core of body a yields is not known: the body has no case_depth."
     assert found.checks[2].verdict is Verdict.UNKNOWN
-
-
-@pytest.mark.slow
-def test_a_core_without_a_strength_is_not_known(plain):
-    found = assess(with_material(plain, yield_strength=1500.0, case_depth=1.0))
+    found = assess(with_material(plain, yield_strength=1500.0, case_depth=1.0), largest=largest)
     assert found.checks[2].sentence.startswith("Whether the core of body a yields is not known: the material has no")
     assert math.isnan(found.core_yield_ratio)
 
@@ -237,12 +238,7 @@ def test_both_bodies_and_both_methods():
 
 
 @pytest.mark.slow
-def test_stresses_at_hand_are_not_searched_again(plain):
-    largest = extremes(plain)
+def test_stresses_at_hand_are_not_searched_again_and_those_of_the_other_body_refused(plain, largest):
     assert assess(plain, largest=largest).largest is largest
-
-
-@pytest.mark.slow
-def test_stresses_of_the_other_body_are_refused(plain):
     with pytest.raises(nh.InputError, match="be the largest stresses of body b"):
-        assess(plain, body="b", largest=extremes(plain))
+        assess(plain, body="b", largest=largest)
