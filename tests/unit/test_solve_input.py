@@ -151,30 +151,9 @@ def test_impossible_edges_are_refused(edges, condition):
 # Contacts
 
 
-@pytest.mark.parametrize(
-    ("contact", "said"),
-    [
-        (
-            nh.Contact(roller(), nh.Ring(diameter=-20)),
-            "diameter = (20.0, -20.0) must leave a positive combined curvature",
-        ),
-        (
-            nh.Contact(roller(), nh.Ring(diameter=nh.TabulatedDiameter((-10.0, 10.0), (-19.0, -40.0)))),
-            "must leave a positive combined curvature",
-        ),
-        (
-            nh.Contact(nh.Body(diameter=20), nh.Plate()),
-            "length = None must be given where nothing else ends the contact",
-        ),
-        (
-            nh.Contact(roller(profile=Gone()), nh.Plate()),
-            "profile = inf must leave a finite separation somewhere on the bodies",
-        ),
-    ],
-    ids=range(4),
-)
-def test_bodies_that_cannot_touch_are_refused(contact, said):
-    assert refusal(contact, **LOAD).endswith(said)
+def test_a_relief_without_end_is_refused():
+    said = refusal(nh.Contact(roller(profile=Gone()), nh.Plate()), **LOAD)
+    assert said == "profile = inf must leave a finite separation somewhere on the bodies"
 
 
 # Warned of
