@@ -12,18 +12,7 @@ MIRRORED = {"side_faces": "mirror", "depth": "plane-strain"}
 
 
 def roller_case(number):
-    """Contact and what is prescribed: load or approach, tilt or moment."""
-    rng = np.random.default_rng([SEED, number])
-    diameter = rng.uniform(6.0, 40.0)
-    length = diameter * rng.uniform(0.7, 2.5)
-    load = length * diameter / 20.0 * 10.0 ** rng.uniform(1.7, 3.3)
-    ends = HALF_SPACE if rng.random() < 0.4 else MIRRORED
-    roller = nh.Roller(diameter=diameter, length=length, profile=profile(rng, diameter, length, load), **ends)
-    return pressed(rng, roller, other_body(rng, diameter, length), load)
-
-
-def whole_roller_case(number):
-    """The same of rollers with free ends, whole ones or with a depth, mostly with corners."""
+    """Contact and what is prescribed, of rollers with free ends, whole ones or with a depth, mostly with corners."""
     rng = np.random.default_rng([SEED, 1, number])
     diameter = rng.uniform(6.0, 40.0)
     length = diameter * rng.choice([0.7, 1.0, 1.6, 2.5])  # each takes a second before its first roller
