@@ -73,11 +73,11 @@ def ends_of(problem: Problem, states: States) -> Ends:
     # wider than the remainder of a contact that runs out close to the end.
     last = states.edges[:, [0, -1]]
     separation = problem.model.separation(last.ravel()).reshape(last.shape)
-    overlapping = states.rigid[:, :1] + states.rigid[:, 1:] * last > separation
+    touching = reaching(states) & (states.rigid[:, :1] + states.rigid[:, 1:] * last > separation)
     for column, side in enumerate((-1, 1)):
-        there = reaching(states, side) & overlapping[:, column]
+        there = touching[:, column]
         for row in states.rows(there):
-            here = there & (states.shared | (np.arange(cases) == row))
+            here = np.flatnonzero(there).tolist() if states.shared else [row]
             end = _body_end(problem, states.strips(row), side)
             kinds[here, column], y[here, column], width[here, column] = end[:3]
             weight[here, column], exponent[here, column], correction[here, column] = end[3:]

@@ -120,13 +120,14 @@ def uniform(low: float, high: float, count: int) -> Array:
 
 
 @compiled
-def reaching(states: States, side: int) -> Flags:
-    """Return which of many contacts extend to the outer edge of their strips on that side."""
-    found = np.empty(states.status.size, np.bool_)
-    for case in range(found.size):
+def reaching(states: States) -> Flags:
+    """Return which of many contacts extend to the low and the high edge of their strips, shape (cases, 2)."""
+    found = np.empty((states.status.size, 2), np.bool_)
+    for case in range(found.shape[0]):
         row = 0 if states.edges.shape[0] == 1 else case
         n = states.counts[row]
-        found[case] = reaches(states.edges[row, : n + 1], states.m[case, :n], side)
+        for column in range(2):
+            found[case, column] = reaches(states.edges[row, : n + 1], states.m[case, :n], 2 * column - 1)
     return found
 
 

@@ -241,9 +241,8 @@ class Refinement:
 
     def incomplete(self, states: States) -> Flags:
         """Return which cases end where the bodies do not, or overlap where no strip is in contact."""
-        ends = np.broadcast_to(states.edges[:, [0, -1]], (states.status.size, 2))
-        low, high = self.problem.contact.interval
-        missing: Flags = (reaching(states, -1) & (ends[:, 0] > low)) | (reaching(states, 1) & (ends[:, 1] < high))
+        (low, high), ends = self.problem.contact.interval, states.edges
+        missing: Flags = np.any(reaching(states) & np.stack([ends[:, 0] > low, ends[:, -1] < high], axis=1), axis=1)
         for row in np.flatnonzero(suspects(self.problem, states, self.finite) & ~missing):
             missing[row] = bool(overlaps(self.problem, states.one(int(row)), self.finite))
         return missing
