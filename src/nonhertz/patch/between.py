@@ -21,7 +21,6 @@ from nonhertz.patch.surface import Gap
 from nonhertz.patch.verdict import displacement
 
 Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 PARTS = 4  # per side of a cell
 # Rows of cells at a time: a fraction of all, so that sixteen places per cell take less memory than the solve.
@@ -64,16 +63,17 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
         interpolation(np.clip(places, 0.0, n - 1.0), n, 2) for places, n in zip(parts, solution.cells, strict=True)
     ]
     x, y = (centres_of_parts(each, side) for each, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
-    # A profile that falls away where the contact ends, as a logarithmic one does, does not raise the pressure there.
-    inner = ~_grown(np.pad(~solution.footprint, 1, constant_values=True))[1:-1, 1:-1]
-    from scipy import sparse
+    from scipy import ndimage, sparse
 
-    near, holes = _grown(solution.footprint), sparse.csr_array(~whole, dtype=float)
+    around = np.ones((3, 3))
+    # A profile that falls away where the contact ends, as a logarithmic one does, does not raise the pressure there.
+    inner = ndimage.binary_erosion(solution.footprint, around)
+    near, holes = ndimage.binary_dilation(solution.footprint, around), sparse.csr_array(~whole, dtype=float)
     # For a part of a cell, not a whole cell: what is unseen may be that narrow, and then raises the pressure more.
     side = edges_from(0.0, 1, solution.dx / PARTS), edges_from(0.0, 1, solution.dy / PARTS)
     own = solution.contact.compliance * float(rectangles(*side)[0, 0])
     deepest, highest, lifted = (0.0, 0.0, 0.0), 0.0, 0.0
-    candidates: list[tuple[float, int, int, float, float]] = []
+    candidates = []
     step = min(max(solution.cells[0] // SHARE, FEWEST_ROWS), MOST_ROWS)
     for start in range(0, solution.cells[0], step):
         cells = slice(start, min(start + step, solution.cells[0]))
@@ -91,12 +91,19 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
         # A hollow spreads its load over its rim, a peak carries its load alone.
         rough = np.where(inner[cells], _of_cells(np.maximum(nearer, -nearer / PARTS)), unseen)
         highest = max(highest, float(np.max(solution.pressure[cells] + rough / own)))
-        lone = np.where(regular | np.repeat(np.repeat(near[cells], PARTS, 0), PARTS, 1), np.inf, here)
-        candidates += _candidates(solution, lone, x[rows], y, start)
-    for found in _missed(solution, candidates):
-        deepest = max(deepest, found)
-        highest = max(highest, found[0] / own)
-        lifted += max(found[0], 0.0)
+        # Bodies that no cell centre lies on.
+        lone = np.where(regular | np.kron(near[cells], np.ones((PARTS, PARTS), dtype=bool)), np.inf, here)
+        depth = solution.approach + solution.tilt * y - lone
+        deep, along = np.nonzero(depth > 0.0)
+        places = start + deep // PARTS, along // PARTS, x[rows][deep], y[along]
+        candidates.append(np.column_stack([depth[deep, along], *places]))
+    missed = np.concatenate(candidates)
+    missed = missed[np.argsort(-missed[:, 0])][:MOST_CANDIDATES]
+    if missed.size:
+        missed[:, 0] -= displacement(solution, missed[:, 1:3].astype(np.intp))
+        overlap, _, _, *place = missed[missed[:, 0].argmax()].tolist()
+        deepest, highest = max(deepest, (overlap, place[0], place[1])), max(highest, overlap / own)
+        lifted += float(np.maximum(missed[:, 0], 0.0).sum())
     return Unseen(*deepest, highest - float(solution.pressure.max()), lifted / max(int(solution.footprint.sum()), 1))
 
 
@@ -112,35 +119,3 @@ def _of_cells(parts: Array) -> Array:
     nx, ny = parts.shape[0] // PARTS, parts.shape[1] // PARTS
     largest: Array = parts.reshape(nx, PARTS, ny, PARTS).max(axis=(1, 3))
     return largest
-
-
-def _grown(cells: Mask) -> Mask:
-    """Return cells and their eight neighbours."""
-    grown = cells.copy()
-    grown[1:] |= cells[:-1]
-    grown[:-1] |= cells[1:]
-    wide = grown.copy()
-    wide[:, 1:] |= grown[:, :-1]
-    wide[:, :-1] |= grown[:, 1:]
-    return wide
-
-
-def _candidates(
-    solution: PatchSolution, gap: Array, x: Array, y: Array, start: int
-) -> list[tuple[float, int, int, float, float]]:
-    """Return the deepest places of bodies that no cell centre lies on: depth, their cell, x and y."""
-    depth = solution.approach + solution.tilt * y - gap
-    deep = np.argwhere(depth > 0.0)
-    deep = deep[np.argsort(-depth[tuple(deep.T)])][:MOST_CANDIDATES]
-    return [(float(depth[i, j]), start + i // PARTS, j // PARTS, float(x[i]), float(y[j])) for i, j in deep.tolist()]
-
-
-def _missed(
-    solution: PatchSolution, candidates: list[tuple[float, int, int, float, float]]
-) -> list[tuple[float, float, float]]:
-    """Return by how much the candidates overlap, and where."""
-    candidates = sorted(candidates, reverse=True)[:MOST_CANDIDATES]
-    if not candidates:
-        return []
-    raised = displacement(solution, np.array([each[1:3] for each in candidates]))
-    return [(each[0] - float(more), each[3], each[4]) for each, more in zip(candidates, raised, strict=True)]

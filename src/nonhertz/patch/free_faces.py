@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import FreeSide
 from nonhertz.bodies.quarter_space import free_face
+from nonhertz.patch.grid import lagrange
 
 Array = NDArray[np.float64]
 
@@ -104,7 +105,7 @@ def _nodes(start: float, dy: float, count: int) -> tuple[Array, Array]:
             continue
         angle = math.pi * (np.arange(NODES) + 0.5) / NODES
         nodes.append(0.5 * (rows[0] + rows[-1]) - 0.5 * dy * rows.size * np.cos(angle))
-        weights.append(_interpolation(rows, nodes[-1]))
+        weights.append(lagrange(rows, nodes[-1]))
     return np.concatenate(nodes), block_diag(*weights)
 
 
@@ -115,16 +116,6 @@ def _panels(cells_before: float, near: int, count: int) -> Iterator[tuple[int, i
         beyond = min(2 * first + int(cells_before), count)
         yield first, beyond
         first = beyond
-
-
-def _interpolation(places: Array, nodes: Array) -> Array:
-    """Return the values at places of the polynomials that are 1 at one of the nodes, shape (places, nodes)."""
-    apart = nodes[:, None] - nodes + np.eye(nodes.size)
-    found = np.empty((places.size, nodes.size))
-    for j in range(nodes.size):
-        others = np.arange(nodes.size) != j
-        found[:, j] = np.prod((places[:, None] - nodes[others]) / apart[j, others], axis=1)
-    return found
 
 
 def free_ends(faces: tuple[FreeSide, ...], y: Array, dy: float) -> tuple[FreeEnd, ...]:

@@ -137,13 +137,19 @@ def interpolation(places: Array, cells: int, nodes: int) -> sparse.csr_array:
 
     first = np.clip(np.floor(places).astype(int) - nodes // 2 + 1, 0, cells - nodes)
     at = first[:, None] + np.arange(nodes)
-    weights = np.ones(at.shape)
-    for k in range(nodes):
-        for other in range(nodes):
-            if other != k:
-                weights[:, k] *= (places - at[:, other]) / (at[:, k] - at[:, other])
     rows = np.repeat(np.arange(places.size), nodes)
-    return sparse.csr_array((weights.ravel(), (rows, at.ravel())), shape=(places.size, cells))
+    return sparse.csr_array((lagrange(places, at).ravel(), (rows, at.ravel())), shape=(places.size, cells))
+
+
+def lagrange(places: Array, nodes: NDArray[np.float64 | np.int64]) -> Array:
+    """Return the values at places of the polynomials that are 1 at one of the nodes, shape (places, nodes)."""
+    nodes = np.broadcast_to(nodes, (places.size, nodes.shape[-1]))
+    values = np.ones(nodes.shape)
+    for k in range(nodes.shape[1]):
+        for other in range(nodes.shape[1]):
+            if other != k:
+                values[:, k] *= (places - nodes[:, other]) / (nodes[:, k] - nodes[:, other])
+    return values
 
 
 def half_widths(pressure: Array, dx: float) -> Array:

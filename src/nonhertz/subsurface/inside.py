@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -28,32 +27,19 @@ from nonhertz.model.side_faces import SERIES
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution, Solved
 from nonhertz.subsurface.extent import Extent
-from nonhertz.subsurface.free_faces import FreeFaceField, Spectrum
+from nonhertz.subsurface.free_faces import FreeFaceField
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
-from nonhertz.subsurface.tails import ODD, TWO_PI, stress_tail
+from nonhertz.subsurface.tails import DISPLACEMENT, ODD, TWO_PI, Load, stress_tail
 from nonhertz.subsurface.wall import Wall
 
 Array = NDArray[np.float64]
-U_Y, U_Z = 1, 2
+U_Z = 2
 # How fast a strip's half-width counts less with the distance along y, and the least that counts, of the largest.
 NARROWING, LEAST = 0.5, 0.05
 ON_A_FACE = 1e-9  # of the body's length: tolerance for a point on a side face
 
 _BODY_REMEDY = "write 'a' or 'b'"
-
-
-class Load(Protocol):
-    """A pressure on the surface of a half-space."""
-
-    def stress(self, points: Array, poisson: float) -> Array:
-        """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
-
-    def displacement(self, points: Array, poisson: float) -> Array:
-        """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
-
-    def spectrum(self, k: Array, y: float) -> Spectrum:
-        """Return the transforms of the pressure across at wave numbers ``k`` [1/mm], for the field near ``y`` [mm]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,11 +142,7 @@ class Inside:
 
     def _near(self, points: Array) -> Array:
         """Return the stress that pressure and images have in a half-space, with what free side faces add."""
-        total = np.zeros((points.shape[0], 6))
-        for sign, offset, weight in self.terms:
-            part = self.load.stress(_seen(points, sign, offset), self.body.material.poisson)
-            part[:, ODD] *= sign
-            total += weight * part
+        total = self._of_terms(points, displaced=False)
         for face in self.faces:
             total += face.stress(points)
         if self.afar:
@@ -170,18 +152,24 @@ class Inside:
 
     def displacement(self, points: Array) -> Array:
         """Return the displacement [mm] at ``points`` (n, 3), shape (n, 3)."""
-        material = self.body.material
-        total = np.zeros((points.shape[0], 3))
-        for sign, offset, weight in self.terms:
-            part = self.load.displacement(_seen(points, sign, offset), material.poisson)
-            part[:, U_Y] *= sign
-            total += weight * part
+        total = self._of_terms(points, displaced=True)[:, DISPLACEMENT]
         for face in self.faces:
             total += face.displacement(points)
-        total /= material.shear_modulus
+        total /= self.body.material.shear_modulus
         if self.reference is not None:
             y, back = np.unique(points[:, 1], return_inverse=True)
             total[:, U_Z] -= (self.reference.displacement(y, self.edges) @ self.pressed)[back.ravel()]
+        return total
+
+    def _of_terms(self, points: Array, displaced: bool) -> Array:
+        """Return what pressure and images do in a half-space; see `Load.six`."""
+        total = np.zeros((points.shape[0], 6))
+        for sign, offset, weight in self.terms:
+            # Points as they lie to the pressure itself when seen from its image.
+            seen = np.column_stack([points[:, 0], sign * (points[:, 1] - offset), points[:, 2]])
+            part = self.load.six(seen, self.body.material.poisson, displaced)
+            part[:, ODD] *= sign
+            total += weight * part
         return total
 
 
@@ -230,15 +218,6 @@ def _faces(solution: Solved, body: Body, load: Load) -> Iterator[FreeFaceField]:
             near = float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max()))
             reach, other = max(high - place, place - low), opposite if all(freed) else None
             yield FreeFaceField.of(load.spectrum, place, side, near, reach, body.material.poisson, other)
-
-
-def _seen(points: Array, sign: float, offset: float) -> Array:
-    """Return points mapped so that they lie to the pressure itself as they did to its image."""
-    if sign == 1.0 and offset == 0.0:
-        return points
-    seen = points.copy()
-    seen[:, 1] = sign * (points[:, 1] - offset)
-    return seen
 
 
 @compiled

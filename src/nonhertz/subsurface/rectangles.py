@@ -34,7 +34,7 @@ from numpy.typing import NDArray
 from nonhertz.compiled import compiled, plain_array
 from nonhertz.patch.kernel import edges_from
 from nonhertz.subsurface.free_faces import Spectrum
-from nonhertz.subsurface.tails import DISPLACEMENT, TWO_PI, Six, displacement_tail, stress_tail
+from nonhertz.subsurface.tails import TWO_PI, Load, Six, displacement_tail, stress_tail
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -88,7 +88,7 @@ class Panels(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Rectangles:
+class Rectangles(Load):
     """The pressure of a plane grid, for the field below it.
 
     Accurate to 1e-6 of the largest pressure. On the edges of cells on the surface, where stresses jump, rounding
@@ -132,19 +132,12 @@ class Rectangles:
         x_edges = edges_from(float(x[columns.start]), block.shape[0], dx)
         return cls(_panels(x_edges, edges_from(float(y[rows.start]), block.shape[1], dy), block))
 
-    def stress(self, points: Array, poisson: float) -> Array:
-        """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
+    def six(self, points: Array, poisson: float, displaced: bool) -> Array:
+        """Return six components of its stress [MPa], or of the displacement, at ``points`` (n, 3), shape (n, 6)."""
         out = np.zeros((points.shape[0], 6))
         if self.panels is not None:
-            _stress(plain_array(points), poisson, self.panels, out)
+            (_displacement if displaced else _stress)(plain_array(points), poisson, self.panels, out)
         return out
-
-    def displacement(self, points: Array, poisson: float) -> Array:
-        """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
-        out = np.zeros((points.shape[0], 6))
-        if self.panels is not None:
-            _displacement(plain_array(points), poisson, self.panels, out)
-        return out[:, DISPLACEMENT]
 
     def spectrum(self, k: Array, y: float) -> Spectrum:
         """Return the transforms of all rows at wave numbers ``k`` [1/mm], wherever ``y`` is."""

@@ -32,7 +32,7 @@ from nonhertz.compiled import compiled
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface.free_faces import Spectrum
 from nonhertz.subsurface.lamination import Lamination, laminated
-from nonhertz.subsurface.tails import DISPLACEMENT, TWO_PI, Six, displacement_tail, stress_tail
+from nonhertz.subsurface.tails import TWO_PI, Load, Six, displacement_tail, stress_tail
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -50,7 +50,7 @@ CLOSED_FORM = 8.0
 
 
 @dataclass(frozen=True, eq=False)
-class StripLoad:
+class StripLoad(Load):
     """The pressure of a strip solution, for the field below it.
 
     Attributes
@@ -66,17 +66,11 @@ class StripLoad:
         """Return the load of a solution."""
         return cls(laminated(solution))
 
-    def stress(self, points: Array, poisson: float) -> Array:
-        """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
+    def six(self, points: Array, poisson: float, displaced: bool) -> Array:
+        """Return six components of its stress [MPa], or of the displacement, at ``points`` (n, 3), shape (n, 6)."""
         out = np.empty((points.shape[0], 6))
-        _stress(points, self.strips, rules(), poisson, out)
+        (_displacement if displaced else _stress)(points, self.strips, rules(), poisson, out)
         return out
-
-    def displacement(self, points: Array, poisson: float) -> Array:
-        """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
-        out = np.empty((points.shape[0], 6))
-        _displacement(points, self.strips, rules(), poisson, out)
-        return out[:, DISPLACEMENT]
 
     def spectrum(self, k: Array, y: float) -> Spectrum:
         """Return the transforms of the strips at wave numbers ``k`` [1/mm], and of their pieces near ``y``."""

@@ -26,14 +26,41 @@ against quadrature.
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.compiled import compiled
+from nonhertz.subsurface.free_faces import Spectrum
+
+Array = NDArray[np.float64]
 
 TWO_PI = 2.0 * math.pi
 
 Six = tuple[float, float, float, float, float, float]
 #: Which of six components change their sign with y, and which are a displacement's.
 ODD, DISPLACEMENT = [3, 5], [0, 3, 2]
+
+
+class Load(ABC):
+    """A pressure on the surface of a half-space."""
+
+    @abstractmethod
+    def six(self, points: Array, poisson: float, displaced: bool) -> Array:
+        """Return six components of its stress [MPa], or of the displacement, at ``points`` (n, 3), shape (n, 6)."""
+
+    @abstractmethod
+    def spectrum(self, k: Array, y: float) -> Spectrum:
+        """Return the transforms of the pressure across at wave numbers ``k`` [1/mm], for the field near ``y`` [mm]."""
+
+    def stress(self, points: Array, poisson: float) -> Array:
+        """Return sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa] at ``points`` (n, 3), shape (n, 6)."""
+        return self.six(points, poisson, displaced=False)
+
+    def displacement(self, points: Array, poisson: float) -> Array:
+        """Return the shear modulus times u_x, u_y, u_z [N/mm] at ``points`` (n, 3), shape (n, 3)."""
+        return self.six(points, poisson, displaced=True)[:, DISPLACEMENT]
 
 
 @compiled
