@@ -177,6 +177,7 @@ def test_of_preload_and_moments_alone_there_is_no_equivalent_load(moment):
     rows = {name: value for name, *value in life_rows(life, "")}
     assert rows["equivalent load"] == ["P = 0 N, P0 = 0 N", "leaves out preload, moments, speed and ribs"]
     assert rows["static safety"][0] == rows["life L10"][0] == "none"
+    assert "S0 = none\n  L10 = none" in repr(life)
     assert "no S0 and no L10: P leaves out preload, moments, speed and ribs" in repr(life)
 
 

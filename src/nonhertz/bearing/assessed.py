@@ -158,15 +158,15 @@ class BearingLife(HasFindings):
         rated = self.rating
         said = [
             f"C = {newton(rated.dynamic)}, C0 = {newton(rated.static)}, "
-            f"P = {newton(self.equivalent_load)}, S0 = {digits(self.static_safety, 3)}",
-            f"L10 = {digits(self.basic_life, 4)}, L10r = {digits(self.reference_life, 4)} million revolutions",
+            f"P = {newton(self.equivalent_load)}, S0 = {_or_none(self.static_safety, 3)}",
+            f"L10 = {_or_none(self.basic_life)}, L10r = {digits(self.reference_life, 4)} million revolutions",
             f"modified {digits(self.modified_life, 4)} million revolutions: a1 = {digits(self.reliability_factor, 3)}"
             + self._lubricated(),
         ]
         if self.internally_loaded:
             said.append(f"no S0 and no L10: P {LEFT_OUT}")
         if self.no_reference:
-            said[1:3] = [f"L10 = {digits(self.basic_life, 4)} million revolutions, no L10r: {self.no_reference}"]
+            said[1:3] = [f"L10 = {_or_none(self.basic_life)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
             said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
         return plain_text("BearingLife", [*said, *self.warnings])
@@ -178,6 +178,10 @@ class BearingLife(HasFindings):
             f", a_ISO = {digits(self.life_factor, 4)} with kappa = {digits(self.viscosity_ratio, 3)} and "
             f"e_C = {digits(self.contamination, 3)}"
         )
+
+
+def _or_none(value: float, significant: int = 4) -> str:
+    return "none" if math.isnan(value) else digits(value, significant)
 
 
 def _reliability(name: str, value: float, remedy: str) -> None:
