@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.strip.element import evaluate_displacement
 
 ELEMENTS = {element.name: element for element in (nh.SEMI_ELLIPTIC, nh.PARABOLIC)}
 FUNCTIONS = ("A", "tA'", "B", "tB'")
@@ -117,4 +116,3 @@ def test_what_is_no_number_stays_none(element):
     # It must not become a place beyond the table either, which only ends a process now and then.
     for values in element.functions(math.nan):
         assert math.isnan(values)
-    assert math.isnan(evaluate_displacement(math.nan, element.table))

@@ -227,22 +227,6 @@ def _locate(size: float) -> tuple[np.uint64, float]:
 
 
 @compiled
-def evaluate_displacement(t: float, table: Array) -> float:
-    """Return A alone at one ``t``."""
-    size = abs(t)
-    if not SMALL <= size < FAR:
-        return evaluate(t, table)[0]
-    first, x = _locate(size)
-    # Even and odd powers separately: two shorter dependency chains that the processor evaluates in parallel.
-    square, even, odd = x * x, float(table[first]), 0.0
-    for k in range(1, DEGREE, 2):
-        odd = odd * square + table[first + np.uint64(4 * k)]
-        even = even * square + table[first + np.uint64(4 * k + 4)]
-    a = even + x * odd
-    return a if t >= 0.0 else -a
-
-
-@compiled
 def _evaluate_all(t: Array, table: Array) -> Array:
     values = np.empty((t.size, 4))
     for i in range(t.size):

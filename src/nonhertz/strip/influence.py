@@ -18,7 +18,7 @@ import numpy as np
 from nonhertz.bodies.influence import Influence
 from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.compiled.tiles import TILE
-from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate, evaluate_displacement
+from nonhertz.strip.element import POWERS, POWERS_AT, REMOTE, Element, evaluate
 from nonhertz.strip.free_end import AWAY, TABLE_SIZE, Four, far_terms, far_whole, free_end, free_end_table, no_squares
 from nonhertz.strip.records import Array, Flags, Indices, Kernel, Strips
 
@@ -305,14 +305,6 @@ def added_by_face(y: float, low: float, high: float, inverse: float, kernel: Ker
     return free_end(u, inner, outer, kernel.face_tables, first, kernel.table, kept)
 
 
-@compiled
-def _term(y: float, low: float, high: float, inverse: float, terms: Array, k: int, table: Array) -> float:
-    sign, offset = terms[k, 0], terms[k, 1] - y
-    upper = evaluate_displacement((sign * high + offset) * inverse, table)
-    lower = evaluate_displacement((sign * low + offset) * inverse, table)
-    return float(sign * terms[k, 2] * (upper - lower))
-
-
 def kernel_of(influence: Influence, element: Element) -> Kernel:
     """Return how strips act, for the compiled core."""
     materials = sorted({face.poisson for face in influence.faces})
@@ -342,7 +334,10 @@ def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, kernel: Ker
             for i in range(places.size):
                 seen = 0.0
                 for k in range(kernel.terms.shape[0]):
-                    seen += _term(places[i], low, high, inverse, kernel.terms, k, kernel.table)
+                    sign, offset = kernel.terms[k, 0], kernel.terms[k, 1] - places[i]
+                    upper = evaluate((sign * high + offset) * inverse, kernel.table)[0]
+                    lower = evaluate((sign * low + offset) * inverse, kernel.table)[0]
+                    seen += sign * kernel.terms[k, 2] * (upper - lower)
                 for k in range(kernel.faces.shape[0]):
                     seen += kernel.faces[k, 2] * added_by_face(places[i], low, high, inverse, kernel, k, kept)[0]
                 result[i] += q * seen
