@@ -183,9 +183,3 @@ def test_the_reference_has_every_public_name():
     # What stands on the page of its own module does not stand here again.
     elsewhere = {name for name in dir(nh) if getattr(getattr(nh, name), "__module__", "") in MODULES}
     assert sorted(listed) == sorted(set(dir(nh)) - modules - elsewhere - {"ContactMap", "contact_map", "__version__"})
-
-
-def test_the_json_that_the_how_to_reads_is_there(tmp_path, run):
-    case = tmp_path / "roller.toml"
-    run("new", str(case))
-    assert run("solve", str(case), "--json").json["max_pressure"] < 2200

@@ -1,15 +1,14 @@
 """Every example runs, and each gives a number that is known from elsewhere; so does the tutorial."""
 
-import importlib.util
 import re
 import tomllib
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scripts import script
 
 import nonhertz as nh
 from nonhertz.files.bearingfile import read_bearing
@@ -31,15 +30,6 @@ def case(name: str) -> Case:
 
 def solved(example: Case) -> nh.Solution:
     return nh.solve(example.contact, **example.prescribed, **example.solver)
-
-
-def script(name: str, folder: Path = EXAMPLES) -> ModuleType:
-    specification = importlib.util.spec_from_file_location(name, folder / f"{name}.py")
-    assert specification is not None
-    assert specification.loader is not None
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
-    return module
 
 
 @pytest.mark.parametrize("path", BEARINGS, ids=lambda path: path.stem)
@@ -109,13 +99,13 @@ def test_what_the_point_contact_says_of_hertz_is_true():
 
 
 def test_the_tabulated_profile_is_what_its_script_writes(tmp_path):
-    written = script("make_tabulated_profile").main(tmp_path)
+    written = script(EXAMPLES / "make_tabulated_profile.py").main(tmp_path)
     assert written.read_text(encoding="utf-8") == (EXAMPLES / TABULATED).read_text(encoding="utf-8")
 
 
 def test_the_tabulated_profile_gives_what_its_formula_gives(tmp_path):
     """The way through the file, its units and the curve through its points changes nothing that matters."""
-    make = script("make_tabulated_profile")
+    make = script(EXAMPLES / "make_tabulated_profile.py")
 
     class Formula(nh.profile.Profile):
         def relief(self, y):
@@ -130,13 +120,13 @@ def test_the_tabulated_profile_gives_what_its_formula_gives(tmp_path):
 
 
 def test_the_measured_roller_is_what_its_script_writes(tmp_path):
-    written = script("make_measured_roller").main(tmp_path)
+    written = script(EXAMPLES / "make_measured_roller.py").main(tmp_path)
     assert written.read_text(encoding="utf-8") == (EXAMPLES / MEASURED).read_text(encoding="utf-8")
 
 
 def test_the_measured_roller_is_the_profile_below_what_the_machine_added():
     """Tilt, place, chamfers, dust and roughness are gone: the contact is that of the profile they were added to."""
-    make = script("make_measured_roller")
+    make = script(EXAMPLES / "make_measured_roller.py")
     example = case("measured-roller")
     true = replace(example.contact.a, profile=make.profile(), chamfer=make.CHAMFER)
     direct = nh.solve(nh.Contact(true, example.contact.b), **example.prescribed)
@@ -149,7 +139,7 @@ def test_the_measured_roller_is_the_profile_below_what_the_machine_added():
 
 def test_the_sweep(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    sweep = script("misalignment_sweep")
+    sweep = script(EXAMPLES / "misalignment_sweep.py")
     pressures = sweep.main()
     printed = capsys.readouterr().out
     assert len(printed.splitlines()) == 2 + len(sweep.TILTS)
@@ -169,7 +159,7 @@ def test_the_sweep(tmp_path, monkeypatch, capsys):
 def test_tutorials_show_what_the_program_prints(name, monkeypatch):
     monkeypatch.setenv("COLUMNS", "100")
     page = (ROOT / "docs" / "tutorials" / f"{name}.md").read_text(encoding="utf-8")
-    now = script("figures", ROOT / "docs").with_output(page)
+    now = script(ROOT / "docs" / "figures.py").with_output(page)
     # An estimate of an error is good for its decade only; all other digits that are printed hold anywhere.
     estimate, number = re.compile(r" *error about .*"), re.compile(r"-?\d+\.?\d*(?:e[+-]\d+)?")
     told, tells = (estimate.sub("", text).splitlines() for text in (page, now))

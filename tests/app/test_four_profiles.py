@@ -1,11 +1,11 @@
 """The study of four profiles: it runs, its profiles are those it says, and lives come in the order that it tells."""
 
-import importlib.util
 from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scripts import script
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "four-profiles.py"
 LOADS = (1200.0, 2000.0)  # MPa
@@ -13,10 +13,7 @@ LOADS = (1200.0, 2000.0)  # MPa
 
 @pytest.fixture(scope="module")
 def example():
-    specification = importlib.util.spec_from_file_location("four_profiles", EXAMPLE)
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
-    return module
+    return script(EXAMPLE)
 
 
 def test_contacts_reach_the_ends_at_the_design_load_and_not_before(example):

@@ -1,7 +1,6 @@
 """Every script of the gallery runs, and one number of each is what others have found."""
 
 import dataclasses
-import importlib.util
 import json
 import warnings
 from pathlib import Path
@@ -12,6 +11,7 @@ from matplotlib.figure import Figure
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
+from scripts import script
 
 import nonhertz as nh
 
@@ -24,12 +24,10 @@ SCRIPTS = sorted(path.stem for path in GALLERY.glob("*.py"))
 
 def run(name):
     """Return a script after it has run; what it filters of warnings is undone."""
-    specification = importlib.util.spec_from_file_location(name, GALLERY / f"{name}.py")
-    script = importlib.util.module_from_spec(specification)
     with warnings.catch_warnings():
-        specification.loader.exec_module(script)
-    assert isinstance(script.figure, Figure)
-    return script
+        found = script(GALLERY / f"{name}.py")
+    assert isinstance(found.figure, Figure)
+    return found
 
 
 def elliptical(load, radius_x, radius_y, modulus=207e3, poisson=0.3):

@@ -1,6 +1,5 @@
 """CITATION.cff and the paper: what they say of the package, and whom they cite."""
 
-import importlib.util
 import re
 import tomllib
 from pathlib import Path
@@ -8,6 +7,7 @@ from typing import Any
 
 import pytest
 import yaml
+from scripts import script
 
 ROOT = Path(__file__).resolve().parents[2]
 PAPER = ROOT / "paper"
@@ -29,16 +29,6 @@ def entries() -> dict[str, dict[str, str]]:
 
 def plain(title: str) -> str:
     return re.sub(r"[{}]", "", title).lower()
-
-
-@pytest.fixture(scope="module")
-def script():
-    spec = importlib.util.spec_from_file_location("paper_figures", PAPER / "figures.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def test_the_citation_is_of_this_package():
@@ -64,9 +54,9 @@ def test_the_citation_names_the_papers_of_the_methods():
 
 
 @pytest.mark.slow
-def test_the_paper_is_what_its_script_writes(script):
+def test_the_paper_is_what_its_script_writes():
     """Numbers of the validation or of the benchmarks that change are written anew by paper/figures.py."""
-    assert script.text() == TEXT
+    assert script(PAPER / "figures.py").text() == TEXT
 
 
 def test_all_that_is_cited_is_in_the_bibliography_and_the_other_way_round():

@@ -1,11 +1,11 @@
 """The version is the same wherever it stands, and what the documents say of files is what happens."""
 
-import importlib.util
 import re
 import tomllib
 from pathlib import Path
 
 import pytest
+from scripts import script
 
 import nonhertz as nh
 from nonhertz.files.bounds import FORMAT
@@ -21,11 +21,7 @@ def test_the_package_has_the_version_of_the_project():
 
 
 def test_a_tag_needs_the_version_and_a_date_in_the_changelog():
-    spec = importlib.util.spec_from_file_location("tag", Path(__file__).with_name("tag.py"))
-    assert spec is not None
-    assert spec.loader is not None
-    tag = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(tag)
+    tag = script(Path(__file__).with_name("tag.py"))
     said = tag.mistakes("v0.0.0")
     assert said[0] == f"The tag is v0.0.0, but pyproject.toml has version {VERSION}."
     heading = re.search(rf"^## {re.escape(VERSION)}, (.*)$", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.MULTILINE)
