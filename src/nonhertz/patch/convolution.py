@@ -18,13 +18,14 @@ S. Liu, Q. Wang and G. Liu, A versatile method of discrete convolution and FFT (
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import Executor
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import Influence
-from nonhertz.patch.free_faces import FreeEnd, free_ends
+from nonhertz.patch.free_faces import free_ends
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.transform import ROWS, fast_half, filtered, in_blocks, times_even
@@ -54,13 +55,18 @@ class Convolution:
     """
 
     def __init__(self, grid: Grid, influence: Influence, pool: Executor | None = None) -> None:
+        from scipy import fft
+
         self.grid = grid
         self.count = 0
         self._pool = pool
         self._half = fast_half(grid.cells[0]), fast_half(grid.cells[1])
         self._shifted, self._mirrored = self._spectra(influence.terms)
         self.own = float(rectangles(edges_from(0.0, 1, grid.dx), edges_from(0.0, 1, grid.dy))[0, 0])
-        self._ends = [(end, self._spectrum_of(end)) for end in free_ends(influence.faces, grid.y, grid.dy)]
+        self._ends = [
+            (end, fft.dct(self._kernel(end.kernel, 2 * end.nodes.shape), type=1, axis=0, overwrite_x=True))
+            for end in free_ends(influence.faces, grid.y, grid.dy)
+        ]
         self._at_depth = grid.dx * influence.at_depth(grid.y, grid.y_edges) if influence.references else None
 
     def __call__(self, pressure: Array) -> Array:
@@ -84,18 +90,16 @@ class Convolution:
         found: Array = fft.irfft(moved[..., 0] + 1j * moved[..., 1], count, axis=0)[: loads.shape[0]]
         return found
 
-    def _spectrum_of(self, end: FreeEnd) -> Array:
-        """Return the matrices of a free end, shape (half + 1, nodes, nodes)."""
-        from scipy import fft
-
-        kernel = np.empty((self._half[0] + 1, end.nodes.size, end.nodes.size))
+    def _kernel(self, of: Callable[[Array], Array], shape: tuple[int, ...]) -> Array:
+        """Return a kernel at distances from x = 0 across, of given shape at each, from what it is between edges."""
         x_edges = edges_from(0.0, self._half[0] + 1, self.grid.dx)
+        kernel = np.empty((x_edges.size - 1, *shape))
 
         def fill(rows: slice) -> None:
-            kernel[rows] = end.kernel(x_edges[rows.start : rows.stop + 1])
+            kernel[rows] = of(x_edges[rows.start : rows.stop + 1])
 
         in_blocks(fill, kernel.shape[0], ROWS, self._pool)
-        return np.asarray(fft.dct(kernel, type=1, axis=0, overwrite_x=True))
+        return kernel
 
     def _product(self, columns: Spectrum, at: slice) -> Spectrum:
         if self._mirrored is None:
@@ -132,12 +136,6 @@ class Convolution:
         return np.asarray(fft.dct(fft.rfft(kernel, axis=1), type=1, axis=0, overwrite_x=True))
 
     def _cells(self, start: float, count: int) -> Array:
-        """Return the kernel at distances from x = 0 across, and at ``count`` distances from ``start`` along."""
-        x_edges, y_edges = edges_from(0.0, self._half[0] + 1, self.grid.dx), edges_from(start, count, self.grid.dy)
-        kernel = np.empty((x_edges.size - 1, count))
-
-        def fill(rows: slice) -> None:
-            kernel[rows] = rectangles(x_edges[rows.start : rows.stop + 1], y_edges)
-
-        in_blocks(fill, kernel.shape[0], ROWS, self._pool)
-        return kernel
+        """Return the kernel of cells at ``count`` distances from ``start`` along."""
+        y_edges = edges_from(start, count, self.grid.dy)
+        return self._kernel(lambda x_edges: rectangles(x_edges, y_edges), (count,))
