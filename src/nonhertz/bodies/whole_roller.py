@@ -216,11 +216,6 @@ def _polynomials(x: float, out: Array) -> None:
         out[j + 1] = ((2.0 * j + 1.0) * x * out[j] - j * out[j - 1]) / (j + 1.0)
 
 
-def _norms(count: int, half_length: float) -> Array:
-    norms: Array = np.sqrt((2.0 * np.arange(count) + 1.0) / (2.0 * half_length))
-    return norms
-
-
 def whole_roller(outline: Outline, poisson: float, interpolated: bool = False) -> WholeRoller:
     """Return what makes a whole roller of an outline, in a radius of the surface, and a material.
 
