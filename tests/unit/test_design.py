@@ -12,6 +12,7 @@ from nonhertz.files.free_forms import FreeForm, free_form_in
 from nonhertz.study.design import best, checked, front
 from nonhertz.study.objective import Variable, refuse_unlimited
 from nonhertz.study.pictures import design_figures
+from nonhertz.study.search import _Searching
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -125,6 +126,13 @@ def test_limits_hold_under_every_load():
         CASE, vary=RADIUS, loads=LOADS, starts=2, workers=1, where={"load_by_approach": f"at least {1.01 * least}"}
     )
     assert free_stiffness(stiff) >= 1.009 * least
+
+
+def test_margins_by_differences_are_those_of_gradients():
+    task, x = asked(RADIUS, where={"approach": "at most 30 um"}), np.array([0.4])
+    exact = task.at(x).slopes_of_margins()
+    # Over a hundredth of the way between the bounds.
+    np.testing.assert_allclose(_Searching(task)._differences(x, len(exact)), exact, rtol=0.05)
 
 
 def free_stiffness(found):
