@@ -34,10 +34,7 @@ def test_states_are_those_of_one_at_a_time():
     with pytest.raises(IndexError):
         found[0]
     assert_allclose(pickle.loads(pickle.dumps(found)).load, found.load)
-
-
-def test_states_take_no_steps_from_one_another():
-    # Together they are more than one search may take.
+    # Together these are more steps than one search may take.
     assert B.solve_many(row(), radial=np.full(120, 3e3), tilt=5e-4, method="slices").converged.all()
 
 
