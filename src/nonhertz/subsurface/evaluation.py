@@ -189,16 +189,9 @@ def field_at(
                 announce(done, count)
     shape = places[0].shape
     moved = displacements.reshape(*shape, 3) if displacements is not None else None
+    findings = (*inside.extent.findings(held), *inside.findings)
     across, along, below = places
-    return Field(
-        inside.name,
-        across,
-        along,
-        below,
-        stresses.reshape(*shape, 6),
-        moved,
-        (*inside.extent.findings(held), *inside.findings),
-    )
+    return Field(inside.name, across, along, below, stresses.reshape(*shape, 6), moved, findings)
 
 
 def axial_plane(
@@ -232,7 +225,8 @@ def axial_plane(
     refuse_options("axial_plane", options, Options)
     finite("x", x, "give one place across the contact in mm")
     y = axial_range(solution, options.get("body", "a")) if y is None else _row("y", y)
-    z = _depths(solution) if z is None else _row("z", z)
+    deepest = DEEPEST * checked_solution(solution).max_half_width
+    z = deepest * np.linspace(0.0, 1.0, LEVELS) if z is None else _row("z", z)
     return stress(solution, x, y[:, None], z, **options)
 
 
@@ -349,15 +343,10 @@ def axial_range(solution: Solved, body: BodyName) -> Array:
     return np.linspace(max(touching[0] - beyond, low), min(touching[-1] + beyond, high), STATIONS)
 
 
-def _depths(solution: Solved) -> Array:
-    return DEEPEST * checked_solution(solution).max_half_width * np.linspace(0.0, 1.0, LEVELS)
-
-
 def finite_numbers(name: str, value: ArrayLike) -> Array:
     """Return numbers as an array, or reject anything that is not finite."""
-    return (
-        numbers(name, value, POINTS_REMEDY, FARTHEST, "mm") + 0.0
-    )  # a depth of -0 would be on the wrong side of a branch
+    # A depth of -0 would be on the wrong side of a branch.
+    return numbers(name, value, POINTS_REMEDY, FARTHEST, "mm") + 0.0
 
 
 def _row(name: str, value: ArrayLike) -> Array:

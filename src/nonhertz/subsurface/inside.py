@@ -91,7 +91,14 @@ class Inside:
         kept = _KEPT.setdefault(checked_solution(solution), {})
         if checked_body(name) in kept:
             return kept[name]
-        load = next((each.load for each in kept.values()), None) or _load(solution)
+        load: Load
+        if kept:
+            load = next(iter(kept.values())).load
+        elif isinstance(solution, Solution):
+            load = StripLoad.of(solution)
+        else:
+            assert isinstance(solution, PatchSolution)
+            load = Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
         which = BODIES.index(name)
         body = (solution.contact.a, solution.contact.b)[which]
         terms, reference = influence_within(solution.contact, solution.shape, which)
@@ -198,13 +205,6 @@ def checked_body(name: object) -> BodyName:
 
 # Solutions are immutable, and a search evaluates the field below one a hundred times.
 _KEPT: WeakKeyDictionary[Solved, dict[BodyName, Inside]] = WeakKeyDictionary()
-
-
-def _load(solution: Solved) -> Load:
-    if isinstance(solution, Solution):
-        return StripLoad.of(solution)
-    assert isinstance(solution, PatchSolution)
-    return Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
 
 
 def _faces(solution: Solved, body: Body, load: Load) -> Iterator[FreeFaceField]:

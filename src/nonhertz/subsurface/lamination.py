@@ -161,13 +161,10 @@ def laminated(solution: Solution) -> Lamination:
     strips = LoadedStrips.of(solution)
     with np.errstate(over="ignore", invalid="ignore"):  # the result is checked
         found = cut_into_pieces(strips)
-    return found if bears(found, strips) else uncut(strips)
-
-
-def uncut(strips: LoadedStrips) -> Lamination:
-    """Return each strip as a single piece."""
-    columns = (strips.low, strips.high, strips.line_load, strips.half_width)
-    return _joined(columns, columns, np.arange(strips.low.size + 1))
+    if bears(found, strips):
+        return found
+    each_one = (strips.low, strips.high, strips.line_load, strips.half_width)
+    return _joined(each_one, each_one, np.arange(strips.low.size + 1))
 
 
 def bears(found: Lamination, strips: LoadedStrips) -> bool:
@@ -223,7 +220,10 @@ def cut_into_pieces(strips: LoadedStrips) -> Lamination:
     """Return the strips and their pieces."""
     strip, begin, end = _divided(strips)
     load, square = _means(strips, strip, begin, end)
-    line, followed = _falling(strips.run_out[strip], begin, end), _followed(strips)
+    # How far lines to run-outs are followed: all of them, or less if they add too much load or moment.
+    added = float(strips.added.sum()) / (LOAD_SHARE * float(strips.load.sum()))
+    turned = float(strips.turned.sum()) / (MOMENT_SHARE * strips.unit_of_moment)
+    line, followed = _falling(strips.run_out[strip], begin, end), 1.0 / max(1.0, added, turned)
     on_line = np.isfinite(strips.run_out[strip])
     load, square = (np.where(on_line, followed * line + (1.0 - followed) * each, each) for each in (load, square))
     highest = np.where(on_line, np.inf, np.maximum(strips.pressure_edges.max(axis=0), 1.0)[strip])
@@ -314,10 +314,3 @@ def _falling(run_out: Array, begin: Array, end: Array) -> Array:
     first = np.where(run_out < 0.0, np.maximum(begin, run_out), begin)
     last = np.where(run_out > 0.0, np.minimum(end, run_out), end)
     return np.asarray(np.maximum(last - first, 0.0) * (1.0 - 0.5 * (first + last) / run_out) / (end - begin))
-
-
-def _followed(strips: LoadedStrips) -> float:
-    """Return the fraction to which lines to run-outs are followed: 1, or less if they add too much load or moment."""
-    added = float(strips.added.sum()) / (LOAD_SHARE * float(strips.load.sum()))
-    turned = float(strips.turned.sum()) / (MOMENT_SHARE * strips.unit_of_moment)
-    return 1.0 / max(1.0, added, turned)
