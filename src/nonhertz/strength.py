@@ -274,7 +274,7 @@ class _Question:
         if self.limit:
             what = "The largest pressure of {pressure}"
             return _known("pressure", ratio, what, allowed, "limit", safety, pressure=mpa(found))
-        towards = "he pressure has no limit towards {ends}"
+        towards = "he pressure grows without limit towards {ends}"
         if ratio <= 1.0 or not self.limit.away:
             return _unknown("pressure", f"Static safety is not known: t{towards}.", ends=self.limit.towards)
         numbers = {"ends": self.limit.towards, "pressure": mpa(found)}
@@ -308,7 +308,7 @@ class _Question:
         if depth is None:
             return
         if not self.limit:
-            words = f"Whether {case} is deep enough is not known: the stress has no limit towards {{ends}}."
+            words = f"Whether {case} is deep enough is not known: the stress grows without limit towards {{ends}}."
             yield _unknown(name, words, ends=self.limit.towards)
             return
         shear = max(each.shear.z for each in largest)
@@ -335,7 +335,7 @@ class _Question:
         stress = CRITERIA[self.criterion]
         found_there = f"{{stress}} {found.site}y = {{y:3}} and z = {{z:3}}"
         numbers = {"ends": self.limit.towards, "stress": mpa(found.max), "y": mm(found.y), "z": mm(found.z)}
-        towards = "the stress has no limit towards {ends}"
+        towards = "the stress grows without limit towards {ends}"
         if allowed is None:
             known = f"; its largest {stress} is {found_there}" if self.limit else ""
             return _unknown(name, f"{open_question}: the material has no {strength}{known}.", **numbers)

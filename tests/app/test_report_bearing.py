@@ -295,7 +295,7 @@ def test_several_bearings_are_compared_with_the_first(few, undrawn):
     page = Page(rendered(found))
     assert "2 bearings compared" in page.text
     assert "bearing.clearance 12 µm 30 µm" in page.text.partition("Result")[0]
-    assert "Not all numbers compare, since more than shapes differs: bearing.clearance." in page.text
+    assert "Not all numbers are comparable, because more than shapes differs: bearing.clearance." in page.text
     # What both were given stands there once, what neither was given not before it is unfolded.
     before = page.text.partition("Assumptions, inputs, method and files of tight")[0]
     assert "roller.diameter 9 mm" in before.partition("Inputs that are the same")[2]

@@ -88,9 +88,9 @@ def test_a_state_without_a_balance_is_said_to_have_none(monkeypatch):
     monkeypatch.setattr(equilibrium, "STEPS", 1)
     found = B.solve_many(row(), radial=[0.0, 30e3], tilt=1e-3, method="slices")
     assert found.converged.tolist() == [True, False]
-    with pytest.raises(nh.ConvergenceError, match="State 1 of the bearing found no balance"):
+    with pytest.raises(nh.ConvergenceError, match="State 1 of the bearing has no equilibrium"):
         found[1]
-    with pytest.raises(nh.ConvergenceError, match="the loads may leave the inner ring unheld"):
+    with pytest.raises(nh.ConvergenceError, match="the loads may leave the inner ring unsupported"):
         B.solve(row(), radial=30e3, tilt=1e-3, method="slices")
 
 

@@ -81,7 +81,7 @@ def test_towards_a_sharp_end_there_is_no_reference_life():
     under = {"radial": 10e3, "tilt": 0.3e-3}
     found = B.solve(nu206(), **under)
     life = B.assess([(found, 0.7)], speed=1e3, viscosity=30.0)
-    why = "the damage has no limit towards the sharp ends at y = -5 and 5 mm"
+    why = "the damage grows without limit towards the sharp ends at y = -5 and 5 mm"
     for each in (life, life.parts[0][0]):
         assert np.isnan([each.reference_life, each.modified_life, each.life_factor]).all()
         assert each.no_reference.startswith(why)

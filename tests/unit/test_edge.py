@@ -127,7 +127,7 @@ def test_strips_that_end_before_the_contact_are_said_to():
     solution = solved(roller(), nh.Plate(), strips=np.linspace(-9.9, 9.9, 42))
     for edge, y in zip(solution.edge_pressure, (-9.9, 9.9), strict=True):
         assert (edge.kind, edge.y, edge.converges) == (nh.EdgeKind.CUT_OFF, y, False)
-    assert sum("while the contact goes on" in sentence for sentence in solution.warnings) == 2
+    assert sum("while the contact continues" in sentence for sentence in solution.warnings) == 2
 
 
 def test_each_face_whose_images_weigh_less_than_asked_is_named():

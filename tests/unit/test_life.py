@@ -177,7 +177,7 @@ def test_at_a_corner_where_the_contact_ends_the_same_is_left_out_on_finer_strips
     halved = np.unique(np.concatenate([corner.edges, 0.5 * (corner.edges[1:] + corner.edges[:-1])]))
     lives = [assess(each, "lundberg-palmgren")[0] for each in (corner, nh.solve(contact, load=20e3, strips=halved))]
     assert lives[1].relative_life == pytest.approx(lives[0].relative_life, rel=0.05)
-    words = "no limit towards the corners of the profile at y = -9 and 9 mm: nearer to them than"
+    words = "without limit towards the corners of the profile at y = -9 and 9 mm: nearer to them than"
     assert all(any(words in warning for warning in life.warnings) for life in lives)
 
 
@@ -348,7 +348,7 @@ def test_a_plane_grid_leaves_out_sharp_ends_too():
     for life in laminae:
         # Rows of cells, too, are cut off a tenth of a half-width from the end, to a row.
         assert life.relative_life == pytest.approx(strips.relative_life, rel=0.08)
-        assert any("no limit towards the sharp ends" in sentence for sentence in life.warnings)
+        assert any("without limit towards the sharp ends" in sentence for sentence in life.warnings)
     seen = exposure(nh.patch.solve(straight, load=8e3, cells=(8, 32)), body="b")
     assert seen.sharp == (-6.0, 6.0)
     assert not seen.counted.all()

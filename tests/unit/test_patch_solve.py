@@ -341,7 +341,7 @@ def test_a_region_that_cuts_the_contact_is_warned_of(region, ends):
         solution = nh.patch.solve(CROWNED, load=3e3, cells=SMALL, region=region)
     assert [str(warning.message) for warning in caught] == list(solution.warnings)
     for end, sentence in zip(ends, solution.warnings, strict=True):
-        assert sentence.startswith(f"The region ends at {end} while the contact goes on")
+        assert sentence.startswith(f"The region ends at {end} while the contact continues")
 
 
 # Strains

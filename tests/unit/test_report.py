@@ -326,7 +326,7 @@ def test_two_cases_are_compared_by_what_differs():
     text = rendered(found)
     page = Page(text)
     assert "2 cases compared" in page.text
-    assert "Not all numbers compare, since more than shapes differs: load." in page.text
+    assert "Not all numbers are comparable, because more than shapes differs: load." in page.text
     # Nothing of one case alone is shown before it is unfolded.
     assert text.count("<figure") == 1
     before, *folded = text.split("<summary>Assumptions, inputs, method and files of ")
@@ -349,7 +349,9 @@ def test_two_cases_are_compared_by_what_differs():
 )
 def test_what_keeps_numbers_from_being_compared_is_told(paths, told):
     said = basis(paths)
-    assert said == ([f"Not all numbers compare, since more than shapes differs: {', '.join(told)}."] if told else [])
+    assert said == (
+        [f"Not all numbers are comparable, because more than shapes differs: {', '.join(told)}."] if told else []
+    )
 
 
 @pytest.mark.parametrize(

@@ -261,8 +261,8 @@ def test_towards_a_corner_where_the_contact_ends_nothing_is_searched_and_that_is
     found = extremes(chamfered)
     assert abs(found.von_mises.y) < 9.0 - 0.9 * chamfered.half_width.max()
     assert found.warnings == (
-        "The stress has no limit towards the corners of the profile at y = -9 and 9 mm: within a half-width of them "
-        "nothing was searched.",
+        "The stress grows without limit towards the corners of the profile at y = -9 and 9 mm: within a half-width of "
+        "them nothing was searched.",
     )
 
 
@@ -317,7 +317,7 @@ def test_towards_a_sharp_end_nothing_is_searched_and_that_is_said():
     of_strips = extremes(solution, depths=below)
     for each in (found, of_strips):
         assert abs(each.von_mises.y) < 10.0 - 0.9 * solution.half_width[0]
-        assert "no limit towards the sharp ends at y = -10 and 10 mm" in each.warnings[0]
+        assert "without limit towards the sharp ends at y = -10 and 10 mm" in each.warnings[0]
     assert found.von_mises.max == pytest.approx(of_strips.von_mises.max, rel=0.03)
 
 

@@ -189,7 +189,7 @@ FOOTERS = ["END", "Ra;0.12;um", "</data>", "*** end ***", "point.end\nspline.end
 def test_what_stands_below_the_points_is_left_out_with_a_note(footer):
     trace = read_trace(lines("{};{}") + footer.encode(), height_unit="um")
     assert_allclose(trace.height, 1e-3 * UM, rtol=1e-12)
-    assert "What stands below the points was left out, from line " in " ".join(trace.notes)
+    assert "The text below the points was ignored, from line " in " ".join(trace.notes)
 
 
 @pytest.mark.parametrize("mark", ["{} *", "* {}", "{};*", "{}*", "{}!", "> {}", '" {}', '"{}"', "{} # outlier"])

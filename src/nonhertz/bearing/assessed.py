@@ -117,7 +117,7 @@ class BearingLife(HasFindings):
     def no_reference(self) -> str:
         """Why there is no L10r; empty if there is one."""
         ends = self.singular_ends
-        return f"the damage has no limit towards {ends_in_words(ends)}; {_ROUNDED}" if ends else ""
+        return f"the damage grows without limit towards {ends_in_words(ends)}; {_ROUNDED}" if ends else ""
 
     @property
     def reference_load(self) -> float:

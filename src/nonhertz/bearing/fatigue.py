@@ -183,7 +183,7 @@ def volume_life(
     if not isinstance(solution, BearingSolution):
         raise InputError("solution", solution, "be a loaded bearing", "solve one with nonhertz.bearing.solve")
     if solution.method != "strips":
-        raise InputError("solution", "by slices", "be by strips, which know pressures", "solve the bearing by strips")
+        raise InputError("solution", "by slices", "be by strips, which give pressures", "solve the bearing by strips")
     chosen = _chosen(model)
     one_of("turning", turning, RINGS, "name the ring that turns against the load")
     one_of("field", field, FIELDS, "choose 'sections' for speed")
@@ -219,7 +219,7 @@ def _chosen(given: VolumeModel | str) -> VolumeModel:
 def _findings(ends: set[SingularEnd], steep: float, stress: str) -> Iterator[Finding]:
     if ends:
         words = (
-            "The damage has no limit towards {ends}: nothing was counted near there, so that lives are upper bounds."
+            "The damage grows without limit towards {ends}: nothing was counted near there, so lives are upper bounds."
         )
         yield finding("damage-at-ends", words, ends=ends_in_words(ends))
     if steep > _MOST_STEEP:

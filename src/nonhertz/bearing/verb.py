@@ -124,10 +124,8 @@ def solve(
     }  # fmt: skip
     system, found = _solved(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**given)))
     if not found.residual[0] <= TOLERANCE:
-        raise ConvergenceError(
-            f"Rollers and rings found no balance in {found.steps[0]} steps: the loads may leave the inner ring unheld.",
-            None,
-        )
+        words = f"No equilibrium of rollers and rings was found in {found.steps[0]} steps"
+        raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported.", None)
     solution = BearingSolution.of(bearing, method, found, loaded, at_edge(system, found))
     try:
         strained = solution.findings

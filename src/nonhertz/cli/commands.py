@@ -74,7 +74,7 @@ def _application() -> App:
         name="nonhertz",
         help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
         help_epilogue="Begin with: nonhertz new roller.toml, nonhertz solve roller.toml. "
-        "All of a command: nonhertz COMMAND --help. " + _EXIT_CODES,
+        "Help on a command: nonhertz COMMAND --help. " + _EXIT_CODES,
         version=__version__,
         exit_on_error=False,
         print_error=False,

@@ -177,7 +177,7 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
     if isinstance(given, Distribution):
         if parameter.unit is None:
             remedy = "write a list of words, such as ['one', 'other']"
-            raise InputError(parameter.path, given, "be a list, since it is no number", remedy)
+            raise InputError(parameter.path, given, "be a list, because it is not a number", remedy)
         return given
     if isinstance(given, np.ndarray):
         given = given.tolist()
@@ -333,7 +333,7 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
     """Return the distribution that a text such as ``"normal(80 mm, 5 um)"`` stands for."""
     kind, inside, limits = called.groups()
     if parameter.unit is None or parameter.whole:
-        raise InputError(parameter.path, text, "be a list, since it is no number that changes gradually", "write one")
+        raise InputError(parameter.path, text, "be a list, because it cannot change gradually", "write one")
     if kind not in DISTRIBUTIONS:
         raise InputError(parameter.path, text, f"be one of {', '.join(DISTRIBUTIONS)}", "choose one of them")
     names = DISTRIBUTIONS[kind]

@@ -300,8 +300,8 @@ def _towards_ends(spectrum: Spectrum) -> Iterator[Finding]:
     nearer = f"nearer to {'them' if len(named) > 1 else 'it'}"
     yield finding(
         "damage-at-ends",
-        f"The damage has no limit towards {{ends}}: {nearer} than {{left_out:g}} of the largest half-width nothing was "
-        "counted, so that the life is an upper bound, even above 1.",
+        f"The damage grows without limit towards {{ends}}: {nearer} than {{left_out:g}} of the largest half-width "
+        "nothing was counted, so the life is an upper bound, even above 1.",
         ends=ends_in_words(named),
         left_out=LEFT_OUT,
     )
@@ -339,7 +339,7 @@ def _why_unrated(
         return said(f"the capacity is that of the ring, body {ring.body}")
     ends = {end for each, _ in sharp for end in each.singular_ends}
     if rollers is not None and ends:
-        return finding("damage-at-ends", "the damage has no limit towards {ends}", ends=ends_in_words(ends))
+        return finding("damage-at-ends", "the damage grows without limit towards {ends}", ends=ends_in_words(ends))
     return None if rollers is not None else said(_NO_ROLLERS)
 
 

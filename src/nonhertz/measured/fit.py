@@ -213,7 +213,9 @@ def _check(kind: str, shift: bool, tilt: bool, fixed: Mapping[str, float]) -> No
         one_of("fixed", name, known, f"name a parameter of '{kind}'")
     if tilt and (kind == "conical" or (kind == "crown" and shift)):
         other = "angle" if kind == "conical" else "shift"
-        raise InputError("tilt", tilt, f"not be free together with the {other} of a {kind}", "no fit separates them")
+        raise InputError(
+            "tilt", tilt, f"not be free together with the {other} of a {kind}", "no fit can tell them apart"
+        )
 
 
 def _gathered(points: Points, highest: float | None) -> tuple[Array, Array]:

@@ -127,7 +127,7 @@ def refuse_load(contact: Contact, load: float) -> None:
     least, most = loads_between(contact)
     if load < least:
         condition = f"be at least {newton(least):.2g} for bodies of this size and stiffness"
-        raise InputError("load", load, condition, "raise it; under less the contact is lost in rounding")
+        raise InputError("load", load, condition, "raise it: a smaller one is lost in rounding")
     if load > most:
         condition = f"not exceed {newton(most):.2g} for bodies of this size and stiffness"
         raise InputError("load", load, condition, "reduce it; the contact would be far wider than the bodies")

@@ -196,8 +196,8 @@ def _cut_off(solution: PatchSolution, grid: Grid) -> list[Finding]:
     return [
         finding(
             "cut-off",
-            "The region ends at {axis} = {end:.6g} while the contact goes on: the pressure there is that of bodies cut "
-            "off; give a larger region, or leave it out.",
+            "The region ends at {axis} = {end:.6g} while the contact continues: the pressure there is that of bodies "
+            "cut off; give a larger region, or leave it out.",
             axis=axis,
             end=mm(end),
         )

@@ -50,7 +50,7 @@ def basis(places: Iterable[str]) -> list[str]:
     paths = [(place, place.partition(".")[0], place.rpartition(".")[2]) for place in places]
     beside = [part if part in _CONDITIONS else path for path, part, key in paths if {part, key} & _BESIDE_SHAPES]
     what = ", ".join(dict.fromkeys(beside))
-    return [f"Not all numbers compare, since more than shapes differs: {what}."] if beside else []
+    return [f"Not all numbers are comparable, because more than shapes differs: {what}."] if beside else []
 
 
 def results(found: Sequence[Results]) -> list[Compared]:

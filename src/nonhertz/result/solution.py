@@ -87,7 +87,7 @@ class EdgeKind(enum.Enum):
     FINITE = "The side faces freed here make up a whole mirror, and the pressure up to the end is finite."
     SINGULAR = "The contact reaches a sharp end, where the pressure grows without bound."
     CORNER = "The contact ends at a corner of the profile, where the pressure grows without bound."
-    CUT_OFF = "The strips end here while the contact goes on."
+    CUT_OFF = "The strips end here while the contact continues."
 
     @property
     def label(self) -> str:

@@ -168,7 +168,7 @@ def _without_limit(solution: Solution) -> Iterator[Finding]:
         if edge.kind is EdgeKind.CUT_OFF:
             yield finding(
                 "cut-off",
-                "The strips end at y = {y:.6g} while the contact goes on: the pressure there is that of bodies cut "
+                "The strips end at y = {y:.6g} while the contact continues: the pressure there is that of bodies cut "
                 "off; give strips up to the end of the contact, or leave them out.",
                 y=mm(edge.y),
             )

@@ -359,7 +359,9 @@ def _findings(solution: Solved) -> Iterator[Finding]:
         searched = f"within a half-width of {'them' if len(ends) > 1 else 'it'}"
         rest = f"all of the contact lies {searched}, and the values depend on the strips"
         what = f"{searched} nothing was searched" if clear_of_ends(solution) else rest
-        yield finding("stress-at-ends", f"The stress has no limit towards {{ends}}: {what}.", ends=ends_in_words(ends))
+        yield finding(
+            "stress-at-ends", f"The stress grows without limit towards {{ends}}: {what}.", ends=ends_in_words(ends)
+        )
     if solution.peaks_at_corner and not any(end.kind is EdgeKind.CORNER for end in ends):
         yield finding(
             "stress-at-corner",

@@ -165,7 +165,7 @@ def _between(
         number, line = footer[0]
         if number == numbered[last][0] + 1 and _BEGUN.match(line):
             raise _no_row(number, line, width, layout, request)
-        notes.append(f"What stands below the points was left out, from line {number} on ({shown(line)}).")
+        notes.append(f"The text below the points was ignored, from line {number} on ({shown(line)}).")
     return body, notes
 
 

@@ -89,7 +89,7 @@ def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
     except NonhertzError:
         return None
     found = {"relative_life": life.relative_life, "million_revolutions": life.million_revolutions}
-    # What a life adds to the warnings of its solution is that the damage has no limit towards sharp ends.
+    # What a life adds to the warnings of its solution is that the damage grows without limit towards sharp ends.
     counted = set(life.warnings) <= set(solution.warnings)
     return {name: plain(value) for name, value in found.items()} | {"body": life.body, "ends_counted": counted}
 
