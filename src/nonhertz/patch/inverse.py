@@ -23,7 +23,6 @@ from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.transform import fast_half, filtered, times_even
 
 Array = NDArray[np.float64]
-Spectrum = NDArray[np.complex128]
 
 APART = 4  # cells between the ends of the region on the torus
 LEAST = 1e-3  # of the median spectrum: a floor, because a preconditioner must be positive; never reached on grids tried
@@ -52,7 +51,4 @@ class Inverse:
 
     def __call__(self, displacement: Array) -> Array:
         """Return approximately the pressure times K [-] for a displacement [mm], both of shape (nx, ny)."""
-        return filtered(displacement, self._size, self._product, self._pool)
-
-    def _product(self, columns: Spectrum, at: slice) -> Spectrum:
-        return times_even(columns, self._symbol[:, at])
+        return filtered(displacement, self._size, lambda waves, at: times_even(waves, self._symbol[:, at]), self._pool)
