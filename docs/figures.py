@@ -53,7 +53,7 @@ TUTORIAL = ROOT / "docs" / "tutorials" / "first-solve.md"
 BEARING_TUTORIAL = ROOT / "docs" / "tutorials" / "bearing-life.md"
 # Picture's name to the example it is of, and which of its figures the documents show.
 EXAMPLES = {
-    "bearing": ("cylindrical-roller-bearing", ("pressure", "footprint", "profile")),
+    "bearing": ("cylindrical-roller-bearing", ("pressure",)),
     "crown": ("crowned-roller", ("pressure",)),
     "tabulated": ("tabulated-profile", ("pressure",)),
 }
