@@ -226,6 +226,16 @@ class TestFigures:
         for sheet in plot.figures(solution, title="A roller").values():
             can_be_read(sheet)
 
+    def test_an_arrow_on_the_colours_means_pressures_beyond_them(self, monkeypatch):
+        drawn = []
+        monkeypatch.setattr(Figure, "colorbar", lambda figure, colours, **how: drawn.append(how["extend"]))
+        # The largest pressure of the first is 2e-16 above the last colour, by rounding.
+        logarithmic = nh.profile.logarithmic(amplitude=0.005, length=20.0, fraction=0.9999)
+        contact = nh.Contact(roller(profile=logarithmic), nh.Plate())
+        for each in (nh.solve(contact, load=20e3, tilt=5e-4), solved("crowned"), solved("sharp")):
+            plot.footprint(each)
+        assert drawn == ["neither", "neither", "max"]
+
     def test_footprint_has_a_true_panel_and_a_stretched_one(self):
         sheet = plot.figures(solved("crowned"))["footprint"]
         sheet.draw_without_rendering()

@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 # Points across the contact at which the pressure is coloured, equally spaced in the angle whose sine is x/a:
 # the semi-ellipse falls vertically at its edge.
 ACROSS = 65
+ROUNDING = 1e-9  # by which a pressure may exceed the last colour without an arrow
 
 
 @drawing
@@ -83,7 +84,7 @@ def colour_limit(solution: Solution) -> float:
 def draw_colour_bar(solution: Solution, area: Axes, **where: Any) -> None:
     """Draw the colour bar of an ``area`` in its figure, ending in an arrow if pressures exceed the last colour."""
     highest = colour_limit(solution)
-    beyond = any(piece.pressure.max() > highest for piece in outlines(solution))
+    beyond = any(piece.pressure.max() > (1.0 + ROUNDING) * highest for piece in outlines(solution))
     colour_bar_to(highest, "Pressure $p$", area, beyond=beyond, **where)
 
 
