@@ -197,7 +197,7 @@ class BearingSolution(ReadOnly):
         InputError
             If there is no such contact, or the bearing was solved by slices.
         """
-        self._check_contact(roller, ring)
+        roller = self._number_of(roller, ring)
         if self.method != "strips":
             raise InputError("method", self.method, "be 'strips' for pressures", "solve the bearing by strips")
         found: Solution | None = self._solutions[roller][RINGS.index(ring)]
@@ -226,7 +226,7 @@ class BearingSolution(ReadOnly):
         InputError
             If there is no such roller or ring.
         """
-        self._check_contact(roller, ring)
+        roller = self._number_of(roller, ring)
         pressing = [(float(loads[roller]), rib) for loads, rib in self._ribs() if rib.ring == ring]
         load, rib = max(pressing, key=lambda each: each[0], default=(0.0, None))
         return rib.under(load) if rib is not None and load > 0.0 else None
@@ -244,14 +244,14 @@ class BearingSolution(ReadOnly):
         InputError
             If there is no such roller.
         """
-        self._check_contact(roller)
+        roller = self._number_of(roller)
         row = next(k for k, row in enumerate(self.bearing.rows, start=1) if roller < row.rollers.stop)
         among = f", row {row}" if len(self.bearing.rows) > 1 else ""
         return f"roller {roller} at {np.degrees(self.angle[roller]):.1f} degrees{among}"
 
-    def _check_contact(self, roller: int, ring: str = RINGS[0]) -> None:
-        whole("roller", roller, 0, self.angle.size - 1, "count from 0")
+    def _number_of(self, roller: int, ring: str = RINGS[0]) -> int:
         one_of("ring", ring, RINGS, "name one of both")
+        return whole("roller", roller, 0, self.angle.size - 1, "count from 0")
 
     @property
     def warnings(self) -> tuple[str, ...]:
