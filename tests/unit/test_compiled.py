@@ -52,6 +52,23 @@ def test_without_numba_a_contact_has_the_same_solution():
 
 
 @pytest.mark.slow
+def test_kept_machine_code_of_a_solve_loads_no_reductions_of_arrays():
+    """Numba's have SciPy's linear algebra loaded with them, which takes longer than the first solve in a process."""
+    code = (
+        "import sys, nonhertz as nh; body = {'side_faces': 'none', 'depth': 'none'}\n"
+        "contact = nh.Contact(nh.Roller(diameter=20, length=20, **body), nh.Plate(**body))\n"
+        "nh.solve(contact, load=5e3, strips=41); nh.solve(contact, load=5e3)\n"
+        "print('numba.np.arraymath' in sys.modules)"
+    )
+    # The first may have to compile.
+    first, kept = (
+        subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, text=True, check=True).stdout
+        for _ in range(2)
+    )
+    assert kept.split() == ["False"], first
+
+
+@pytest.mark.slow
 def test_the_package_imports_no_numba():
     code = "import sys, nonhertz, nonhertz.subsurface, nonhertz.patch, nonhertz.life; assert 'numba' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -106,7 +106,9 @@ def _inside_few(states: States, hertz_ratio: float, singular: Array) -> Array:
     for case in range(found.shape[0]):
         row = 0 if states.edges.shape[0] == 1 else case
         n = states.counts[row]
-        edges = states.edges[row, : n + 1]
+        edges, middle = states.edges[row, : n + 1], 0.0
+        for edge in edges:
+            middle += edge / edges.size
         for k in range(found.shape[1]):
             count, widest = 0, 0.0
             for i in range(n):
@@ -114,7 +116,7 @@ def _inside_few(states: States, hertz_ratio: float, singular: Array) -> Array:
                 if half_width > 0.0 and abs(0.5 * (edges[i] + edges[i + 1]) - singular[case, k]) <= half_width:
                     count, widest = count + 1, max(widest, half_width)
             if 0 < count < FEW_AT_END:
-                found[case, k] = singular[case, k] + math.copysign(widest, edges.mean() - singular[case, k])
+                found[case, k] = singular[case, k] + math.copysign(widest, middle - singular[case, k])
     return found
 
 
@@ -131,6 +133,9 @@ class _Known(NamedTuple):
     hertz_ratio: float
     left_by_modes: float
     pressure_left_by_modes: float
+
+
+# Without reductions of whole arrays, whose code Numba has not loaded yet: that takes longer than a contact.
 
 
 @compiled
@@ -151,13 +156,13 @@ def _estimates(finest: States, coarse: States, coarser: States, count: int, ends
         accuracy = 0.0 if at_corner or corners or wide[case] else known.accuracy
         strips = _strips(finest, known.hertz_ratio, case)
         penetration, mean, ripples = _unresolved(finest, known, strips, case)
-        floor, left, raised = _at_ends(strips, ends, highest, case)
-        left += known.left_by_modes
         # Relative to the penetration: what is approached before the bodies touch has no error, and may be most of it.
         before_touch = finest.rigid[case, 0] - penetration
         for k, (states, pressure) in enumerate(((finest, highest), (coarse, second[case]), (coarser, third[case]))):
             load, moment = _resultant(states, case)
             values[k] = states.rigid[case, 0] - before_touch, load, pressure, moment, states.rigid[case, 1]
+        floor, left, raised = _at_ends(strips, ends, highest, values[0, LOAD], case)
+        left += known.left_by_modes
         load, reach = values[0, LOAD], 0.5 * (strips.edges[-1] - strips.edges[0])
         unseen, unborne = _relative(mean, penetration), _relative(mean * finest.stiffness[case, 0, 0], load)
         of_grids = np.empty(5)
@@ -205,7 +210,11 @@ def _unresolved(states: States, known: _Known, strips: _Strips, case: int) -> tu
     row = 0 if states.edges.shape[0] == 1 else case
     rigid, n = states.rigid[case], strips.y.size
     places, separation = known.places[row, :n], known.separation[row, :n]
-    least, penetration = separation.min(), -np.inf
+    least, penetration, load = np.inf, -np.inf, 0.0
+    for i in range(n):
+        load += strips.load[i]
+        for k in range(places.shape[1]):
+            least = min(least, separation[i, k])
     mean, ripples, within_strip = 0.0, np.empty(n), np.empty(places.shape[1])
     for i in range(n):
         for k in range(within_strip.size):
@@ -215,11 +224,11 @@ def _unresolved(states: States, known: _Known, strips: _Strips, case: int) -> tu
             within_strip[k] = min(separation[i, k], max(depth, least))
         off = departure(within_strip)
         mean, ripples[i] = mean + strips.load[i] * off, RIPPLE * off / (strips.edges[i + 1] - strips.edges[i])
-    return penetration, mean / strips.load.sum(), ripples
+    return penetration, mean / load, ripples
 
 
 @compiled
-def _at_ends(strips: _Strips, ends: Ends, highest: float, case: int) -> tuple[float, float, float]:
+def _at_ends(strips: _Strips, ends: Ends, highest: float, load: float, case: int) -> tuple[float, float, float]:
     """Return what ends of the contact leave of approach or load on these strips, and on any; and of the pressure.
 
     The first is in proportion to the width of the last strip: measured on straight rollers, a tenth of both end strips'
@@ -243,10 +252,9 @@ def _at_ends(strips: _Strips, ends: Ends, highest: float, case: int) -> tuple[fl
         floor += SHARP_END_ERROR * ends.width[case, side] * sharpness / length
         distance = np.abs(strips.y - y)
         if ends.kinds[case, side] == SINGULAR:
-            beside = strips.half_width[np.argmin(np.abs(distance - strips.half_width))]
-            at = np.argmin(np.abs(distance - beside))
+            at = _least(distance - strips.half_width[_least(distance - strips.half_width)])
             borne = strips.load[at] / (strips.edges[at + 1] - strips.edges[at]) * strips.half_width[at]
-            left += LEFT_AT_END * borne * sharpness / strips.load.sum()
+            left += LEFT_AT_END * borne * sharpness / load
         near, nearest, beyond = 0, np.inf, highest
         for i in range(distance.size):
             if strips.half_width[i] > 0.0:
@@ -260,19 +268,30 @@ def _at_ends(strips: _Strips, ends: Ends, highest: float, case: int) -> tuple[fl
 
 
 @compiled
+def _least(values: Array) -> int:
+    """Return which of some numbers is the least in magnitude."""
+    at = 0
+    for i in range(values.size):
+        at = i if abs(values[i]) < abs(values[at]) else at
+    return at
+
+
+@compiled
 def _reaches(strips: _Strips, coarse: States, case: int, count: int) -> Array:
     """Return how high summits may reach that are narrower than their strips, zero for all other strips.
 
     A summit stands out no further than by twice what halving the strips has just raised it by.
     """
     found = np.zeros(strips.y.size)
-    before = _strips(coarse, 1.0, case)
-    at = np.searchsorted(before.edges, strips.y) - 1
+    before, at = _strips(coarse, 1.0, case), 0
     for i in range(1, found.size - 1):
         found[i] = cusp(strips.pressure, i)
         if count > 1:
-            beside = min(max(at[i], 0), before.y.size - 1)
-            height = before.pressure[max(beside - 1, 0) : beside + 2].max()
+            while at + 1 < before.y.size and before.edges[at + 1] < strips.y[i]:
+                at += 1
+            height = 0.0
+            for pressure in before.pressure[max(at - 1, 0) : at + 2]:
+                height = max(height, pressure)
             found[i] = min(found[i], strips.pressure[i] + SAFETY * abs(strips.pressure[i] - height))
     return found
 
