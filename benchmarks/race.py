@@ -32,7 +32,7 @@ from nonhertz.plot import save
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "docs" / "benchmarks"
-ACCURACIES = ("1e-2", "2e-3", "1e-3", "1e-4", "1e-5")
+ACCURACIES = ("1e-3", "1e-4", "1e-5")
 ON_AUTOMATIC = tuple(entrants.AUTOMATIC + entrants.TO + each for each in ACCURACIES)
 LEARNT = tuple(entrants.LEARNT + entrants.TO + each for each in ACCURACIES)
 STRIPS = {
