@@ -279,7 +279,7 @@ def table(
     checked, _, settled = _solved(bearing, middles, options) if len(middles) else (middles, None, np.ones(0, bool))
     failed = np.count_nonzero(~converged) + np.count_nonzero(~settled)
     if failed:
-        words = "{failed} of {states} states of the bearing has no equilibrium; see converged."
+        words = "No equilibrium was found for {failed} of {states} states of the bearing; see converged."
         warn([finding("no-balance", words, failed=failed, states=converged.size + settled.size)])
     shape = grid.shape[:-1]
     return ForceTable(
