@@ -28,6 +28,8 @@ _OF_FIT = {
     **dict.fromkeys(("mounted_pressure", "pressure", "seat_stress", "raceway_stress"), "MPa"),
     "loosening_speed": "1/min",
 }
+_LOST = "lost_to_inner_fit", "lost_to_outer_fit", "lost_to_temperatures", "lost_to_speed"
+_OF_CLEARANCE = ("unmounted", *_LOST, "clearance")
 #: Units of the numbers in a result; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
     **CONTACT_UNITS,
@@ -39,19 +41,7 @@ UNITS: dict[str, Any] = {
     "edge_stiffness": "N/mm",
     "x": "mm",
     "operating_clearance": {
-        **dict.fromkeys(
-            (
-                "unmounted",
-                "lost_to_inner_fit",
-                "lost_to_outer_fit",
-                "lost_to_temperatures",
-                "lost_to_speed",
-                "clearance",
-                "axial",
-                "expansion",
-            ),
-            "mm",
-        ),
+        **dict.fromkeys((*_OF_CLEARANCE, "axial", "expansion"), "mm"),
         **dict.fromkeys(RINGS, _OF_FIT),
     },
     "life": {
@@ -61,14 +51,6 @@ UNITS: dict[str, Any] = {
         **dict.fromkeys(("basic_life", "reference_life", "modified_life"), "10^6 revolutions"),
     },
 }
-_OF_CLEARANCE = (
-    "unmounted",
-    "lost_to_inner_fit",
-    "lost_to_outer_fit",
-    "lost_to_temperatures",
-    "lost_to_speed",
-    "clearance",
-)
 _OF_RING = ("roller_load", "displacement", "force", "stiffness", "edge_rollers", "edge_stiffness", "residual")
 _OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
 _OF_LIFE = (
