@@ -88,6 +88,7 @@ bench: $(READY)
 	$(BIN)/python benchmarks/bearings.py
 	$(BIN)/python benchmarks/gradients.py
 	$(BIN)/python benchmarks/studies.py
+	$(BIN)/python paper/figures.py
 
 docs-numbers: $(READY)
 	$(BIN)/python docs/figures.py

@@ -3,7 +3,8 @@
     python benchmarks/race.py [--threads N] [--quick] [--page]
 
 Everything in one run on the same number of threads; every program is stopped at the same distance from the solution
-of its own equations. Takes some six minutes; leave the machine alone meanwhile.
+of its own equations. Takes some twelve minutes; leave the machine alone meanwhile. The paper quotes it: run
+paper/figures.py afterwards.
 """
 
 from __future__ import annotations
