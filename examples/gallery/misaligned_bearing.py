@@ -70,9 +70,9 @@ def at_all_tilts(values, label):
 # -------------------------
 # L10r of ISO/TS 16281, with the solved pressures at the ends of the rollers in place of the standard's edge function;
 # every contact is solved by strips. The straight rollers pay for the pressure at their corners before anything tilts.
-# The crown takes most tilt before it minds, but is worse than the logarithm throughout: its middle bears too much. The
-# partial crown is as good up to 1 mrad, and falls faster. A catalogue's L10 knows neither profile nor tilt (thin
-# line).
+# The crown takes most tilt before it minds, but up to 3 mrad, where both meet, it is worse than the logarithm: its
+# middle bears too much. The partial crown is as good up to 1 mrad, and falls faster. A catalogue's L10 knows neither
+# profile nor tilt (thin line).
 
 basic = nh.bearing.assess(found["straight"][0], dynamic=DYNAMIC).basic_life
 with sheet_style():

@@ -185,6 +185,18 @@ def shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+def listed(words: Iterable[str], last: str = "and") -> str:
+    """Return words as a sentence lists them.
+
+    Examples
+    --------
+    >>> listed(["inner", "outer"]), listed(["case", "bearing", "plan"], "or")
+    ('inner and outer', 'case, bearing or plan')
+    """
+    *others, end = words
+    return f"{', '.join(others)} {last} {end}" if others else end
+
+
 def _rounded(value: object) -> object:
     if hasattr(value, "item") and not hasattr(value, "__len__"):
         value = value.item()

@@ -97,6 +97,16 @@ def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(run):
     ]
 
 
+def test_a_part_of_a_named_material_is_set_in_a_table_in_place_of_the_name():
+    named = {"body.a.material": "100Cr6"}
+    with pytest.raises(
+        nh.CaseError, match=r"'body.a.material' is one word in this file; set that .* with 'modulus' in"
+    ):
+        nh.read_case(CASE, named | {"body.a.material.modulus": 210e3})
+    case = nh.read_case(CASE, {"body.a.material": {"modulus": "210 GPa", "poisson": 0.3}})
+    assert case.contact.a.material.modulus == 210e3
+
+
 @pytest.mark.parametrize(
     ("word", "expected"),
     [

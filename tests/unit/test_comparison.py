@@ -5,6 +5,7 @@ import dataclasses
 import io
 import itertools
 import json
+import re
 
 import numpy as np
 import pytest
@@ -186,6 +187,14 @@ def test_the_more_loaded_end_is_that_of_the_tilt(found):
     assert found["crown"].stations[2].y > 0.0
     turned = nh.compare(contact, load=given["load"], tilt=-given["tilt"], cells=CELLS)
     assert_allclose(turned.stations[2].y, -found["crown"].stations[2].y, rtol=1e-6)
+
+
+def test_a_comparison_is_printed_in_a_few_lines(found):
+    name, methods, *differences, along = repr(found["approach"]).splitlines()
+    assert name == "Comparison"
+    assert methods.startswith("  plane grid of 48 x 96 cells; ")
+    assert [each.split()[0] for each in differences] == ["load", "maximum"]  # the approach is given
+    assert re.fullmatch(r"  along the line, pressures differ by over 1 % on \d+ stretches", along)
 
 
 def test_methods_are_announced_and_timed():

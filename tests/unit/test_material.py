@@ -44,6 +44,19 @@ def test_impossible_constants_and_strengths_are_refused(given, complaint):
     assert str(refusal.value).startswith(complaint)
 
 
+@pytest.mark.parametrize(("modulus", "poisson"), [(207, 0.3), (700, 0.22)])
+def test_a_modulus_in_gpa_is_doubted(modulus, poisson):
+    with pytest.warns(nh.AccuracyWarning, match=f"A modulus of {modulus} MPa .* give the modulus in MPa") as warned:
+        nh.Material(modulus, poisson)
+    assert warned[0].filename == __file__
+
+
+# Rubber, low-density polyethylene, PTFE and polyamide: soft, but nothing to doubt.
+@pytest.mark.parametrize(("modulus", "poisson"), [(1.5, 0.499), (200, 0.45), (500, 0.46), (1500, 0.39)])
+def test_soft_materials_are_what_they_are(modulus, poisson):
+    assert nh.Material(modulus, poisson).modulus == modulus
+
+
 def test_every_material_of_the_library_has_a_source_and_numbers_of_its_own():
     assert all(each.source for each in LIBRARY)
     names = [name for each in LIBRARY for name in (each.name, *each.others)]

@@ -436,7 +436,7 @@ class CylindricalRollerBearing(RollerBearing):
     >>> import nonhertz as nh
     >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
     >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
-    >>> CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.018).pitch
+    >>> CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184).pitch
     46.5
     """
 

@@ -397,7 +397,7 @@ class BearingSolution(ReadOnly):
         >>> import nonhertz as nh
         >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
         >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
-        >>> bearing = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.018)
+        >>> bearing = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184)
         >>> nh.bearing.solve(bearing, radial=5e3).unrolled_pressure("outer", y=[-4, 0, 4]).pressure.shape
         (13, 3)
         """

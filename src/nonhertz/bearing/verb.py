@@ -113,9 +113,9 @@ def solve(
     >>> import nonhertz as nh
     >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
     >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
-    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.018)
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184)
     >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
-    6830.0
+    6840.0
     """
     solver, loaded = _checked(bearing, speed, turning, method, laminae, maps)
     given: dict[str, Any] = {

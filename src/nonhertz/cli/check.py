@@ -14,7 +14,7 @@ from nonhertz.amounts import mm, mpa
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.cli import BAD_INPUT, FINE
 from nonhertz.cli.options import Changes
-from nonhertz.errors import CaseError, ConvergenceError, InputError
+from nonhertz.errors import CaseError, ConvergenceError, InputError, listed
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.changes import changes_in
@@ -29,10 +29,7 @@ from nonhertz.study.design import checked as checked_design
 from nonhertz.study.points import Points
 from nonhertz.study.quantities import chosen
 
-SOFT, METAL = (
-    500.0,
-    40e3,
-)  # MPa, moduli below which a number may have been meant in GPa, and above which bodies are metals
+METAL = 40e3  # MPa, the modulus above which bodies are metals
 BEYOND_METALS = 5000.0  # MPa
 DEEP = 0.01  # of the diameter
 
@@ -86,8 +83,6 @@ def _doubts(case: Case, solution: Solution | None) -> Iterator[str]:
     """Yield what is allowed but looks like a slip of units."""
     bodies = {name: getattr(case.contact, name) for name in BODIES}
     for name, body in bodies.items():
-        if body.material.modulus < SOFT:
-            yield f"body {name} has a modulus of {body.material.modulus:g} MPa, and steel one of 207000 MPa"
         half = 0.5 * np.asarray(body.interval)
         relief = float(np.max(body.relief(half))) if np.isfinite(half).all() else 0.0
         if isinstance(body.diameter, float) and DEEP * abs(body.diameter) < relief < math.inf:
@@ -124,7 +119,7 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
         said.append(f"a design over {', '.join(given['vary'])}")
-    return f"{plan.title!r}, {' and '.join(said) or 'which varies nothing'}"
+    return f"{plan.title!r}, {listed(said) if said else 'which varies nothing'}"
 
 
 def _listed(prescribed: dict[str, Any], cls: Any) -> str:

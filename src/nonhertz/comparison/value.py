@@ -9,11 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import mm
+from nonhertz.amounts import amount, mm, percent
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.brief import plain_text
 from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
@@ -122,7 +123,7 @@ class Station:
     reason: str
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Comparison:
     """Strips of both elements and a plane grid on one case.
 
@@ -146,6 +147,18 @@ class Comparison:
     seconds: Seconds
     quantities: tuple[ComparedQuantity, ...]
     stations: tuple[Station, ...]
+
+    def __repr__(self) -> str:
+        across, along = self.patch.cells
+        said = [f"plane grid of {across} x {along} cells; {' and '.join(_counted(each) for each in self.strips)}"]
+        for each in map(self.quantity, ("approach", "load", "maximum pressure")):
+            if any(map(percent, each.differences)):  # of what was given there is none
+                differences = zip(self.strips, map(percent, each.differences), strict=True)
+                by = ", ".join(f"{solution.element.name} {words or '0'}" for solution, words in differences)
+                said.append(f"{each.name} {amount(each.patch, each.unit)}, {by}")
+        count = len(self.stretches)
+        differing = f"over 1 % on {count} stretch{'es' * (count > 1)}" if count else "less than 1 % everywhere"
+        return plain_text("Comparison", [*said, f"along the line, pressures differ by {differing}"])
 
     @property
     def contact(self) -> Contact:
@@ -210,6 +223,10 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
     compared = (expected > 0.0) & ((found > 0.0) | _well_inside(patch, solution.y))
     relative[compared] = found[compared] / expected[compared] - 1.0
     return relative
+
+
+def _counted(solution: Solution) -> str:
+    return f"{solution.strips} {solution.element.name} strips"
 
 
 def _stretches(solution: Solution, relative: Array) -> Iterator[Stretch]:

@@ -155,7 +155,11 @@ def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
         raise InputError("path", path, "be a dotted path", "write it as in the file, such as 'load.load'")
     if path in known:
         return known[path]
-    last = path.rpartition(".")[2]
+    table, _, last = path.rpartition(".")
+    whole = not any(each.startswith(f"{table}.") for each in known)
+    if whole and table in known and known[table].unit is None:  # such as the name of a material
+        remedy = f"'{table}' is one word in this file; set that to another, or to a table with '{last}' in it"
+        raise InputError(path, path, "be an input of the file", remedy)
     # The right key in the wrong table is likelier than a table that is spelled like another.
     alike = [each for each in known if each.rpartition(".")[2] == last]
     match = nearest(path, alike) or (alike[0] if alike else nearest(path, known))

@@ -6,7 +6,9 @@ import math
 import re
 from typing import Annotated, Final
 
+from nonhertz.amounts import mpa
 from nonhertz.errors import InputError
+from nonhertz.findings import finding, warn
 from nonhertz.inputs.checks import finite, positive
 from nonhertz.inputs.fields import Input, Quantity, Word, described
 
@@ -18,6 +20,13 @@ _STRENGTH_REMEDY: Final = "give the stress in MPa, or leave it out where it is n
 #: Young's moduli of steels [MPa].
 STEEL_MODULUS: Final = 195e3, 220e3
 _STEEL_HARDNESS: Final = {"HV": (650.0, 1000.0), "HRC": (58.0, 70.0), "HBW": (600.0, 650.0)}
+# A modulus below the one and a Poisson's ratio below the other are those of no metal, ceramic or solid polymer, but are
+# those of metals and ceramics if the modulus is in GPa. Rubber has 0.49, polyethylene 0.45.
+_SOFT: Final = 1000.0, 0.4
+_IN_GPA: Final = (
+    "A modulus of {modulus:g} with a Poisson's ratio of {poisson:g} is that of no metal, ceramic or solid polymer, only "
+    "of cork or foam: give the modulus in MPa, 207000 for steel."
+)
 _SQRT_3: Final = math.sqrt(3.0)
 
 
@@ -48,6 +57,11 @@ class Material(Input):
     ------
     InputError
         If a value is not finite or outside its range.
+
+    Warns
+    -----
+    AccuracyWarning
+        If the modulus seems to be in GPa.
 
     Notes
     -----
@@ -99,6 +113,12 @@ class Material(Input):
             _STRENGTH_REMEDY,
         ),
     ] = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.modulus < _SOFT[0] and self.poisson < _SOFT[1]:
+            # Four calls up: the constructor of inputs and that of the dataclass are between this and the user's line.
+            warn([finding("modulus-in-gpa", _IN_GPA, modulus=mpa(self.modulus), poisson=self.poisson)], stacklevel=4)
 
     @property
     def shear_modulus(self) -> float:
