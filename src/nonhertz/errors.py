@@ -185,12 +185,12 @@ def shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-def listed(words: Iterable[str], last: str = "and") -> str:
+def joined(words: Iterable[str], last: str = "and") -> str:
     """Return words as a sentence lists them.
 
     Examples
     --------
-    >>> listed(["inner", "outer"]), listed(["case", "bearing", "plan"], "or")
+    >>> joined(["inner", "outer"]), joined(["case", "bearing", "plan"], "or")
     ('inner and outer', 'case, bearing or plan')
     """
     *others, end = words

@@ -257,7 +257,7 @@ def test_version(run):
         ("body.a.profile=[{kind='crown', radius=60}]", "body a drops by 0.209 mm half-way to its end, over 1 %"),
         ("load.load=3MN", "no metal bears the largest pressure, "),
     ],
-    ids=range(3),
+    ids=range(2),
 )
 def test_check_doubts_slips_of_units(case, run, change, doubt):
     assert f"\ndoubtful: {doubt}" in run("check", case, "--set", change).out

@@ -14,7 +14,7 @@ from nonhertz.amounts import mm, mpa
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.cli import BAD_INPUT, FINE
 from nonhertz.cli.options import Changes
-from nonhertz.errors import CaseError, ConvergenceError, InputError, listed
+from nonhertz.errors import CaseError, ConvergenceError, InputError, joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.changes import changes_in
@@ -119,7 +119,7 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
         said.append(f"a design over {', '.join(given['vary'])}")
-    return f"{plan.title!r}, {listed(said) if said else 'which varies nothing'}"
+    return f"{plan.title!r}, {joined(said) if said else 'which varies nothing'}"
 
 
 def _listed(prescribed: dict[str, Any], cls: Any) -> str:

@@ -14,7 +14,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
-from nonhertz.errors import AccuracyWarning, CaseError, InputError, listed
+from nonhertz.errors import AccuracyWarning, CaseError, InputError, joined
 from nonhertz.files.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key, walk
 from nonhertz.files.changes import changed
 from nonhertz.files.folder import write_file
@@ -306,7 +306,7 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
     InputError
         If ``path`` is not the name of a file.
     """
-    what = listed((f"{kind} file" for kind in kinds), "or")
+    what = joined((f"{kind} file" for kind in kinds), "or")
     if not isinstance(path, str | Path):
         raise InputError("path", path, f"be the name of a {what}", "give a string or a Path")
     path = Path(path)
@@ -331,7 +331,7 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
         kind = meant_as(document)
         if not kind or kind in kinds or "plan" in kinds:
             return document, path, text
-        contents = listed((_CONTENTS[each] for each in kinds), "or")
+        contents = joined((_CONTENTS[each] for each in kinds), "or")
         sentence = f"{path} must hold {contents}, not {_CONTENTS[kind]}: use 'nonhertz {_COMMANDS[kind]} {path}'."
     raise CaseError([sentence])
 

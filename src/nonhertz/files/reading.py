@@ -13,7 +13,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, TypeVar
 
-from nonhertz.errors import InputError, InputsError, listed
+from nonhertz.errors import InputError, InputsError, joined
 from nonhertz.files.mistakes import Place, missing, path_of, place_of
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.fields import (
@@ -262,7 +262,7 @@ class Reading:
 
     def _foreign(self, name: str) -> InputError:
         """Return the error for a field that other kinds have."""
-        words = listed(word for word, kind in self.cls.kinds.items() if name in kind.descriptions)
+        words = joined(word for word, kind in self.cls.kinds.items() if name in kind.descriptions)
         condition = f"not be given for a {self.table['kind']} {self._noun}"
         return InputError(name, self.table[name], condition, f"leave it out, it belongs to {words} {self._noun}s")
 

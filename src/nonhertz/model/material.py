@@ -24,8 +24,8 @@ _STEEL_HARDNESS: Final = {"HV": (650.0, 1000.0), "HRC": (58.0, 70.0), "HBW": (60
 # those of metals and ceramics if the modulus is in GPa. Rubber has 0.49, polyethylene 0.45.
 _SOFT: Final = 1000.0, 0.4
 _IN_GPA: Final = (
-    "A modulus of {modulus:g} with a Poisson's ratio of {poisson:g} is that of no metal, ceramic or solid polymer, only "
-    "of cork or foam: give the modulus in MPa, 207000 for steel."
+    "A modulus of {modulus:g} with a Poisson's ratio of {poisson:g} is that of no metal, ceramic or solid polymer, "
+    "only of cork or foam: give the modulus in MPa, 207000 for steel."
 )
 _SQRT_3: Final = math.sqrt(3.0)
 

@@ -7,7 +7,7 @@ import math
 from nonhertz.amounts import amount, digits, mm, percent
 from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
 from nonhertz.comparison.quantities import LARGEST
-from nonhertz.errors import listed
+from nonhertz.errors import joined
 from nonhertz.show.sections import Said, Section, Table
 
 COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
@@ -37,7 +37,7 @@ def _sentences(found: Comparison) -> list[str]:
     for each in found.quantities:
         if each.remark is not None:
             remarks.setdefault(str(each.remark), []).append(each.name)
-    lines += [f"{listed(names)}: {remark}." for remark, names in remarks.items()]
+    lines += [f"{joined(names)}: {remark}." for remark, names in remarks.items()]
     if not found.stretches:
         return [*lines, "Along the line, strips and plane grid differ by less than 1 % everywhere."]
     lines.append("Along the line, they differ by more than 1 % of the pressure there, most where it says in brackets:")
