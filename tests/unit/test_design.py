@@ -83,6 +83,14 @@ def test_the_crown_for_a_load_is_the_best_of_many():
         assert there / found.value - 1.0 == pytest.approx(0.01, abs=4e-3)
 
 
+@pytest.mark.parametrize(("low", "high", "said"), [(1500.0, 2000.0, "highest"), (4e3, 6e3, "lowest"), (2e3, 4e3, "")])
+def test_an_optimum_at_an_end_of_its_range_is_warned_of(low, high, said):
+    found = best(CASE, vary={"body.a.profile.radius": (low, high)}, loads=LOADS, starts=1, workers=1)
+    words = f"The best body.a.profile.radius is the {said} of its range, {low:g} to {high:g} mm: "
+    assert [each.startswith(words) for each in found.warnings] == ([True] if said else [])
+    assert [each.kind for each in found.findings] == (["at-bound"] if said else [])
+
+
 def test_the_longest_life_is_longer_than_that_of_neighbours():
     found = best(CASE, vary=RADIUS, goal="life", loads=LOADS, starts=2, workers=1)
     assert found.value > 1.0

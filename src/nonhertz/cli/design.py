@@ -19,6 +19,7 @@ from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.files.results import plain
+from nonhertz.findings import as_warnings
 from nonhertz.inputs.files import legible
 from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section, Table
@@ -66,6 +67,7 @@ def design(
         points = _searched_front(plan, changes_in(changes), front, starts, workers)
         made = _written_front(points, directory)
         text, title, shown, verdict = _front_json(points, made), "", _front_sections(points), points.verdict
+        warnings: tuple[str, ...] = ()
     else:
         case, given = read_design(plan, changes_in(changes))
         given |= {} if starts is None else {"starts": starts}
@@ -73,10 +75,11 @@ def design(
             found = best(case, **given, workers=workers, announce=update)
         made = written(directory, lambda: _texts(found, directory), lambda: design_figures(found))
         text, title, shown, verdict = _as_json(found, made), found.was.title, design_sections(found), found.verdict
+        warnings = found.warnings
     if as_json:
         print(text)
     else:
-        print_result(title, shown, verdict=verdict, written=made)
+        print_result(title, shown, verdict=verdict, warnings=warnings, written=made)
 
 
 def _texts(found: Design, out: Path) -> dict[str, str]:
@@ -102,6 +105,7 @@ def _as_json(found: Design, files: Sequence[Path]) -> str:
         "starts": [
             vars(start) | {"value": plain(start.value), "history": plain(start.history)} for start in found.starts
         ],
+        **as_warnings(found.findings),
         "bands": [vars(band) for band in found.bands],
         "loads": [vars(load) for load in found.loads],
         "files": [str(path) for path in files],

@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits, loaded
+from nonhertz.amounts import digits, loaded, of_dimension
 from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import free_form_in
 from nonhertz.files.planfile import Template, read_design
 from nonhertz.files.spreads import bounds_in
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import callback, one_of, thread_count, whole
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import checked_cases, refuse_other_than_whole
@@ -50,6 +51,7 @@ Portions = Callable[..., Iterator[tuple[Any, Any]]]
 
 STARTS, MOST_STARTS = 5, 100
 POINTS, MOST_POINTS = 9, 50  # of a front
+AT_BOUND = 1e-3  # of a range: values that come so close to an end of it are at that
 SAME = 0.01  # of the goal: starts that come so close have found the same
 COSTS = (0.01, 0.05)  # for which the bands of variables are found
 PLACES = 401  # of a relief
@@ -104,7 +106,7 @@ class Band:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Design:
+class Design(HasFindings):
     """What a design has found.
 
     Attributes
@@ -127,6 +129,8 @@ class Design:
         The case as it was.
     loads : tuple of LoadCase
         The loads.
+    findings : tuple of Finding
+        Which values are at an end of their range, beyond which better ones may lie.
     """
 
     goal: str
@@ -140,6 +144,7 @@ class Design:
     was: Case
     loads: tuple[LoadCase, ...]
     units: dict[str, str] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
 
     def __repr__(self) -> str:
         what, unit = ("largest pressure", " MPa") if self.goal == PRESSURE else ("life, times that before", "")
@@ -148,7 +153,7 @@ class Design:
             if isinstance(value, float):
                 said.append(f"{path} = {digits(value)} {self.units.get(path, '')}".rstrip())
         said.append(f"{self.agreeing} of {len(self.starts)} starts came within 1 %")
-        said.append(f"worst: {self.worst}")
+        said += [f"worst: {self.worst}", *self.warnings]
         return plain_text("Design", said)
 
     @property
@@ -520,7 +525,22 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
         task.goal, task.values(chosen.ended), goal(judged.value),
         before.value if task.goal == PRESSURE and before is not None else (1.0 if before is not None else math.nan),
         tuple(starts), _bands(task, judged, portions), worst, judged.case, was, task.loads, units,
+        tuple(_at_bounds(task, chosen.ended, units)),
     )  # fmt: skip
+
+
+def _at_bounds(task: Task, x: Array, units: Mapping[str, str]) -> Iterator[Finding]:
+    """Yield each variable that is best at an end of its range."""
+    for variable, share in zip(task.variables, x.tolist(), strict=True):
+        if variable.form is None and min(share, 1.0 - share) < AT_BOUND:
+            yield finding(
+                "at-bound",
+                "The best {path} is the {end} of its range, {range:g}: a better one may lie beyond; widen the range, "
+                "or take it as what the range allows.",
+                path=variable.path,
+                end="lowest" if share < 0.5 else "highest",
+                range=of_dimension((variable.low, variable.high), units[variable.path]),
+            )
 
 
 def _bands(task: Task, judged: Judged, portions: Portions) -> tuple[Band, ...]:
