@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz.bearing import equilibrium
+from nonhertz.bearing.strips import StripLaw
 
 B = nh.bearing
 
@@ -92,6 +93,20 @@ def test_a_state_without_a_balance_is_said_to_have_none(monkeypatch):
         found[1]
     with pytest.raises(nh.ConvergenceError, match="the loads may leave the inner ring unsupported"):
         B.solve(row(), radial=30e3, tilt=1e-3, method="slices")
+
+
+def test_strips_are_laid_for_states_that_can_be_balanced_alone(monkeypatch):
+    washers = B.CylindricalThrustBearing(
+        roller=nh.Roller(diameter=10, length=10, profile=nh.profile.crown(radius=4000)), inner=nh.Plate(),
+        outer=nh.Plate(), rollers=14, pitch_diameter=60,
+    )  # fmt: skip
+    # Beyond the rollers' ends no sum of their loads acts.
+    found = B.solve_many(washers, axial=1e3, moment=[1e3, 36e3])
+    assert found.converged.tolist() == [True, False]
+    assert_allclose(found.force[0], [1e3, 0.0, 0.0, 0.0, 1e3], rtol=1e-8, atol=1e-5)
+    monkeypatch.setattr(StripLaw, "answer", None)
+    with pytest.raises(nh.ConvergenceError, match="the loads may leave the inner ring unsupported"):
+        B.solve(washers, moment=100e3)
 
 
 def test_rollers_without_a_balance_are_told_where_all_motions_are_given(monkeypatch):

@@ -154,9 +154,9 @@ class States(NamedTuple):
         of_contacts = (np.zeros((states, rollers, columns, size)) for size in (2, ANSWER))
         return cls(*of_ring, np.zeros(states, dtype=np.int64), np.zeros((states, rollers, 3)), *of_contacts)
 
-    def portion(self, first: int, last: int) -> States:
-        """Return some of the states, which may be filled in."""
-        parts: list[Any] = [each[first:last] for each in self]
+    def portion(self, which: slice | Indices) -> States:
+        """Return some of the states, which may be filled in if they are a slice."""
+        parts: list[Any] = [each[which] for each in self]
         return States(*parts)
 
     @property

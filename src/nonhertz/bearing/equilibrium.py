@@ -160,7 +160,7 @@ def balanced(
         def in_machine_code(first: int, last: int) -> None:
             search = Search.blank(system.rollers, system.columns)
             target, at, motion = (each[first:last] for each in begins)
-            balance_all(system.parts, search, conditions, target, at, motion, found.portion(first, last))
+            balance_all(system.parts, search, conditions, target, at, motion, found.portion(slice(first, last)))
 
         with ThreadPoolExecutor(len(borders) - 1) as pool:
             list(pool.map(in_machine_code, borders[:-1], borders[1:]))

@@ -89,7 +89,7 @@ class BearingSolutions(ReadOnly):
             raise IndexError("an index for every axis is needed")
         if not self.converged[number]:
             raise ConvergenceError(f"State {number} of the bearing has no equilibrium.", None)
-        return BearingSolution.of(self.bearing, self.method, self._states.portion(at, at + 1), self._roller_load)
+        return BearingSolution.of(self.bearing, self.method, self._states.portion(slice(at, at + 1)), self._roller_load)
 
     @property
     def loaded_share(self) -> Array:

@@ -33,6 +33,8 @@ Method = Literal["strips", "slices"]
 # What leads to the neighbourhood of the balance, and what may be left there, over the loads. Slices are to be as narrow
 # as the contacts of rollers that speed alone loads are long.
 GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
+# What slices leave of the balance, over the loads, where there is none. They leave 1e-9 where there is one.
+UNBALANCED = 1e-6
 _UNIT_OF_SPEED = math.pi / 30.0
 
 
@@ -223,20 +225,27 @@ def _solved(
         _refuse_beyond(bearing, laws, found)
     if sliced or maps is not None:
         return system, found
+    # Whether loads can be balanced depends on where and in which directions rollers press, not on how stiff they are:
+    # what slices find no balance for, strips would look for in vain, pressed ever deeper.
+    held = np.flatnonzero(found.residual <= UNBALANCED)
+    near, target = found.portion(held), target[held]
     # Slices lead to the neighbourhood of the balance, and few strips closer to it; the slices to the last: rollers that
     # speed alone presses on the outer ring bear less than what is near. Those that the inner ring presses are nearer to
     # where springs would have them.
-    idle = ~(found.load[:, :, :1] > 0.0)
-    motion = np.where(idle, found.motion, np.nan)
+    idle = ~(near.load[:, :, :1] > 0.0)
+    motion = np.where(idle, near.motion, np.nan)
     contacts = [[StrippedContact(each) for each in row.bearing.contacts] for row in bearing.rows]
     few, many = ([StripLaw(each, strips) for each in contacts] for strips in (ROUGH_STRIPS, None))
     coarse, fine = (joined(bearing, load, [(law, law) for law in laws]) for laws in (few, many))
-    found = balanced(coarse, by_force, target, found.ring, depth, NEARBY, motion)
-    found = balanced(fine, by_force, target, found.ring, depth, NEARBY, found.motion)
+    near = balanced(coarse, by_force, target, near.ring, depth, NEARBY, motion)
+    near = balanced(fine, by_force, target, near.ring, depth, NEARBY, near.motion)
     # Strips are laid for the contacts as they were when they were first met.
     for law in many:
         law.lay_anew()
-    return fine, balanced(fine, by_force, target, found.ring, depth, motion=found.motion)
+    near = balanced(fine, by_force, target, near.ring, depth, motion=near.motion)
+    for into, each in zip(found, near, strict=True):
+        into[held] = each
+    return fine, found
 
 
 def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], found: States) -> None:
