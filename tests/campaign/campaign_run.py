@@ -1,18 +1,16 @@
 """Runs cases of a campaign, each alone and among many."""
 
-import multiprocessing
-import os
 import time
 import traceback
 import warnings
 from collections import defaultdict
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import plain_case
 from extreme_cases import random_case
 from own_theory import kernel
+from pool import of_each
 from verdict import sentence_faults, solution_faults, without_numbers
 
 import nonhertz as nh
@@ -192,9 +190,7 @@ def warm_up():
 
 def records(numbers):
     """The records of all numbers."""
-    spawning = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(os.cpu_count(), spawning, initializer=warm_up) as pool:
-        return list(pool.map(case_record, numbers))
+    return of_each(case_record, numbers, "spawn", initializer=warm_up)
 
 
 def grouped(found):

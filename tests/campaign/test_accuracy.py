@@ -3,20 +3,19 @@
 The truth is a grid whose errors are a few millionths.
 """
 
-import os
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 import pytest
 from extent import extent
+from pool import of_each
 from rollers import cornered_case, roller_case
 
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
 
-CASES, SOME = 300, 70
+CASES, SOME = 300, 40
 ASKED = (1e-3, 1e-4, 1e-5)
 TRUE, LEAST = 3e-6, 0.1  # the accuracy of the truth, and of errors too small to be judged by it, of what is asked for
 # The least shares of rollers whose error is what was asked for, and is what was stated; the same of the maximum.
@@ -85,8 +84,7 @@ def test_a_maximum_that_has_a_limit_is_within_ten_times_of_what_is_asked(everyth
 
 @pytest.mark.campaign
 def test_partial_crowns_with_corners_are_covered_at_the_coarsest_accuracy():
-    with ProcessPoolExecutor(os.cpu_count()) as pool:
-        found = [one[0] for one in pool.map(partial(findings, made=cornered_case), range(extent(70, 10)))]
+    found = [one[0] for one in of_each(partial(findings, made=cornered_case), range(extent(70, 10)))]
     missed = [each for each in found if each.error > each.stated and each.error > LEAST * each.asked]
     missed += [each for each in found if each.limited and each.of_maximum > each.stated_of_maximum]
     assert not missed
@@ -94,5 +92,4 @@ def test_partial_crowns_with_corners_are_covered_at_the_coarsest_accuracy():
 
 @pytest.fixture(scope="module")
 def everything():
-    with ProcessPoolExecutor(os.cpu_count()) as pool:
-        return [each for one in pool.map(findings, range(extent(CASES, SOME)), chunksize=10) for each in one]
+    return [each for one in of_each(findings, range(extent(CASES, SOME))) for each in one]

@@ -1,16 +1,16 @@
 """Case and bearing files changed at random: each is read, or refused in a sentence for each mistake, soon."""
 
-import multiprocessing
 import os
 from collections import Counter
-from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 
 import pytest
 from case_texts import read_all
 from extent import extent
+from pool import of_each
 
-CASES = {"case": extent(100_000, 2_000), "bearing": extent(30_000, 600)}
-PORTION, PROCESSES = 500, 2
+CASES = {"case": extent(100_000, 1_000), "bearing": extent(30_000, 400)}
+PORTION = 200
 SLOWEST = 2.0
 """s of computing, for any file."""
 MEMORY = 500.0
@@ -23,10 +23,7 @@ MEMORY = 500.0
 def test_changed_files(kind, tmp_path, capsys):
     count = CASES[kind]
     portions = [range(start, min(start + PORTION, count)) for start in range(0, count, PORTION)]
-    some = len(portions)
-    spawning = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(PROCESSES, mp_context=spawning) as processes:
-        outcomes = list(processes.map(read_all, portions, [str(tmp_path)] * some, [kind] * some))
+    outcomes = of_each(partial(read_all, folder=str(tmp_path), kind=kind), portions, "spawn")
     counts = sum((outcome.counts for outcome in outcomes), Counter[str]())
     seconds, number = max(outcome.slowest for outcome in outcomes)
     memory = max(outcome.memory for outcome in outcomes)

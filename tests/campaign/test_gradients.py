@@ -9,7 +9,7 @@ from nonhertz.errors import without_accuracy_warnings
 from nonhertz.result.gradient import family_of
 from nonhertz.result.measures import measure_of
 
-CASES, SOME = 300, 20
+CASES, SOME = 300, 12
 SEED = 20261123
 CLOSE = 1e-6  # relative to the number itself, for a parameter that changes by itself
 POINTS = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))

@@ -12,7 +12,7 @@ from extent import extent
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
 
-CASES, SEED = extent(300, 20), 291
+CASES, SEED = extent(300, 12), 291
 NET, HALF = 1201, 6.0  # places along a side of the square looked at [mm]
 NOTICED = 0.02  # of the largest interference
 FARTHER = 1.6  # cells from any cell in contact: nearer than that it ends between cells

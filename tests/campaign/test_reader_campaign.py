@@ -23,7 +23,7 @@ from nonhertz.files.traces import LARGEST_FILE, read_trace
 from nonhertz.files.traces.line import MOST_POINTS
 from nonhertz.measured import Trace, prepare
 
-FILES = extent(100_000, 2_000)
+FILES = extent(100_000, 1_000)
 """Over all formats together."""
 SLOWEST = 2.0
 """s of processor time, for any file of these, and for the steps after it."""

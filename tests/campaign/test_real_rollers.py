@@ -4,14 +4,13 @@ How strips act is taken from the package, and is compared elsewhere; all else is
 the strips, load and moment, mirror images and scaled twins.
 """
 
-import os
 from collections import Counter
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from extent import extent
+from pool import of_each
 from rollers import pressed, profile
 
 import nonhertz as nh
@@ -19,7 +18,7 @@ from nonhertz.bodies.influence import influence_of
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.strip.influence import displacements
 
-CASES, SOME = 20_000, 25
+CASES, SOME = 20_000, 16
 SEED = 20261123
 GAP, BALANCE = 1e-7, 1e-8  # of the penetration, and of the load
 TWIN = 1e-6  # beside the error estimates of both
@@ -256,8 +255,7 @@ class Larger(nh.profile.Profile):
 @pytest.mark.campaign
 def test_every_real_roller_ends_in_a_right_answer_or_a_sentence():
     count = extent(CASES, SOME)
-    with ProcessPoolExecutor(os.cpu_count()) as pool:
-        found = list(pool.map(faults, range(count), chunksize=10))
+    found = of_each(faults, range(count))
     print(f"\n{Counter(kind for kind, _ in found).most_common()}")
     wrong = [(number, each) for number, (_, each) in enumerate(found) if each]
     assert not wrong, (len(wrong), wrong[:10])

@@ -9,7 +9,7 @@ from stress_check import Pressed, carried, images_of, stress_below
 
 import nonhertz as nh
 
-CASES, POINTS, SEED = extent(300, 50), 5, 20240613
+CASES, POINTS, SEED = extent(300, 25), 5, 20240613
 RESULTANTS, PRESSURE, COMPONENTS = 1e-3, 1e-3, 2e-3
 
 

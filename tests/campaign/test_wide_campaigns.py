@@ -7,7 +7,7 @@ from extent import extent
 
 import nonhertz as nh
 
-CASES, SOME = 50_000, 400
+CASES, SOME = 50_000, 200
 
 
 @pytest.mark.campaign
