@@ -29,7 +29,7 @@ from nonhertz.cli.commands import COMMANDS, EXAMPLES, app, each_with_option
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import BEARING_TEMPLATES
-from nonhertz.files.casefile import TEMPLATES, starting_case
+from nonhertz.files.casefile import TEMPLATES
 from nonhertz.result.solution import Solution
 from nonhertz.show.sections import Section, Table
 
@@ -171,16 +171,6 @@ def test_new_prints_a_case_that_solves(tmp_path, run, monkeypatch):
     assert run("solve", "first.toml", "--json").json["warnings"] == []
 
 
-@pytest.mark.parametrize("name", TEMPLATES)
-def test_templates_solve_without_a_warning(name, tmp_path, run, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    assert main(["new", "case.toml", "--template", name]) == 0
-    assert Path("case.toml").read_text(encoding="utf-8") == starting_case(name)
-    found = run("solve", "case.toml", "--json").json
-    assert found["warnings"] == []
-    assert len(found["contact_y"]) == 1
-
-
 @pytest.mark.parametrize("kind", ["", *TEMPLATES, *(f"--bearing --template {name}" for name in BEARING_TEMPLATES)])
 def test_a_plan_for_a_case_varies_what_that_has(kind, tmp_path, run, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -290,12 +280,12 @@ def test_commands_are_listed_by_the_first_line_of_their_help(run):
         assert f"{name} {first}" in listed
 
 
-@pytest.mark.parametrize("words", [["--help"], ["design", "--help"]], ids=" ".join)
-def test_help_imports_nothing_heavy(words):
+def test_help_imports_nothing_heavy():
     program = (
         "import sys\n"
         "from nonhertz.cli import main\n"
-        f"main({words})\n"
+        "main(['--help'])\n"
+        "main(['design', '--help'])\n"
         "heavy = {'numpy', 'scipy', 'numba', 'pint', 'matplotlib'} & set(sys.modules)\n"
         "sys.exit(', '.join(sorted(heavy)) or 0)\n"
     )
@@ -349,7 +339,7 @@ def test_an_empty_name_for_results_is_refused(case, capsys, command, words):
     assert [path.name for path in Path.cwd().iterdir()] == [case]
 
 
-@pytest.mark.parametrize("package", ["cyclopts", "pint", "matplotlib"])
+@pytest.mark.parametrize("package", ["cyclopts", "matplotlib"])
 @pytest.mark.slow
 def test_a_missing_extra_says_how_to_install_it(case, package):
     Path(case).write_text(CASE.replace("diameter = 20.0", 'diameter = "20 mm"'), encoding="utf-8")

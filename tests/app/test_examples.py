@@ -13,12 +13,13 @@ from scripts import script
 import nonhertz as nh
 from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.casefile import Case, read_case
-from nonhertz.files.held import holds_plan, meant_as
+from nonhertz.files.held import holds_plan
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 FILES = sorted(EXAMPLES.glob("*.toml"))
-BEARINGS = [path for path in FILES if meant_as(tomllib.loads(path.read_text(encoding="utf-8"))) == "bearing"]
+
+
 PLANS = [path for path in FILES if holds_plan(tomllib.loads(path.read_text(encoding="utf-8")))]
 TABULATED = "tabulated-profile.csv"
 MEASURED = "measured-roller.txt"
@@ -30,19 +31,6 @@ def case(name: str) -> Case:
 
 def solved(example: Case) -> nh.Solution:
     return nh.solve(example.contact, **example.prescribed, **example.solver)
-
-
-@pytest.mark.parametrize("path", BEARINGS, ids=lambda path: path.stem)
-@pytest.mark.slow
-def test_every_bearing_solves_from_the_command_line(path, run):
-    result = run("bearing", str(path), "--json").json
-    assert result["warnings"] == []
-    # Outer raceways bear what the file asks for; ribs are of the inner ring, and what speed does cancels all round.
-    prescribed = read_bearing(path).prescribed
-    load, inclined = np.array(result["load"])[:, 1], np.array(result["contact_angle"])[:, 1]
-    turned = np.where(np.array(result["row"]) == 2, -1.0, 1.0)
-    assert_allclose(np.sum(load * np.cos(inclined) * np.cos(result["angle"])), prescribed["radial"], rtol=1e-6)
-    assert_allclose(np.sum(turned * load * np.sin(inclined)), prescribed.get("axial", 0.0), rtol=1e-6)
 
 
 @pytest.mark.parametrize(("name", "static", "tolerance"), [("nu206", 36.5e3, 2e-3), ("tapered-pair", 60e3, 0.015)])

@@ -153,7 +153,7 @@ def command_records():
 
     for command, sources in RUNS.items():
         for source in sources:
-            code, found = ran(command, source)
+            code, found, *_ = ran(command, source)
             yield {"of": f"{command} {source}", "ended": str(code), "numbers": found}
 
 

@@ -68,7 +68,10 @@ STUDIES = ("sweep", "tolerance", "design")
 
 
 def ran(command, source):
-    """Return the exit code of a command, and all numbers that it prints as JSON or writes into tables, by name."""
+    """Return the exit code of a command, and all numbers that it prints as JSON or writes into tables, by name.
+
+    Last come the warnings that it prints.
+    """
     printed, words = io.StringIO(), RUNS[command][source]
     with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
         with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(io.StringIO()):
@@ -87,7 +90,8 @@ def ran(command, source):
             code = main([command, str(file), *words.split(), "--json"])
         tables = {path.name: csv.reader(path.read_text("utf-8").splitlines()) for path in Path().rglob("*.csv")}
     columns = {name: {head: cells for head, *cells in zip(*rows, strict=True)} for name, rows in tables.items()}
-    return code, dict(numbers(json.loads(printed.getvalue() or "{}") | columns))
+    found = json.loads(printed.getvalue() or "{}")
+    return code, dict(numbers(found | columns)), found.get("warnings", [])
 
 
 def number(value):
@@ -139,7 +143,7 @@ def write(command):
     """Write the file of a command."""
     lines = [f'"machine": {json.dumps(machine())}']
     for source in RUNS[command]:
-        code, found = ran(command, source)
+        code, found, _ = ran(command, source)
         lines.append(f"{json.dumps(source)}: {json.dumps({'exit code': code} | compact(found))}")
     (HERE / f"{command}.json").write_text("{" + ",\n".join(lines) + "}\n", encoding="utf-8")
 
