@@ -44,26 +44,29 @@ def sharp(desk: Desk) -> None:
     desk.press('button[data-action="remove"][data-path="body.a.profile[1]"]')
 
 
-STATES: dict[str, Callable[[Desk], Any]] = {
+#: What is done to one page, thing by thing; a mistake is mended again.
+DONE: dict[str, Callable[[Desk], Any]] = {
     "as it opens": lambda desk: None,
-    "dark": lambda desk: desk.page.locator("#theme").click(),
-    "US units": lambda desk: desk.press("#units"),
-    "curve": curve,
+    "pointed at": pointed,
+    "unfolded": unfolded,
     "menu": lambda desk: desk.page.locator("#templates summary").click(),
     "downloads": lambda desk: desk.page.locator("#downloads summary").click(),
+    "closed again": lambda desk: desk.page.keyboard.press("Escape"),
+    "curve": curve,
     "pinned": pinned,
-    "mistake": lambda desk: desk.write("load.load", "30 kg"),
-    "unfolded": unfolded,
-    "pointed at": pointed,
     "sharp ends": sharp,
+    "US units": lambda desk: desk.press("#units"),
+    "mistake": lambda desk: desk.write("load.load", "30 kg"),
+    "mended": lambda desk: desk.write("load.load", "30 kN"),
+    "dark": lambda desk: desk.page.locator("#theme").click(),
     "measured": measured,
 }
 
 
-@pytest.mark.parametrize("state", STATES)
-def test_of_a_contact(desk, state):
-    STATES[state](desk)
-    assert violations(desk) == []
+def test_of_a_contact(desk):
+    for name, do in DONE.items():
+        do(desk)
+        assert violations(desk) == [], name
 
 
 def test_of_a_contact_on_a_phone(open_desk):
@@ -76,6 +79,7 @@ def test_of_a_contact_on_a_phone(open_desk):
 @pytest.mark.parametrize("width", [1400, 390])
 def test_of_a_bearing(open_desk, width):
     desk = open_desk("bearing", viewport={"width": width, "height": 900})
+    assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= width
     assert violations(desk) == []
     desk.page.locator("#theme").click()
     assert violations(desk) == []

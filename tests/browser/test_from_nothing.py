@@ -1,4 +1,4 @@
-"""A bearing made on the page alone: by keyboard, and with a finger on a phone."""
+"""A bearing made on the page alone, by keyboard."""
 
 import pytest
 from conftest import STARTING
@@ -7,7 +7,6 @@ from desk import Desk
 pytestmark = pytest.mark.browser
 
 MOST_TABS = 300
-WIDTH = 390
 
 
 def tab_to(desk: Desk, selector: str) -> None:
@@ -58,38 +57,5 @@ def test_by_keyboard_alone(desk):
     tab_to(desk, "#undo")
     before = desk.answers
     keys.press("Enter")
-    desk.wait_for_answer(before)
-    assert desk.shown("load.axial") != "15 kN"
-
-
-def test_with_a_finger(open_desk):
-    desk = open_desk(viewport={"width": WIDTH, "height": 844}, has_touch=True)
-    tap = lambda selector: desk.page.locator(selector).tap()  # noqa: E731
-    tap("a.other")
-    desk.page.wait_for_url("**/bearing*")
-    desk.settle(within=STARTING)
-    tap("#templates summary")
-    desk.photograph("finger-new")
-    before = desk.answers
-    tap('[data-template="cylindrical"]')
-    desk.wait_for_answer(before)
-    desk.photograph("finger-results", whole=True)
-    tap("#editor > summary")
-    before = desk.answers
-    desk.field("bearing.kind").tap()
-    desk.field("bearing.kind").select_option("thrust")
-    desk.wait_for_answer(before)
-    for path, text in (("bearing.rollers", "12"), ("load.axial", "15 kN")):
-        before = desk.answers
-        desk.field(path).tap()
-        desk.page.keyboard.press("Control+A")
-        desk.page.keyboard.type(text)
-        desk.wait_for_answer(before)
-    desk.photograph("finger-form")
-    desk.photograph("finger", whole=True)
-    assert_bears(desk, 12)
-    assert desk.page.evaluate("() => document.documentElement.scrollWidth") <= WIDTH
-    before = desk.answers
-    tap("#undo")
     desk.wait_for_answer(before)
     assert desk.shown("load.axial") != "15 kN"

@@ -1,14 +1,13 @@
 """Pinning, links, files: what is on the page can be kept, compared and carried elsewhere."""
 
 import json
-import subprocess
-import sys
 import tomllib
 
 import pytest
 from desk import packed, unpacked
 from numpy.testing import assert_allclose
 
+import nonhertz as nh
 from nonhertz.files.casefile import starting_case
 
 pytestmark = pytest.mark.browser
@@ -64,7 +63,7 @@ def test_going_back_loses_no_work(desk):
     assert desk.numbers == before
 
 
-@pytest.mark.parametrize("fragment", ["#c=%%%", "#c=" + packed({"title": "x" * 2_000_000}), "#c=" + "A" * 5000])
+@pytest.mark.parametrize("fragment", ["#c=%%%", "#c=" + packed({"title": "x" * 2_000_000})])
 def test_a_link_that_was_cut_says_so_and_the_page_goes_on(open_desk, fragment):
     desk = open_desk(fragment)
     assert_allclose(desk.numbers["Load"], 20000.0, rtol=SAME)
@@ -76,13 +75,11 @@ def test_the_downloaded_case_solves_to_what_the_page_shows(desk, tmp_path):
     desk.write("body.a.profile[1].amplitude", "0.004")
     path = tmp_path / "case.toml"
     path.write_bytes(desk.download("case.toml"))
-    command = [sys.executable, "-m", "nonhertz", "solve", str(path), "--json"]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120.0)
-    found, shown = json.loads(done.stdout), desk.numbers
-    assert_allclose(shown["Largest pressure"], found["max_pressure"], rtol=SAME)
-    assert_allclose(shown["Approach"], found["approach"], rtol=SAME)
-    assert_allclose(shown["Half-width"], max(found["half_width"]), rtol=SAME)
-    assert_allclose(json.loads(desk.download("result.json"))["centre_pressure"], found["centre_pressure"], rtol=SAME)
+    found, shown = nh.read_case(path).solve(), desk.numbers
+    assert_allclose(shown["Largest pressure"], found.max_pressure, rtol=SAME)
+    assert_allclose(shown["Approach"], found.approach, rtol=SAME)
+    assert_allclose(shown["Half-width"], found.half_width.max(), rtol=SAME)
+    assert_allclose(json.loads(desk.download("result.json"))["centre_pressure"], found.centre_pressure, rtol=SAME)
 
 
 def test_a_case_file_is_opened_or_dropped(desk, tmp_path):
