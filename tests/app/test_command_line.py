@@ -280,21 +280,6 @@ def test_commands_are_listed_by_the_first_line_of_their_help(run):
         assert f"{name} {first}" in listed
 
 
-def test_help_imports_nothing_heavy():
-    program = (
-        "import sys\n"
-        "from nonhertz.cli import main\n"
-        "main(['--help'])\n"
-        "main(['design', '--help'])\n"
-        "heavy = {'numpy', 'scipy', 'numba', 'pint', 'matplotlib'} & set(sys.modules)\n"
-        "sys.exit(', '.join(sorted(heavy)) or 0)\n"
-    )
-    run = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, check=False, env=environment()
-    )
-    assert (run.returncode, run.stderr) == (0, "")
-
-
 def test_an_internal_error_is_one_sentence(case, run, monkeypatch):
     def break_down(*_: object, **__: object) -> Solution:
         raise ZeroDivisionError("float division\nby zero")

@@ -1,7 +1,6 @@
 """Laws that hold for every profile: adding, shifting, scaling, flipping, mirror symmetry, similarity."""
 
 import math
-import pickle
 
 import numpy as np
 import pytest
@@ -117,14 +116,6 @@ def test_both_sides_are_alike_and_fall_off(profile):
     outwards = relief[40:]
     with np.errstate(invalid="ignore"):  # inf - inf beyond the end of a curve
         assert not np.any(np.diff(outwards) < -1e-14)
-
-
-@untimed
-@given(profiles)
-def test_survives_pickling(profile):
-    again = pickle.loads(pickle.dumps(profile))
-    assert again == profile
-    np.testing.assert_array_equal(again.relief(Y), profile.relief(Y))
 
 
 @untimed

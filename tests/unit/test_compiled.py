@@ -68,12 +68,6 @@ def test_kept_machine_code_of_a_solve_loads_no_reductions_of_arrays():
     assert kept.split() == ["False"], first
 
 
-@pytest.mark.slow
-def test_the_package_imports_no_numba():
-    code = "import sys, nonhertz, nonhertz.subsurface, nonhertz.patch, nonhertz.life; assert 'numba' not in sys.modules"
-    subprocess.run([sys.executable, "-c", code], check=True)
-
-
 @pytest.mark.parametrize("watched", [True, False])
 def test_who_waits_at_a_terminal_is_told_why_once(tmp_path, monkeypatch, caplog, watched):
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
