@@ -222,6 +222,7 @@ def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(tmp_path, monke
         return coarse
 
     monkeypatch.setattr(nonhertz.show.analysis, "overrolled", overrolled)
+    monkeypatch.setattr("nonhertz.report.layout.image", lambda *_: b"<svg></svg>")
     assert main(["life", "dent.toml", "--out", "out"]) == 0
     life = coarse.relative_life(nonhertz.life.zaretsky(), dents=10)
     sentence = f"10 dents in the raceway of body b leave this part of its life: {digits(life, 4)} (zaretsky)."

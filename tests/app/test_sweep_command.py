@@ -103,7 +103,7 @@ def whole(tmp_path_factory):
 @pytest.mark.slow
 def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder, whole):
     store, seed, there = folder / "killed" / "rows.sqlite3", random.Random(5), [0]
-    for kill in range(12):
+    for kill in range(6):
         running = subprocess.Popen(command("--out", "killed", "--workers", "1"), stdout=subprocess.DEVNULL)
         # Some while it starts, the others at any moment after some more portions; while it runs, the rows are locked.
         written, awaited = {changed(store)}, 0 if kill % 5 == 4 else seed.randrange(2, 6)
@@ -116,7 +116,7 @@ def test_killed_at_random_moments_no_row_is_lost_or_doubled(folder, whole):
         if (rows := rows_in(store)) is not None:
             there.append(rows)
     assert there == sorted(there)
-    assert len({count for count in there if 0 < count < 1640}) > 5
+    assert len({count for count in there if 0 < count < 1640}) > 2
     subprocess.run(command("--out", "killed"), check=True, stdout=subprocess.DEVNULL, timeout=300)
     assert (folder / "killed" / "rows.csv").read_bytes() == whole
 

@@ -139,22 +139,6 @@ def test_every_kind_of_bearing_has_a_word(kind):
     assert set(KINDS.values()) == set(nh.bearing.RollerBearing.__subclasses__()) | {nh.bearing.NeedleRollerBearing}
 
 
-def test_the_same_numbers_as_from_python():
-    case = read(changed(PLAIN, ('radial = "10 kN"', 'radial = "10 kN"\ntilt = "0.3 mrad"\nspeed = "6000 rpm"')))
-    row = nh.bearing.CylindricalRollerBearing(
-        roller=nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=1200)),
-        inner=nh.Ring(diameter=37.5),
-        outer=nh.Ring(diameter=-55.5),
-        rollers=13,
-    )
-    for method in ("slices", "strips"):
-        found = case.solve(method)
-        direct = nh.bearing.solve(row, radial=10e3, tilt=3e-4, speed=6000, method=method)
-        assert found.method == method
-        assert_array_equal(found.load, direct.load)
-        assert_array_equal(found.displacement, direct.displacement)
-
-
 def test_the_file_says_how_it_is_solved_and_assessed():
     text = (
         PLAIN
@@ -582,13 +566,10 @@ def test_every_mistake_is_one_sentence_at_its_key(case):
 @pytest.mark.parametrize(
     ("text", "roller", "ring"),
     [
-        (PLAIN, 0, "inner"),
         (PLAIN, 1, "outer"),
         (TAPERED, 0, "inner"),
-        (TAPERED, 13, "outer"),
         (THRUST, 3, "inner"),
         (SPHERICAL, 18, "outer"),
-        (starting_bearing(), 12, "inner"),
     ],
 )
 def test_a_contact_of_a_bearing_is_a_case_of_its_own(tmp_path, text, roller, ring):
