@@ -1,6 +1,7 @@
 # Every target sets up what it needs: a virtual environment in .venv, with the exact versions of constraints.txt.
 
 PYTHON ?= python3
+# Those that the classifiers of pyproject.toml name; the workflows try the next one, too.
 PYTHONS ?= python3.11 python3.12 python3.13
 ORDERS ?= 1 2 3 4 5
 MUTANTS ?=

@@ -82,6 +82,11 @@ def test_values_may_be_numbers_words_lists_and_tables():
     assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "1 m"}]
 
 
+def test_a_title_is_set_like_any_input():
+    case = nh.read_case(CASE, changes_in(["title=Second try"]))
+    assert (case.title, case.document["title"]) == ("Second try", "Second try")
+
+
 def test_what_was_set_is_in_the_text_of_the_case():
     case = nh.read_case(CASE, {"load.load": "5 kN", "load.tilt": None})
     assert case.text.startswith("# Set in place of what the file held: load.load = 5 kN, without load.tilt\n")

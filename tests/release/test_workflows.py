@@ -15,6 +15,7 @@ TEXTS = {path.name: path.read_text(encoding="utf-8") for path in sorted((FOLDER 
 # YAML 1.1 reads the key "on" as true.
 WORKFLOWS: dict[str, dict[Any, Any]] = {name: yaml.safe_load(text) for name, text in TEXTS.items()}
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+MAKEFILE = (ROOT / "Makefile").read_text(encoding="utf-8")
 MARKERS = {line.partition(":")[0] for line in PYPROJECT["tool"]["pytest"]["ini_options"]["markers"]}
 EACH = pytest.mark.parametrize("name", TEXTS)
 
@@ -100,4 +101,6 @@ def test_all_supported_pythons_are_tested():
     claimed = {each.rpartition(" ")[2] for each in PYPROJECT["project"]["classifiers"] if each.startswith(prefix)}
     for job in ("systems", "versions"):
         assert claimed <= set(jobs("tests.yml")[job]["strategy"]["matrix"]["python"])
+    (tested,) = re.findall(r"^PYTHONS \?= (.*)$", MAKEFILE, re.MULTILINE)
+    assert {each.removeprefix("python") for each in tested.split()} == claimed
     assert f">={min(claimed, key=lambda each: int(each.partition('.')[2]))}" == PYPROJECT["project"]["requires-python"]

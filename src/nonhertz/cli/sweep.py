@@ -89,7 +89,7 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
     try:
         return plan.changed(over=dict(map(_path_and_values, over)) or None, quantities=tuple(quantities) or None)
     except InputError as error:
-        option = "--quantities" if error.field == "quantities" else f"--over {error.field}"
+        option = "--quantities" if error.field == "quantities" else f"--over {error.field}".rstrip()
         raise InputError(option, error.value, error.condition, error.remedy) from None
 
 

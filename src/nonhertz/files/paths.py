@@ -22,7 +22,7 @@ from nonhertz.model.profile import PARAMETERS
 Keys = tuple[str | int, ...]
 
 #: Keys of tables that say what a table is; unless they are a choice of words, they are not to be varied on their own.
-_NAMES = ("kind", "format", "title")
+_NAMES = ("kind", "format")
 
 
 @dataclass(frozen=True)

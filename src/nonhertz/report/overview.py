@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import Amount, amount, given, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.section import RINGS
+from nonhertz.errors import joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.model.body import Body
 from nonhertz.model.materials import MATERIALS
@@ -51,8 +52,8 @@ def first_numbers(found: Results, rows: Iterable[Row]) -> list[Row]:
     numbers: list[Row] = []
     for (name, value, remark), below in pairwise([*rows, ("end", "", "")]):
         if name in FIRST:
-            more = " ".join(below[1:]).strip() if not below[0] else ""
-            numbers.append((name, value, ", ".join(filter(None, (remark, more)))))
+            more = "" if below[0] else ", ".join(filter(None, below[1:]))
+            numbers.append((name, value, "; ".join(filter(None, (remark, more)))))
     if isinstance(found, CaseResults) and found.stress:
         largest = found.stress[0].von_mises
         where = f"{largest.site}y = {mm(largest.y):4}, z = {mm(largest.z):3}"
@@ -64,7 +65,7 @@ def opening(found: Results) -> str:
     """Return one sentence on what was solved."""
     prescribed = found.case.prescribed
     acting = [_acting(name, prescribed[name]) for name in _PRESCRIBED if name in prescribed and prescribed[name] != 0.0]
-    under = f"under {', '.join(acting[:-1])}{' and ' * (len(acting) > 1)}{acting[-1]}" if acting else "without a load"
+    under = f"under {joined(acting)}" if acting else "without a load"
     if isinstance(found, CaseResults):
         a, b = _body(found.solution.contact.a, "a"), _body(found.solution.contact.b, "b")
         return f"{a[0].upper()}{a[1:]} and {b} {under}."
