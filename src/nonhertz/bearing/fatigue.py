@@ -30,6 +30,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -234,15 +235,10 @@ def _findings(ends: set[SingularEnd], steep: float, stress: str) -> Iterator[Fin
 
 def _exposures(solution: BearingSolution, rollers: range, field: str) -> list[Seen]:
     """Return what is seen of every roller by both rings, and then what the roller sees at both."""
-    evaluate, known = section_exposure if field == "sections" else exposure, dict[tuple[int, BodyName], Exposure]()
+    evaluate = cache(section_exposure if field == "sections" else exposure)
 
     def seen(contact: Solution | None, body: BodyName) -> Exposure | None:
-        if contact is None:
-            return None
-        key = id(contact), body
-        if key not in known:
-            known[key] = evaluate(contact, body)
-        return known[key]
+        return None if contact is None else evaluate(contact, body)
 
     bodies: tuple[BodyName, ...] = ("b", "a")
     return [[seen(solution.contact(j, ring), body) for j in rollers] for body in bodies for ring in RINGS]
@@ -250,7 +246,7 @@ def _exposures(solution: BearingSolution, rollers: range, field: str) -> list[Se
 
 def _distinct(seen: Seen) -> list[Exposure]:
     """Return what is seen, once where it is the same for several rollers."""
-    return list({id(each): each for each in seen if each is not None}.values())
+    return list(dict.fromkeys(each for each in seen if each is not None))
 
 
 def _steep(seen: Exposure, chosen: VolumeModel) -> float:
@@ -302,8 +298,8 @@ class Calibration:
     def _in_turn(self, passes: Sequence[Seen]) -> float:
         """Return the damage of contacts that pass over the same points, the mean over rollers, the sum over passes."""
         every = [each for contacts in passes for each in contacts if each is not None]
-        known = {id(each): (each.y, each.density(self._model), each.damage(self._model)) for each in _distinct(every)}
-        loaded = [known[id(each)] for each in every if known[id(each)][2] > 0.0]
+        known = {each: (each.y, each.density(self._model), each.damage(self._model)) for each in _distinct(every)}
+        loaded = [known[each] for each in every if known[each][2] > 0.0]
         if not loaded:
             return 0.0
         stations = np.unique(np.concatenate([y for y, _, _ in loaded]))

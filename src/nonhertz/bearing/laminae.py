@@ -17,7 +17,6 @@ no limit, and there is no such life by pressures.
 
 from __future__ import annotations
 
-import itertools
 import math
 
 import numpy as np
@@ -38,8 +37,7 @@ _WORST_FACTOR = 0.1
 
 def singular_ends(solution: BearingSolution) -> set[SingularEnd]:
     """Return the ends of loaded contacts towards which the pressure has no limit."""
-    every = (solution.contact(j, ring) for j in range(solution.angle.size) for ring in RINGS)
-    return {end for each in every if each is not None for end in each.singular_ends}
+    return {end for each in solution.distinct_contacts for end in each.solved.singular_ends}
 
 
 def lamina_means(solution: BearingSolution, laminae: int, edge_stress: str, turning: str) -> list[Array]:
@@ -93,15 +91,7 @@ def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Arra
         found = np.concatenate([loads for _, loads in slice_loads(solution, laminae)])
         return found * (edge_function(laminae) if edge_stress == "standard" else 1.0)
     model = iso_16281(laminae=laminae, edge_stress=edge_stress)
-    known: dict[int, Array] = {}
-    for row in solution.bearing.rows:
-        for j, k in itertools.product(range(row.rollers.start, row.rollers.stop), range(len(RINGS))):
-            contact = solution.contact(j, RINGS[k])
-            if contact is None:
-                continue
-            # Equal contacts are one and the same solution.
-            if id(contact) not in known:
-                cut = laminae_of(contact, model, row.bearing.effective_interval)
-                known[id(contact)] = cut.factor * cut.load
-            found[j, k] = known[id(contact)]
+    for row, ring, rollers, contact in solution.distinct_contacts:
+        cut = laminae_of(contact, model, row.bearing.effective_interval)
+        found[rollers, ring] = cut.factor * cut.load
     return found

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.balance import NO_LOAD, States
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import Paired, RollerBearing, Row
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.ribs import RibContact
 from nonhertz.bearing.section import RINGS
@@ -65,6 +65,15 @@ class UnrolledPressure(ReadOnly):
     angle: Array
     y: Array
     pressure: Array
+
+
+class DistinctContact(NamedTuple):
+    """A solved contact, and whose it is: rollers on both sides of a load have the same."""
+
+    row: Row
+    ring: int  # 0 of the inner, 1 of the outer one
+    rollers: list[int]  # among those of all rows
+    solved: Solution
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -198,10 +207,7 @@ class BearingSolution(ReadOnly):
             If there is no such contact, or the bearing was solved by slices.
         """
         roller = self._number_of(roller, ring)
-        if self.method != "strips":
-            raise InputError("method", self.method, "be 'strips' for pressures", "solve the bearing by strips")
-        found: Solution | None = self._solutions[roller][RINGS.index(ring)]
-        return found
+        return self._contacts.get((roller, RINGS.index(ring)))
 
     @property
     def rib_load(self) -> Array:
@@ -285,11 +291,12 @@ class BearingSolution(ReadOnly):
         """Return what is found of contacts."""
         first: dict[str, tuple[str, Finding]] = {}
         times: Counter[str] = Counter()
-        for j in np.argsort(-self.load.max(axis=1), kind="stable").tolist():
-            for ring, contact in zip(RINGS, self._solutions[j], strict=True):
-                for found in contact.findings if contact is not None else ():
-                    first.setdefault(found.kind, (f"{self.place_of(j)}, {ring} ring", found))
-                    times[found.kind] += 1
+        rank = np.argsort(np.argsort(-self.load.max(axis=1), kind="stable"))
+        foremost = [(min(each.rollers, key=rank.__getitem__), each) for each in self.distinct_contacts]
+        for j, each in sorted(foremost, key=lambda pair: (rank[pair[0]], pair[1].ring)):
+            for found in each.solved.findings:
+                first.setdefault(found.kind, (f"{self.place_of(j)}, {RINGS[each.ring]} ring", found))
+                times[found.kind] += len(each.rollers)
         more = " (And {more} more of the kind.)"
         return [
             finding(
@@ -314,25 +321,33 @@ class BearingSolution(ReadOnly):
         return found
 
     @cached_property
-    def _solutions(self) -> list[list[Solution | None]]:
-        size = _SAME * float(np.max(np.abs(self.approach), initial=1e-300))
-        solutions: list[list[Solution | None]] = []
+    def distinct_contacts(self) -> tuple[DistinctContact, ...]:
+        """The loaded contacts, solved by strips for their loads and tilts.
+
+        Raises
+        ------
+        InputError
+            If the bearing was solved by slices.
+        """
+        if self.method != "strips":
+            raise InputError("method", self.method, "be 'strips' for pressures", "solve the bearing by strips")
+        size, found = _SAME * float(np.max(np.abs(self.approach), initial=1e-300)), []
         for row in self.bearing.rows:
-            # Those on both sides of a load are the same.
-            known: dict[tuple[int, int, int], Solution] = {}
-            for j in range(row.rollers.start, row.rollers.stop):
-                solutions.append([])
-                for k, contact in enumerate(row.bearing.contacts):
-                    if not self.load[j, k] > 0.0:
-                        solutions[j].append(None)
-                        continue
-                    approach, tilt = float(self.approach[j, k]), float(self.tilt[j, k])
-                    key = (k, round(approach / size), round(tilt * row.bearing.roller_length / size))
-                    if key not in known:
-                        with without_accuracy_warnings():
-                            known[key] = solve(contact, load=float(self.load[j, k]), tilt=tilt)
-                    solutions[j].append(known[key])
-        return solutions
+            poses = np.stack([self.approach, self.tilt * row.bearing.roller_length], axis=-1)
+            for k, contact in enumerate(row.bearing.contacts):
+                alike: dict[tuple[int, ...], list[int]] = {}
+                for j in range(row.rollers.start, row.rollers.stop):
+                    if self.load[j, k] > 0.0:
+                        alike.setdefault(tuple(round(each / size) for each in poses[j, k].tolist()), []).append(j)
+                for rollers in alike.values():
+                    load, tilt = (float(each[rollers[0], k]) for each in (self.load, self.tilt))
+                    with without_accuracy_warnings():
+                        found.append(DistinctContact(row, k, rollers, solve(contact, load=load, tilt=tilt)))
+        return tuple(found)
+
+    @cached_property
+    def _contacts(self) -> dict[tuple[int, int], Solution]:
+        return {(j, each.ring): each.solved for each in self.distinct_contacts for j in each.rollers}
 
     @property
     def max_pressure(self) -> Array:
@@ -408,15 +423,11 @@ class BearingSolution(ReadOnly):
         places = evenly if y is None else np.array(numbers("y", y, remedy))
         if places.ndim != 1 or not places.size:
             raise InputError("y", y, "be a row of numbers", remedy)
-        pressure = np.zeros((these.stop - these.start, places.size))
-        known: dict[int, Array] = {}  # rollers on both sides of a load share a solution
-        for roller, of_roller in enumerate(pressure, start=these.start):
-            contact = self.contact(roller, ring)
-            if contact is not None:
-                if id(contact) not in known:
-                    known[id(contact)] = contact.pressure(0.0, places)
-                of_roller[:] = known[id(contact)]
-        return UnrolledPressure(ring, row, self.angle[these], places, pressure)
+        pressure = np.zeros((self.angle.size, places.size))
+        for each in self.distinct_contacts:
+            if (each.row.first, RINGS[each.ring]) == (these.start, ring):
+                pressure[each.rollers] = each.solved.pressure(0.0, places)
+        return UnrolledPressure(ring, row, self.angle[these], places, pressure[these])
 
     def plot(self, what: str = "loads", ax: Any = None) -> Any:
         """Draw the bearing, and return the axes; those of a figure of its own have it as ``figure``.
@@ -466,11 +477,8 @@ class BearingSolution(ReadOnly):
 
     def _of_contacts(self, name: str) -> Array:
         found = np.zeros(self.load.shape)
-        for j in range(self.angle.size):
-            for k, ring in enumerate(RINGS):
-                solution = self.contact(j, ring)
-                if solution is not None:
-                    found[j, k] = getattr(solution, name)
+        for each in self.distinct_contacts:
+            found[each.rollers, each.ring] = getattr(each.solved, name)
         return found
 
 

@@ -10,10 +10,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from nonhertz.bearing.laminae import singular_ends
-from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.inputs.checks import positive
@@ -64,13 +61,11 @@ def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
     if not isinstance(solution, BearingSolution):
         raise InputError("solution", solution, "be a loaded bearing", "solve one with nonhertz.bearing.solve")
     positive("limit", limit, "give the pressure in MPa, 4000 by ISO 76")
-    pressures = solution.max_pressure
-    contacts = [solution.contact(j, ring) for j in range(solution.angle.size) for ring in RINGS]
     if ends := singular_ends(solution):
         condition = f"have ends at which the pressure has a limit, and has none towards {ends_in_words(ends)}"
         raise InputError("solution", "a loaded bearing", condition, "give the rollers a corner_radius or a profile")
-    most = contacts[int(np.argmax(pressures))]
-    return math.inf if most is None else _factor(most, limit)
+    contacts = [each.solved for each in solution.distinct_contacts]
+    return _factor(max(contacts, key=lambda each: each.max_pressure), limit) if contacts else math.inf
 
 
 def _factor(contact: Solution, limit: float) -> float:

@@ -172,12 +172,9 @@ def _of_bearing(found: BearingResults) -> Iterator[Assumption]:
 
 def loaded_contacts(solution: BearingSolution) -> Contacts:
     """Return the loaded contacts at each ring, the most loaded first; equal ones once."""
-    found = {}
-    for ring in RINGS:
-        every = (solution.contact(j, ring) for j in range(solution.angle.size))
-        distinct = {id(each): each for each in every if each is not None}
-        if distinct:
-            found[ring] = sorted(distinct.values(), key=lambda each: -each.load)
+    found: dict[str, list[Solution]] = {}
+    for each in sorted(solution.distinct_contacts, key=lambda each: (each.ring, -each.solved.load)):
+        found.setdefault(RINGS[each.ring], []).append(each.solved)
     return found
 
 
