@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -17,9 +18,10 @@ from nonhertz.result.ends import singular_ends
 from nonhertz.result.estimate import LEVELS, estimates
 from nonhertz.result.maximum import largest_of
 from nonhertz.result.solution import EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
-from nonhertz.result.suspicion import suspected
+from nonhertz.result.suspicion import suspicions
 from nonhertz.result.validity import (
     AT_CORNER,
+    missed_contact,
     refuse_wide,
     refuse_wide_series,
     singularities,
@@ -188,9 +190,15 @@ class Judgement:
             return tuple(vars(self).get("findings", ()))
         rows = self._rows
         grids = self._grids or self.problem.model.grids(rows[0].counts, rows[0].edges)
-        if suspected(self.problem, grids, rows, self._ends, self._errors, self._largest[1])[0]:
-            return (*strains(solution, self.problem, self.levels.finest), *singularities(solution))
-        return singularities(solution) if np.isfinite(self._ends.singular).any() else ()
+        (certain,), (missed,), (strained,) = suspicions(
+            self.problem, grids, rows, self._ends, self._errors, self._largest[1]
+        )
+        found: Iterable[Finding] = ()
+        if certain or strained:
+            found = strains(solution, self.problem, self.levels.finest)
+        elif missed:
+            found = missed_contact(self.problem, self.levels.finest)
+        return (*found, *(singularities(solution) if np.isfinite(self._ends.singular).any() else ()))
 
 
 def _is_at_kink(problem: Problem, state: States, y: float, ends: Array) -> bool:

@@ -1,9 +1,10 @@
-"""Which of many cases may have findings, in one compiled pass over their strips: most have none."""
+"""Which of many cases have findings, or may have some, in one compiled pass over their strips: most have none."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,10 +33,28 @@ Flags = NDArray[np.bool_]
 WIDE_BESIDE = 2.0  # times the last strip in contact: the one beside it may hide that the contact goes on
 
 
-def suspected(problem: Problem, grids: Grids, levels: Sequence[States], ends: Ends, errors: Array, at: Array) -> Flags:
-    """Return which of many cases may have findings; `nonhertz.result.validity.strains` decides whether they do.
+class Suspicions(NamedTuple):
+    """Which of many cases have findings.
 
-    Those about ends without a limit are left to the caller.
+    Attributes
+    ----------
+    certain : ndarray of bool, shape (cases,)
+        An error is large.
+    missed : ndarray of bool, shape (cases,)
+        There may be a contact that the strips have missed.
+    strained : ndarray of bool, shape (cases,)
+        There may be any finding: `nonhertz.result.validity.strains` decides.
+    """
+
+    certain: Flags
+    missed: Flags
+    strained: Flags
+
+
+def suspicions(
+    problem: Problem, grids: Grids, levels: Sequence[States], ends: Ends, errors: Array, at: Array
+) -> Suspicions:
+    """Return which of many cases have findings, but for those about ends without a limit.
 
     Parameters
     ----------
@@ -48,7 +67,7 @@ def suspected(problem: Problem, grids: Grids, levels: Sequence[States], ends: En
     ends : Ends
         How the contacts end.
     errors : ndarray, shape (cases, 5)
-        From `nonhertz.result.estimate.estimates`.
+        From `nonhertz.result.estimate.estimates`, as if no largest pressure were at a corner.
     at : ndarray, shape (cases,)
         Where the largest pressures are [mm].
     """
@@ -58,26 +77,28 @@ def suspected(problem: Problem, grids: Grids, levels: Sequence[States], ends: En
     uneven = unevenness(contact, np.broadcast_to(grids.y, half_width.shape), half_width, loads, finest.rigid)
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     hardest = 0.5 * MOST_OF_MODULUS * softer * contact.compliance
-    strained = _strained(finest, grids, uneven, np.array(contact.bends), at, ratio, hardest)
-    failed = ~np.logical_and.reduce([level.converged for level in levels[:LEVELS]])
-    heavy = any(end.requested > HEAVIEST for end in problem.model.influence.ends)
-    region = searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
+    strained, goes_on = _looked_over(finest, grids, uneven, np.array(contact.bends), at, ratio, hardest)
+    strained |= ~np.logical_and.reduce([level.converged for level in levels[:LEVELS]])
+    strained |= any(end.requested > HEAVIEST for end in problem.model.influence.ends)
     large = LARGE_ERROR
     if problem.accuracy_given and problem.accuracy is not None:
         large = min(LARGE_ERROR, problem.accuracy + LEFT_BY_MODES * has_whole_roller(problem))
-    sure = (np.maximum(errors[:, APPROACH], errors[:, LOAD]) <= large) & (
-        errors[:, MAX_PRESSURE] <= LARGE_PRESSURE_ERROR
-    )
-    found: Flags = strained | failed | heavy | ~sure | suspects(problem, finest, region)
-    return found
+    uncertain = np.maximum(errors[:, APPROACH], errors[:, LOAD]) > large
+    uncertain |= errors[:, MAX_PRESSURE] > LARGE_PRESSURE_ERROR
+    region = searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
+    missed = goes_on | suspects(problem, finest, region)
+    return Suspicions(uncertain & ~strained, missed & ~strained & ~uncertain, strained)
 
 
 @compiled
-def _strained(
+def _looked_over(
     states: States, grids: Grids, uneven: Array, bends: Array, at: Array, hertz_ratio: float, hardest: float
-) -> Flags:
-    """Return where the model may be strained, and where the largest pressure may be at a corner."""
-    found = np.empty(states.status.size, np.bool_)
+) -> tuple[Flags, Flags]:
+    """Return where the model may be strained or the largest pressure be at a corner, and where a contact may go on.
+
+    It may in a wide strip beside it whose centre is out of contact.
+    """
+    found, beside = np.empty(states.status.size, np.bool_), np.zeros(states.status.size, np.bool_)
     for case in range(found.size):
         row = 0 if states.edges.shape[0] == 1 else case
         edges, rigid, n = states.edges[row], states.rigid[case], states.counts[row]
@@ -92,13 +113,12 @@ def _strained(
             depth = max(depth, rigid[0] + 0.5 * rigid[1] * (edges[i] + edges[i + 1]) - grids.separation[row, i])
             strained |= half * grids.sharper[row, i] > MOST_OF_RADIUS or grids.min_depth[row, i] < LEAST_DEPTH * half
             if i > 0 and (m > 0.0) != (states.m[case, i - 1] > 0.0):
-                # The contact may go on in a wide strip beside it whose centre is out of contact.
                 before = edges[i] - edges[i - 1]
-                strained |= (before if m > 0.0 else width) > WIDE_BESIDE * (width if m > 0.0 else before)
+                beside[case] |= (before if m > 0.0 else width) > WIDE_BESIDE * (width if m > 0.0 else before)
         # The summed strip width overestimates the length of a split contact, but split contacts are rarely wide.
         strained |= 2.0 * widest > 0.25 * length or load > hardest * area
         found[case] = strained or uneven[case] > 0.9 * MOST_UNEVEN * depth
-    return found
+    return found, beside
 
 
 @compiled

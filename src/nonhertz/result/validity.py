@@ -41,7 +41,7 @@ def strains(solution: Solution, problem: Problem, state: States) -> Iterator[Fin
         yield from check.findings
     yield from _large_errors(solution)
     yield from _short_of_accuracy(solution, problem)
-    yield from _missed_contact(solution, problem, state)
+    yield from missed_contact(problem, state)
     yield from _without_limit(solution)
 
 
@@ -92,12 +92,15 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> Itera
         )
 
 
-def _missed_contact(solution: Solution, problem: Problem, state: States) -> Iterator[Finding]:
+def missed_contact(problem: Problem, state: States) -> Iterator[Finding]:
     """Yield where the bodies overlap although no strip there is in contact."""
-    region = searched(solution.contact, float(state.edges[0]), float(state.edges[-1]))
+    region = searched(problem.contact, float(state.edges[0]), float(state.edges[-1]))
     y, overlap = overlapping(problem, state, region)
     overlap = np.where(_next_to_contact(state, y), 0.0, overlap)
-    deepest = float(np.max(solution.interference[solution.line_load > 0.0]))
+    if not np.any(overlap > 0.0):
+        return
+    pressed = 0.5 * (state.edges[1:] + state.edges[:-1])[state.m > 0.0]
+    deepest = float(np.max(state.rigid[0] + state.rigid[1] * pressed - problem.model.separation(pressed)))
     if np.any(overlap > MISSED * deepest):
         worst = int(np.argmax(overlap))
         yield finding(

@@ -27,8 +27,8 @@ from nonhertz.result.outcome import solution_of
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
-from nonhertz.result.suspicion import suspected
-from nonhertz.result.validity import singularities, strains
+from nonhertz.result.suspicion import suspicions
+from nonhertz.result.validity import missed_contact, singularities, strains
 from nonhertz.strip.grid import contact_of
 from nonhertz.strip.levels import levels_from
 from nonhertz.strip.overlaps import SAMPLES
@@ -272,13 +272,14 @@ class Solutions:
         return {case_label(number, self.shape): self._solution(number).warnings for number in found}
 
     @cached_property
-    def _strained(self) -> dict[int, Finding]:
-        """The first finding on what strains the model, for each case where something does."""
-        return dict(sorted(pair for block in self._blocks for pair in block.strained()))
+    def _strained(self) -> list[int]:
+        """The numbers of the cases that strain the model, ascending."""
+        return sorted(number for block in self._blocks for number in block.strained())
 
     def findings(self) -> Iterator[Finding]:
         """Yield a finding on the cases that strain the model, and one on those with singular ends."""
-        for number, found in list(self._strained.items())[:1]:
+        for number in self._strained[:1]:
+            found = self._solution(number).findings[0]
             yield self._of_many("strained", "cases strain the model", len(self._strained), number, found)
         for number in np.flatnonzero(self.singular)[:1].tolist():
             found = singularities(self._solution(number))[0]
@@ -397,15 +398,20 @@ class Block:
         states = [states.one(row) for states in self.states]
         return solution_of(problem, levels_from(problem, states))
 
-    def strained(self) -> Iterator[tuple[int, Finding]]:
-        """Yield the numbers of cases that strain the model, each with its first finding."""
+    def strained(self) -> Iterator[int]:
+        """Yield the numbers of cases that strain the model."""
         if self.error is not None:
             return
         problem, states, ends = self.problem, self.states, self._ends
         highest, at = largest_of(self.finest, problem.model.element.hertz_ratio, ends.singular)
         # Those whose largest pressure may be at a corner are suspected for it.
         errors = estimates(problem, states, problem.accuracy, ends, highest, np.zeros(highest.shape, dtype=bool))
-        for row in np.flatnonzero(suspected(problem, self._grids, states, ends, errors, at)):
-            first = next(strains(self.solution(int(row)), self.problem, self.finest.one(int(row))), None)
-            if first is not None:
-                yield self.numbers[row], first
+        found = suspicions(problem, self._grids, states, ends, errors, at)
+        for row in np.flatnonzero(np.logical_or.reduce(found)).tolist():
+            if found.certain[row] or self._has_finding(row, found.strained[row]):
+                yield self.numbers[row]
+
+    def _has_finding(self, row: int, strained: bool) -> bool:
+        state = self.finest.one(row)
+        found = strains(self.solution(row), self.problem, state) if strained else missed_contact(self.problem, state)
+        return next(found, None) is not None
