@@ -163,6 +163,8 @@ def _row_faults(many, row, failures, case, alone):
         # The columns are summed in another order.
         if not abs(float(getattr(many, name).ravel()[row]) - one) <= 1e-13 * scale:
             faults.append((f"column {name} is not the solution's", ""))
+    if case["strips"] is not None and (row in many.warnings) != bool(wanted.warnings):
+        faults.append(("warned of alone or among many only", f"{many.warnings.get(row)} | {wanted.warnings}"))
     return faults
 
 
