@@ -175,7 +175,7 @@ def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(word
     assert Path("plan.toml").read_text(encoding="utf-8") == TOLERANCE
 
 
-@pytest.mark.parametrize("words", [*SOLVING.values(), ("report", "case.toml", "--no-stress")], ids=" ".join)
+@pytest.mark.parametrize("words", [SOLVING["solve"], SOLVING["bearing"], ("report", "case.toml", "--no-stress")])
 @pytest.mark.slow
 def test_nothing_is_left_behind_when_drawing_fails(words, run, monkeypatch):
     def fail(*_: object, **__: object) -> None:

@@ -104,9 +104,7 @@ def test_mistakes_are_found(name, place, value):
 def results():
     """Return the results of all kinds of ends, of an approach, of both elements, and one that did not converge."""
     changes: list[tuple[str, dict[str, Any]]] = [
-        (file.stem, {}) for file in FILES if meant_as(tomllib.loads(file.read_text(encoding="utf-8"))) == "case"
-    ]
-    changes += [
+        *((name, {}) for name in ("crowned-roller", "measured-roller", "elliptical-point-contact")),
         ("crowned-roller", {"solver.element": "parabolic", "solver.strips": 31}),
         ("crowned-roller", {"solver.strips": 1}),
         ("crowned-roller", {"load.load": None, "load.approach": "5 um"}),

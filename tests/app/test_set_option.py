@@ -151,25 +151,6 @@ def test_a_bearing_takes_it_too(run):
 
 
 @pytest.mark.slow
-def test_every_command_with_a_case_takes_what_was_set(tmp_path, monkeypatch, run):
-    (tmp_path / "edited").mkdir()
-    text = Path(CASE).read_text(encoding="utf-8")
-    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
-    edited = text.replace("load = 20000.0", 'load = "6 kN"')
-    (tmp_path / "edited" / "case.toml").write_text(edited, encoding="utf-8")
-    for words in (
-        ["check", "case.toml"],
-        ["stress", "case.toml", "--json"],
-        ["sweep", "case.toml", "--over", "load.tilt=0,0.5mrad", "--json"],
-    ):
-        said = []
-        for folder, more in ((tmp_path, ["--set", "load.load=6kN"]), (tmp_path / "edited", [])):
-            monkeypatch.chdir(folder)
-            said.append(run(*words, *more).out)
-        assert said[0] == said[1], words
-
-
-@pytest.mark.slow
 def test_reports_plans_and_designs_take_it(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     assert main(["report", CASE, "--no-stress", "--out", "r.html", "--set", "load.load=6kN"]) == 0

@@ -25,12 +25,6 @@ def sharp():
     return solved(roller, nh.Plate(depth="none"), tilt=0.5e-3)
 
 
-@pytest.fixture(scope="module")
-def coincident():
-    roller = nh.Roller(diameter=20, length=20)
-    return solved(roller, roller)
-
-
 def rows(solution: Solution) -> dict[str, tuple[str, str]]:
     """Return values and remarks by name; what follows under a name is ``name+``."""
     found: dict[str, tuple[str, str]] = {}
@@ -85,16 +79,6 @@ def test_a_maximum_at_a_corner_of_the_profile_has_no_limit():
     cornered = solved(tapered, nh.Plate(), load=5e3)
     assert {edge.kind for edge in cornered.edge_pressure} == {nh.EdgeKind.RUN_OUT}
     assert rows(cornered)["maximum pressure"][1] == "no limit, at a corner of the profile"
-
-
-def test_freed_faces_that_both_bodies_have_give_a_finite_pressure(coincident):
-    shown = rows(coincident)
-    for edge in coincident.edge_pressure:
-        value, remark = shown[f"edge at y = {edge.y:.5g} mm"]
-        assert remark == "finite"
-        assert float(value.removesuffix(" MPa")) == pytest.approx(edge.pressure, rel=1e-4)
-    assert re.fullmatch(r"[\d.]+ MPa", shown["maximum pressure"][0])
-    assert "away from the ends" not in shown
 
 
 def test_the_rows_fit_a_narrow_terminal(sharp, capsys):

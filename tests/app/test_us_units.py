@@ -1,9 +1,9 @@
 """Results in US units: numbers converted, words as they were, figures with ticks that are round; files stay in SI."""
 
 import html
-import math
 import re
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -217,69 +217,27 @@ def test_columns_are_converted_with_their_heads():
 INCH, KSI, POUND = 25.4, 1e3 * 4.4482216152605 / 25.4**2, 4.4482216152605
 #: What labels of axes end in, and the sizes of these units in those of SI figures: mm, µm, MPa, kN.
 SIZES = {"[in]": INCH, "[µin]": 1e-3 * INCH, "[ksi]": KSI, "[lbf]": 1e-3 * POUND}
-MANTISSAS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 
 
-def ticks(figure: Figure) -> list[tuple[str, list[tuple[float, float]]]]:
-    """Return label, and place and number of every tick that is seen, of each axis that has a unit."""
-    figure.draw_without_rendering()
-    found = []
-    for axes in figure.axes:
-        for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
-            if not axis.get_label_text().endswith("]"):
-                continue
-            seen = [
-                (place, tick.label1.get_text() or tick.label2.get_text())
-                for tick, place in zip(axis.get_major_ticks(), axis.get_majorticklocs(), strict=False)
-                if min(low, high) <= place <= max(low, high)
-            ]
-            numbers = [(place, float(text.replace("−", "-"))) for place, text in seen if text]
-            found.append((axis.get_label_text(), numbers))
-    return found
+@cache
+def drawn() -> tuple[Any, ...]:
+    """Return a contact, its largest stresses and a bearing."""
+    solution = solved(read_case(CASE))
+    return solution, largest_stresses(solution), read_bearing(EXAMPLES / "nu206.toml").solve()
 
 
 def figures_in(units: str) -> dict[str, Figure]:
     """Return figures of a contact and of a bearing."""
+    solution, largest, bearing = drawn()
     with read_in(units):
-        solution = solved(read_case(CASE))
-        found = plot.figures(solution) | plot.stress_figures(solution, *largest_stresses(solution))
-        others = plot.bearing_figures(read_bearing(EXAMPLES / "nu206.toml").solve())
+        found = plot.figures(solution) | plot.stress_figures(solution, *largest)
+        others = plot.bearing_figures(bearing)
         return found | {f"bearing-{name}": figure for name, figure in others.items()}
 
 
-@pytest.fixture(scope="module", name="figures")
-def figures_once():
-    return figures_in("us")
-
-
-@pytest.fixture(scope="module", name="usual")
-def usual_once():
-    return figures_in("si")
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "name",
-    [
-        *("pressure", "footprint", "profile", "axial-plane", "bearing-pressure", "bearing-displacement"),
-    ],
-)
-def test_ticks_are_round_and_where_they_say(figures, usual, name):
-    found = ticks(figures[name])
-    assert len(found) >= 2
-    for (label, places), (_, before) in zip(found, ticks(usual[name]), strict=True):
-        assert any(label.endswith(unit) for unit in SIZES), label
-        for place, number in [*places, *before]:
-            assert place == pytest.approx(number, rel=1e-9, abs=1e-9), label
-        step = min(np.diff(sorted(number for _, number in places)))
-        assert step / 10.0 ** math.floor(math.log10(step) + 1e-9) == pytest.approx(
-            min(MANTISSAS, key=lambda each: abs(each - step / 10.0 ** math.floor(math.log10(step) + 1e-9)))
-        ), label
-
-
-@pytest.mark.slow
-def test_what_is_drawn_is_what_is_drawn_in_si_units(figures, usual):
-    compared = 0
+def test_what_is_drawn_is_what_is_drawn_in_si_units():
+    compared, figures, usual = 0, figures_in("us"), figures_in("si")
     for name, figure in figures.items():
         for text in figure.findobj(Text):
             assert not re.search(r"(?<![\w/])(mm|um|µm|MPa|kN|N)(?![\w])", text.get_text()), (name, text.get_text())

@@ -21,7 +21,7 @@ from nonhertz.web.form.fields import FormField, FormGroup
 from nonhertz.web.form.form import form
 from nonhertz.web.server import workers
 from nonhertz.web.server.units import HEADER
-from nonhertz.web.view import curves, jobs, uploads
+from nonhertz.web.view import jobs
 
 STARTING = tomllib.loads(starting_case())
 SHARP = copy.deepcopy(STARTING)
@@ -74,23 +74,6 @@ def test_of_a_contact_sentences_change_and_numbers_do_not(name):
     assert in_si_units(usual)
     assert in_si_units(found) == []
     assert list(numbers(found)) == list(numbers(usual))
-
-
-@pytest.mark.slow
-def test_strength_curves_and_measured_files():
-    case = CASES["cylindrical"]
-    checks = in_us_units(jobs.strength, case, "a")["checks"]
-    assert in_si_units(json.loads(jobs.strength(case, "a"))["checks"])
-    assert checks
-    assert in_si_units(checks) == []
-    # The page itself converts the numbers of a curve; that a value has no solution is a sentence.
-    usual, found = (tell(curves.curve, STARTING, "load.load", [2e4, 1e9]) for tell in (in_us_units, in_us_units))
-    assert list(numbers(found)) == list(numbers(usual))
-    rows = "\n".join(f"{0.1 * number},{1e-3 * (0.1 * number - 5.0) ** 2}" for number in range(101))
-    measured = in_us_units(uploads.answer_to_file, rows.encode(), "roller.csv", {})
-    assert measured["ok"]
-    assert in_si_units(measured) == []
-    assert "uin" not in json.dumps(measured)
 
 
 @pytest.mark.parametrize(("name", "method"), [("cylindrical", "strips"), ("tapered-pair", "slices")])
@@ -176,20 +159,3 @@ def test_other_units_are_refused(client):
     answer = client.post("/solve", json={"document": STARTING}, headers={HEADER: "imperial"})
     assert answer.status_code == 400
     assert answer.json()["mistakes"][0]["sentence"] == "The units must be 'si' or 'us'."
-
-
-@pytest.mark.slow
-def test_reports_and_pictures_are_in_them_and_tables_are_not(client):
-    case = {"document": STARTING | {"life": {}}}
-    report = client.post("/download/report.html", json=case, headers=US_ALONE)
-    assert report.status_code == 200
-    assert "ksi" in report.text
-    usual, table = (client.post("/download/table.csv", json=case, headers=each) for each in ({}, US_ALONE))
-    assert table.content == usual.content
-    bearing = {"document": tomllib.loads(starting_bearing()) | {"solver": {"method": "slices"}}}
-    picture = client.post("/bearing/download/loads.svg", json=bearing, headers=US_ALONE)
-    assert picture.status_code == 200, picture.text
-    with read_in("us"):
-        drawn = jobs.drawn(bearing["document"], "loads", "svg")
-    assert picture.content != client.post("/bearing/download/loads.svg", json=bearing).content
-    assert isinstance(drawn, bytes)

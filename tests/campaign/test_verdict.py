@@ -7,8 +7,6 @@ import numpy as np
 import plain_case
 import pytest
 from campaign_run import Ending, faults_of
-from own_theory import kernel
-from scipy.integrate import quad
 from verdict import sentence_faults, solution_faults
 
 import nonhertz as nh
@@ -137,41 +135,3 @@ def test_a_crash_is_a_fault():
         raise ending.error
     except KeyError:
         assert faults_of(FINITE, ending)[0][0] == "crash KeyError: #"
-
-
-SHAPES = {
-    "semi-elliptic": lambda xi: 2.0 / math.pi * math.sqrt(1.0 - xi * xi),
-    "parabolic": lambda xi: 0.75 * (1.0 - xi * xi),
-}
-
-
-@pytest.mark.parametrize("element", SHAPES)
-@pytest.mark.parametrize("t", [1e-12, 1e-6, 0.01, 0.7, 3.0, 200.0, 1e6, 1e11])
-def test_the_kernel_is_the_integral_of_its_pressure(element, t):
-    phi = SHAPES[element]
-    at, _ = kernel(element)(np.array([t, -t]))
-    # asinh(t / xi) = ln(t + sqrt(t^2 + xi^2)) - ln(xi), the second part by the rule for a logarithm.
-    smooth = quad(lambda xi: 2.0 * phi(xi) * math.log(t + math.hypot(t, xi)), 0.0, 1.0, points=[min(t, 0.5)], limit=200)
-    log = quad(lambda xi: 2.0 * phi(xi), 0.0, 1.0, weight="alg-loga", wvar=(0.0, 0.0))
-    np.testing.assert_allclose(at[0], smooth[0] - log[0], rtol=1e-7, atol=2e-9 * abs(log[0]) if t < 1e-5 else 0.0)
-    assert at[1] == -at[0]
-
-
-@pytest.mark.parametrize("element", SHAPES)
-@pytest.mark.parametrize("t", [0.05, 0.7, 3.0, 40.0])
-def test_the_kernel_curves_as_its_displacement_does(element, t):
-    phi = SHAPES[element]
-
-    def moved(x):
-        # xi = x + s, so that the logarithm is at s = 0.
-        return sum(
-            quad(
-                lambda s, sign=sign: phi(x + sign * s) * math.asinh(t / s), 0.0, 1.0 - sign * x, epsabs=1e-13, limit=400
-            )[0]
-            for sign in (-1.0, 1.0)
-        )
-
-    step = 0.02
-    second = (-moved(2 * step) + 16 * moved(step) - 15 * moved(0.0)) / (6.0 * step**2)
-    _, of = kernel(element)(np.array([t]))
-    np.testing.assert_allclose(-second, of[0], rtol=2e-3)

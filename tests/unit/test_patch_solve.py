@@ -158,7 +158,7 @@ def burr(x_at, y_at):
     return lambda x, y: -0.07 * np.exp(-((x - x_at) ** 2 + (y - y_at) ** 2) / 0.02)
 
 
-@pytest.mark.parametrize("at", [(1.0, 0.0), (0.0, 8.0), (-0.7, -6.0)])
+@pytest.mark.parametrize("at", [(1.0, 0.0), (-0.7, -6.0)])
 @pytest.mark.slow
 def test_a_burr_beyond_the_region_is_taken_in_or_warned_of(at):
     # A cell or two along are few for it, which is said, too.
@@ -387,8 +387,7 @@ def test_waves_along_are_not_measured_across():
 MIRRORED = {"diameter": 20, "length": 20, "profile": nh.profile.crown(1000), "side_faces": "mirror"}
 TAKEN = {
     "half-spaces": (CROWNED, (256, 256)),
-    "faces": (nh.Contact(nh.Roller(**MIRRORED, depth="none"), nh.Plate()), (96, 512)),
-    "depth": (nh.Contact(nh.Roller(**MIRRORED), nh.Plate()), (96, 512)),
+    "faces and depth": (nh.Contact(nh.Roller(**MIRRORED), nh.Plate()), (96, 512)),
     "images": (nh.Contact(nh.Roller(**MIRRORED, images=3), nh.Plate()), (256, 256)),
     "free": (nh.Contact(nh.Roller(diameter=20, length=20, side_faces="free", depth="none"), nh.Plate()), (256, 256)),
 }

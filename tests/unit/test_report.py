@@ -153,17 +153,6 @@ def test_key_numbers_stand_first(results_of_case):
     )
 
 
-def test_where_the_pressure_has_no_limit_its_strength_is_told():
-    found = found_in(PLAIN.replace('{ kind = "iso-logarithmic" }, ', ""))
-    value, remark = numbers_of(found)["maximum pressure"]
-    assert float(value.split()[0]) == pytest.approx(found.solution.max_pressure, rel=1e-4)
-    assert remark.endswith("away from singular ends")
-    low = next(row for row in summary_rows(found.solution) if row[0].startswith("edge at y = -"))
-    assert low[1] == "singular"
-    assert re.search(r"p ~ K / s\^0\.226, K = \d", low[2])
-    assert any("Comninou" in each for each in method(found)[1])
-
-
 def test_inputs_have_value_unit_meaning_and_say_what_is_a_default():
     body, other, load, solver = inputs(case_of(PLAIN))
     entries = {entry.place: entry for entry in (*body.entries, *other.entries, *load.entries, *solver.entries)}

@@ -284,8 +284,6 @@ def test_a_contact_wider_than_a_body_is_round_is_refused_alone_and_among_many():
     [
         ({}, {"load": 1e9}),
         ({}, {"approach": 40.0}),
-        ({"diameter": 19.0 + 1.000000000000004}, {"load": 1e8, "tilt": 1e-3}),
-        ({"material": nh.Material(modulus=1.0, poisson=0.3)}, {"load": 1e4}),
         ({"bore": 18.0}, {"load": 2e5}),
     ],
 )
