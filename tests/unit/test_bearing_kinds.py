@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 import pytest
-from crowned_rows import TAPER, nu206, row
+from crowned_rows import TAPER, barrels, nu206, row, washers
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
@@ -13,36 +13,14 @@ from nonhertz.bearing.standard import standard_slices
 from nonhertz.show.bearing import summary_rows
 
 B = nh.bearing
-THRUST = B.CylindricalThrustBearing(
-    roller=nh.Roller(diameter=8.0, length=8.0, profile=nh.profile.crown(2000.0)),
-    inner=nh.Plate(depth=4.0),
-    outer=nh.Plate(depth=4.0),
-    rollers=20,
-    pitch_diameter=60.0,
-)
-
-
-def spherical(**changes):
-    angle, diameter, pitch = 0.2, 14.0, 90.0
-    sphere = 0.5 * pitch / np.cos(angle) + 0.5 * diameter
-    given = {
-        "roller": nh.Roller(diameter=diameter, length=13.0),
-        "inner": nh.Ring(diameter=pitch - diameter / np.cos(angle)),
-        "outer": nh.Ring(diameter=-(pitch + diameter / np.cos(angle))),
-        "rollers": 17,
-        "contact_angle": angle,
-        "profile_radius": 0.975 * sphere,
-        "inner_groove": sphere,
-        "outer_groove": sphere,
-        "clearance": 0.02,
-    }
-    return B.SphericalRollerBearing(**(given | changes))
+THRUST = washers(depth=4.0)
+SPHERICAL = barrels(clearance=0.02)
 
 
 @pytest.mark.parametrize("method", ["strips", "slices"])
 def test_a_spherical_bearing_aligns_itself(method):
     """Barrels roll on a sphere: a tilt of 5 mrad leaves no moment. By slices it was 83 N m."""
-    row = spherical()
+    row = SPHERICAL
     # Lines of pressure meet in the middle of the sphere.
     bearing = B.paired(row, "X", row.pitch * np.tan(row.contact_angle))
     straight, tilted = (B.solve(bearing, radial=40e3, axial=5e3, tilt=tilt, method=method) for tilt in (0.0, 5e-3))
@@ -56,7 +34,7 @@ def test_a_spherical_bearing_aligns_itself(method):
 @pytest.mark.parametrize("distance", [0.0, 18.0, 18.2440])
 def test_a_moment_on_a_bearing_that_aligns_itself_is_refused(distance):
     """It was searched for minutes, and not found."""
-    bearing = B.paired(spherical(), "X", distance) if distance else spherical()
+    bearing = B.paired(SPHERICAL, "X", distance) if distance else SPHERICAL
     with pytest.raises(nh.InputError) as refused:
         B.solve(bearing, radial=40e3, axial=9e3, moment=5e3)
     told = "moment = 5000.0 must be zero for a bearing whose inner ring is free to turn about the middle of a sphere"
@@ -64,7 +42,7 @@ def test_a_moment_on_a_bearing_that_aligns_itself_is_refused(distance):
     held, free = (B.solve(bearing, radial=40e3, axial=9e3, method="slices", **each) for each in ({}, {"moment": 0.0}))
     assert_allclose(free.load, held.load)
     # Rows that are further apart bear one by the distance of their spheres.
-    apart = B.solve(B.paired(spherical(), "O", 30.0), radial=40e3, moment=1e5, method="slices")
+    apart = B.solve(B.paired(SPHERICAL, "O", 30.0), radial=40e3, moment=1e5, method="slices")
     assert_allclose(apart.force[4], 1e5)
 
 
@@ -209,23 +187,11 @@ def test_rollers_between_washers_are_turned_by_speed():
 
 def test_barrels_are_held_along_their_axes():
     """On the sphere of the outer ring nothing else does: idle ones slid away, and their bearing had no balance."""
-    sphere = 55.0
-    barrels = nh.bearing.SphericalRollerBearing(
-        roller=nh.Roller(diameter=10.0, length=10.0),
-        inner=nh.Ring(diameter=90.0),
-        outer=nh.Ring(diameter=-110.4),
-        rollers=14,
-        contact_angle=0.2,
-        profile_radius=0.97 * sphere,
-        inner_groove=sphere,
-        outer_groove=sphere,
-        clearance=0.02,
-        pitch_diameter=100.2,
-    )
-    load = barrels.load_by_speed(300.0)
+    bearing = barrels(0.2, 10.0, 10.0, 100.2, 14, 0.02)
+    load = bearing.load_by_speed(300.0)
     assert load[1] > 0.0
     assert_allclose(load[0] / load[1], np.tan(0.2), rtol=1e-12)
-    found = nh.bearing.solve(barrels, radial_displacement=0.04, axial_displacement=0.0, speed=2000.0)
+    found = nh.bearing.solve(bearing, radial_displacement=0.04, axial_displacement=0.0, speed=2000.0)
     idle = found.load[:, 0] == 0.0
     assert np.any(idle)
     assert_allclose(found.load[idle, 1], np.hypot(load[0], load[1]) * (2000.0 * np.pi / 30.0 / 300.0) ** 2, rtol=1e-6)

@@ -5,7 +5,7 @@ import pickle
 
 import numpy as np
 import pytest
-from crowned_rows import row
+from crowned_rows import row, washers
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
@@ -96,17 +96,14 @@ def test_a_state_without_a_balance_is_said_to_have_none(monkeypatch):
 
 
 def test_strips_are_laid_for_states_that_can_be_balanced_alone(monkeypatch):
-    washers = B.CylindricalThrustBearing(
-        roller=nh.Roller(diameter=10, length=10, profile=nh.profile.crown(radius=4000)), inner=nh.Plate(),
-        outer=nh.Plate(), rollers=14, pitch_diameter=60,
-    )  # fmt: skip
+    thrust = washers(10.0, 60.0, 14)
     # Beyond the rollers' ends no sum of their loads acts.
-    found = B.solve_many(washers, axial=1e3, moment=[1e3, 36e3])
+    found = B.solve_many(thrust, axial=1e3, moment=[1e3, 36e3])
     assert found.converged.tolist() == [True, False]
     assert_allclose(found.force[0], [1e3, 0.0, 0.0, 0.0, 1e3], rtol=1e-8, atol=1e-5)
     monkeypatch.setattr(StripLaw, "answer", None)
     with pytest.raises(nh.ConvergenceError, match="the loads may leave the inner ring unsupported"):
-        B.solve(washers, moment=100e3)
+        B.solve(thrust, moment=100e3)
 
 
 def test_rollers_without_a_balance_are_told_where_all_motions_are_given(monkeypatch):

@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 from crowned_rows import nu206
+from crowned_rows import worked as row
 
 import nonhertz as nh
 from nonhertz.bearing import life_factor, reliability_factor
@@ -17,16 +18,6 @@ from nonhertz.show.bearing import life_rows
 from nonhertz.verify.known_bearings import LIFE_FACTORS, LIMITS
 
 B = nh.bearing
-
-
-def row(clearance=0.0, **roller):
-    return B.CylindricalRollerBearing(
-        roller=nh.Roller(**({"diameter": 10.0, "length": 9.6, "profile": nh.profile.crown(2000)} | roller)),
-        inner=nh.Ring(diameter=55.0),
-        outer=nh.Ring(diameter=-75.0),
-        rollers=14,
-        clearance=clearance,
-    )
 
 
 @pytest.mark.parametrize(

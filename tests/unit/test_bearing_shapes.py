@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from crowned_rows import row
+from crowned_rows import barrels, row, washers
 
 import nonhertz as nh
 from nonhertz.bearing import fourier_shape, tabulated_shape
@@ -40,17 +40,6 @@ def test_an_outer_ring_off_its_centre_is_an_inner_ring_that_has_moved():
     found = nh.bearing.solve(shifted, radial=3e3, method="slices")
     assert found.displacement[1] == pytest.approx(centred.displacement[1] - 0.01, abs=1e-9)
     np.testing.assert_allclose(found.load, centred.load, rtol=1e-6, atol=1e-3)
-
-
-def test_order_zero_is_clearance():
-    # The clearance is shared by both contacts on both sides: a raceway that is nearer by c / 2 takes c.
-    tight = dataclasses.replace(
-        ROW, clearance=0.02, inner_shape=fourier_shape({0: 0.005}), outer_shape=fourier_shape({0: 0.005})
-    )
-    none = nh.bearing.solve(ROW, radial=3e3, method="slices")
-    np.testing.assert_allclose(
-        nh.bearing.solve(tight, radial=3e3, method="slices").load, none.load, rtol=1e-6, atol=1e-3
-    )
 
 
 @pytest.mark.parametrize("curve", ["cubic", "linear"])
@@ -182,17 +171,7 @@ def test_what_is_no_shape_is_refused(make, message):
 def test_a_shape_of_order_zero_is_clearance_at_any_contact_angle(degrees, ring):
     """10 um along the radius take 20 um of the radial clearance (E - F - 2 D / cos alpha, see `clearance`)."""
     angle = math.radians(degrees)
-    across = 9.0 / math.cos(angle)
-    smooth = nh.bearing.SphericalRollerBearing(
-        roller=nh.Roller(diameter=9.0, length=10.0),
-        inner=nh.Ring(diameter=46.5 - across),
-        outer=nh.Ring(diameter=-46.5 - across),
-        rollers=13,
-        contact_angle=angle,
-        profile_radius=25.0,
-        inner_groove=26.0,
-        outer_groove=26.0,
-    )
+    smooth = barrels(angle, 9.0, 10.0, 46.5, 13)
     shaped = dataclasses.replace(smooth, **{f"{ring}_shape": fourier_shape({0: 0.01})})
     still = {"axial_displacement": 0.0, "radial_displacement": 0.0, "method": "slices"}
     tight = nh.bearing.solve(dataclasses.replace(smooth, clearance=-0.02), **still)
@@ -201,13 +180,7 @@ def test_a_shape_of_order_zero_is_clearance_at_any_contact_angle(degrees, ring):
 
 @pytest.mark.parametrize("washer", ["inner", "outer"])
 def test_a_washer_that_is_higher_all_around_moves_the_shaft_along_the_axis(washer):
-    plain = nh.bearing.CylindricalThrustBearing(
-        roller=nh.Roller(diameter=9.0, length=10.0, profile=nh.profile.crown(4000)),
-        inner=nh.Plate(),
-        outer=nh.Plate(),
-        rollers=12,
-        pitch_diameter=60.0,
-    )
+    plain = washers(9.0, 60.0, 12)
     higher = dataclasses.replace(plain, **{f"{washer}_shape": fourier_shape({0: 0.01})})
     flat, found = (nh.bearing.solve(each, axial=5e3, method="slices") for each in (plain, higher))
     assert found.displacement[0] == pytest.approx(flat.displacement[0] - 0.01, rel=1e-6)

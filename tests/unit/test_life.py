@@ -281,14 +281,6 @@ def test_the_standards_slices_are_as_stiff_as_both_contacts_in_a_row():
 # Capacities and revolutions
 
 
-def test_capacities_are_those_of_the_worked_bearing():
-    # 14 rollers of 10 mm, 9.6 mm long, on a pitch diameter of 65 mm.
-    inner, outer = (Raceway(10.0, 9.6, 65.0, is_inner) for is_inner in (True, False))
-    assert inner.load_rating(14) == pytest.approx(48416.8, rel=1e-6)
-    assert inner.capacity(14) == pytest.approx(11449.57, rel=1e-6)
-    assert outer.capacity(14) == pytest.approx(17271.62, rel=1e-6)
-
-
 def test_the_raceway_is_the_ring_whichever_body_it_is():
     small = roller()
     inner, outer = nh.Ring(diameter=60, length=14), nh.Ring(diameter=-90, length=14)
