@@ -233,7 +233,7 @@ class Mounting(Input):
         not_negative("speed", speed, "give that of the inner ring in 1/min")
         of_shaft = _density("shaft.density", self.shaft.density, self.shaft.material, speed)
         of_ring = _density("ring_density", self.ring_density, bearing.inner.material, speed)
-        fits = _fits(bearing, self.shaft, self.housing, (of_shaft, of_ring))
+        cold = _fits(bearing, self.shaft, self.housing, (of_shaft, of_ring))
         on_shaft, inner, outer, in_housing, of_rollers = (
             _strain(name, expansion, part.material, temperature)
             for name, expansion, part, temperature in (
@@ -244,20 +244,19 @@ class Mounting(Input):
                 ("roller_expansion", self.roller_expansion, bearing.roller, self.roller_temperature),
             )
         )
-        warm = _Grown(on_shaft, inner), _Grown(outer, in_housing)
+        strains = (on_shaft, inner), (outer, in_housing)
+        warm = [replace(fit, strains=each) for fit, each in zip(cold, strains, strict=True)]
+        turning = replace(warm[0], speed=speed * _PER_MINUTE)
         rollers = 2.0 * bearing.roller_diameter / math.cos(bearing.nominal_angle) * of_rollers
-        turning = speed * _PER_MINUTE
-        mounted = [fit.raceway() for fit in fits]
-        warmed = [fit.raceway(by) for fit, by in zip(fits, warm, strict=True)]
-        inner_turning = fits[0].raceway(replace(warm[0], speed=turning))
+        mounted, warmed = ([fit.raceway for fit in fits] for fits in (cold, warm))
         return OperatingClearance(
             unmounted=unmounted,
             lost_to_inner_fit=mounted[0],
             lost_to_outer_fit=0.0 - mounted[1],  # not -0.0
             lost_to_temperatures=(warmed[0] - mounted[0]) - (warmed[1] - mounted[1]) + rollers,
-            lost_to_speed=inner_turning - warmed[0],
-            inner=fits[0].described(replace(warm[0], speed=turning)),
-            outer=fits[1].described(warm[1]),
+            lost_to_speed=turning.raceway - warmed[0],
+            inner=turning.described(cold[0].pressure),
+            outer=warm[1].described(cold[1].pressure),
         )
 
     def expansion(self, bearing: RollerBearing | Paired) -> float:
@@ -444,18 +443,6 @@ def _said(name: str, fit: InterferenceFit) -> list[str]:
 
 
 @dataclass(frozen=True)
-class _Grown:
-    """Thermal strains of what lies inside and outside of a fit, and the speed of both [rad/s]."""
-
-    inside: float = 0.0
-    outside: float = 0.0
-    speed: float = 0.0
-
-
-_AS_MOUNTED = _Grown()
-
-
-@dataclass(frozen=True)
 class _Joint:
     """Two rings, one in the other, of which one is the bearing's."""
 
@@ -463,6 +450,8 @@ class _Joint:
     outside: ThickRing
     interference: float
     on_shaft: bool
+    strains: tuple[float, float] = (0.0, 0.0)  # thermal, of what lies inside and outside
+    speed: float = 0.0  # of both [rad/s]
 
     @property
     def radius(self) -> float:
@@ -474,48 +463,49 @@ class _Joint:
         outside = self.outside.growth(self.radius, inside=pressure, speed=speed)
         return outside - self.inside.growth(self.radius, outside=pressure, speed=speed)
 
-    def overlap(self, grown: _Grown) -> float:
-        """Return by how much the parts would overlap on the radius, each by itself [mm]."""
-        warm = self.radius * (grown.inside - grown.outside)
-        return 0.5 * self.interference + warm - grown.speed**2 * self.parting(speed=1.0)
+    @property
+    def overlap_at_rest(self) -> float:
+        """By how much the parts would overlap on the radius, each by itself and at rest [mm]."""
+        return 0.5 * self.interference + self.radius * (self.strains[0] - self.strains[1])
 
-    def pressure(self, grown: _Grown) -> float:
-        """Return the pressure between the parts [MPa]."""
-        return max(0.0, self.overlap(grown) / self.parting(pressure=1.0))
+    @property
+    def pressure(self) -> float:
+        """The pressure between the parts [MPa]."""
+        overlap = self.overlap_at_rest - self.speed**2 * self.parting(speed=1.0)
+        return max(0.0, overlap / self.parting(pressure=1.0))
 
     @property
     def ring(self) -> ThickRing:
         """The bearing's ring."""
         return self.outside if self.on_shaft else self.inside
 
-    def loads(self, grown: _Grown) -> dict[str, float]:
-        """Return what loads the bearing's ring."""
-        side = "inside" if self.on_shaft else "outside"
-        return {side: self.pressure(grown), "speed": grown.speed}
+    @property
+    def loads(self) -> dict[str, float]:
+        """What loads the bearing's ring."""
+        return {"inside" if self.on_shaft else "outside": self.pressure, "speed": self.speed}
 
     @property
     def raceway_radius(self) -> float:
         """Radius of the bearing's raceway [mm]."""
         return self.ring.outer if self.on_shaft else self.ring.inner
 
-    def raceway(self, grown: _Grown = _AS_MOUNTED) -> float:
-        """Return by how much the diameter of the bearing's raceway has grown [mm]."""
-        strain = grown.outside if self.on_shaft else grown.inside
-        radius = self.raceway_radius
-        return 2.0 * (self.ring.growth(radius, **self.loads(grown)) + strain * radius)
+    @property
+    def raceway(self) -> float:
+        """By how much the diameter of the bearing's raceway has grown [mm]."""
+        radius, strain = self.raceway_radius, self.strains[1 if self.on_shaft else 0]
+        return 2.0 * (self.ring.growth(radius, **self.loads) + strain * radius)
 
-    def described(self, grown: _Grown) -> InterferenceFit:
-        """Return pressures and stresses."""
-        loads, parting = self.loads(grown), self.parting(speed=1.0)
-        at_rest = self.overlap(replace(grown, speed=0.0))
+    def described(self, mounted_pressure: float) -> InterferenceFit:
+        """Return pressures and stresses, beside the pressure when mounted [MPa]."""
+        parting, at_rest = self.parting(speed=1.0), self.overlap_at_rest
         loosening = 0.0 if at_rest <= 0.0 else math.inf
         if at_rest > 0.0 and self.on_shaft and parting > 0.0:
             loosening = math.sqrt(at_rest / parting) / _PER_MINUTE
         return InterferenceFit(
-            mounted_pressure=self.pressure(_AS_MOUNTED),
-            pressure=self.pressure(grown),
-            seat_stress=self.ring.hoop_stress(self.radius, **loads),
-            raceway_stress=self.ring.hoop_stress(self.raceway_radius, **loads),
+            mounted_pressure=mounted_pressure,
+            pressure=self.pressure,
+            seat_stress=self.ring.hoop_stress(self.radius, **self.loads),
+            raceway_stress=self.ring.hoop_stress(self.raceway_radius, **self.loads),
             loosening_speed=loosening,
         )
 
