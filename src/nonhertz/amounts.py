@@ -374,13 +374,16 @@ def with_error(shown: Amount, error: float) -> str:
     --------
     >>> with_error(mm(4361.8), 1034.0), with_error(amount(0.0123456, ""), 0.000789), with_error(um(0.012), 0.0)
     ('4400 +- 1000 mm', '0.01235 +- 0.00079', '12.000 +- 0 µm')
+    >>> with_error(um(-1e-6), 0.023)
+    '0 +- 23 µm'
     """
     factor, unit = shown.scale
     value, error = factor * shown.values[0], factor * error
     if not (math.isfinite(error) and error > 0.0):
         return f"{digits(value)} +- {digits(error)} {unit}".rstrip()
     place = 1 - math.floor(math.log10(error))
-    return f"{' +- '.join(f'{round(each, place):.{max(place, 0)}f}' for each in (value, error))} {unit}".rstrip()
+    # Nothing below zero is left of -0.4 that is rounded; the sum of -0.0 and 0.0 has no sign.
+    return f"{' +- '.join(f'{round(each, place) + 0.0:.{max(place, 0)}f}' for each in (value, error))} {unit}".rstrip()
 
 
 def error_words(relative: float) -> str:

@@ -105,8 +105,9 @@ def _interrupts_repeated() -> Iterator[None]:
 
 def _ended(error: BaseException) -> int:
     """Say in one sentence how a command ended, and return its exit code."""
-    if isinstance(error, OSError):
-        _close_output()
+    if isinstance(error, OSError):  # discard all further output, including what the interpreter flushes on exit
+        with contextlib.suppress(AttributeError, OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     code, lines = _verdict(error)
     # Standard error may be the stream that cannot be written.
     with contextlib.suppress(OSError):
@@ -150,9 +151,3 @@ def _fill_closed_streams() -> None:
             os.open(os.devnull, os.O_RDWR)  # takes the lowest free descriptor
     if sys.stderr is None:
         sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115  (until the process ends)
-
-
-def _close_output() -> None:
-    """Discard all further output, including what the interpreter flushes on exit."""
-    with contextlib.suppress(AttributeError, OSError, ValueError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

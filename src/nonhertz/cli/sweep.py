@@ -61,7 +61,8 @@ def sweep_plan(
         found = sweep(asked, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))
     made = found.save(directory, drawing(lambda: sweep_figures(found)), excel=excel)
     if as_json:
-        print(_as_json(found, made))
+        ends = {quantity.name: found.extremes(quantity.name) for quantity in found.quantities}
+        print(as_text(found, made, over=list(found.paths), shape=list(found.shape), extremes=ends))
     else:
         print_result(found.plan.title, sweep_sections(found), verdict=found.verdict, written=made)
 
@@ -101,12 +102,6 @@ def directory_for(file: Path, study: str) -> Path:
 def of_rows(update: Update | None) -> Callable[[Progress], object] | None:
     """Return what shows how many rows are done; what was there before took no time."""
     return update and (lambda come: update(come.done, come.total, come.found))
-
-
-def _as_json(found: Sweep, files: Sequence[Path]) -> str:
-    """Return a sweep as JSON text."""
-    ends = {quantity.name: found.extremes(quantity.name) for quantity in found.quantities}
-    return as_text(found, files, over=list(found.paths), shape=list(found.shape), extremes=ends)
 
 
 def as_text(sweep: Sweep, files: Sequence[Path], **more: Any) -> str:

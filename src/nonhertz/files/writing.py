@@ -9,7 +9,7 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.inputs.fields import Input, default_of
 from nonhertz.model.material import Material
-from nonhertz.model.materials import MATERIALS
+from nonhertz.model.materials import name_of
 from nonhertz.model.profile import Flipped, Profile, Scaled, Shifted, Straight, Sum
 
 
@@ -48,8 +48,8 @@ def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
 
 def _table(value: Input, defaults: bool) -> dict[str, Any] | str:
     """Return the table of an input, or the name of a material that has one."""
-    if isinstance(value, Material) and value in MATERIALS.values():
-        return next(word for word, known in MATERIALS.items() if known == value)
+    if isinstance(value, Material) and (name := name_of(value)):
+        return name
     word = next((word for word, kind in value.kinds.items() if kind is type(value)), None)
     fields = {
         each.name: document_of(held, name=each.name, defaults=defaults)

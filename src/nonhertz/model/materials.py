@@ -188,6 +188,11 @@ def listed_as(name: str) -> Listed:
     raise unknown("name", name, "material", name, MATERIALS, "run 'nonhertz materials' for the list")
 
 
+def name_of(material: Material) -> str:
+    """Return the first name of a material in the library; empty if it is not there."""
+    return next((each.name for each in LIBRARY if each.material == material), "")
+
+
 def density_of(material: Material) -> float | None:
     """Return the density [t/mm^3] of a material of the library, or of what is as stiff as steel; None of any other."""
 

@@ -75,7 +75,8 @@ def comparison(found: Comparison, title: str = "") -> Figure:
     """
     with sheet_style():
         room = BOTTOM + LOW + BETWEEN
-        figure, (upper, slim) = stacked([HEAD, GAP], [TALL, SLIM], title, [_conditions(found)], bottom=room)
+        words = f"{conditions(found.semi_elliptic)}; plane grid of {' × '.join(map(str, found.patch.cells))} cells"
+        figure, (upper, slim) = stacked([HEAD, GAP], [TALL, SLIM], title, [words], bottom=room)
         _draw_along(found, upper)
         draw_differences(found, slim)
         _mark_stations(found, slim, named=False)
@@ -85,11 +86,6 @@ def comparison(found: Comparison, title: str = "") -> Figure:
             draw_across(found, axes, station)
         lows[0].set_ylabel(measure("MPa").label("Pressure $p$"))
     return figure
-
-
-def _conditions(found: Comparison) -> str:
-    across, along = found.patch.cells
-    return f"{conditions(found.semi_elliptic)}; plane grid of {across} × {along} cells"
 
 
 def _draw_along(found: Comparison, axes: Axes) -> None:

@@ -23,7 +23,7 @@ from nonhertz.inputs.units import begins_with_digits, in_unit
 from nonhertz.measured import prepare
 from nonhertz.model.body import BODIES, Body
 from nonhertz.model.material import Material
-from nonhertz.model.materials import MATERIALS
+from nonhertz.model.materials import name_of
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.model.profile.drop import determined
 from nonhertz.report.method import formula, source
@@ -261,7 +261,7 @@ def _sequence(values: Sequence[Any], key: Key | None = None) -> str:
 
 
 def _material(material: Material) -> str:
-    name = next((name for name, known in MATERIALS.items() if known == material), "")
+    name = name_of(material)
     constants = [f"E = {mpa(material.modulus):g}", f"ν = {shown(material.poisson)}"]
     constants += [
         f"{words} {value if isinstance(value, str) else f'{mpa(value):g}'}"

@@ -16,7 +16,7 @@ from nonhertz.bearing.section import RINGS
 from nonhertz.errors import joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.model.body import Body
-from nonhertz.model.materials import MATERIALS
+from nonhertz.model.materials import name_of
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.brief import sizes
 from nonhertz.show.sections import Row
@@ -86,8 +86,8 @@ def _acting(name: str, value: Any) -> str:
 
 
 def _body(body: Body, letter: str) -> str:
-    kind = type(body).__name__.lower()
-    described = ", ".join([*([] if body.diameter is not None else ["flat"]), *sizes(body), _material(body)])
+    kind, material = type(body).__name__.lower(), name_of(body.material) or f"E = {mpa(body.material.modulus):g}"
+    described = ", ".join([*([] if body.diameter is not None else ["flat"]), *sizes(body), material])
     return f"{f'body {letter}' if kind == 'body' else f'a {kind}'} ({described})"
 
 
@@ -140,11 +140,6 @@ def _relief(body: Body, y: Array) -> str:
 def _near_ends(row: RollerBearing) -> Array:
     """Return where reliefs are shown [mm]: at the very end some have none."""
     return NEAR_ENDS * np.array(row.contacts[0].interval)
-
-
-def _material(body: Body) -> str:
-    name = next((name for name, known in MATERIALS.items() if known == body.material), "")
-    return name or f"E = {mpa(body.material.modulus):g}"
 
 
 def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:

@@ -61,17 +61,18 @@ def bearing_pressure(
     order = np.concatenate([order[-1:], order, order[:1]])
     first = place_of[order[0]] - 360.0
     edges = first + pitch * (np.arange(order.size + 1) - 0.5)
-    length, stress = measure("mm"), measure("MPa")
+    length, stress, y = measure("mm"), measure("MPa"), found.y
+    between = np.concatenate([y[:1], 0.5 * (y[1:] + y[:-1]), y[-1:]])
     shown = np.ma.masked_less_equal(stress(found.pressure[order]), 0.0)
     ax.set_facecolor(UNLOADED)
     ax.pcolormesh(
-        edges, length(_edges(found.y)), shown.T, cmap=COLOUR_MAP, vmin=0.0,
+        edges, length(between), shown.T, cmap=COLOUR_MAP, vmin=0.0,
         vmax=stress.factor * colour_limit(solution), rasterized=True, zorder=1.0,
     )  # fmt: skip
     for edge in edges[1:-1]:
         ax.axvline(edge, color="white", linewidth=HAIR, zorder=2.0)
     ax.set_xlim(middle - 180.0, middle + 180.0)
-    ax.set_ylim(*length(found.y[[0, -1]]))
+    ax.set_ylim(*length(y[[0, -1]]))
     ticks = middle + np.linspace(-180.0, 180.0, round(360.0 / STEP) + 1)
     ax.set_xticks(ticks, [f"{number(each % 360.0)}°" for each in ticks])
     ax.locator_params(axis="y", nbins=5, steps=[1, 2, 5, 10])
@@ -114,11 +115,6 @@ def _unrolled(degrees: Array, middle: float) -> Array:
     # A roller exactly opposite is on the right; where it is written in binary must not decide.
     found: Array = middle + 180.0 - np.mod(np.round(180.0 - (degrees - middle), 9), 360.0)
     return found
-
-
-def _edges(y: Array) -> Array:
-    between = 0.5 * (y[1:] + y[:-1])
-    return np.concatenate([y[:1], between, y[-1:]])
 
 
 def _mark_largest(solution: BearingSolution, ax: Axes, ring: str, row: int, middle: float) -> None:

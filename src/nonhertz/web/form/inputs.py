@@ -83,7 +83,8 @@ def _filled(made: FormField, value: Any, range_: Range | None, name: str) -> For
     text = text_in(made.kind, value)
     if text is None:
         return replace(made, kind="json", value=json.dumps(value), options=(), slider=None, units=())
-    if _is_long(made.kind, value):
+    of_list = made.kind == "list" and isinstance(value, list) and len(value) > _LONG_LIST
+    if of_list or (isinstance(value, str) and len(value) > _LONG_TEXT):
         return replace(made, kind="hidden-json", value=json.dumps(value))
     if made.kind == "choice" and text not in [option.value for option in made.options]:
         return replace(made, value=text, options=(*made.options, Option(text, text)))
@@ -110,11 +111,6 @@ def _is_number(text: str) -> bool:
         return float(text) != 0.0
     except ValueError:
         return False
-
-
-def _is_long(kind: str, value: Any) -> bool:
-    of_list = kind == "list" and isinstance(value, list) and len(value) > _LONG_LIST
-    return of_list or (isinstance(value, str) and len(value) > _LONG_TEXT)
 
 
 def _slider(made: FormField, value: Any, found: Range | None) -> Slider | None:

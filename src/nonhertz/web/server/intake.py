@@ -76,17 +76,17 @@ def json_object(text: bytes) -> dict[str, Any]:
     except RecursionError:
         raise RefusedError(400, "The JSON is nested too deeply.") from None
     except ValueError as error:  # not UTF-8, not JSON, or a number with thousands of digits
-        raise RefusedError(400, f"The request must be JSON ({_first_line(error)}).") from None
+        reason = str(error).partition("\n")[0][:120].rstrip(".")
+        raise RefusedError(400, f"The request must be JSON ({reason}).") from None
     if not isinstance(value, dict):
         raise RefusedError(400, "The request must be a JSON object.")
     if deeper(value, NESTING):
         raise RefusedError(400, "The JSON is nested too deeply.")
-    _refuse_half_characters(value)
+    try:  # lone surrogates, which JSON can escape but no text can hold
+        json.dumps(value, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        raise RefusedError(400, "The request must hold whole characters only.") from None
     return value
-
-
-def _first_line(error: ValueError) -> str:
-    return str(error).partition("\n")[0][:120].rstrip(".")
 
 
 def _no_number(name: str) -> Any:
@@ -100,14 +100,6 @@ def _no_key_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
             raise ValueError(f"the key {name[:40]!r} occurs twice")
         table[name] = value
     return table
-
-
-def _refuse_half_characters(value: Any) -> None:
-    """Refuse lone surrogates, which JSON can escape but no text can hold."""
-    try:
-        json.dumps(value, ensure_ascii=False).encode()
-    except UnicodeEncodeError:
-        raise RefusedError(400, "The request must hold whole characters only.") from None
 
 
 def document_in(asked: dict[str, Any]) -> dict[str, Any]:

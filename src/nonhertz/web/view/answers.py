@@ -51,7 +51,9 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "title": case.title,
         "status": solution.status.label,
         "complaint": complaint,
-        "key": _key_numbers(solution),
+        # The numbers by which cases are compared, all their digits but those of rounding alone.
+        "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()}
+        | {"largest": where_largest(solution, 3)},
         "verdict": verdict_seen(None if complaint else of_contact(solution)),
         "summary": [list(row) for row in summary_rows(solution, case.prescribed)],
         "warnings": list(solution.warnings),
@@ -71,12 +73,6 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
             if edge.kind in {EdgeKind.SINGULAR, EdgeKind.CORNER}
         ],
     }
-
-
-def _key_numbers(solution: Solution) -> dict[str, Any]:
-    """Return the numbers by which cases are compared, all their digits but those of rounding alone."""
-    found = {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()}
-    return found | {"largest": where_largest(solution, 3)}
 
 
 def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
