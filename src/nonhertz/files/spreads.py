@@ -119,29 +119,19 @@ class Distribution:
         u = numbers("share", share, _SHARE_REMEDY)
         if not np.all((u >= 0.0) & (u <= 1.0)):
             raise InputError("share", share, "lie between 0 and 1", _SHARE_REMEDY)
-        if self.kind == "normal":
-            return self._normal(u)
+        from scipy import stats
+
+        first, last = self.numbers[0], self.numbers[-1]
         if self.kind == "uniform":
-            low, high = self.numbers
-            return np.asarray(low + (high - low) * u)
-        low, mode, high = self.numbers
-        rising = np.sqrt(u * (high - low) * (mode - low))
-        falling = np.sqrt((1.0 - u) * (high - low) * (high - mode))
-        return np.asarray(np.where(u * (high - low) < mode - low, low + rising, high - falling))
-
-    def _normal(self, u: Array) -> Array:
-        from scipy.special import ndtr, ndtri
-
-        mean, deviation = self.numbers
-        if self.within is None:
-            return np.asarray(mean + deviation * ndtri(u))
-        low, high = ((end - mean) / deviation for end in self.within)
-        # Counted from the nearer tail, whose shares are the more accurate ones.
-        if low > 0.0:
-            z = -ndtri(ndtr(-low) + u * (ndtr(-high) - ndtr(-low)))
+            found = stats.uniform.ppf(u, first, last - first)
+        elif self.kind == "triangular":
+            found = stats.triang.ppf(u, (self.numbers[1] - first) / (last - first), first, last - first)
+        elif self.within is None:
+            found = stats.norm.ppf(u, first, last)
         else:
-            z = ndtri(ndtr(low) + u * (ndtr(high) - ndtr(low)))
-        return np.asarray(np.clip(mean + deviation * z, *self.within))
+            limits = ((end - first) / last for end in self.within)
+            found = np.clip(stats.truncnorm.ppf(u, *limits, first, last), *self.within)
+        return np.asarray(found)
 
     @property
     def ends(self) -> tuple[float, float]:
