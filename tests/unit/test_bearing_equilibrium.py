@@ -113,16 +113,6 @@ def test_stiffness_is_the_derivative_of_the_forces(name):
     assert_allclose(stiffness, stiffness.T, rtol=1e-9, atol=1e-9 * np.abs(stiffness).max())
 
 
-def test_many_states_are_those_of_one_at_a_time():
-    rollers = CASES["clearance"]
-    target = np.array([[0.0, load, 0.2 * load, 0.0, tilt] for load in (1e2, 1e4, 8e4) for tilt in (0.0, 1e-3)])
-    together = balanced(rollers, RADIAL, target, np.zeros((6, 5)), 0.01)
-    for k, each in enumerate(target):
-        alone = balanced(rollers, RADIAL, each[None], np.zeros((1, 5)), 0.01)
-        assert_allclose(together.ring[k], alone.ring[0], rtol=1e-9, atol=1e-12)
-        assert_allclose(together.load[k], alone.load[0], rtol=1e-8, atol=1e-6)
-
-
 @pytest.mark.parametrize("seed", range(60))
 def test_random_bearings_come_to_a_balance(seed):
     rng = np.random.default_rng(seed)

@@ -120,14 +120,6 @@ def test_the_reference_is_the_integral_of_the_line_contact():
 
 
 @pytest.mark.slow
-def test_density_adds_up_to_the_damage(logarithmic):
-    seen = exposure(logarithmic)
-    for wanted in (lundberg_palmgren(), zaretsky(), ioannides_harris()):
-        assert seen.width @ seen.density(wanted) == pytest.approx(seen.damage(wanted), rel=1e-12)
-    assert seen.width.sum() == pytest.approx(np.ptp(seen.y), rel=0.1)
-
-
-@pytest.mark.slow
 def test_damage_is_counted_up_to_two_half_widths_beyond_where_a_contact_runs_out():
     crowned = solved(load=2e3, profile=nh.profile.crown(radius=1000), length=20)
     seen = exposure(crowned)
