@@ -6,7 +6,6 @@ All mistakes in a file are found at once and raised together.
 from __future__ import annotations
 
 import json
-import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -14,7 +13,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from nonhertz.amounts import amount, of_dimension
-from nonhertz.errors import AccuracyWarning, CaseError, InputError
+from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.held import Held, Origin, holds_plan, meant_as, named, opened, starting_text
@@ -106,8 +105,7 @@ class Template:
         CaseError
             If a file could not hold it.
         """
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", AccuracyWarning)
+        with without_accuracy_warnings():
             return (BearingCase if self.is_bearing else Case).of(document, self.path)
 
 

@@ -8,21 +8,21 @@ the variable changes of the relief under every strip.
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import FreeForm, half_length
 from nonhertz.files.paths import drops_first
 from nonhertz.files.planfile import Template
 from nonhertz.life import LoadCase, Model
+from nonhertz.model.contact import Contact
 from nonhertz.result.gradient import Gradient
 from nonhertz.result.maximum import counted, singular_y
 from nonhertz.result.measures import PressureAt
@@ -173,8 +173,7 @@ class Task:
             If the case is not allowed, or a load has no solution.
         """
         case = self.case(x)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", AccuracyWarning)
+        with without_accuracy_warnings():
             solver = case.solver | ({"accuracy": accuracy} if self.is_automatic else {})
             pressed = {name: [getattr(each, name) for each in self.loads] for name in ("load", "tilt")}
             solutions = tuple(solve_in_silence(replace(case.contact, interpolated=True), pressed, **solver))
@@ -189,7 +188,6 @@ class Judged:
     x: Array
     case: Case
     solutions: tuple[Solution, ...]
-    _known: dict[tuple[int, str], Array] = field(default_factory=dict)
 
     @property
     def value(self) -> float:
@@ -251,41 +249,29 @@ class Judged:
         return np.array([self._by(gradient, number, k) for k in range(len(self.task.variables))])
 
     def _by(self, gradient: Gradient, number: int, k: int) -> float:
-        variable = self.task.variables[k]
-        if ".profile" not in variable.path:
+        if (number, k) in self._reliefs:
+            return float(gradient.relief @ self._reliefs[number, k])
+        return gradient.along(lambda share: self._moved(k, share), float(self.x[k]), STEP)
 
-            def family(share: float) -> Any:
-                moved = self.x.copy()
-                moved[k] = share
-                return replace(self.task.case(moved).contact, interpolated=True)
-
-            return gradient.along(family, float(self.x[k]), STEP)
-        return float(gradient.relief @ self._relief(number, k))
-
-    def _relief(self, number: int, k: int) -> Array:
-        """Return what a variable of a profile changes of the separation at the strips of a load."""
-        key = number, str(k)
-        if key not in self._known:
-            y = self.solutions[number].y
-            ends = self._stepped[k]
-            with np.errstate(invalid="ignore"):
-                change = (ends[1].separation_at(y) - ends[0].separation_at(y)) / ends[2]
-            self._known[key] = np.where(np.isfinite(change), change, 0.0)
-        return self._known[key]
+    def _moved(self, k: int, share: float) -> Contact:
+        """Return the contact with one variable elsewhere."""
+        x = self.x.copy()
+        x[k] = share
+        return replace(self.task.case(x).contact, interpolated=True)
 
     @cached_property
-    def _stepped(self) -> dict[int, tuple[Any, Any, float]]:
-        """The contact a step below and above in each variable of a profile, and the distance."""
+    def _reliefs(self) -> dict[tuple[int, int], Array]:
+        """What each variable of a profile changes of the separation at the strips of each load."""
         found = {}
         for k, variable in enumerate(self.task.variables):
-            if ".profile" in variable.path:
-                low, high = max(self.x[k] - STEP, 0.0), min(self.x[k] + STEP, 1.0)
-                contacts = []
-                for share in (low, high):
-                    moved = self.x.copy()
-                    moved[k] = share
-                    contacts.append(self.task.case(moved).contact)
-                found[k] = contacts[0], contacts[1], float(high - low)
+            if ".profile" not in variable.path:
+                continue
+            low, high = max(self.x[k] - STEP, 0.0), min(self.x[k] + STEP, 1.0)
+            below, above = self._moved(k, low), self._moved(k, high)
+            for number, solution in enumerate(self.solutions):
+                with np.errstate(invalid="ignore"):
+                    change = (above.separation_at(solution.y) - below.separation_at(solution.y)) / (high - low)
+                found[number, k] = np.where(np.isfinite(change), change, 0.0)
         return found
 
     def margins(self) -> Array:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import functools
-import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import given, loaded, of_dimension
-from nonhertz.errors import AccuracyWarning, NonhertzError
+from nonhertz.errors import NonhertzError, without_accuracy_warnings
 from nonhertz.files.spreads import Distribution
 from nonhertz.plot.axes import ROUND, Measure, measure
 from nonhertz.plot.sheets import WIDTH
@@ -205,8 +204,7 @@ def _before_and_after(found: Design, number: int) -> Callable[[Axes], object]:
     load = found.loads[number]
 
     def draw(ax: Axes) -> None:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", AccuracyWarning)
+        with without_accuracy_warnings():
             after = solve(found.case.contact, load=load.load, tilt=load.tilt, **found.case.solver)
             lines = {"designed": (after.y, after.centre_pressure)}
             with contextlib.suppress(NonhertzError):

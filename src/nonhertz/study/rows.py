@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import math
 import tempfile
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -19,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz.bearing.quantities import SolvedBearing
-from nonhertz.errors import AccuracyWarning, InputError, NonhertzError
+from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.planfile import LOAD, Template
@@ -70,9 +69,8 @@ class Work:
             Of each row, the values of these.
         """
         named = [dict(zip(paths, each, strict=True)) for each in values]
-        with warnings.catch_warnings(), self._template_and_files() as template:
-            # What strains the model is a column of its own.
-            warnings.simplefilter("ignore", AccuracyWarning)
+        # What strains the model is a column of its own.
+        with without_accuracy_warnings(), self._template_and_files() as template:
             if template.is_bearing:
                 return [self._alone(template, each) for each in named]
             return self._of_contacts(template, named)
