@@ -15,8 +15,10 @@ import nonhertz.files.bearing_results
 import nonhertz.plot
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.cli import main
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearing_results import UNITS
 from nonhertz.files.bearingfile import read_bearing
+from nonhertz.files.changes import changes_in
 from nonhertz.files.held import as_toml
 from nonhertz.result.quantities import Quantity
 
@@ -212,6 +214,15 @@ def test_check_says_in_one_line_that_all_is_well(folder, run):
     )
     Path("both.toml").write_text(FEW.replace('"5 kN"', "[3e3, 4e3]"), encoding="utf-8")
     assert "radial = 3000, 4000 N, tilt = 0.0002 rad." in run("check", "both.toml").out
+
+
+@pytest.mark.parametrize("change", ["load.radial=4MN", "load.tilt=0.05"])
+def test_check_doubts_a_load_or_a_tilt_that_no_metal_bears(folder, run, change):
+    out = run("check", "few.toml", "--set", change).out
+    largest = float(re.search(r"\ndoubtful: no metal bears the largest pressure, ([\d.]+) MPa", out)[1])
+    with without_accuracy_warnings():
+        solved = read_bearing("few.toml", changes_in([change])).solve("strips").max_pressure.max()
+    assert 0.3 < largest / solved < 3.0  # slices of the standard do not feel each other
 
 
 def test_check_knows_a_bearing_file_without_its_bearing(folder, run):

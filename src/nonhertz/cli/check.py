@@ -12,6 +12,8 @@ import numpy as np
 
 from nonhertz.amounts import mm, mpa
 from nonhertz.bearing.prescribed import BearingLoad
+from nonhertz.bearing.solution import BearingSolution, slice_loads
+from nonhertz.bearing.standard import LAMINAE
 from nonhertz.cli import BAD_INPUT, FINE
 from nonhertz.cli.options import Changes
 from nonhertz.errors import CaseError, ConvergenceError, InputError, joined
@@ -21,9 +23,9 @@ from nonhertz.files.changes import changes_in
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.keys import table_of, unit_of
 from nonhertz.files.planfile import DESIGN, Plan, case_or_bearing_in, design_in
-from nonhertz.model.body import BODIES
+from nonhertz.hertz import line_contact
+from nonhertz.model.body import BODIES, Body
 from nonhertz.model.prescription import Prescription
-from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import attempted
 from nonhertz.study.design import checked as checked_design
 from nonhertz.study.points import Points
@@ -76,28 +78,43 @@ def _contact(case: Case) -> str:
     solution, _ = attempted(case)
     ends, pressed = mm(*case.contact.interval, between=" to "), _listed(case.prescribed, Prescription)
     said = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
-    return ".\ndoubtful: ".join((said, *_doubts(case, solution)))
+    bodies = {f"body {name}": getattr(case.contact, name) for name in BODIES}
+    return ".\ndoubtful: ".join((said, *_doubts(bodies, 0.0 if solution is None else solution.max_pressure)))
 
 
-def _doubts(case: Case, solution: Solution | None) -> Iterator[str]:
-    """Yield what is allowed but looks like a slip of units."""
-    bodies = {name: getattr(case.contact, name) for name in BODIES}
+def _doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
+    """Yield what is allowed of bodies under their largest pressure but looks like a slip of units."""
     for name, body in bodies.items():
         half = 0.5 * np.asarray(body.interval)
         relief = float(np.max(body.relief(half))) if np.isfinite(half).all() else 0.0
         if isinstance(body.diameter, float) and DEEP * abs(body.diameter) < relief < math.inf:
-            yield f"body {name} drops by {relief:.3g} mm half-way to its end, over 1 % of its diameter"
+            yield f"{name} drops by {relief:.3g} mm half-way to its end, over 1 % of its diameter"
     metals = all(body.material.modulus > METAL for body in bodies.values())
-    if solution is not None and metals and solution.max_pressure > BEYOND_METALS:
-        yield f"no metal bears the largest pressure, {mpa(solution.max_pressure)}; check load, tilt and units"
+    if metals and pressure > BEYOND_METALS:
+        yield f"no metal bears the largest pressure, {mpa(pressure)}; check load, tilt and units"
 
 
 def _bearing(case: BearingCase) -> str:
     # By slices, which takes milliseconds. Whether a balance is found is for solving it to say.
+    row, pressure = case.bearing.rows[0].bearing, 0.0
     with contextlib.suppress(ConvergenceError):
-        case.solve("slices")
+        pressure = _largest_of_slices(case.solve("slices"), int(case.solver.get("laminae", LAMINAE)))
     kind, count = case.document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
-    return f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed, BearingLoad) or 'no load'}"
+    said = f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed, BearingLoad) or 'no load'}"
+    bodies = {"roller": row.roller, "inner ring": row.inner, "outer ring": row.outer}
+    return ".\ndoubtful: ".join((said, *_doubts(bodies, pressure)))
+
+
+def _largest_of_slices(solution: BearingSolution, laminae: int) -> float:
+    """Return Hertz's pressure under the most loaded of so many slices of a bearing [MPa]; zero without load."""
+    largest = 0.0
+    for row, (slices, loads) in zip(solution.bearing.rows, slice_loads(solution, laminae), strict=True):
+        for contact, most in zip(row.bearing.contacts, loads.max(axis=(0, 2)) / np.diff(slices.y[:2]), strict=True):
+            if most > 0.0:
+                radius = 1.0 / float(contact.curvature(0.0))
+                found = line_contact(line_load=float(most), radius=radius, compliance=contact.compliance)
+                largest = max(largest, found.max_pressure)
+    return largest
 
 
 def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> str:
