@@ -199,3 +199,5 @@ def test_prepare_leaves_out_what_is_not_wanted():
     assert [type(step).__name__ for step in some.steps] == ["Level", "Align", "Trim", "Outliers", "Smooth", "Thin"]
     assert len(some.points) == 101
     assert_allclose(some.points.y[[0, -1]], [-5.0, 5.0], atol=3e-3)
+    by_hand = Measured(rough_roller()).levelled().aligned().trimmed(10.0).without_outliers(4.0)
+    assert some.steps == by_hand.smoothed(0.25, "spline").thinned(101).steps
