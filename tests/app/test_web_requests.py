@@ -14,12 +14,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from serving import post, raw, running
+from test_web_units import US_ALONE, texts
 
 import nonhertz as nh
 from nonhertz.files.casefile import TEMPLATES, read_case, starting_case
 from nonhertz.web import limits
 from nonhertz.web.server import app, intake, pages, serving, workers
 from nonhertz.web.server.guard import HEADERS
+from nonhertz.web.server.units import HEADER
 from nonhertz.web.view import jobs
 
 STARTING = tomllib.loads(starting_case())
@@ -122,7 +124,6 @@ def test_templates(client):
         assert f'data-template="{name}"' in page
         document = client.get(f"/template/{name}").json()["document"]
         assert document == tomllib.loads(starting_case(name))
-        assert client.post("/solve", json={"document": document}).json()["ok"]
     for name in ("ball", "../starting_case", "cam.toml", "%2e%2e"):
         assert client.get(f"/template/{name}").status_code == 404
 
@@ -529,3 +530,22 @@ def test_an_error_of_ours_is_told_without_a_traceback(client, monkeypatch):
     assert "error in nonhertz (an error of ours)" in response.json()["mistakes"][0]["sentence"]
     assert "Traceback" not in response.text
     assert response.headers["x-content-type-options"] == "nosniff"
+
+
+@pytest.mark.slow
+def test_each_request_has_units_of_its_own(client):
+    told = [client.post("/solve", json={"document": STARTING}, headers=headers) for headers in (US_ALONE, {}, US_ALONE)]
+    assert [each.status_code for each in told] == [200] * 3
+    first, second, third = (" ".join(texts(each.json())) for each in told)
+    assert "ksi" in first
+    assert "MPa" not in first
+    assert "ksi" not in second
+    assert "MPa" in second
+    assert first == third
+    assert "lbf" in client.post("/form", json={"document": STARTING}, headers=US_ALONE).text.split("selected")[3]
+
+
+def test_other_units_are_refused(client):
+    answer = client.post("/solve", json={"document": STARTING}, headers={HEADER: "imperial"})
+    assert answer.status_code == 400
+    assert answer.json()["mistakes"][0]["sentence"] == "The units must be 'si' or 'us'."

@@ -7,19 +7,16 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any
 
-import httpx
 import jinja2
 import pytest
 from form_reading import document_in
 from numpy.testing import assert_allclose
-from serving import running
 
 from nonhertz.amounts import US, read_in
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.web.form.fields import FormField, FormGroup
 from nonhertz.web.form.form import form
-from nonhertz.web.server import workers
 from nonhertz.web.server.units import HEADER
 from nonhertz.web.view import jobs
 
@@ -128,34 +125,3 @@ def test_a_form_in_us_units_is_still_its_case(name):
     with read_in("us"):
         text = templates.get_template("form.html").render(form=form_of(name))
     assert document_in(text) == (CASES | BEARINGS)[name]
-
-
-# Over the network
-
-
-@pytest.fixture(scope="module")
-def client():
-    with (
-        running(STARTING) as port,
-        httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=workers.WARM_UP_SECONDS) as made,
-    ):
-        yield made
-
-
-@pytest.mark.slow
-def test_each_request_has_units_of_its_own(client):
-    told = [client.post("/solve", json={"document": STARTING}, headers=headers) for headers in (US_ALONE, {}, US_ALONE)]
-    assert [each.status_code for each in told] == [200] * 3
-    first, second, third = (" ".join(texts(each.json())) for each in told)
-    assert "ksi" in first
-    assert "MPa" not in first
-    assert "ksi" not in second
-    assert "MPa" in second
-    assert first == third
-    assert "lbf" in client.post("/form", json={"document": STARTING}, headers=US_ALONE).text.split("selected")[3]
-
-
-def test_other_units_are_refused(client):
-    answer = client.post("/solve", json={"document": STARTING}, headers={HEADER: "imperial"})
-    assert answer.status_code == 400
-    assert answer.json()["mistakes"][0]["sentence"] == "The units must be 'si' or 'us'."

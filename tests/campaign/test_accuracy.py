@@ -15,7 +15,7 @@ from rollers import cornered_case, roller_case
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
 
-CASES, SOME = 300, 40
+CASES, SOME = 300, 70
 ASKED = (1e-3, 1e-4, 1e-5)
 TRUE, LEAST = 3e-6, 0.1  # the accuracy of the truth, and of errors too small to be judged by it, of what is asked for
 # The least shares of rollers whose error is what was asked for, and is what was stated; the same of the maximum.
