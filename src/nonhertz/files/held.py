@@ -424,7 +424,8 @@ def write_new(text: str, path: str | Path) -> None:
         raise InputError("PATH", str(path), "not exist yet", remedy) from None
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
-        raise InputError("PATH", str(path), f"be a file to write to ({reason})", "choose another name") from None
+        remedy = "choose another name" if path.parent.is_dir() else "make its folder first"
+        raise InputError("PATH", str(path), f"be a file to write to ({reason})", remedy) from None
 
 
 @contextlib.contextmanager
