@@ -25,7 +25,7 @@ from nonhertz.files.casefile import starting_case
 from nonhertz.web.limits import ANSWER_SECONDS
 from nonhertz.web.server.units import HEADER
 
-HOSTILE, CHANGED = 200, extent(10_000, 500)
+HOSTILE, CHANGED = 200, extent(10_000, 1_000)
 SLOWEST = ANSWER_SECONDS + 1.0
 """s, for any answer: a case is given up at its time limit."""
 MEMORY = 500.0

@@ -7,7 +7,7 @@ from extent import extent
 
 import nonhertz as nh
 
-CASES, SOME = 50_000, 200
+CASES, SOME = 50_000, 400
 
 
 @pytest.mark.campaign
