@@ -72,6 +72,8 @@ def test_decimal_submultiples_do_not_gain_digits():
         ("1 mil", "rad", "a unit of angle, and a mil is a thousandth of an inch: write a number in rad, or text with "),
         ("2,5 um", "mm", "a decimal point: write 2.5 um."),
         ("20 kn", "N", "a unit of force: write 20 kN."),
+        ("20e3 lb", "N", "a unit of force: write 20e3 lbf."),
+        ("5 n", "mm", "a known unit: write a number in mm, or text"),
     ],
 )
 def test_a_refusal_is_one_sentence(text, unit, sentence):

@@ -127,7 +127,8 @@ def solve(
     system, found = _solved(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**given)))
     if not found.residual[0] <= TOLERANCE:
         words = f"No equilibrium of rollers and rings was found in {found.steps[0]} steps"
-        raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported.", None)
+        remedy = "give forces that press the rings together, an axial one beside a moment, or check signs and units"
+        raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported; {remedy}.", None)
     solution = BearingSolution.of(bearing, method, found, loaded, at_edge(system, found))
     try:
         strained = solution.findings

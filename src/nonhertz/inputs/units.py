@@ -8,6 +8,7 @@ happily work for hours on ``"9**9**9 mm"``.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import math
 import re
@@ -38,26 +39,11 @@ _UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR
 _SLOPE = re.compile(rf"\s*({_NUMBER})\s*({_FACTOR})\s*/\s*(?:({_NUMBER})\s*)?({_FACTOR})\s*")
 _DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d")
 _LONGEST = 40
-# What is meant by the same letters in another case.
+# What is meant by the same letters in another case, and by a mass that is given for a force.
 _USUAL = (
-    "N",
-    "kN",
-    "MN",
-    "N m",
-    "Nm",
-    "N mm",
-    "Nmm",
-    "kN m",
-    "MPa",
-    "GPa",
-    "mm",
-    "um",
-    "rad",
-    "mrad",
-    "deg",
-    "Hz",
-    "rpm",
-)
+    "N", "kN", "MN", "N m", "Nm", "N mm", "Nmm", "kN m", "MPa", "GPa", "mm", "um", "rad", "mrad", "deg", "Hz", "rpm",
+)  # fmt: skip
+_MEANT = {each.lower(): each for each in _USUAL} | {"lb": "lbf", "lbs": "lbf", "kg": "kgf"}
 # To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments.
 _RUN_TOGETHER = re.compile(r"\b([kM]?N)(m|cm|mm)\b")
 # Turns as ISO writes them; pint knows neither.
@@ -159,8 +145,10 @@ def _converted(field: str, text: str, unit: str) -> float:
     try:
         factor = _factor(written, unit)
     except ValueError as error:
-        meant = next((each for each in _USUAL if each.lower() == written.lower() and each != written), None)
-        remedy = remedy if meant is None else f"write {taken_apart[1]} {meant}"
+        meant = _MEANT.get(written.lower(), written)
+        with contextlib.suppress(ValueError):
+            _factor(meant, unit)
+            remedy = f"write {taken_apart[1]} {meant}"
         raise InputError(field, text, str(error), remedy) from None
     return _times(number, factor)
 
