@@ -67,7 +67,7 @@ def suspicions(
     ends : Ends
         How the contacts end.
     errors : ndarray, shape (cases, 5)
-        From `nonhertz.result.estimate.estimates`, as if no largest pressure were at a corner.
+        From `nonhertz.result.estimate.estimates`.
     at : ndarray, shape (cases,)
         Where the largest pressures are [mm].
     """
