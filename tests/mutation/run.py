@@ -62,18 +62,17 @@ ELSEWHERE = ("web", "report", "plot", "docs", "gallery", "examples", "verify", "
 
 
 class Survey:
-    """Which tests run a line."""
+    """Which tests run a line; ``found`` holds what was found out about each file of tests, without a suffix."""
 
-    def __init__(self, out: Path) -> None:
+    def __init__(self, found: list[Path]) -> None:
         import coverage
 
-        data = [coverage.CoverageData(str(each)) for each in sorted(out.glob("*.lines"))]
-        for each in data:
-            each.read()
-        self._data = data
-        self.seconds: dict[str, float] = {}
-        for path in out.glob("*.json"):
-            self.seconds |= json.loads(path.read_text(encoding="utf-8"))["seconds"]
+        self._data, self.seconds = [], {}
+        for each in found:
+            lines_run = coverage.CoverageData(str(each.with_suffix(".lines")))
+            lines_run.read()
+            self._data.append(lines_run)
+            self.seconds |= json.loads(each.with_suffix(".json").read_text(encoding="utf-8"))["seconds"]
         self._users: dict[str, set[tuple[str, int, str]]] = defaultdict(set)
         for file in sorted(SOURCES.rglob("*.py")):
             for name, line, user in users(ast.parse(file.read_text(encoding="utf-8"))):
@@ -130,6 +129,11 @@ class Survey:
             # Of functions that it has met once, the quickest cases are the most.
             left = sorted((t for t in left if t not in rounds[-1]), key=lambda t: (t in beside, self.seconds[t]))
         return rounds
+
+
+def stem_of(file: Path, folder: Path) -> Path:
+    """Return where findings about a file of tests lie, without a suffix."""
+    return folder / f"{file.parent.name}-{file.stem}"
 
 
 def users(tree: ast.AST, user: str = "", compiled: bool = False) -> Iterator[tuple[str, int, str]]:
@@ -192,12 +196,13 @@ class Campaign:
                     print(done.result(), end="", flush=True)
             finally:
                 pool.shutdown(cancel_futures=True)
-        survey = Survey(folder)
+        # Of files of tests that are no longer there, or are not asked for, it may hold findings as well.
+        survey = Survey([stem_of(file, folder) for file in files])
         self.seconds = survey.seconds
         return survey
 
     def _surveyed(self, file: Path, sources: str) -> str:
-        stem = self.out / "survey" / f"{file.parent.name}-{file.stem}"
+        stem = stem_of(file, self.out / "survey")
         state = sources + hashlib.sha256(file.read_bytes()).hexdigest()
         known, data, written = (stem.with_suffix(each) for each in (".json", ".lines", ".jsonl"))
         if known.exists() and json.loads(known.read_text(encoding="utf-8"))["state"] == state:
