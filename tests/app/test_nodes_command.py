@@ -41,15 +41,6 @@ def test_forces_have_load_and_moments_of_the_contact_on_any_mesh(solution, size)
     assert found.area.sum() == pytest.approx(1.2 * 20.0, rel=1e-9)
 
 
-def test_on_scattered_nodes_too(solution):
-    random = np.random.default_rng(1)
-    x, y = grid(3, 3)  # corners around the contact
-    x, y = np.append(x, random.uniform(-0.6, 0.6, 500)), np.append(y, random.uniform(-10.0, 10.0, 500))
-    found = solution.at_nodes(x, y)
-    assert found.force.sum() == pytest.approx(solution.load, rel=1e-9)
-    assert found.force @ y == pytest.approx(solution.moment, rel=1e-6)
-
-
 @pytest.mark.slow
 def test_the_interpolated_load_tends_to_the_load_as_the_mesh_is_refined(solution):
     errors = [abs(solution.at_nodes(*grid(n, 2 * n)).interpolated_load / solution.load - 1.0) for n in (10, 40, 160)]

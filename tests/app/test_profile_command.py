@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-import nonhertz as nh
 from nonhertz.files.casefile import read_case
 
 RADIUS = 900.0
@@ -109,19 +108,3 @@ def test_a_mistake_ends_in_one_sentence_and_two(file, words, sentence, run):
 def test_a_missing_file_is_told(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     assert "FILE = 'none.txt' must be a file that can be read" in run("profile", "none.txt", code=2).err
-
-
-@pytest.mark.slow
-def test_a_figure_has_a_panel_for_each_step(file):
-    from nonhertz.files.traces import read_trace
-    from nonhertz.plot import measured_figure
-
-    measured = nh.measured.prepare(read_trace(file, height_unit="um"))
-    figure = measured_figure(measured, "roller", measured.fit("crown"))
-    # Five steps and the relief; roughness and what the fit leaves have panels of their own, and so have two corners.
-    # Thinning is in that of the relief.
-    assert len(figure.axes) == 5 + 1 + 2 + 2
-    cut = measured.trimmed(corner="cut")
-    assert len(measured_figure(cut, "roller", measured.fit("crown")).axes) == 5 + 1 + 2
-    bare = measured_figure(measured.without("thin").without("smooth"))
-    assert len(bare.axes) == 4 + 1 + 2

@@ -18,7 +18,7 @@ from nonhertz.report import MARK, BearingResults, compose, examined, rendered, s
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import results
 from nonhertz.report.inputs import inputs
-from nonhertz.report.overview import first_numbers, geometry, opening
+from nonhertz.report.overview import first_numbers, geometry
 from nonhertz.show.bearing import life_rows, summary_rows
 from nonhertz.verdict import Level
 
@@ -176,14 +176,6 @@ def test_key_numbers_are_those_of_the_solution(few):
     assert float(numbers_of(rounded)["modified life"][1].split()[0]) == pytest.approx(hours, rel=1e-3)
 
 
-def test_the_opening_says_what_loads_what(few, pair):
-    assert opening(few) == (
-        "Cylindrical roller bearing, 6 rollers of 9 x 10 mm on a pitch circle of 46.5 mm, under a radial force of "
-        "5 kN and a tilt of 0.2 mrad at 1500 1/min."
-    )
-    assert opening(pair).startswith("Tapered roller bearing of 2 rows, 6 rollers of ")
-
-
 def test_geometry_follows_from_the_dimensions(few, pair):
     rows = dict(geometry(few))
     # Six on a circle: neighbours are half a pitch diameter apart.
@@ -278,26 +270,12 @@ def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
 
 
 @pytest.mark.slow
-def test_several_bearings_are_compared_with_the_first(few, undrawn):
-    other = PLAIN.replace("12 um", "30 um").replace("five", "six")
-    found = examined(settled([case_of(PLAIN, "tight.toml"), case_of(other, "loose.toml")]))
+def test_several_bearings_are_compared_with_the_first():
+    found = examined(settled([case_of(PLAIN), case_of(PLAIN.replace("12 um", "30 um").replace("five", "six"))]))
     rows = {name: cells for name, *cells in results(found)}
     loads = [each.solution.load.max() for each in found]
-    assert loads[1] > loads[0]
     change = float(rows["largest load of a contact [kN]"][1].remark.rstrip(" %"))
     assert change == pytest.approx(100.0 * (loads[1] / loads[0] - 1.0), rel=5e-3)  # three digits are shown
-    assert all(isinstance(each, str) for each in rows["loaded rollers"])
     for k, ring in enumerate(("inner", "outer")):
         shown = [float(cell.text) for cell in rows[f"maximum pressure at the {ring} ring [MPa]"]]
         assert shown == pytest.approx([each.solution.max_pressure[:, k].max() for each in found], rel=1e-4)
-    assert not any(name.startswith("largest rib load") for name in rows)
-    assert "displacement x [µm]" not in rows
-    page = Page(rendered(found))
-    assert "2 bearings compared" in page.text
-    assert "bearing.clearance 12 µm 30 µm" in page.text.partition("Result")[0]
-    assert "Not all numbers are comparable, because more than shapes differs: bearing.clearance." in page.text
-    # What both were given stands there once, what neither was given not before it is unfolded.
-    before = page.text.partition("Assumptions, inputs, method and files of tight")[0]
-    assert "roller.diameter 9 mm" in before.partition("Inputs that are the same")[2]
-    assert "roller.chamfer" not in before
-    assert {"tight.toml", "loose.toml", "loose-result.json"} <= set(page.files())

@@ -4,13 +4,11 @@ from pathlib import Path
 
 import pytest
 
-import nonhertz as nh
 import nonhertz.cli.report
 import nonhertz.report.layout
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
-from nonhertz.files.casefile import read_case
 from nonhertz.report import MARK
 
 CASE = """
@@ -59,15 +57,6 @@ def test_a_report_is_written_beside_and_replaced(case, run):
     assert "7000 N" in Path("case-report.html").read_text(encoding="utf-8")
 
 
-@pytest.mark.slow
-def test_several_cases_become_one_report(case, run):
-    Path("other.toml").write_text(CASE.replace("6 kN", "7 kN"), encoding="utf-8")
-    assert run("report", case, "other.toml", *QUICK, "--out", "new/both.html").out == "wrote new/both.html\n"
-    text = Path("new/both.html").read_text(encoding="utf-8")
-    assert "2 cases compared" in text
-    assert [path.name for path in Path("new").iterdir()] == ["both.html"]
-
-
 def test_only_reports_are_replaced(case, run):
     (line,) = refused([case, "--out", case], run)
     assert line.startswith("--out = 'case.toml' must be a new file or an older nonhertz report: ")
@@ -92,18 +81,6 @@ def test_the_head_says_what_the_file_and_the_options_say(case):
     assert '<dl class="title-block">' not in Path("case-report.html").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (["--author", "one\0two"], "--author = 'one\\x00two' must be one line of text"),
-        (["--project", "one\ntwo"], "--project = 'one\\ntwo' must be one line of text"),
-    ],
-)
-def test_a_head_that_cannot_be_is_refused(words, sentence, case, run):
-    (line,) = refused([case, *words], run)
-    assert line.startswith(sentence)
-
-
 def test_all_mistakes_of_all_files_are_named(case, run):
     Path("wrong.toml").write_text(CASE.replace("length = 20", "length = -20"), encoding="utf-8")
     lines = refused([case, "wrong.toml", "nothing.toml"], run)
@@ -112,16 +89,3 @@ def test_all_mistakes_of_all_files_are_named(case, run):
     assert line.startswith("body.a.length = ")
     (line,) = refused([], run)
     assert line.startswith("CASE = '' must be given: ")
-
-
-@pytest.mark.slow
-def test_a_case_that_has_not_converged_is_reported_and_told(case, monkeypatch, run):
-    solution = nonhertz.show.analysis.solved(read_case(case))
-
-    def stop(*_: object, **__: object) -> None:
-        raise nh.ConvergenceError("It stopped.", solution)
-
-    monkeypatch.setattr(nonhertz.solver.one, "solve", stop)
-    printed = run("report", case, code=1)
-    assert (printed.out, printed.err) == ("wrote case-report.html\n", "case: It stopped.\n")
-    assert "It stopped." in Path("case-report.html").read_text(encoding="utf-8")

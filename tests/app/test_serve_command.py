@@ -65,11 +65,6 @@ def test_of_many_points_some_are_kept(case):
     assert "the 5001 points of points.csv itself, of which every 3rd is kept." in notes[0]
 
 
-def test_a_mistaken_case_is_refused_as_by_the_other_commands(case, run):
-    case.write_text(CASE.replace("20 kN", "20 kg"))
-    assert "load.load = '20 kg' must have a unit of force" in run("serve", str(case), "--no-browser", code=2).err
-
-
 def test_a_case_that_the_page_does_not_take_is_refused(case, run):
     case.write_text(CASE + "[solver]\nstrips = 2000\n")
     assert (

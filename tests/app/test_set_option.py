@@ -6,9 +6,7 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
-from nonhertz.cli import main
 from nonhertz.files.changes import changes_in
-from nonhertz.files.planfile import read_design
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASE = str(EXAMPLES / "crowned-roller.toml")
@@ -82,11 +80,6 @@ def test_values_may_be_numbers_words_lists_and_tables():
     assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "1 m"}]
 
 
-def test_a_title_is_set_like_any_input():
-    case = nh.read_case(CASE, changes_in(["title=Second try"]))
-    assert (case.title, case.document["title"]) == ("Second try", "Second try")
-
-
 def test_what_was_set_is_in_the_text_of_the_case():
     case = nh.read_case(CASE, {"load.load": "5 kN", "load.tilt": None})
     assert case.text.startswith("# Set in place of what the file held: load.load = 5 kN, without load.tilt\n")
@@ -148,18 +141,3 @@ def test_a_bearing_takes_it_too(run):
     assert found["method"] == "slices"
     assert max(map(abs, found["force"])) == pytest.approx(5e3, rel=1e-6)
     assert nh.read_bearing(file, {"load.radial": 5e3}).prescribed["radial"] == 5000.0
-
-
-@pytest.mark.slow
-def test_reports_plans_and_designs_take_it(tmp_path, monkeypatch, run):
-    monkeypatch.chdir(tmp_path)
-    assert main(["report", CASE, "--no-stress", "--out", "r.html", "--set", "load.load=6kN"]) == 0
-    report = Path("r.html").read_text(encoding="utf-8")
-    assert f"<h1>{TITLE}</h1>" in report
-    assert "# Set in place of what the file held: load.load = 6kN" in report
-    assert (
-        "roller-15x20.toml: load.laod must be an input"
-        in run("check", str(EXAMPLES / "roller-15x20-sweep.toml"), "--set", "load.laod=6kN", code=2).out
-    )
-    case, _ = read_design(EXAMPLES / "roller-15x20-design.toml", {"load.load": "6 kN"})
-    assert case.prescribed["load"] == 6000.0

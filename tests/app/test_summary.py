@@ -6,11 +6,9 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.cli.printing import print_result
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.result.solution import Solution
-from nonhertz.show.summary import sections, summary_rows
-from nonhertz.verdict import of_contact
+from nonhertz.show.summary import summary_rows
 
 
 def solved(roller: nh.Body, against: nh.Body, tilt: float = 0.0, load: float = 20e3, **more: object) -> Solution:
@@ -79,11 +77,3 @@ def test_a_maximum_at_a_corner_of_the_profile_has_no_limit():
     cornered = solved(tapered, nh.Plate(), load=5e3)
     assert {edge.kind for edge in cornered.edge_pressure} == {nh.EdgeKind.RUN_OUT}
     assert rows(cornered)["maximum pressure"][1] == "no limit, at a corner of the profile"
-
-
-def test_the_rows_fit_a_narrow_terminal(sharp, capsys):
-    print_result("sharp", sections(sharp), verdict=of_contact(sharp), warnings=sharp.warnings, piped=None)
-    lines = [line.rstrip() for line in capsys.readouterr().out.splitlines() if not line.startswith("warning")]
-    # A row that is broken begins with the remark's column.
-    assert len(lines) == len(summary_rows(sharp)) + 2
-    assert lines[1].startswith("Pressure unbounded. ")

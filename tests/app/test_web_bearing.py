@@ -17,7 +17,7 @@ from serving import post, running
 
 import nonhertz as nh
 from nonhertz.cli.serve import starting_document
-from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, starting_bearing
+from nonhertz.files.bearingfile import BearingCase, starting_bearing
 from nonhertz.files.casefile import starting_case
 from nonhertz.web import limits
 from nonhertz.web.form.fields import FormField
@@ -131,40 +131,11 @@ def test_the_file_says_the_method():
     assert (found["file_method"], found["method"]) == ("slices", "slices")
 
 
-def test_pressures_for_the_life_do_not_stop_slices():
-    document = changed(FEW, "life.edge_stress", "pressure")
-    standard = changed(FEW, "life.edge_stress", "standard")
-    assert answer(document)["key"]["life"] == answer(standard)["key"]["life"]
-
-
 # The form
 
 
 def fields(document: dict[str, Any]) -> dict[str, FormField]:
     return {each.path: each for each in form(document, "bearing").fields if each.kind != "switch"}
-
-
-def test_fields_have_the_units_that_people_read():
-    found = {
-        each.path: (each.value, next(unit.word for unit in each.units if unit.chosen))
-        for document in (FEW, PAIR, THRUST)
-        for each in fields(document).values()
-        if each.value and each.units and each.path.startswith(("load", "bearing"))
-    }
-    assert found == {
-        "load.radial": ("5", "kN"),
-        "load.tilt": ("0.2", "mrad"),
-        "bearing.clearance": ("12", "um"),
-        "load.radial[1]": ("8", "kN"),
-        "load.radial[2]": ("1", "kN"),
-        "load.axial": ("3", "kN"),
-        "bearing.contact_angle": ("12", "deg"),
-        "bearing.pair.distance": ("20", "mm"),
-        "bearing.pair.clearance": ("-40", "um"),
-        "load.axial_displacement": ("5", "um"),
-        "load.moment": ("10", "N m"),
-        "bearing.pitch_diameter": ("60", "mm"),
-    }
 
 
 @pytest.mark.parametrize("document", [STARTING, FEW, PAIR, THRUST])
@@ -202,19 +173,6 @@ def test_what_a_bearing_cannot_have_is_not_offered():
     assert "inner.diameter" in offered("cylindrical")
 
 
-def test_a_bounded_profile_beside_corners_is_not_dragged_off_its_roller():
-    def slider(document: dict[str, Any]) -> Any:
-        return next(each.slider for each in form(document, "bearing").fields if each.path == "roller.profile[1].shift")
-
-    bounded = tomllib.loads(starting_bearing("cylindrical"))
-    assert slider(bounded) is None
-    crowned = changed(bounded, "roller.profile", [{"kind": "crown", "radius": 1500.0}])
-    found = slider(crowned)
-    assert found is not None
-    for shift in (found.range.low, found.range.high):
-        assert answer(changed(crowned, "roller.profile", [{"kind": "crown", "radius": 1500.0, "shift": shift}]))["ok"]
-
-
 def test_what_a_bearing_does_not_bear_has_no_slider():
     assert fields(FEW)["load.axial"].slider is None
     assert fields(changed(FEW, "bearing.design", "NUP"))["load.axial"].slider is not None
@@ -240,12 +198,6 @@ def test_another_kind_of_bearing_begins_with_one_that_can_be_solved():
         found = answer(made)
         assert found["ok"], (option.value, found["mistakes"])
         assert made["bearing"]["kind"] == option.value
-
-
-def test_a_needle_bearing_is_made_of_a_cylindrical_one_as_it_is():
-    (kind,) = (field for field in form(FEW, "bearing").fields if field.path == "bearing.kind")
-    (option,) = (option for option in kind.options if option.value == "needle")
-    assert option.edits == [("bearing.kind", "needle")]
 
 
 # Mistakes
@@ -326,18 +278,6 @@ def test_without_a_file_there_is_a_bearing_beside_the_contact():
         assert client.get("/").text == client.get("/contact").text
         assert "NU 206" in client.get("/bearing").text
         client.close()
-
-
-@pytest.mark.slow
-def test_templates(page):
-    shown = page.get("/bearing").text
-    assert re.findall(r'data-template="(.*?)"', shown) == list(BEARING_TEMPLATES)
-    for name in BEARING_TEMPLATES:
-        found = page.get(f"/bearing/template/{name}").json()
-        assert (found["text"], found["document"]) == (starting_bearing(name), tomllib.loads(starting_bearing(name)))
-        assert 'name="load.' in post(page, "/bearing/form", json={"document": found["document"]}).text
-    for name in ("cam", "../starting_bearing", "needle.toml", "%2e%2e"):
-        assert page.get(f"/bearing/template/{name}").status_code == 404
 
 
 @pytest.mark.slow

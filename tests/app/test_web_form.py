@@ -16,14 +16,11 @@ from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.casefile import TEMPLATES as TEMPLATES_OF_CASES
 from nonhertz.files.casefile import Case, starting_case
-from nonhertz.files.mistakes import path_of
 from nonhertz.files.schemas import schema_of
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import in_unit
-from nonhertz.life import MODELS, iso_16281
 from nonhertz.model.materials import MATERIALS
 from nonhertz.solver.one import solve
-from nonhertz.strip.element import ELEMENTS
 from nonhertz.web.form.form import form
 from nonhertz.web.form.ranges import RANGES
 from nonhertz.web.form.units import CHOICES, SLOPE
@@ -180,18 +177,6 @@ def keys_of(part, definitions, place):
         yield from keys_of(part["items"], definitions, (*place, ""))
 
 
-@pytest.mark.parametrize("kind", kinds())
-def test_a_profile_has_the_fields_of_its_kind(kind):
-    document = {"body": {"a": {"profile": [{"kind": kind}]}}}
-    shown = {each["name"] for each in Inputs(form_of(document)).fields}
-    wanted = {path_of(("body", "a", "profile", 1, name)) for name in kinds()[kind]["properties"]}
-    # One of a size and a drop is shown, as one of load and approach, and the place of a drop with that.
-    # The page reads no files.
-    aside = {"drop"} if "oneOf" in kinds()[kind] else set()
-    aside = {f"body.a.profile[1].{name}" for name in aside | {"file", "at"}}
-    assert {name for name in shown if name.startswith("body.a.profile[1].")} == wanted - aside
-
-
 @pytest.mark.parametrize("kind", [kind for kind, part in kinds().items() if "oneOf" in part])
 def test_a_profile_can_be_switched_to_its_drop_and_back(kind):
     document = {"body": {"a": {"profile": [{"kind": kind}]}}}
@@ -207,23 +192,6 @@ def test_a_profile_can_be_switched_to_its_drop_and_back(kind):
         assert f"body.a.profile[1].{chosen}" in shown
         assert f"body.a.profile[1].{other}" not in shown
         assert other not in document["body"]["a"]["profile"][0]
-
-
-def test_a_profile_with_both_a_size_and_a_drop_shows_both():
-    profile = {"kind": "crown", "radius": 4000.0, "drop": "20 um"}
-    assert document_in(form_of({"body": {"a": {"profile": [profile]}}}))["body"]["a"]["profile"] == [profile]
-
-
-def test_words_to_choose_from_are_those_that_the_solver_knows():
-    words = {field.path: [option.value for option in field.options] for field in form(with_life()).fields}
-    assert words["solver.element"] == list(ELEMENTS)
-    assert words["body.a.material"] == list(MATERIALS)
-    assert words["life.models"] == list(MODELS)
-    assert words["body.a.kind"] == ["roller", "ring", "plate", "body"]
-    for name in ("edge_stress", "line_loads"):
-        for word in words[f"life.{name}"]:
-            iso_16281(**{name: word})  # refuses what it does not know
-        assert len(words[f"life.{name}"]) > 1
 
 
 @pytest.mark.slow

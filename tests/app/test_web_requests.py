@@ -6,7 +6,6 @@ import re
 import socket
 import threading
 import tomllib
-from importlib import resources
 
 import anyio
 import httpx
@@ -17,9 +16,9 @@ from serving import post, raw, running
 from test_web_units import US_ALONE, texts
 
 import nonhertz as nh
-from nonhertz.files.casefile import TEMPLATES, read_case, starting_case
+from nonhertz.files.casefile import read_case, starting_case
 from nonhertz.web import limits
-from nonhertz.web.server import app, intake, pages, serving, workers
+from nonhertz.web.server import app, intake, serving, workers
 from nonhertz.web.server.guard import HEADERS
 from nonhertz.web.server.units import HEADER
 from nonhertz.web.view import jobs
@@ -116,16 +115,6 @@ def test_a_mistaken_case_is_answered_and_shown(client):
     assert form.status_code == 200
     assert form.headers["content-type"] == "text/html; charset=utf-8"
     assert 'value="20 kg"' in form.text
-
-
-def test_templates(client):
-    page = client.get("/").text
-    for name in TEMPLATES:
-        assert f'data-template="{name}"' in page
-        document = client.get(f"/template/{name}").json()["document"]
-        assert document == tomllib.loads(starting_case(name))
-    for name in ("ball", "../starting_case", "cam.toml", "%2e%2e"):
-        assert client.get(f"/template/{name}").status_code == 404
 
 
 def test_opening_a_case_file(client):
@@ -287,19 +276,6 @@ def test_what_takes_too_long_is_given_up(client, monkeypatch, path, sent, comman
     assert response.json() == {"ok": False, "slow": True, "mistakes": [{"path": "", "sentence": sentence}]}
 
 
-def test_static_files_are_those_of_the_package(client):
-    folder = resources.files("nonhertz.web").joinpath("static")
-    for entry in folder.iterdir():
-        if entry.is_file():
-            response = client.get(f"/static/{entry.name}")
-            assert response.content == entry.read_bytes()
-            assert response.headers["content-type"].partition(";")[0] in {
-                "text/css",
-                "text/javascript",
-                "image/svg+xml",
-            }
-
-
 @pytest.mark.parametrize(
     "path",
     [
@@ -411,30 +387,6 @@ LOAD = {"path": "load.load"}
 def test_malformed_wishes(client, path, wishes):
     for wish in wishes:
         refused(client.post(path, json={"document": STARTING} | wish), 400)
-
-
-@pytest.mark.slow
-def test_whether_a_body_bears_it(client, monkeypatch):
-    found = post(client, "/strength", json={"document": STARTING, "body": "b"}).json()
-    assert [each["verdict"] for each in found["checks"]] == ["not known", "not known"]
-    assert "body b" in found["checks"][0]["sentence"]
-    wrong = {"document": STARTING | {"load": {"load": "20 kg"}}}
-    assert [each["path"] for each in client.post("/strength", json=wrong).json()["mistakes"]] == ["load.load"]
-    monkeypatch.setattr(pages, "ANSWER_SECONDS", 0.0)
-    answer = client.post("/strength", json={"document": STARTING}).json()
-    assert "takes longer than the page waits: use 'nonhertz stress'" in answer["mistakes"][0]["sentence"]
-
-
-def test_a_curve_in_pieces(client):
-    wanted, points = {"document": STARTING, "path": "load.load", "values": [1e4, 2e4]}, []
-    while wanted["values"]:  # a busy machine answers what half a second is enough for
-        points += (piece := client.post("/curve", json=wanted).json()["points"])
-        assert piece
-        wanted["values"] = wanted["values"][len(piece) :]
-    assert [point["value"] for point in points] == [1e4, 2e4]
-    wanted["values"] = [1e4, 2e4]
-    wanted["document"] = STARTING | {"load": {"load": "20 kg"}}
-    assert [each["path"] for each in client.post("/curve", json=wanted).json()["mistakes"]] == ["load.load"]
 
 
 def test_too_much_is_refused(client):

@@ -232,20 +232,6 @@ def test_what_is_written_with_a_unit_is_taken_apart_when_the_field_is_left(desk)
     assert "force" in " ".join(desk.mistakes)
 
 
-def test_another_unit_shows_the_same_value(desk):
-    before = desk.numbers
-    for path, unit, number in (
-        *(("load.load", "lbf", 4496.17886), ("load.load", "N", 20000.0), ("load.tilt", "arcmin", 1.71887339)),
-        *(("load.tilt", "um/mm", 0.5), ("body.a.diameter", "in", 0.787401575)),
-    ):
-        answers = desk.answers
-        desk.page.locator(f'#case .field[data-path="{path}"] select.unit').select_option(unit)
-        desk.wait_for_answer(answers)
-        assert_allclose(float(desk.field(path).input_value()), number, rtol=1e-6)
-        for name, value in before.items():
-            assert_allclose(desk.numbers[name], value, rtol=1e-6)
-
-
 def test_profiles_are_added_removed_and_changed(desk):
     profiles = desk.page.locator('fieldset[data-group^="body.a.profile["]')
     pressure = desk.numbers["Largest pressure"]

@@ -6,8 +6,7 @@ from dataclasses import replace
 import numpy as np
 import plain_case
 import pytest
-from campaign_run import Ending, faults_of
-from verdict import sentence_faults, solution_faults
+from verdict import solution_faults
 
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
@@ -117,21 +116,3 @@ def test_a_place_of_contact_that_a_grid_misses_is_caught():
     vars(missed)["findings"] = ()
     assert "a place of contact missed" in [kind for kind, _ in solution_faults(missed, {**case, "strips": None})]
     assert "a place of contact missed" not in [kind for kind, _ in solution_faults(whole, {**case, "strips": None})]
-
-
-def test_sentences_about_what_nobody_gave_are_caught():
-    error = nh.InputError("strips", 24, "have centres on both sides", "use more strips")
-    assert [kind for kind, _ in sentence_faults(error, FINITE)] == ["names strips, which nobody gave"]
-    error = nh.InputError("load", 1.0, "be small", "lower it")
-    assert [kind for kind, _ in sentence_faults(error, FINITE)] == ["names another load than given"]
-    error = nh.InputError("approach", 0.02, "exceed 0.03 mm, where the bodies begin to touch", "raise it")
-    case = {**FINITE, "given": {"approach": 0.02}}
-    assert [kind for kind, _ in sentence_faults(error, case)] == ["says that the bodies do not touch, which they do"]
-
-
-def test_a_crash_is_a_fault():
-    ending = Ending("crash", "KeyError: #", error=KeyError(3))
-    try:
-        raise ending.error
-    except KeyError:
-        assert faults_of(FINITE, ending)[0][0] == "crash KeyError: #"

@@ -15,15 +15,12 @@ from numpy.testing import assert_allclose
 import nonhertz as nh
 from nonhertz import plot
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.plot.axial import mark_unlimited
 from nonhertz.plot.contact_area import colour_limit
-from nonhertz.plot.overlay import compared_contacts
 from nonhertz.plot.style import INK, SIZE
 from nonhertz.result.outcome import Judgement
-from nonhertz.result.solution import Solution, Status
+from nonhertz.result.solution import Solution
 
 TWO_CRESTS = nh.profile.tabulated([-10, -5, 0, 5, 10], [0.02, 0.0, 0.02, 0.0, 0.02])
-STEEP = nh.profile.crown(500.0)
 
 
 def roller(length: float = 20.0, **given: object) -> nh.Roller:
@@ -85,31 +82,18 @@ class TestPressure:
         assert right.get_ylim()[1] > solution.half_width.max()
         assert left.get_xlim()[0] < solution.contact_y[0][0] < solution.contact_y[-1][1] < left.get_xlim()[1]
 
-    def test_a_maximum_at_a_corner_says_so(self, ax):
-        plot.pressure(judged(solved("crowned"), peaks_at_corner=True), ax)
-        (shown,) = (text.get_text() for text in ax.texts if "MPa" in text.get_text())
-        assert shown.endswith(" mm (corner: rises with refinement)")
-
     @pytest.mark.slow
-    @pytest.mark.parametrize(("load", "largest"), [(20e3, False), (60e3, True)])
-    def test_a_pressure_that_rises_again_at_a_land_end_says_so(self, load, largest, ax):
+    def test_a_pressure_that_rises_again_at_a_land_end_says_so(self, ax):
         cornered = roller(profile=nh.profile.crown(1500.0), corner_radius=0.8)
         with without_accuracy_warnings():
-            solution = nh.solve(nh.Contact(cornered, nh.Plate()), load=load)
+            solution = nh.solve(nh.Contact(cornered, nh.Plate()), load=20e3)
         plot.pressure(solution, ax)
-        shown = [text for text in ax.texts if "land end" in text.get_text()]
-        assert [text.get_text().endswith(" mm (land end)") for text in shown] == ([True] if largest else [False, False])
-        for text in shown if not largest else ():
+        shown = [text for text in ax.texts if text.get_text().startswith("land end, ")]
+        assert len(shown) == 2
+        for text in shown:
             y, pressure = text.xy  # type: ignore[attr-defined]
-            at = np.abs(solution.y - y).argmin()
-            assert text.get_text() == f"land end, {pressure:.0f} MPa"
-            assert pressure == solution.centre_pressure[at]
+            assert pressure == solution.centre_pressure[np.abs(solution.y - y).argmin()]
             assert abs(y) == pytest.approx(9.2, abs=0.05)
-            inner = np.abs(solution.y) < 9.1
-            assert pressure > 1.05 * solution.centre_pressure[inner].min()
-        beside = [text.get_text() for text in compared_contacts({"one": solution, "other": solution}).axes[0].texts]
-        assert sum(text.startswith("land end, ") for text in beside) == 4
-        assert solution.max_pressure > 1500.0
 
     def test_singular_ends_have_exponent_and_strength(self, ax):
         solution = solved("straight")
@@ -143,17 +127,6 @@ class TestPressure:
         assert solution.y[away].max() < y < solution.y[~away & (solution.y > 0.0)].min()
         assert_allclose(10.0 - y, np.interp(y, solution.y, solution.half_width), rtol=1e-12)
 
-    def test_both_of_two_equal_maxima_are_marked(self, ax):
-        plot.pressure(solved("twins"), ax)
-        marker = next(line for line in ax.lines if line.get_marker() == "o")
-        low, high = marker.get_xdata()
-        assert_allclose(low, -high, rtol=1e-12)
-        assert f"MPa at $y$ = −{high:.2f} and {high:.2f} mm" in " ".join(text.get_text() for text in ax.texts)
-
-    def test_unconverged_result_says_so(self, ax):
-        plot.pressure(replace(solved("crowned"), status=Status.STAGNATED), ax)
-        assert ax.get_title(loc="left").endswith("NOT CONVERGED")
-
 
 class TestFootprint:
     def test_outline_is_the_half_width(self, solution, ax):
@@ -185,13 +158,6 @@ class TestFootprint:
         assert_allclose(last, own * solution.max_pressure, rtol=1e-12)
         assert {mesh.get_clim() for mesh in meshes} == {(0.0, last)}
 
-    def test_parabola_shows_the_hertz_half_width_as_well(self, ax):
-        solution = solved("parabolic")
-        plot.footprint(solution, ax)
-        dotted = [line for line in ax.lines if line.get_color() == "white"]
-        assert_allclose(dotted[1].get_ydata()[1:-1], solution.half_width[solution.line_load > 0.0], rtol=1e-12)
-        assert "parabolic strips' own width" in ax.get_title(loc="left")
-
 
 class TestProfile:
     def test_lines_are_the_surfaces_in_micrometres(self, solution, ax):
@@ -202,14 +168,6 @@ class TestProfile:
             assert_allclose(line.get_xdata(), solution.y, rtol=0, atol=0)
             assert_allclose(line.get_ydata()[finite], expected[finite], rtol=1e-15)
             assert np.all(np.isnan(line.get_ydata()[~finite]))
-
-    def test_a_cut_axis_says_so(self, ax):
-        plot.profile(solved("endless"), ax)
-        assert ax.get_title(loc="left").endswith("; axis cut, the relief is infinite at an end")
-        steep = nh.solve(nh.Contact(roller(profile=STEEP), nh.Plate()), load=1e3, strips=41)
-        plot.profile(steep, ax)
-        reach = 1e3 * (steep.contact.separation(steep.y[-1]) - steep.approach)
-        assert ax.get_title(loc="left").endswith(f"; axis cut, the undeformed distance reaches {reach:.1f} µm")
 
 
 @pytest.mark.slow
@@ -223,16 +181,6 @@ class TestFigures:
     def test_no_words_overlap_or_leave_the_paper(self, solution):
         for sheet in plot.figures(solution, title="A roller").values():
             can_be_read(sheet)
-
-    def test_an_arrow_on_the_colours_means_pressures_beyond_them(self, monkeypatch):
-        drawn = []
-        monkeypatch.setattr(Figure, "colorbar", lambda figure, colours, **how: drawn.append(how["extend"]))
-        # The largest pressure of the first is 2e-16 above the last colour, by rounding.
-        logarithmic = nh.profile.logarithmic(amplitude=0.005, length=20.0, fraction=0.9999)
-        contact = nh.Contact(roller(profile=logarithmic), nh.Plate())
-        for each in (nh.solve(contact, load=20e3, tilt=5e-4), solved("crowned"), solved("sharp")):
-            plot.footprint(each)
-        assert drawn == ["neither", "neither", "max"]
 
     def test_footprint_has_a_true_panel_and_a_stretched_one(self):
         sheet = plot.figures(solved("crowned"))["footprint"]
@@ -271,25 +219,6 @@ class TestSave:
         with mpl.rc_context({"font.size": 14.0, "font.family": "DejaVu Serif", "svg.hashsalt": None}):
             for name, sheet in plot.figures(solved("hollow"), title="Twice").items():
                 assert plot.save(sheet, tmp_path / name)[0].read_bytes() == svg[name]
-
-
-def test_what_has_no_limit_is_said_at_its_end():
-    sharp, chamfered = solved("straight"), roller(chamfer=nh.Chamfer(length=2.0, angle=0.3, blend_radius=0.0))
-    cornered = nh.solve(nh.Contact(chamfered, nh.Plate()), load=8e3)
-    ax = Figure().add_subplot()
-    mark_unlimited([sharp, sharp, cornered], ax, ["red", "red", "blue"])
-    assert [(text.xy[0], text.get_ha(), text.get_color()) for text in ax.texts] == [
-        (pytest.approx(y, abs=0.05), side, colour)
-        for y, side, colour in (
-            (-10.0, "left", INK),
-            (10.0, "right", INK),
-            (-8.0, "left", "blue"),
-            (8.0, "right", "blue"),
-        )
-    ]
-    ax = plot.pressure(cornered, Figure().add_subplot())
-    marked = [(text.xy[0], text.get_ha()) for text in ax.texts if text.get_text() == "no limit at a corner"]
-    assert marked == [(pytest.approx(-8.0, abs=0.5), "left"), (pytest.approx(8.0, abs=0.5), "right")]
 
 
 @pytest.mark.parametrize("what", ["pressure", "footprint", "profile"])

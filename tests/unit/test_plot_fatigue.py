@@ -8,9 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
 
 import nonhertz as nh
-from nonhertz.life import Life, assess
+from nonhertz.life import assess
 from nonhertz.plot import life_density, life_figure
-from nonhertz.plot.fatigue import FAINTEST, PEAKED
 
 NAMES = ("lundberg-palmgren", "iso-16281")
 
@@ -31,13 +30,6 @@ def labels(figure: Figure) -> list[list[str]]:
     return [[text.get_text() for text in axes.get_legend().get_texts()] for axes in figure.axes]
 
 
-def peaked(life: Life) -> Life:
-    """Return a life with one place ten times as bad as the line is drawn for on a linear axis."""
-    density = life.density.copy()
-    density[density.size // 2] = 10.0 * PEAKED
-    return replace(life, density=density)
-
-
 @pytest.mark.slow
 def test_lines_are_densities_and_laminae_steps(solution, lives):
     volume, laminae = lives
@@ -50,13 +42,6 @@ def test_lines_are_densities_and_laminae_steps(solution, lives):
     low, high = axes.get_ylim()
     assert (axes.get_yscale(), low) == ("linear", 0.0)
     assert high > max(life.density.max() for life in lives)
-
-
-def test_a_peak_makes_the_axis_logarithmic(solution, lives):
-    axes = life_density([(solution, 1.0)], [peaked(lives[0])], Figure().add_subplot())
-    assert axes.get_yscale() == "log"
-    assert axes.get_ylim()[0] == FAINTEST
-    assert axes.get_ylim()[1] > 10.0 * PEAKED
 
 
 def test_what_has_no_number_is_told_in_words(solution, lives):

@@ -123,18 +123,6 @@ def test_the_cross_section_is_true_and_marks_both_sides(point, ax):
     assert ax.get_title(loc="left").endswith("; body b at $y$ = 0.500 mm")
 
 
-@pytest.mark.slow
-def test_a_sharp_end_does_not_set_the_colours(sharp, point, ax):
-    sharp.axial(ax)
-    bands, _ = contours(ax)
-    assert bands.levels[-2] < sharp.overall.von_mises.max <= bands.levels[-1]
-    assert bands.levels[-1] < sharp.planes["axial-plane"].von_mises[:, 1:].max()
-    assert bands.extend == "max"
-    other = Figure().add_subplot()
-    point.axial(other)
-    assert contours(other)[0].extend == "neither"
-
-
 @pytest.mark.parametrize("name", ["point", "sharp"])
 @pytest.mark.slow
 def test_sheets_are_to_scale_and_no_words_overlap(name, request):
