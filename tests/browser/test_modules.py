@@ -100,27 +100,6 @@ def test_links_are_deflated_json(anywhere):
     assert calling(anywhere, "link", "shared", "#results") is None
 
 
-def test_uneven_grids_are_made_even(anywhere):
-    # Linear values are reproduced exactly between the points, up to the rounding of their weights.
-    y, z = [-1.0, 0.2, 3.0], [0.0, 0.1, 0.5, 2.0]
-    rows = [[10.0 + 2.0 * along - 3.0 * down for along in y] for down in z]
-    plane = anywhere.page.evaluate(
-        """async ([y, z, rows]) => {
-          const { resampled } = await import("/static/stress.js");
-          const plane = resampled(y, z, rows, 2, { columns: 60, rows: 26 });
-          return { ...plane, values: [...plane.values] };
-        }""",
-        [y, z, rows],
-    )
-    columns = plane["columns"]
-    count = len(plane["values"]) // columns
-    for row, column in [(0, 0), (7, 31), (count - 1, columns - 1)]:
-        along, down = -1.0 + 4.0 * (column + 0.5) / columns, 2.0 * (row + 0.5) / count
-        assert plane["values"][row * columns + column] == pytest.approx(
-            2.0 * (10.0 + 2.0 * along - 3.0 * down), rel=1e-12
-        )
-
-
 DRAGGED = """async ([delays, bodies]) => {
   const { Live } = await import("/static/live.js");
   const asked = [];

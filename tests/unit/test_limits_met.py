@@ -6,8 +6,6 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.life import LoadCase
-from nonhertz.report.page import rendered
-from nonhertz.report.results import examined, settled
 from nonhertz.verdict import Level, of_contact, of_loads, of_rows, worst_of
 
 CROWN = nh.profile.crown(radius=1000)
@@ -61,15 +59,3 @@ def test_a_design_has_that_of_its_best_case():
     found = nh.design.best(case, vary={"body.a.profile.radius": (800.0, 1200.0)}, loads=loads, starts=1, workers=1)
     assert found.verdict.words == "Limits not met under 20 kN without tilt."
     assert dict(found.verdict.findings[0].numbers)["pressure"].values[0] == pytest.approx(found.value, rel=1e-9)
-
-
-def test_a_report_says_what_decides_only_once():
-    steel = nh.Material(207e3, 0.3, pressure_limit=9e3)
-    thin = nh.Plate(depth=1.0)
-    roller = nh.Roller(diameter=20, length=20, profile=CROWN, material=steel)
-    results = examined(settled([nh.Case(nh.Contact(roller, thin), {"load": 20e3}, {})]), stress=False)
-    (only,) = results
-    assert only.verdict.level is Level.STRAINED
-    assert only.verdict.sentence in only.warnings
-    first_page = rendered(results).partition("<h2")[0]
-    assert first_page.count(only.verdict.sentence) == 1

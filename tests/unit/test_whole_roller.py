@@ -81,19 +81,6 @@ def test_slopes_of_the_curved_part_are_those_of_its_values():
         np.testing.assert_allclose(curved[201:-1, k + 1], slopes, rtol=0.0, atol=1e-5)
 
 
-@pytest.mark.parametrize(("half_length", "bore"), [(0.3, 0.0), (3.0, 0.0), (1.0, 0.8)])
-@pytest.mark.slow
-def test_more_modes_by_elements_change_little(half_length, bore, monkeypatch):
-    outline = Outline.cylinder(half_length, bore)
-    found = uniformly(outline)
-    monkeypatch.setattr(module, "MODES", 36.0)
-    monkeypatch.setattr(module, "WALLS", 9.0)
-    monkeypatch.setattr(module, "TERMS", 24.0)
-    # The whole compression of a solid roller is about 8 in these units.
-    atol = 3e-4 * (8.0 + np.abs(found).max() * (bore > 0.0))
-    np.testing.assert_allclose(uniformly(outline), found, atol=atol)
-
-
 @pytest.mark.parametrize(("bore", "n"), [(0.5, 0), (0.5, 2), (0.8, 6)])
 def test_modes_of_a_bored_cylinder_are_those_of_a_plane_one(bore, n):
     # In the middle of a long one under the same load all along: plane, and free to grow longer for n = 0.
