@@ -233,7 +233,7 @@ def test_no_file_is_read(tmp_path, monkeypatch):
             assert mistake["path"] == f"{part}.profile.file"
             assert "not be read here" in mistake["sentence"]
             assert form(document, "bearing").members
-            assert b"must not be read here" in jobs.written(document, "bearing", "rollers.csv")
+            assert b"must not be read here" in jobs.written(document, BearingCase, "rollers.csv")
             assert b"must not be read here" in jobs.drawn(document, "loads", "svg")
 
 

@@ -20,7 +20,7 @@ from nonhertz.files.casefile import read_case, starting_case
 from nonhertz.web import limits
 from nonhertz.web.server import app, intake, serving, workers
 from nonhertz.web.server.guard import HEADERS
-from nonhertz.web.server.units import HEADER
+from nonhertz.web.server.guard import UNITS as HEADER
 from nonhertz.web.view import jobs
 
 STARTING = tomllib.loads(starting_case())
@@ -106,6 +106,21 @@ def test_solving(client):
     assert found == alone
 
 
+def test_addresses_of_pages_may_end_in_a_slash(client):
+    for path in ("/bearing", "/contact"):
+        answer = client.get(f"{path}/", follow_redirects=True)
+        assert answer.status_code == 200
+        assert answer.url.path == path, "from where the addresses of scripts and styles are right"
+
+
+def test_files_of_the_page_are_sent_once(client):
+    first = client.get("/static/page.css")
+    assert first.headers["cache-control"] == "no-cache"
+    again = client.get("/static/page.css", headers={"if-none-match": first.headers["etag"]})
+    assert (again.status_code, again.content) == (304, b"")
+    assert client.get("/status").headers["cache-control"] == "no-store"
+
+
 def test_a_mistaken_case_is_answered_and_shown(client):
     document = STARTING | {"load": {"load": "20 kg"}}
     response = client.post("/solve", json={"document": document})
@@ -162,8 +177,8 @@ def test_downloads(client, tmp_path):
         response = client.post(f"/download/{name}", json={"document": STARTING})
         assert response.status_code == 200, response.text
         stem = "logarithmic-roller-20-x-20-on-a-plate"
-        ending = name.partition(".")[2]
-        assert response.headers["content-disposition"] == f'attachment; filename="{stem}.{ending}"'
+        file = f"{stem}.toml" if name == "case.toml" else f"{stem}-{name}"
+        assert response.headers["content-disposition"] == f'attachment; filename="{file}"'
         return response.content
 
     path = tmp_path / "case.toml"
@@ -285,7 +300,6 @@ def test_what_takes_too_long_is_given_up(client, monkeypatch, path, sent, comman
         "/static/..%5capp.py",
         "/static//etc/passwd",
         "/static/page.css%00.js",
-        "/static/icon.svg/",
         "/templates/case.html",
         "/download/..%2fcase.toml",
     ],
@@ -327,7 +341,8 @@ def test_two_hosts_and_none_are_refused_and_links_followed(client):
     twice = [("sec-fetch-site", "same-origin"), ("sec-fetch-site", "cross-site")]
     refused(client.get("/status", headers=twice), 403)
     link = {"sec-fetch-site": "cross-site", "sec-fetch-mode": "navigate", "sec-fetch-dest": "document"}
-    assert client.get("/", headers=link).status_code == 200
+    for path in ("/", "/contact", "/bearing"):
+        assert client.get(path, headers=link).status_code == 200
     refused(client.get("/status", headers=link), 403)
     refused(client.get("/", headers=link | {"sec-fetch-dest": "iframe"}), 403)
 
@@ -443,7 +458,7 @@ def test_methods_and_addresses(client):
         refused(client.get(path), 405)
         refused(client.put(path, content=b"{}", headers=JSON), 405)
     refused(client.post("/", content=b"{}", headers=JSON), 405)
-    refused(client.get("/solve/"), 404)
+    refused(client.get("/nothing/"), 404)
     refused(client.post("/download/passwd", json={"document": {}}), 404)
     assert client.options("/solve").status_code == 405
 

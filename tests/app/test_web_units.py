@@ -17,7 +17,7 @@ from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.web.form.fields import FormField, FormGroup
 from nonhertz.web.form.form import form
-from nonhertz.web.server.units import HEADER
+from nonhertz.web.server.guard import UNITS as HEADER
 from nonhertz.web.view import jobs
 
 STARTING = tomllib.loads(starting_case())

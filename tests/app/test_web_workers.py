@@ -8,10 +8,10 @@ from functools import partial
 
 import anyio
 import pytest
+from starlette.exceptions import HTTPException
 
 from nonhertz.compiled import WHEN_COMPILING
 from nonhertz.web.server import workers
-from nonhertz.web.server.intake import RefusedError
 from nonhertz.web.server.workers import EndedError, FailedError, TooSlowError, Workers
 
 DEADLINE = 0.1
@@ -81,7 +81,7 @@ def test_a_process_that_takes_too_long_or_ends_is_replaced(job, error):
         with pytest.raises(error):
             await workers.run(job, seconds=DEADLINE if job is never_done else PATIENT)
         while True:
-            with contextlib.suppress(RefusedError):  # until there is another
+            with contextlib.suppress(HTTPException):  # until there is another
                 return first, await workers.run(own_number, seconds=PATIENT)
 
     first, second = with_workers(1, use)
@@ -98,7 +98,7 @@ def test_a_process_that_was_ended_while_it_had_nothing_to_do_is_replaced():
         os.kill(first, signal.SIGKILL)
         os.waitid(os.P_PID, first, os.WEXITED | os.WNOWAIT)
         while True:
-            with contextlib.suppress(RefusedError):  # until there is another
+            with contextlib.suppress(HTTPException):  # until there is another
                 return first, await workers.run(own_number, seconds=PATIENT)
 
     first, second = with_workers(1, use)
@@ -136,8 +136,8 @@ def test_a_long_job_has_a_process_of_its_own_and_the_next_is_refused():
         async def ask():
             try:
                 outcomes.append(await workers.run_apart(own_number, seconds=PATIENT))
-            except RefusedError as refusal:
-                outcomes.append(refusal.status)
+            except HTTPException as refusal:
+                outcomes.append(refusal.status_code)
 
         async with anyio.create_task_group() as tasks:
             tasks.start_soon(ask)

@@ -17,7 +17,7 @@ from extent import extent
 from page_requests import PATHS, Requests
 
 from nonhertz.web.limits import ANSWER_SECONDS
-from nonhertz.web.server.units import HEADER
+from nonhertz.web.server.guard import UNITS as HEADER
 
 CHANGED = extent(10_000, 1_000)
 SLOWEST = ANSWER_SECONDS + 1.0

@@ -52,7 +52,7 @@ _OF_BEARING = Words(
 
 
 def compose(
-    cases: Sequence[Case] | Sequence[BearingCase],
+    cases: Sequence[Case | BearingCase],
     *,
     life: bool | None = None,
     stress: bool = True,
@@ -65,7 +65,7 @@ def compose(
 
     Parameters
     ----------
-    cases : sequence of Case or sequence of BearingCase
+    cases : sequence of Case or of BearingCase
         At least one; others are compared with the first.
     life : bool or None
         Whether to assess lives, which takes seconds; None for only those cases that mention life. Bearings are rated

@@ -1,4 +1,4 @@
-"""Which requests are accepted, and the headers of every answer.
+"""Which requests are accepted, in which units they are answered, and the headers of every answer.
 
 The server listens on this machine only, but any page in the browser can reach it there. So a request must name this
 server as its host, which defeats DNS rebinding, and must not come from another site's page.
@@ -11,10 +11,12 @@ from typing import Final
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from nonhertz.amounts import SI, SYSTEMS, read_in
 from nonhertz.web.limits import HEADER_BYTES
 from nonhertz.web.view.replies import refusal
 
 NAMES: Final = ("127.0.0.1", "localhost")
+PAGES: Final = ("/", "/contact", "/bearing")
 _OWN_SITES: Final = ("same-origin", "none")
 _POLICY: Final = "; ".join(
     [
@@ -36,8 +38,9 @@ HEADERS: Final = {
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
     "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
-    "Cache-Control": "no-store",
 }
+UNITS: Final = "nonhertz-units"
+"""Header of a request: the code of the units in which it is answered, SI where it is missing."""
 
 
 class Guard:
@@ -64,11 +67,15 @@ class Guard:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
+        units = Headers(scope=scope).get(UNITS, SI.code)
         reason = self.reason(scope)
         app = self.app if reason is None else refusal(403, reason)
         if sum(len(name) + len(value) for name, value in scope["headers"]) > HEADER_BYTES:
             app = refusal(431, "The headers of the request are too long.")
-        await app(scope, receive, _with_headers(send))
+        elif units not in SYSTEMS:
+            app = refusal(400, f"The units must be {' or '.join(map(repr, SYSTEMS))}.")
+        with read_in(units if units in SYSTEMS else SI.code):  # each request has a context of its own
+            await app(scope, receive, _with_headers(send))
 
     def reason(self, scope: Scope) -> str | None:
         """Return why a request is refused, None if it is not."""
@@ -87,14 +94,15 @@ class Guard:
 def _opens_the_page(scope: Scope, headers: Headers) -> bool:
     """Return whether a link to the page was followed, which is as harmless as typing its address."""
     navigates = headers.get("sec-fetch-mode") == "navigate" and headers.get("sec-fetch-dest") == "document"
-    return bool(scope["method"] == "GET" and scope["path"] == "/" and navigates)
+    return bool(scope["method"] == "GET" and scope["path"] in PAGES and navigates)
 
 
 def _with_headers(send: Send) -> Send:
     async def send_with_headers(message: Message) -> None:
         if message["type"] == "http.response.start":
             headers = MutableHeaders(scope=message)
-            for name, value in HEADERS.items():
+            # Files of the page are kept as long as they do not change.
+            for name, value in (HEADERS | {"Cache-Control": "no-cache" if "etag" in headers else "no-store"}).items():
                 headers.setdefault(name, value)
         await send(message)
 

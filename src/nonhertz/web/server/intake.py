@@ -1,4 +1,4 @@
-"""Reading requests: bodies up to their size limit, strict JSON, documents; and writing these into pages and files."""
+"""Reading requests: bodies up to their size limit and strict JSON; and writing documents into pages and files."""
 
 from __future__ import annotations
 
@@ -6,27 +6,11 @@ import json
 from typing import Any
 
 import anyio
+from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
 
 from nonhertz.files.bounds import NESTING, deeper
 from nonhertz.web.limits import BODY_SECONDS
-
-
-class RefusedError(Exception):
-    """A rejected request, with the status code and one sentence that says why.
-
-    Parameters
-    ----------
-    status : int
-        HTTP status code.
-    sentence : str
-        The reason, for the reader of the page.
-    """
-
-    def __init__(self, status: int, sentence: str) -> None:
-        self.status = status
-        self.sentence = sentence
-        super().__init__(status, sentence)
 
 
 async def content(request: Request, kind: str, most: int) -> bytes:
@@ -43,23 +27,23 @@ async def content(request: Request, kind: str, most: int) -> bytes:
 
     Raises
     ------
-    RefusedError
+    HTTPException
         If it is of another type, too long, takes too long to arrive, or ends early.
     """
     given = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if given != kind:
-        raise RefusedError(415, f"The content type must be {kind}.")
+        raise HTTPException(415, f"The content type must be {kind}.")
     read = bytearray()
     try:
         with anyio.fail_after(BODY_SECONDS):
             async for chunk in request.stream():
                 read += chunk
                 if len(read) > most:
-                    raise RefusedError(413, f"This is more than the {most // 1024} kB that the page accepts.")
+                    raise HTTPException(413, f"This is more than the {most // 1024} kB that the page accepts.")
     except TimeoutError:
-        raise RefusedError(408, "The request took too long to arrive: send it again.") from None
+        raise HTTPException(408, "The request took too long to arrive: send it again.") from None
     except ClientDisconnect:
-        raise RefusedError(400, "The request ended before it was complete.") from None
+        raise HTTPException(400, "The request ended before it was complete.") from None
     return bytes(read)
 
 
@@ -68,24 +52,24 @@ def json_object(text: bytes) -> dict[str, Any]:
 
     Raises
     ------
-    RefusedError
+    HTTPException
         If it is not JSON, not an object, repeats a key, holds a malformed number, or is nested too deeply.
     """
     try:
         value = json.loads(text.decode("utf-8"), parse_constant=_no_number, object_pairs_hook=_no_key_twice)
     except RecursionError:
-        raise RefusedError(400, "The JSON is nested too deeply.") from None
+        raise HTTPException(400, "The JSON is nested too deeply.") from None
     except ValueError as error:  # not UTF-8, not JSON, or a number with thousands of digits
         reason = str(error).partition("\n")[0][:120].rstrip(".")
-        raise RefusedError(400, f"The request must be JSON ({reason}).") from None
+        raise HTTPException(400, f"The request must be JSON ({reason}).") from None
     if not isinstance(value, dict):
-        raise RefusedError(400, "The request must be a JSON object.")
+        raise HTTPException(400, "The request must be a JSON object.")
     if deeper(value, NESTING):
-        raise RefusedError(400, "The JSON is nested too deeply.")
+        raise HTTPException(400, "The JSON is nested too deeply.")
     try:  # lone surrogates, which JSON can escape but no text can hold
         json.dumps(value, ensure_ascii=False).encode()
     except UnicodeEncodeError:
-        raise RefusedError(400, "The request must hold whole characters only.") from None
+        raise HTTPException(400, "The request must hold whole characters only.") from None
     return value
 
 
@@ -102,20 +86,6 @@ def _no_key_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return table
 
 
-def document_in(asked: dict[str, Any]) -> dict[str, Any]:
-    """Return the document of a request.
-
-    Raises
-    ------
-    RefusedError
-        If it has none.
-    """
-    document = asked.get("document")
-    if not isinstance(document, dict):
-        raise RefusedError(400, "The request must have a document, structured like a case file.")
-    return document
-
-
 def in_script(value: Any) -> str:
     """Return JSON that is safe inside a script element: nothing in it can end the element."""
     text = json.dumps(value, allow_nan=False)
@@ -124,10 +94,14 @@ def in_script(value: Any) -> str:
     return text
 
 
-def as_attachment(name: str, document: dict[str, Any], suffix: str = "") -> dict[str, str]:
-    """Return the header that makes a browser save a file, named after the ASCII letters and digits of the title."""
+def as_attachment(name: str, document: dict[str, Any]) -> dict[str, str]:
+    """Return the header that makes a browser save a file, named after the ASCII letters and digits of the title.
+
+    What is neither the document's own file nor a report has its own name behind that.
+    """
     title = str(document.get("title", ""))[:200].lower()
     words = "".join(c if c.isascii() and c.isalnum() else " " for c in title).split()
-    stem, _, ending = name.partition(".")
-    stem = "-".join(words)[:60].strip("-") or stem
-    return {"Content-Disposition": f'attachment; filename="{stem}{suffix}.{ending}"'}
+    usual, _, ending = name.partition(".")
+    suffix = "" if ending in {"toml", "html"} else f"-{usual}"
+    stem = "-".join(words)[:60].strip("-")
+    return {"Content-Disposition": f'attachment; filename="{stem + suffix if stem else usual}.{ending}"'}

@@ -30,12 +30,18 @@ from nonhertz.web.limits import (
     refuse,
     too_long,
 )
-from nonhertz.web.server.intake import as_attachment, content, document_in, in_script, json_object
+from nonhertz.web.server.intake import as_attachment, content, in_script, json_object
 from nonhertz.web.server.questions import Kind, Question
-from nonhertz.web.server.workers import TooSlowError, Workers
+from nonhertz.web.server.workers import Job, TooSlowError, Workers
 from nonhertz.web.view.replies import Refusal, as_bytes, broken, misfit, reply
 
 _LISTENING: Final = 0.1  # s between looks whether the browser still waits
+#: Of files to save, by the endings of their names.
+_TYPES: Final = {
+    **{ending: f"text/{ending}" for ending in ("csv", "html")},
+    **{ending: f"application/{ending}" for ending in ("toml", "json")},
+    **{"svg": "image/svg+xml", "png": "image/png"},
+}
 
 
 class Page:
@@ -64,8 +70,8 @@ class Page:
 
     def start(self, tasks: TaskGroup, *, at_once: bool) -> None:
         """Start the processes, at once or when the page is opened."""
-        self.quick.start(tasks, at_once=at_once)
-        self.patient.start(tasks, at_once=at_once and self.patient.eager)
+        for each in (self.quick, self.patient):
+            each.start(tasks, at_once=at_once and each.eager)
 
     def end(self) -> None:
         """Kill all processes."""
@@ -90,7 +96,7 @@ class Page:
 
     async def form(self, request: Request) -> Response:
         """Answer with the form of a document."""
-        document = document_in(await _asked(request))
+        (document,) = Question(self._form_of).read(await _asked(request))
         try:
             refuse(too_long(document))
         except CaseError as error:
@@ -100,33 +106,32 @@ class Page:
     def _form_of(self, document: dict[str, Any]) -> str:
         return self.templates.get_template("form.html").render(form=form(document, self.kind.name))
 
-    async def answer(self, request: Request) -> Response:
-        """Answer a question about a document."""
-        made = await self._made(request, self.kind.questions[_last(request)], await _asked(request))
-        return Response(status_code=204) if made is None else Response(made, media_type="application/json")
+    def answering(self, route: str, question: Question) -> Callable[[Request], Awaitable[Response]]:
+        """Return what answers a question about a document, with a file to save where the route ends in its name."""
 
-    async def download(self, request: Request) -> Response:
-        """Answer with a file made from a document."""
-        name, asked = _last(request), await _asked(request)
-        file = self.kind.files[name]
-        made = await self._made(request, file.made, asked)
-        if made is None:
-            return Response(status_code=204)
-        if isinstance(made, Refusal):
-            return Response(made, 422, media_type="application/json")
-        return Response(made, headers=as_attachment(name, document_in(asked), file.suffix), media_type=file.kind)
+        async def answer(request: Request) -> Response:
+            document, *wishes = question.read(await _asked(request))
+            whom = "quick" if tuple(wishes) == question.at_once else question.whom
+            run, seconds = {
+                "quick": (self.quick.run, ANSWER_SECONDS),
+                "patient": (self.patient.run, ANSWER_SECONDS),
+                "apart": (self.quick.run_apart, REPORT_SECONDS),
+            }[whom]
+            work = partial(run, question.job, document, *wishes, seconds=seconds)
+            made = await while_awaited(request, work, question.command, 0.0 if whom == "patient" else GRACE_SECONDS)
+            name = route.removeprefix("download/")
+            if name == route or made is None:
+                return _response(made)
+            if isinstance(made, Refusal):
+                return Response(made, 422, media_type="application/json")
+            return Response(made, headers=as_attachment(name, document), media_type=_TYPES[name.partition(".")[2]])
 
-    async def _made(self, request: Request, question: Question, asked: dict[str, Any]) -> bytes | None:
-        """Return what a job makes, a sentence where that takes too long, None if nobody waits for it any more."""
-        wishes = question.wishes(asked)
-        whom = "quick" if wishes == question.at_once else question.whom
-        run, seconds = {
-            "quick": (self.quick.run, ANSWER_SECONDS),
-            "patient": (self.patient.run, ANSWER_SECONDS),
-            "apart": (self.quick.run_apart, REPORT_SECONDS),
-        }[whom]
-        work = partial(run, question.job, document_in(asked), *wishes, seconds=seconds)
-        return await while_awaited(request, work, question.command, 0.0 if whom == "patient" else GRACE_SECONDS)
+        return answer
+
+    async def read(self, request: Request, kind: str, most: int, command: str, job: Job, *wishes: Any) -> Response:
+        """Answer with what a job finds in a file that is sent, of a content type and so many bytes at most."""
+        work = partial(self.quick.run, job, await content(request, kind, most), *wishes, seconds=ANSWER_SECONDS)
+        return _response(await while_awaited(request, work, command))
 
     async def template(self, request: Request) -> Response:
         """Answer with the document of a template, and its text."""
@@ -148,8 +153,10 @@ class Page:
             Route(f"{at}status", self.status),
             Route(f"{at}form", self.form, methods=["POST"]),
             Route(f"{at}template/{{name}}", self.template),
-            *(Route(f"{at}{name}", self.answer, methods=["POST"]) for name in self.kind.questions),
-            *(Route(f"{at}download/{name}", self.download, methods=["POST"]) for name in self.kind.files),
+            *(
+                Route(f"{at}{route}", self.answering(route, question), methods=["POST"])
+                for route, question in self.kind.questions.items()
+            ),
         ]
 
 
@@ -198,5 +205,5 @@ async def _asked(request: Request) -> dict[str, Any]:
     return json_object(await content(request, "application/json", DOCUMENT_BYTES))
 
 
-def _last(request: Request) -> str:
-    return request.url.path.rpartition("/")[2]
+def _response(made: bytes | None) -> Response:
+    return Response(status_code=204) if made is None else Response(made, media_type="application/json")

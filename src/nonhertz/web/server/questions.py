@@ -7,21 +7,63 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Final, Literal
 
+from starlette.exceptions import HTTPException
+
 from nonhertz.bearing.section import RINGS
-from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
-from nonhertz.files.casefile import TEMPLATES, starting_case
-from nonhertz.model.body import BODIES, BodyName
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, starting_bearing
+from nonhertz.files.casefile import TEMPLATES, Case, starting_case
+from nonhertz.model.body import BODIES
 from nonhertz.web.form.fields import is_number
 from nonhertz.web.limits import CURVE_POINTS
-from nonhertz.web.server.intake import RefusedError
 from nonhertz.web.server.workers import Job
 from nonhertz.web.view import jobs
 from nonhertz.web.view.curves import curve
 
-Asked = dict[str, Any]
-Whom = Literal["quick", "patient", "apart"]
+
+@dataclass(frozen=True)
+class Wish:
+    """Something that a request may say.
+
+    Attributes
+    ----------
+    fits : callable
+        Whether a value is accepted.
+    sentence : str
+        What is wrong with any other.
+    usual : object
+        The value of a request that says nothing.
+    """
+
+    fits: Callable[[Any], bool]
+    sentence: str
+    usual: Any = None
+
+
+def _are_numbers(values: Any) -> bool:
+    some = isinstance(values, list) and 1 <= len(values) <= CURVE_POINTS
+    return some and all(type(each) in {int, float} and is_number(each) for each in values)
+
+
+#: By its key in a request.
+WISHES: Final[Mapping[str, Wish]] = {
+    "document": Wish(
+        lambda given: isinstance(given, dict), "The request must have a document, structured like a case file."
+    ),
+    # The text of the file that the document was read from, if there is one.
+    "text": Wish(lambda given: isinstance(given, str), "The text must be that of a file.", ""),
+    "stress": Wish(lambda given: isinstance(given, bool), "stress must be true or false.", False),
+    "body": Wish(lambda given: given in BODIES, "body must be 'a' or 'b'.", "a"),
+    "path": Wish(lambda given: isinstance(given, str), "path must be text."),
+    "values": Wish(_are_numbers, f"values must be a list of 1 to {CURVE_POINTS} finite numbers."),
+    "method": Wish(
+        lambda given: given in (None, "slices", "strips"), "method must be 'slices' or 'strips', or be left out."
+    ),
+    "roller": Wish(lambda given: type(given) is int, "roller must be a whole number."),
+    "ring": Wish(lambda given: given in RINGS, "ring must be 'inner' or 'outer'."),
+}
 
 
 @dataclass(frozen=True)
@@ -32,8 +74,8 @@ class Question:
     ----------
     job : callable
         Works out the answer from the document and the wishes.
-    wishes : callable
-        What else a request must say, as arguments of the job; raises `RefusedError`.
+    wishes : tuple of str
+        What else a request says, by the keys of `WISHES`.
     whom : {"quick", "patient", "apart"}
         The processes that answer at once, the one that may take long, or one started for it.
     command : str
@@ -43,29 +85,24 @@ class Question:
     """
 
     job: Job
-    wishes: Callable[[Asked], tuple[Any, ...]] = lambda asked: ()
-    whom: Whom = "quick"
+    wishes: tuple[str, ...] = ()
+    whom: Literal["quick", "patient", "apart"] = "quick"
     command: str = "solve"
     at_once: tuple[Any, ...] | None = None
 
+    def read(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+        """Return the document and the wishes of a request.
 
-@dataclass(frozen=True)
-class File:
-    """A file made from a document.
-
-    Attributes
-    ----------
-    made : Question
-        Who makes it.
-    kind : str
-        Its content type.
-    suffix : str
-        Of its name, after the title.
-    """
-
-    made: Question
-    kind: str
-    suffix: str = ""
+        Raises
+        ------
+        HTTPException
+            If it has none, or others.
+        """
+        found = {name: asked.get(name, WISHES[name].usual) for name in ("document", *self.wishes)}
+        for name, value in found.items():
+            if not WISHES[name].fits(value):
+                raise HTTPException(400, WISHES[name].sentence)
+        return tuple(found.values())
 
 
 @dataclass(frozen=True)
@@ -82,8 +119,8 @@ class Kind:
         What to begin with, in words by their names.
     template : callable
         Returns the text of one of them, or of the one to start with.
-    questions, files : mapping
-        What can be asked, and the files that can be made, by name.
+    questions : mapping of str to Question
+        What can be asked, by its route; files to save are below ``download/``.
     quick, patient : callable
         What the processes begin with.
     """
@@ -92,59 +129,9 @@ class Kind:
     at: str
     templates: Mapping[str, str]
     template: Callable[..., str]
-    questions: dict[str, Question]
-    files: dict[str, File]
+    questions: Mapping[str, Question]
     quick: Job
     patient: Job
-
-
-def _body(asked: Asked) -> tuple[BodyName]:
-    body = asked.get("body", "a")
-    if not isinstance(body, str) or body not in BODIES:
-        raise RefusedError(400, "body must be 'a' or 'b'.")
-    return (body,)
-
-
-def _stress_in_body(asked: Asked) -> tuple[bool, BodyName]:
-    stress = asked.get("stress", False)
-    if not isinstance(stress, bool):
-        raise RefusedError(400, "stress must be true or false.")
-    return stress, *_body(asked)
-
-
-def _path_and_values(asked: Asked) -> tuple[str, list[float]]:
-    path, values = asked.get("path"), asked.get("values")
-    if not isinstance(path, str) or not isinstance(values, list) or not 1 <= len(values) <= CURVE_POINTS:
-        raise RefusedError(400, f"path must be text, and values a list of 1 to {CURVE_POINTS} numbers.")
-    if not all(type(each) in {int, float} and is_number(each) for each in values):
-        raise RefusedError(400, "values must be finite numbers.")
-    return path, values
-
-
-def _method(asked: Asked) -> tuple[str | None]:
-    method = asked.get("method")
-    if not (method is None or method == "slices" or method == "strips"):  # noqa: PLR1714  (a list is in no set)
-        raise RefusedError(400, "method must be 'slices' or 'strips', or be left out.")
-    return (method,)
-
-
-def _roller_and_ring(asked: Asked) -> tuple[int, str]:
-    roller, ring = asked.get("roller"), asked.get("ring")
-    if type(roller) is not int or not isinstance(ring, str) or ring not in RINGS:
-        raise RefusedError(400, "roller must be a whole number, and ring 'inner' or 'outer'.")
-    return roller, ring
-
-
-def _text(asked: Asked) -> tuple[str]:
-    """Return the text of the file that the document was read from; empty if there is none."""
-    text = asked.get("text", "")
-    if not isinstance(text, str):
-        raise RefusedError(400, "The text must be that of a file.")
-    return (text,)
-
-
-def _made(job: Job, *wishes: str, whom: Whom = "apart", command: str = "report") -> Question:
-    return Question(job, lambda asked: wishes, whom, command)
 
 
 CONTACT: Final = Kind(
@@ -153,17 +140,15 @@ CONTACT: Final = Kind(
     TEMPLATES,
     starting_case,
     {
-        "solve": Question(jobs.solve, _stress_in_body),
-        "strength": Question(jobs.strength, _body, "patient", "stress"),
-        "curve": Question(curve, _path_and_values, command="sweep"),
-    },
-    {
-        "case.toml": File(Question(jobs.file, _text), "application/toml"),
-        "table.csv": File(_made(jobs.written, "case", "table.csv", whom="quick", command="solve"), "text/csv"),
-        "result.json": File(
-            _made(jobs.written, "case", "result.json", whom="quick", command="solve"), "application/json"
-        ),
-        "report.html": File(_made(jobs.report, "case"), "text/html"),
+        "solve": Question(jobs.solve, ("stress", "body")),
+        "strength": Question(jobs.strength, ("body",), "patient", "stress"),
+        "curve": Question(curve, ("path", "values"), command="sweep"),
+        "download/case.toml": Question(jobs.file, ("text",)),
+        "download/report.html": Question(partial(jobs.report, kind=Case), (), "apart", "report"),
+        **{
+            f"download/{name}": Question(partial(jobs.written, kind=Case, name=name))
+            for name in ("table.csv", "result.json")
+        },
     },
     jobs.warm_up,
     jobs.step_back,
@@ -174,24 +159,19 @@ BEARING: Final = Kind(
     BEARING_TEMPLATES,
     starting_bearing,
     {
-        "solve": Question(jobs.load, _method, "patient", "bearing", at_once=("slices",)),
+        "solve": Question(jobs.load, ("method",), "patient", "bearing", at_once=("slices",)),
         # By the process that has solved it by strips already.
-        "contact": Question(jobs.contact, _roller_and_ring, "patient", "bearing"),
-    },
-    {
-        "bearing.toml": File(Question(jobs.file, _text), "application/toml"),
-        "report.html": File(_made(jobs.report, "bearing"), "text/html"),
+        "contact": Question(jobs.contact, ("roller", "ring"), "patient", "bearing"),
+        "download/bearing.toml": Question(jobs.file, ("text",)),
+        "download/report.html": Question(partial(jobs.report, kind=BearingCase), (), "apart", "report"),
         **{
-            name: File(_made(jobs.written, "bearing", name, command="bearing"), kind, f"-{name.partition('.')[0]}")
-            for name, kind in (
-                ("result.json", "application/json"),
-                *((name, "text/csv") for name in ("rollers.csv", "lines.csv")),
-            )
+            f"download/{name}": Question(partial(jobs.written, kind=BearingCase, name=name), (), "apart", "bearing")
+            for name in ("result.json", "rollers.csv", "lines.csv")
         },
         **{
-            f"{name}.{ending}": File(_made(jobs.drawn, name, ending, command="bearing"), kind, f"-{name}")
+            f"download/{name}.{ending}": Question(partial(jobs.drawn, name=name, kind=ending), (), "apart", "bearing")
             for name in ("loads", "pressure", "roller", "displacement")
-            for ending, kind in (("svg", "image/svg+xml"), ("png", "image/png"))
+            for ending in ("svg", "png")
         },
     },
     jobs.warm_up_bearing,

@@ -19,11 +19,11 @@ from typing import Any, Final
 import anyio
 import anyio.to_thread
 from anyio.abc import TaskGroup
+from starlette.exceptions import HTTPException
 
 from nonhertz.amounts import chosen, read_in
 from nonhertz.compiled import WHEN_COMPILING
 from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
-from nonhertz.web.server.intake import RefusedError
 
 WARM_UP_SECONDS: Final = 300.0
 """Long enough for a machine on which everything has to be compiled first."""
@@ -168,7 +168,7 @@ class Workers:
 
         Raises
         ------
-        RefusedError
+        HTTPException
             If there are too many jobs already.
         TooSlowError, FailedError, EndedError
             As `Worker.wait` does.
@@ -190,7 +190,7 @@ class Workers:
         try:
             self._long.acquire_on_behalf_of_nowait(job)
         except (anyio.WouldBlock, RuntimeError):
-            raise RefusedError(503, "Another report or picture is being made: try again when it is done.") from None
+            raise HTTPException(503, "Another report or picture is being made: try again when it is done.") from None
         try:
             worker = await self._in_thread(Worker)
             self._living.add(worker)
@@ -205,7 +205,7 @@ class Workers:
         """Return an idle process."""
         self.wake()
         if self._waiting >= WAITING_REQUESTS:
-            raise RefusedError(503, _BUSY)
+            raise HTTPException(503, _BUSY)
         self._waiting += 1
         try:
             if not self.ready.is_set():
@@ -220,7 +220,7 @@ class Workers:
                     self._replace(worker)  # killed from outside while idle
                     self.wake()
         except TimeoutError:
-            raise RefusedError(503, _BUSY) from None
+            raise HTTPException(503, _BUSY) from None
         finally:
             self._waiting -= 1
 

@@ -14,7 +14,7 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.commented import as_toml_like
-from nonhertz.files.held import parsed
+from nonhertz.files.held import HeldCase, parsed
 from nonhertz.files.resultfile import Result
 from nonhertz.model.body import BodyName
 from nonhertz.show.analysis import attempted
@@ -26,7 +26,7 @@ from nonhertz.web.view.replies import broken, job, misfit
 from nonhertz.web.view.stresses import strength_answer, stress_answer
 
 Method = Literal["strips", "slices"]
-Held = TypeVar("Held", Case, BearingCase)
+Held = TypeVar("Held", bound=HeldCase)
 
 #: The bearing that this process solved last: whoever opens one of its contacts need not wait for strips again.
 _LATEST: Final[dict[str, tuple[BearingCase, BearingSolution]]] = {}
@@ -140,12 +140,11 @@ def file(document: dict[str, Any], text: str) -> bytes:
 
 
 @job
-def written(document: dict[str, Any], kind: Literal["case", "bearing"], name: str) -> bytes:
+def written(document: dict[str, Any], kind: type[Case | BearingCase], name: str) -> bytes:
     """Return one of the files that commands write."""
-    if kind == "case":
-        case = sound(document, Case)
-        return Result(case, attempted(case)[0]).texts()[name].encode()
-    return Result(*_loaded(sound(document, BearingCase))).texts()[name].encode()
+    case = sound(document, kind)
+    found = Result(*_loaded(case)) if isinstance(case, BearingCase) else Result(case, attempted(case)[0])
+    return found.texts()[name].encode()
 
 
 @job
@@ -162,13 +161,12 @@ def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> b
 
 
 @job
-def report(document: dict[str, Any], kind: Literal["case", "bearing"]) -> bytes:
+def report(document: dict[str, Any], kind: type[Case | BearingCase]) -> bytes:
     """Return the report on a case, or on a bearing, which must have a solution."""
     from nonhertz.report import compose
 
-    if kind == "case":
-        return compose([sound(document, Case)], units=chosen().code).encode()
-    return compose([_loaded(sound(document, BearingCase))[0]], units=chosen().code).encode()
+    case = sound(document, kind)
+    return compose([_loaded(case)[0] if isinstance(case, BearingCase) else case], units=chosen().code).encode()
 
 
 def warm_up() -> None:
