@@ -225,6 +225,12 @@ def test_check_doubts_a_load_or_a_tilt_that_no_metal_bears(folder, run, change):
     assert 0.3 < largest / solved < 3.0  # slices of the standard do not feel each other
 
 
+@pytest.mark.parametrize(("speed", "doubted"), [(3000, False), (180_000, True)])
+def test_check_doubts_a_speed_that_no_bearing_has_reached(folder, run, speed, doubted):
+    out = run("check", "few.toml", "--set", f"load.speed={speed}").out
+    assert (f"\ndoubtful: speed = {speed} is to be in 1/min" in out) is doubted
+
+
 def test_check_knows_a_bearing_file_without_its_bearing(folder, run):
     Path("bad.toml").write_text(FEW.replace("[bearing]", "[baering]"), encoding="utf-8")
     assert "the nearest is 'bearing'" in run("check", "bad.toml", code=2).out

@@ -102,6 +102,7 @@ def test_the_longest_life_is_longer_than_that_of_neighbours():
     assert "% of the damage" in found.worst
     pressure, *_, convergence = design_figures(found)["design"].axes
     assert pressure.get_ylim()[0] == 0.0
+    assert [line.get_ydata()[-1] for line in convergence.get_lines()[:2]] == [start.value for start in found.starts]
     assert [text.get_text() for text in convergence.get_legend().get_texts()] == ["start 1", "start 2"]
 
 
@@ -110,6 +111,8 @@ def test_without_tilt_a_free_profile_comes_close_to_uniform_pressure():
     case = nh.Case(CASE.contact, {"load": 20e3}, {})
     found = best(case, vary={"body.a.profile": "free(60 um, 6)"}, starts=1, workers=1)
     solution = nh.solve(found.case.contact, load=20e3)
+    # The search ends to the accuracy of the case, wherever a less accurate one led it.
+    assert found.starts[0].history[-1] == found.value == pytest.approx(solution.max_pressure, rel=1e-6)
     inner = np.abs(solution.y) < 8.0
     # Six steps leave a ripple; eight are within 2 % over 90 % of the length (docs/benchmarks/studies.md).
     assert np.ptp(solution.centre_pressure[inner]) < 0.05 * solution.max_pressure
@@ -165,6 +168,15 @@ def test_no_point_of_a_front_is_better_than_another_in_both():
     assert found.second[0] < found.second[-1]
     # The point between is the best of those that have the pressure between, under the second loads.
     assert found.second[1] == pytest.approx(0.5 * (found.second[0] + found.second[-1]), rel=1e-3)
+    assert found.warnings == ()
+
+
+def test_points_of_a_front_at_an_end_of_a_range_are_warned_of():
+    case, vary = replace(CASE, solver={"strips": 21}), {"body.a.profile.radius": (1500.0, 2000.0)}
+    found = front(case, first=LOADS[:1], second=LOADS[1:], vary=vary, points=3, starts=1, workers=1)
+    every = f"at {len(found.first)} of {len(found.first)} points"
+    said = f"The best body.a.profile.radius is the highest of its range, 1500 to 2000 mm, {every}: "
+    assert [each.startswith(said) for each in found.warnings] == [True]
 
 
 def test_bounds_of_a_free_profile_are_those_of_its_steps():

@@ -67,7 +67,7 @@ def design(
         points = _searched_front(plan, changes_in(changes), front, starts, workers)
         made = _written_front(points, directory)
         text, title, shown, verdict = _front_json(points, made), "", _front_sections(points), points.verdict
-        warnings: tuple[str, ...] = ()
+        warnings = points.warnings
     else:
         case, given = read_design(plan, changes_in(changes))
         given |= {} if starts is None else {"starts": starts}
@@ -173,6 +173,7 @@ def _front_json(found: Front, files: Sequence[Path]) -> str:
     content: dict[str, Any] = {
         "points": points,
         "verdict": given_verdict(found.verdict),
+        **as_warnings(found.findings),
         "units": found.units,
         "files": [str(path) for path in files],
     }

@@ -70,7 +70,8 @@ class Start:
     value : float
         The goal there: the largest pressure [MPa], or the life over that of the case as it was; nan if it failed.
     history : tuple of float
-        The goal at every point it looked at.
+        The goal at the best point so far, after every point it looked at; from where a first, less accurate search
+        ended it goes on to the accuracy of the case, by which the goal may get a little worse.
     meets : bool
         Whether all limits are met.
     failure : str
@@ -177,7 +178,7 @@ class Design(HasFindings):
 
 
 @dataclass(frozen=True)
-class Front:
+class Front(HasFindings):
     """A Pareto front: no design has less of one pressure without more of the other.
 
     Attributes
@@ -190,6 +191,8 @@ class Front:
         The cases of the points.
     units : dict
         The units of the paths.
+    findings : tuple of Finding
+        Which values are at an end of their range, beyond which better points may lie.
     """
 
     values: tuple[dict[str, Any], ...]
@@ -197,6 +200,7 @@ class Front:
     second: tuple[float, ...]
     cases: tuple[Case, ...]
     units: dict[str, str] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
 
     @property
     def verdict(self) -> Verdict | None:
@@ -353,7 +357,8 @@ def front(
         if not any(other[1] <= row[1] and other[2] <= row[2] and other[1:3] != row[1:3] for other in rows)
     ]
     values, largest, others, cases = (tuple(column) for column in zip(*rows, strict=True))
-    return Front(values, largest, others, cases, ends[0].units)
+    at_bounds = _at_bounds(asked, [_shares(asked, each) for each in values], ends[0].units)
+    return Front(values, largest, others, cases, ends[0].units, tuple(at_bounds))
 
 
 def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
@@ -525,22 +530,21 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
         task.goal, task.values(chosen.ended), goal(judged.value),
         before.value if task.goal == PRESSURE and before is not None else (1.0 if before is not None else math.nan),
         tuple(starts), _bands(task, judged, portions), worst, judged.case, was, task.loads, units,
-        tuple(_at_bounds(task, chosen.ended, units)),
+        tuple(_at_bounds(task, [chosen.ended.tolist()], units)),
     )  # fmt: skip
 
 
-def _at_bounds(task: Task, x: Array, units: Mapping[str, str]) -> Iterator[Finding]:
-    """Yield each variable that is best at an end of its range."""
-    for variable, share in zip(task.variables, x.tolist(), strict=True):
-        if variable.form is None and min(share, 1.0 - share) < AT_BOUND:
-            yield finding(
-                "at-bound",
-                "The best {path} is the {end} of its range, {range:g}: a better one may lie beyond; widen the range, "
-                "or take it as what the range allows.",
-                path=variable.path,
-                end="lowest" if share < 0.5 else "highest",
-                range=of_dimension((variable.low, variable.high), units[variable.path]),
-            )
+def _at_bounds(task: Task, points: Sequence[Sequence[float]], units: Mapping[str, str]) -> Iterator[Finding]:
+    """Yield each variable that is best at an end of its range, at one point or at some of a front."""
+    words = "The best {path} is the {end} of its range, {range:g}"
+    words += ", at {count} of {points} points" if len(points) > 1 else ""
+    words += ": a better one may lie beyond; widen the range, or take it as what the range allows."
+    for variable, *shares in zip(task.variables, *points, strict=True):
+        for end, at in (("lowest", 0.0), ("highest", 1.0)) if variable.form is None else ():
+            if count := sum(abs(share - at) < AT_BOUND for share in shares):
+                numbers = {"count": count, "points": len(points)} if len(points) > 1 else {}
+                bounds = of_dimension((variable.low, variable.high), units[variable.path])
+                yield finding("at-bound", words, path=variable.path, end=end, range=bounds, **numbers)
 
 
 def _bands(task: Task, judged: Judged, portions: Portions) -> tuple[Band, ...]:

@@ -164,13 +164,7 @@ def design_figures(found: Design) -> dict[str, Figure]:
         ax.set_ylim(*depth((deepest, -0.05 * deepest)))
 
     def convergence(ax: Axes) -> None:
-        lines = {
-            f"start {k}": np.fmin.accumulate(start.history)
-            if found.goal == "pressure"
-            else np.fmax.accumulate(start.history)
-            for k, start in enumerate(found.starts, start=1)
-            if start.history
-        }
+        lines = {f"start {k}": start.history for k, start in enumerate(found.starts, start=1) if start.history}
         longest = max(len(values) for values in lines.values())
         padded = {name: np.pad(values, (0, longest - len(values)), mode="edge") for name, values in lines.items()}
         drawn = measure("MPa") if found.goal == "pressure" else measure("")

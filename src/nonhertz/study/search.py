@@ -97,13 +97,12 @@ class _Searching:
         return self._at[1]
 
     def _note(self, judged: Judged) -> None:
-        margin = judged.spare
-        value = judged.value
-        self._history.append(value)
+        margin, value = judged.spare, judged.value
         # A point that meets all limits is better than any that does not; noise of 1e-6 counts as met.
         rank = (min(margin + 1e-6, 0.0), -value)
         if self._best is None or rank > (min(self._best[2] + 1e-6, 0.0), -self._best[0]):
             self._best = value, judged.x.copy(), margin
+        self._history.append(self._best[0])
 
     def _for_life(self, begun: Array, first: Judged) -> bool:
         def value(x: Array) -> float:
