@@ -26,6 +26,7 @@ from nonhertz.report.overview import first_numbers, opening
 from nonhertz.report.page import compose, rendered
 from nonhertz.result.solution import Status
 from nonhertz.show.analysis import solved
+from nonhertz.show.sections import Cell
 from nonhertz.show.summary import summary_rows
 
 TITLE = "Roller & <script>alert('title')</script>"
@@ -159,14 +160,12 @@ def test_inputs_have_value_unit_meaning_and_say_what_is_a_default():
     assert (entries["load.tilt"].value, entries["load.tilt"].default) == ("0", True)
     assert (entries["solver.strips"].value, entries["solver.strips"].default) == ("auto", False)
     assert all(entry.meaning for entry in entries.values())
-    logarithmic, conical = body.profiles
-    assert {entry.key: entry.value for entry in logarithmic.entries} == {
-        "kind": "iso-logarithmic",
-        "diameter": "15",
-        "length": "15",
-    }
-    assert "ISO/TS 16281:2008" in logarithmic.source
-    (angle,) = (entry for entry in conical.entries if entry.key == "angle")
+    first, second = "body.a.profile[1].", "body.a.profile[2]."
+    logarithmic = {place.removeprefix(first): entry.value for place, entry in entries.items() if first in place}
+    assert logarithmic == {"kind": "iso-logarithmic", "diameter": "15", "length": "15"}
+    remarks = [row[0].remark for row in body.rows if isinstance(row, tuple) and isinstance(row[0], Cell)]
+    assert "ISO/TS 16281:2008" in remarks[0].partition("Source: ")[2]
+    angle = entries[f"{second}angle"]
     assert (angle.value, angle.unit, angle.written) == ("0.0001", "rad", "0.1 mrad")
 
 

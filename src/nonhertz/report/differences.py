@@ -33,7 +33,7 @@ def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> tuple[list[Compar
 
     Each case is given by its inputs.
     """
-    tables = [{entry.place: entry for group in groups for entry in group.every} for groups in cases]
+    tables = [{entry.place: entry for group in groups for entry in group.entries} for groups in cases]
     differing: list[Compared] = []
     same: list[Compared] = []
     for place in dict.fromkeys(place for table in tables for place in table):

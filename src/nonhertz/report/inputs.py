@@ -27,6 +27,7 @@ from nonhertz.model.materials import name_of
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.model.profile.drop import determined
 from nonhertz.report.method import formula, source
+from nonhertz.show.sections import Cell
 
 LONGEST_LIST = 8  # entries; a longer list is summarised
 #: Headings by the places of tables.
@@ -87,27 +88,16 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class ProfileInput:
-    """One profile of a body: what it is, its formula with its source, and its parameters."""
-
-    title: str
-    formula: str
-    source: str
-    entries: tuple[Entry, ...]
-
-
-@dataclass(frozen=True)
 class InputGroup:
-    """The inputs under one heading in the case file."""
+    """The inputs under one heading in the case file: in rows, between which are headings and remarks on profiles."""
 
     title: str
-    entries: tuple[Entry, ...]
-    profiles: tuple[ProfileInput, ...] = ()
+    rows: tuple[Entry | tuple[str | Cell], ...]
 
     @property
-    def every(self) -> tuple[Entry, ...]:
-        """All of them, of profiles too."""
-        return (*self.entries, *(each for profile in self.profiles for each in profile.entries))
+    def entries(self) -> tuple[Entry, ...]:
+        """All inputs, of profiles too."""
+        return tuple(each for each in self.rows if isinstance(each, Entry))
 
 
 def inputs(case: Case | BearingCase) -> list[InputGroup]:
@@ -126,10 +116,10 @@ def inputs(case: Case | BearingCase) -> list[InputGroup]:
             said = _of_body(bodies[place]) if place in bodies else _of_row(row) if place == "bearing" and row else {}
             if place == "load" and isinstance(case, Case) and not {"tilt", "moment"} & set(made[place]):
                 said = {"tilt": 0.0}
-            entries = [*_kind(place, table, own, made[place]), *_entries(place, table, own, made[place], said)]
+            rows = [*_kind(place, table, own, made[place]), *_entries(place, table, own, made[place], said)]
             profiles = _profiles(place, own, made[place].get("profile", [])) if place in bodies else ()
-            groups.append(InputGroup(title, tuple(entries), tuple(profiles)))
-    return [group for group in groups if group.every]
+            groups.append(InputGroup(title, (*rows, *profiles)))
+    return [group for group in groups if group.entries]
 
 
 def _flat(document: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
@@ -188,21 +178,26 @@ def _entry(place: str, value: Any, key: Key, own: Mapping[str, Any], more: str =
     return Entry(place, text, unit, _meaning_of(key) + more, name not in own and not more, unlike)
 
 
-def _profiles(place: str, own: Mapping[str, Any], made: list[dict[str, Any]]) -> Iterator[ProfileInput]:
+def _profiles(place: str, own: Mapping[str, Any], made: list[dict[str, Any]]) -> Iterator[Entry | tuple[str | Cell]]:
     """Yield the profiles of a body, as given and as made; a straight one is left out of what is made."""
     drawn, tables = iter(made), profile_tables(own)
     if not tables:
-        yield _profile(f"{place}.profile", {"kind": "straight"}, {}, default=True)
+        yield from _profile(f"{place}.profile", {"kind": "straight"}, {}, default=True)
     for number, table in enumerate(tables, start=1):
-        yield _profile(f"{place}.profile[{number}]", table, {} if table["kind"] == "straight" else next(drawn))
+        yield from _profile(f"{place}.profile[{number}]", table, {} if table["kind"] == "straight" else next(drawn))
 
 
-def _profile(place: str, own: Mapping[str, Any], made: Mapping[str, Any], *, default: bool = False) -> ProfileInput:
+def _profile(
+    place: str, own: Mapping[str, Any], made: Mapping[str, Any], *, default: bool = False
+) -> Iterator[Entry | tuple[str | Cell]]:
+    """Yield what a profile is, its parameters, and its formula with its source."""
     kind = own["kind"]
     table = next((each for each in profile_kinds() if each.word == kind), Table(kind, kind, {}))
     measured = kind == MEASURED
-    function = prepare if measured else CATALOGUE.get(kind)
-    entries = [Entry(f"{place}.kind", kind, "", "relief along the axis", default)]
+    what, function = table.meaning.rstrip("."), prepare if measured else CATALOGUE.get(kind)
+    if what:
+        yield (what[:1].upper() + what[1:],)
+    yield Entry(f"{place}.kind", kind, "", "relief along the axis", default)
     usual = {**(_STEPS if measured else made), **({"at": _AT_THE_END} if "drop" in own else {})}
     for name, key in table.keys.items():
         value = own.get(name, None if "file" in own and name in ("y", "relief") else usual.get(name))
@@ -210,9 +205,10 @@ def _profile(place: str, own: Mapping[str, Any], made: Mapping[str, Any], *, def
             value = in_unit(name, value, unit_of(key))
         if value is not None:
             dropped = "; from the drop" if "drop" in own and name == determined(kind, own) else ""
-            entries.append(_entry(f"{place}.{name}", value, key, own, dropped))
-    what = table.meaning.rstrip(".")
-    return ProfileInput(what[:1].upper() + what[1:], formula(function), source(function), tuple(entries))
+            yield _entry(f"{place}.{name}", value, key, own, dropped)
+    words = " Source: ".join(filter(None, (formula(function), source(function))))
+    if words:
+        yield (Cell("", words),)
 
 
 def _meaning_of(key: Key) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import metadata, resources
 from itertools import count
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 from urllib.parse import quote
 
 from nonhertz import __version__
@@ -86,29 +86,12 @@ class Part:
     opening: str = ""
 
 
-@dataclass(frozen=True)
-class Words:
-    """What a page says of all cases in it.
+class Words(NamedTuple):
+    """What a page says of all cases in it: what one is called, which command solves it, and axes and signs."""
 
-    Attributes
-    ----------
-    kind : str
-        The line above the title.
-    what : str
-        What it reports on, in the plural.
-    here : str
-        One of them, as the head of a column.
-    file, command : str
-        What it is read from, and the command that solves that.
-    conventions : str
-        Axes and signs.
-    """
-
-    kind: str
-    what: str
-    here: str
-    file: str
+    one: str
     command: str
+    heading: str
     conventions: str
 
 

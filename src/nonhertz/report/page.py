@@ -31,23 +31,18 @@ from nonhertz.show.lives import RATIO
 from nonhertz.show.sections import SUMMARY, Block, Cell, Picture, Row, Said, Section, Table, summary
 
 _OF_CONTACT = Words(
-    kind="Elastic contact, solved with strip elements",
-    what="cases",
-    here="This case",
-    file="case file",
-    command="solve",
-    conventions="The axis y runs along the contact from the middle of the bodies, x across it, z down into a body; "
-    "positive relief is material removed; a positive tilt loads the side of positive y.",
+    "case",
+    "solve",
+    "Elastic contact, solved with strip elements",
+    "The axis y runs along the contact from the middle of the bodies, x across it, z down into a body; positive relief "
+    "is material removed; a positive tilt loads the side of positive y.",
 )
 _OF_BEARING = Words(
-    kind="Whole bearing, rollers and rings in equilibrium",
-    what="bearings",
-    here="This bearing",
-    file="bearing file",
-    command="bearing",
-    conventions="x is the bearing's axis, y points to the first roller; forces and motions are those of the inner "
-    "ring. Along a roller, y is its own axis, from its middle; positive relief is material removed; positive "
-    "clearance is room.",
+    "bearing",
+    "bearing",
+    "Whole bearing, rollers and rings in equilibrium",
+    "x is the bearing's axis, y points to the first roller; forces and motions are those of the inner ring. Along a "
+    "roller, y is its own axis, from its middle; positive relief is material removed; positive clearance is room.",
 )
 
 
@@ -119,7 +114,7 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
     parts = [Part(None, _compared(found, words))]
     for number, each in enumerate(found, start=1):
         parts.append(Part(each, folded=_given(each, words), anchor=f"case-{number}", opening=opening(each)))
-    return laid_out(f"{len(found)} {words.what} compared", words, head, "", parts)
+    return laid_out(f"{len(found)} {words.one}s compared", words, head, "", parts)
 
 
 def _shown(found: Results) -> list[Section]:
@@ -165,7 +160,7 @@ def _given(found: Results, words: Words) -> list[Section]:
         for row in ((each.name, each.criterion, each.number, each.verdict.value), (Cell("", each.remark),))
         if any(map(any, row))
     ]
-    judged = Table(rows, ("Assumption", "Holds where", words.here, "Verdict"), layout="assumptions")
+    judged = Table(rows, ("Assumption", "Holds where", f"This {words.one}", "Verdict"), layout="assumptions")
     beyond = [f"{each.name}: {each.criterion}. {each.remark}".strip() for each in every if each.number == NO_INPUT]
     paragraphs, references = method(found)
     derived = Table(geometry(found), layout="inputs follows", title="Derived quantities")
@@ -181,12 +176,9 @@ def _given(found: Results, words: Words) -> list[Section]:
 
 def _tables(group: InputGroup) -> Iterator[Table]:
     """Yield the inputs that were given, and the usual ones, folded."""
-    rows = [_input(each) for each in group.entries if not each.default]
-    for profile in group.profiles:
-        words = f"{profile.formula} Source: {profile.source}" if profile.source else profile.formula
-        rows += [(profile.title,), *(_input(each) for each in profile.entries if not each.default), (Cell("", words),)]
-    yield Table([row for row in rows if any(map(any, row))], layout="inputs", title=group.title)
-    usual = [each for each in group.every if each.default]
+    usual = [each for each in group.entries if each.default]
+    rows = [_input(each) if isinstance(each, Entry) else each for each in group.rows if each not in usual]
+    yield Table(rows, layout="inputs", title=group.title)
     if usual:
         keys = ", ".join(each.key for each in usual)
         folded = f"{len(usual)} default{'s' if len(usual) > 1 else ''}: {keys}"
@@ -218,8 +210,7 @@ def _compared(found: Sequence[Results], words: Words) -> list[Section]:
     """Return several results beside the first: inputs, figure, numbers and lives."""
     labels = [each.label for each in found]
     differing, same = differing_inputs([inputs(each.case) for each in found])
-    one = words.what.removesuffix("s")
-    blocks: list[Block] = [Said([f"None differ: the {words.what} have the same."], "paragraphs")]
+    blocks: list[Block] = [Said([f"None differ: the {words.one}s have the same."], "paragraphs")]
     if differing:
         blocks = [_beside("Inputs that differ", labels, differing), Said(basis(str(place) for place, *_ in differing))]
     sections = [
@@ -227,7 +218,10 @@ def _compared(found: Sequence[Results], words: Words) -> list[Section]:
         Section("", figures.of_all(found)),
         Section(
             "Results",
-            [_beside("Result", labels, results(found)), Said([f"Percentages are differences from the first {one}."])],
+            [
+                _beside("Result", labels, results(found)),
+                Said([f"Percentages are differences from the first {words.one}."]),
+            ],
         ),
     ]
     contacts = [each for each in found if isinstance(each, CaseResults)]

@@ -227,14 +227,26 @@ def examined(
     announce : callable
         Called with the name of each step as it begins; `steps` returns how often.
     """
-    after = of_each(
-        found,
-        lambda each: each.case.file_name,
-        lambda each: _after(each, life is not False, stress, compare, announce),
-    )
-    living = [each for each in after if isinstance(each, CaseResults) and _wants_life(each, life)]
-    with_lives = iter(_assessed(living, announce))
-    return tuple(next(with_lives) if each in living else each for each in after)
+    living = [each for each in found if isinstance(each, CaseResults) and _wants_life(each, life)]
+    # By the models of the first case, so that lives can be compared.
+    models, notes = models_for(living[0].case, (), [each.case for each in living]) if living else ((), ())
+
+    def after(each: Results) -> Results:
+        if each.complaint or each.solution is None:
+            return each
+        if isinstance(each, BearingResults):
+            return _rated(each, life is not False, compare)
+        if stress:
+            largest = largest_stresses(each.solution, announce=announce)
+            each = replace(each, stress=largest, strengths=strengths(each.solution, largest[0], announce))
+        if not _wants_life(each, life):
+            return each
+        try:
+            return replace(each, lives=assessed(each.case, spectrum_solved(each.case), models, notes, announce))
+        except ConvergenceError as error:
+            return replace(each, complaint=str(error))
+
+    return tuple(of_each(found, lambda each: each.case.file_name, after))
 
 
 def steps(found: Sequence[Results], *, life: bool | None = None, stress: bool = True) -> int:
@@ -246,45 +258,21 @@ def steps(found: Sequence[Results], *, life: bool | None = None, stress: bool = 
     return searches + sum(each.case.life.steps for each in contacts if _wants_life(each, life))
 
 
-def _after(found: Results, rated: bool, stress: bool, compare: bool, announce: Announce) -> Results:
-    """Return results with stress, or with rating and slices."""
-    if found.complaint or found.solution is None:
-        return found
-    if isinstance(found, BearingResults):
-        with without_accuracy_warnings():
-            life, reason = found.case.rated(found.solution) if rated else (None, "")
-            by_strips = found.solution.method == "strips"
-            try:
-                slices = found.case.solve("slices") if compare and by_strips else None
-            except ConvergenceError as error:
-                return BearingResults(found.case, found.label, None, str(error))
-        return replace(found, life=life, reason=reason, slices=slices)
-    if not stress:
-        return found
-    largest = largest_stresses(found.solution, announce=announce)
-    return replace(found, stress=largest, strengths=strengths(found.solution, largest[0], announce))
+def _rated(found: BearingResults, rated: bool, compare: bool) -> BearingResults:
+    """Return a bearing with its rating, and by slices."""
+    assert found.solution is not None
+    with without_accuracy_warnings():
+        life, reason = found.case.rated(found.solution) if rated else (None, "")
+        try:
+            slices = found.case.solve("slices") if compare and found.solution.method == "strips" else None
+        except ConvergenceError as error:
+            return BearingResults(found.case, found.label, None, str(error))
+    return replace(found, life=life, reason=reason, slices=slices)
 
 
 def _wants_life(found: CaseResults, life: bool | None) -> bool:
     says_of_life = found.case.life != Life()
     return not found.complaint and (says_of_life if life is None else life)
-
-
-def _assessed(found: Sequence[CaseResults], announce: Announce) -> list[CaseResults]:
-    """Return results with lives, all by the models of the first case, so that they can be compared."""
-    if not found:
-        return []
-    cases = [each.case for each in found]
-    models, notes = models_for(cases[0], (), cases[1:])
-    results = []
-    for each, case in zip(found, cases, strict=True):
-        try:
-            with named(case.file_name) if len(found) > 1 else contextlib.nullcontext():
-                lives = assessed(case, spectrum_solved(case), models, notes, announce)
-            results.append(replace(each, lives=lives))
-        except ConvergenceError as error:
-            results.append(replace(each, complaint=str(error)))
-    return results
 
 
 def labels(cases: Sequence[Case | BearingCase]) -> list[str]:
