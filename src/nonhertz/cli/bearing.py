@@ -7,8 +7,8 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out, saved, written
-from nonhertz.cli.printing import print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import AsJson, Changes, named_as, refuse_unwritable_out, saved, written
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
@@ -27,9 +27,8 @@ def bearing(
     compare: Annotated[bool, Parameter(negative="")] = False,
     contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
     out: Path | None = None,
-    units: UnitsRead = "si",
     as_json: AsJson = False,
-) -> None:
+) -> Answer | None:
     """Solve a whole bearing: loads, pressures and life.
 
     Parameters
@@ -51,37 +50,25 @@ def bearing(
     case = read_bearing(file, changes_in(changes))
     refuse_unwritable_out(out)
     if compare:
-        _compare(case, out, as_json)
-        return
+        return _compared(case, out)
     with without_accuracy_warnings():  # which are printed with the results
         solution = case.solve()
     if contact is not None:
         with named_as(roller="--contact", ring="--contact"):
             print(case.contact_case(solution, *contact).text, end="")
-        return
+        return None
     try:
         life, reason = case.rated(solution)
     except InputError as error:  # of a contact, when its pressure is solved
         raise placed(error) from None
     found = Result(case, solution, (life, reason))
-    made = saved(found, out)
-    if as_json:
-        print(found.to_json())
-        return
-    print_result(
-        case.title,
-        sections(case, solution, life, reason),
-        verdict=of_bearing(solution, life, case.operating_clearance),
-        warnings=findings_of(solution, life),
-        written=made,
-    )
+    shown, verdict = sections(case, solution, life, reason), of_bearing(solution, life, case.operating_clearance)
+    return Answer(case.title, shown, found.to_json, verdict, findings_of(solution, life), saved(found, out))
 
 
-def _compare(case: BearingCase, out: Path | None, as_json: bool) -> None:
-    """Solve a bearing by strips and by slices, write and print both."""
-    strips, slices = case.solve("strips"), case.solve("slices")
-    made = written(out, lambda: comparison_files(strips, slices, case.title))
-    if as_json:
-        print(key_by_key(comparison_object(strips, slices, case.title)))
-    else:
-        print_result(case.title, compared_sections(case, strips, slices), written=made)
+def _compared(case: BearingCase, out: Path | None) -> Answer:
+    """Return a bearing solved by strips and by slices."""
+    both = case.solve("strips"), case.solve("slices")
+    made = written(out, lambda: comparison_files(*both, case.title))
+    shown, text = compared_sections(case, *both), lambda: key_by_key(comparison_object(*both, case.title))
+    return Answer(case.title, shown, text, written=made)

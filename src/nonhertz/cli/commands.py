@@ -11,6 +11,7 @@ import contextlib
 import contextvars
 import functools
 import importlib
+import inspect
 import itertools
 import re
 import sys
@@ -25,6 +26,8 @@ from cyclopts import App, CycloptsError, Group, UnusedCliTokensError
 from nonhertz import __version__
 from nonhertz.amounts import choose_units
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import AsJson, UnitsRead
 from nonhertz.errors import ConvergenceError, InputError
 
 #: Commands by the group that they stand in. A command is a module, and a function in it of the same name unless another
@@ -65,7 +68,12 @@ _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 
 
 # What signatures are made of.
-_OF_SIGNATURES = {"__future__", "cyclopts", "nonhertz.cli.options", "pathlib", "typing"}
+_OF_SIGNATURES = {"__future__", "cyclopts", "nonhertz.cli.answer", "nonhertz.cli.options", "pathlib", "typing"}
+# What every command has whose result is an `Answer`.
+_OF_ANSWERS = {
+    name: inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+    for name, default, annotation in (("units", "si", UnitsRead), ("as_json", False, AsJson))
+}
 
 
 def _application() -> App:
@@ -96,7 +104,7 @@ def _application() -> App:
     return found
 
 
-def _command(name: str, function: str) -> Callable[..., int | None]:
+def _command(name: str, function: str) -> Callable[..., Answer | int | None]:
     """Return a function with signature and docstring of a command, which imports the command when it is called."""
     source = resources.files("nonhertz.cli").joinpath(f"{name}.py")
     tree = ast.parse(source.read_text("utf-8"), str(source))
@@ -105,11 +113,17 @@ def _command(name: str, function: str) -> Callable[..., int | None]:
     scope: dict[str, Any] = {"__name__": f"nonhertz.cli.{name}"}
     exec(compile(tree, str(source), "exec"), scope)
 
-    @functools.wraps(scope[function])
-    def imported(*args: Any, **kwargs: Any) -> int | None:
-        code: int | None = getattr(importlib.import_module(f"nonhertz.cli.{name}"), function)(*args, **kwargs)
-        return code
+    signature = inspect.signature(scope[function])
+    own, added = signature.parameters, _OF_ANSWERS if "Answer" in signature.return_annotation else {}
 
+    @functools.wraps(scope[function])
+    def imported(*args: Any, **kwargs: Any) -> Answer | int | None:
+        mine = {key: value for key, value in kwargs.items() if key in own or key not in added}
+        found: Answer | int | None = getattr(importlib.import_module(f"nonhertz.cli.{name}"), function)(*args, **mine)
+        return found
+
+    every = [*(each for key, each in own.items() if key not in added), *added.values()]
+    vars(imported)["__signature__"] = signature.replace(parameters=every)
     return imported
 
 
@@ -150,12 +164,14 @@ def _run(words: Sequence[str]) -> int:
     given = bound.arguments
     choose_units("si" if given.get("as_json") else given.get("units", "si"))
     try:
-        code = command(*bound.args, **bound.kwargs)
+        found = command(*bound.args, **bound.kwargs)
     except ConvergenceError as error:
         sys.stdout.flush()
         print(error, file=sys.stderr)
         return NOT_CONVERGED
-    return code if isinstance(code, int) else FINE
+    if isinstance(found, Answer):
+        return found.printed(as_json=given.get("as_json", False))
+    return found if isinstance(found, int) else FINE
 
 
 def each_with_option(words: Sequence[str]) -> list[str]:

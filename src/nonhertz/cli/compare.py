@@ -9,8 +9,9 @@ from cyclopts import Parameter
 
 from nonhertz import comparison as methods
 from nonhertz import plot
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, refuse_unwritable_out, written
-from nonhertz.cli.printing import Progress, print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, refuse_unwritable_out, written
+from nonhertz.cli.printing import Progress
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import placed, read_case
 from nonhertz.files.changes import changes_in
@@ -29,9 +30,7 @@ def compare(
     changes: Changes = (),
     out: Path | None = None,
     cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Compare strips of both elements with a plane grid on a case.
 
     The plane grid assumes nothing about how the pressure is distributed across the contact. Where it and the strips
@@ -58,8 +57,5 @@ def compare(
         raise placed(error) from None
     title = read.title
     made = written(out, lambda: files(found, title), lambda: {"comparison": plot.comparison(found, title)})
-    if as_json:
-        print(key_by_key(as_object(found, title)))
-    else:
-        verdict = of_contact(found.semi_elliptic)
-        print_result(title, sections(found), verdict=verdict, warnings=found.warnings, written=made)
+    verdict, text = of_contact(found.semi_elliptic), lambda: key_by_key(as_object(found, title))
+    return Answer(title, sections(found), text, verdict, found.warnings, made)

@@ -4,23 +4,24 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from nonhertz.amounts import of_dimension
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, Workers, named_as, written
-from nonhertz.cli.printing import bar, print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, Workers, named_after, named_as, written
+from nonhertz.cli.printing import bar
 from nonhertz.errors import InputError
+from nonhertz.files.casefile import Case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.files.results import plain
 from nonhertz.findings import as_warnings
-from nonhertz.inputs.files import legible
 from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section, Table
 from nonhertz.show.studies import design_sections
@@ -42,9 +43,7 @@ def design(
     front: int | None = None,
     out: Path | None = None,
     workers: Workers = None,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Find the dimensions or the profile with the lowest peak pressure, or the longest life.
 
     Parameters
@@ -61,25 +60,17 @@ def design(
         front.csv, front.json, a case file for each point and the figure; by default the file's name with '-design', in
         the current directory.
     """
-    directory = Path(f"{legible(plan.stem)}-design") if out is None else out
+    directory = named_after(plan, "-design", out)
     refuse_unwritable(directory)
+    case, given = read_design(plan, changes_in(changes))
+    given |= {} if starts is None else {"starts": starts}
     if front is not None:
-        points = _searched_front(plan, changes_in(changes), front, starts, workers)
-        made = _written_front(points, directory)
-        text, title, shown, verdict = _front_json(points, made), "", _front_sections(points), points.verdict
-        warnings = points.warnings
-    else:
-        case, given = read_design(plan, changes_in(changes))
-        given |= {} if starts is None else {"starts": starts}
-        with bar("searches") as update, named_as(threads="--workers", starts="--starts"):
-            found = best(case, **given, workers=workers, announce=update)
-        made = written(directory, lambda: _texts(found, directory), lambda: design_figures(found))
-        text, title, shown, verdict = _as_json(found, made), found.was.title, design_sections(found), found.verdict
-        warnings = found.warnings
-    if as_json:
-        print(text)
-    else:
-        print_result(title, shown, verdict=verdict, warnings=warnings, written=made)
+        return _front(case, given, front, workers, directory)
+    with bar("searches") as update, named_as(threads="--workers", starts="--starts"):
+        found = best(case, **given, workers=workers, announce=update)
+    made = written(directory, lambda: _texts(found, directory), lambda: design_figures(found))
+    text, shown = lambda: _as_json(found, made), design_sections(found)
+    return Answer(found.was.title, shown, text, found.verdict, found.warnings, made)
 
 
 def _texts(found: Design, out: Path) -> dict[str, str]:
@@ -124,21 +115,14 @@ def _profile(found: Design) -> str:
 # A front
 
 
-def _searched_front(
-    plan: Path, changes: Mapping[str, Any], points: int, starts: int | None, workers: int | None
-) -> Front:
-    """Return the Pareto front of the loads of a plan without tilt and of those with tilt.
-
-    ``changes`` are values in place of those in the file of its case, by path.
+def _front(case: Case, given: dict[str, Any], points: int, workers: int | None, out: Path) -> Answer:
+    """Find the Pareto front of the loads of a plan without tilt and of those with tilt, and write it.
 
     Raises
     ------
-    CaseError
-        If the plan has mistakes.
     InputError
         If one of the groups is empty, the plan is for lives, or an option is refused.
     """
-    case, given = read_design(plan, changes)
     loads = given.get("loads") or ()
     aligned = [each for each in loads if each.tilt == 0.0]
     tilted = [each for each in loads if each.tilt != 0.0]
@@ -148,20 +132,17 @@ def _searched_front(
     if given.get("goal", "pressure") != "pressure":
         raise InputError("goal", given["goal"], "be 'pressure' for a front", "leave it out")
     with named_as(threads="--workers", starts="--starts", points="--front"):
-        return front_of(
+        found = front_of(
             case, first=aligned, second=tilted, vary=given.get("vary"), where=given.get("where"), points=points,
-            starts=given.get("starts") if starts is None else starts, workers=workers,
+            starts=given.get("starts"), workers=workers,
         )  # fmt: skip
-
-
-def _written_front(found: Front, out: Path) -> tuple[Path, ...]:
-    """Write the points as a table, as numbers and as case files, and the figure; return the files."""
     texts = {"front.csv": _front_table(found), "front.json": _front_json(found, ()) + "\n"}
-    for number, case in enumerate(found.cases, start=1):
-        title = {"title": f"{case.title}, point {number} of a front"}
-        texts[f"case-{number}.toml"] = as_toml(case.document_in(out) | title)
+    for number, each in enumerate(found.cases, start=1):
+        title = {"title": f"{each.title}, point {number} of a front"}
+        texts[f"case-{number}.toml"] = as_toml(each.document_in(out) | title)
     groups = f"loads {GROUPS[0]}", f"loads {GROUPS[1]}"
-    return written(out, lambda: texts, lambda: {"front": front_figure(found, groups)})
+    made = written(out, lambda: texts, lambda: {"front": front_figure(found, groups)})
+    return Answer("", _front_sections(found), lambda: _front_json(found, made), found.verdict, found.warnings, made)
 
 
 def _front_json(found: Front, files: Sequence[Path]) -> str:

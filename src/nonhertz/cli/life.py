@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, Words, refuse_unwritable_out, written
-from nonhertz.cli.printing import Progress, print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, Words, refuse_unwritable_out, written
+from nonhertz.cli.printing import Progress
 from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.files.casefile import read_case
 from nonhertz.files.changes import changes_in
@@ -37,9 +38,7 @@ def life(
     model: Words = (),
     compared: Annotated[Path | None, Parameter(name="--compare")] = None,
     out: Path | None = None,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Assess how long both bodies of a case last, by several fatigue models.
 
     Lives are relative to those of the same bodies under an ideal pressure, Hertz's line pressure with the load spread
@@ -76,15 +75,10 @@ def life(
                     raise ConvergenceError(f"{each.path}: {error}" if found else str(error), error.solution) from None
                 found.append(assessed(each, spectrum, models, notes, progress.announce))
     first, other = found[0], found[1] if len(found) > 1 else None
+    verdicts = {f"in {legible(str(case.path))}": each.verdict for case, each in zip(cases, found, strict=True)}
     made = written(out, lambda: files(first, other), lambda: _figures(first, other))
-    if as_json:
-        print(key_by_key(as_object(first, other)))
-    else:
-        verdict = worst_of(
-            {f"in {legible(str(case.path))}": each.verdict for case, each in zip(cases, found, strict=True)}
-        )
-        shown = _shown([each.path for each in cases], first, other)
-        print_result(first.title, shown, verdict=verdict, written=made)
+    shown, text = _shown([each.path for each in cases], first, other), lambda: key_by_key(as_object(first, other))
+    return Answer(first.title, shown, text, worst_of(verdicts), written=made)
 
 
 def _figures(found: Assessment, other: Assessment | None) -> Mapping[str, Figure]:

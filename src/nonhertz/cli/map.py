@@ -10,8 +10,9 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, named_as, refuse_unwritable_out
-from nonhertz.cli.printing import Progress, print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, named_as, refuse_unwritable_out
+from nonhertz.cli.printing import Progress
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import read_case
 from nonhertz.files.changes import changes_in
@@ -38,9 +39,7 @@ def contact_map(
     tilt: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
     accuracy: float = 1e-4,
     out: Path | None = None,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Tabulate load, moment and stiffness of a case over approach and tilt.
 
     A map is a stand-in for the contact, a thousand times as fast as solving it, with errors sampled at points of
@@ -88,10 +87,7 @@ def contact_map(
     for each in caught:
         warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
     made = () if out is None else _written(out, found, found.grid(rows or ROWS, tilts or TILTS))
-    if as_json:
-        print(_as_json(found, read.title))
-    else:
-        print_result(read.title, sections(found), written=made)
+    return Answer(read.title, sections(found), lambda: _as_json(found, read.title), written=made)
 
 
 def _written(path: Path, found: ContactMap, table: MapPoint) -> tuple[Path, ...]:

@@ -6,14 +6,14 @@ import json
 from itertools import groupby
 
 from nonhertz.amounts import given, mpa
-from nonhertz.cli.options import AsJson, UnitsRead, named_as
-from nonhertz.cli.printing import print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import named_as
 from nonhertz.files.materials import as_object
 from nonhertz.model.materials import LIBRARY, Listed, listed_as
 from nonhertz.show.sections import Said, Section, Table
 
 
-def materials(name: str | None = None, /, *, units: UnitsRead = "si", as_json: AsJson = False) -> None:
+def materials(name: str | None = None, /) -> Answer:
     """List the materials that a file may name, and their strength.
 
     Parameters
@@ -23,9 +23,6 @@ def materials(name: str | None = None, /, *, units: UnitsRead = "si", as_json: A
     """
     with named_as(name="NAME"):
         entries = LIBRARY if name is None else (listed_as(name),)
-    if as_json:
-        print(json.dumps(as_object(entries), indent=2, ensure_ascii=False))
-        return
     factor, unit = mpa().scale
     rows: list[tuple[str, ...]] = []
     for group, members in groupby(entries, key=lambda each: each.group):
@@ -36,7 +33,8 @@ def materials(name: str | None = None, /, *, units: UnitsRead = "si", as_json: A
         told = (("source", entries[0].source), ("note", entries[0].note))
         words = [f"{what}: {words}" for what, words in told if words]
     heads = ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit)
-    print_result("", [Section("", [Table(rows, heads, (0,)), Said(words)])])
+    shown = [Section("", [Table(rows, heads, (0,)), Said(words)])]
+    return Answer("", shown, lambda: json.dumps(as_object(entries), indent=2, ensure_ascii=False))
 
 
 def _row(each: Listed, factor: float) -> tuple[str, ...]:

@@ -7,15 +7,14 @@ from pathlib import Path
 import numpy as np
 
 from nonhertz.amounts import mpa, newton
-from nonhertz.cli.options import AsJson, Changes, UnitsRead
-from nonhertz.cli.printing import print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, named_after
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import read_case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import refuse_unwritable, write_files
 from nonhertz.files.nodes import as_object, as_table, read_nodes
 from nonhertz.files.results import key_by_key
-from nonhertz.inputs.files import legible
 from nonhertz.result.nodes import NodalLoads
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import solved
@@ -32,9 +31,7 @@ def nodes(
     *,
     changes: Changes = (),
     out: Path | None = None,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Find pressures and forces of a case at the nodes of a finite element mesh.
 
     Pressures are those of the contact at each node. Forces add up to the load, whatever the mesh.
@@ -48,7 +45,7 @@ def nodes(
     out : Path
         The CSV file to write; by default the name of the file of nodes with '-pressure.csv', in the current directory.
     """
-    path = Path(f"{legible(nodes.stem)}-pressure.csv") if out is None else out
+    path = named_after(nodes, "-pressure.csv", out)
     if path.suffix.lower() != ".csv" or path.is_dir() or path.resolve() == nodes.resolve():
         raise InputError("--out", str(path), "be a .csv file, and not that of the nodes", "choose another name")
     read = read_case(case, changes_in(changes))
@@ -57,12 +54,8 @@ def nodes(
     solution = solved(read)
     found = solution.at_nodes(mesh.x, mesh.y)
     made = write_files(path.parent, {path.name: as_table(mesh, found)})
-    if as_json:
-        print(key_by_key(as_object(solution, found, read.title)))
-    else:
-        shown = [Section("", [Said(_sentences(solution, found))])]
-        verdict = of_contact(solution)
-        print_result(read.title, shown, verdict=verdict, warnings=solution.warnings, written=made)
+    shown, text = _sentences(solution, found), lambda: key_by_key(as_object(solution, found, read.title))
+    return Answer(read.title, [Section("", [Said(shown)])], text, of_contact(solution), solution.warnings, made)
 
 
 def _sentences(solution: Solution, found: NodalLoads) -> list[str]:

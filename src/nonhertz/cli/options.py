@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Group, Parameter
 
 from nonhertz.errors import InputError
+from nonhertz.inputs.files import legible
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -66,6 +67,11 @@ def named_as(**options: str) -> Iterator[None]:
         if error.field not in options:
             raise
         raise InputError(options[error.field], error.value, error.condition, error.remedy) from None
+
+
+def named_after(file: Path, ending: str, out: Path | None) -> Path:
+    """Return where a command writes: to ``--out``, else beside the caller under the name of its file."""
+    return Path(f"{legible(file.stem)}{ending}") if out is None else out
 
 
 def refuse_unwritable_out(out: Path | None) -> None:

@@ -33,10 +33,10 @@ _STYLES = {"head": "bold", "warning": "yellow"}
 def print_result(
     title: str,
     sections: Iterable[Section],
-    *,
     verdict: Verdict | None = None,
     warnings: Iterable[object] = (),
     written: Iterable[Path] = (),
+    *,
     piped: int | None = 120,
 ) -> None:
     """Print a result as people read it: title, verdict, sections, warnings, and the files that were written.

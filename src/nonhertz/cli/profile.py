@@ -10,8 +10,8 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from nonhertz.cli.options import AsJson, UnitsRead, refuse_unwritable_out, written
-from nonhertz.cli.printing import print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import refuse_unwritable_out, written
 from nonhertz.errors import InputError
 from nonhertz.files.measured import checked, measured_in
 from nonhertz.files.prepared import as_object, files
@@ -49,9 +49,7 @@ def profile(
     points: str | None = None,
     fit: str | None = None,
     out: Path | None = None,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Prepare a measured profile step by step.
 
     Parameters
@@ -111,10 +109,8 @@ def profile(
         lambda: files(out or Path(), file, values, measured, fits),
         lambda: {"profile-steps": measured_figure(measured, name, fits[0] if fits else None)},
     )
-    if as_json:
-        print(key_by_key(as_object(measured, fits)))
-        return
-    print_result(name, sections(measured, fits), warnings=measured.warnings, written=made)
+    shown = sections(measured, fits)
+    return Answer(name, shown, lambda: key_by_key(as_object(measured, fits)), None, measured.warnings, made)
 
 
 @contextlib.contextmanager

@@ -45,17 +45,7 @@ def serve(
 
 
 class Start(NamedTuple):
-    """What the page starts with.
-
-    Attributes
-    ----------
-    document : dict
-        A case, or a bearing.
-    notes : tuple of str
-        On the files that it named.
-    text : str
-        The text of its file, with the comments.
-    """
+    """What the page starts with: a case or a bearing, notes on the files that it named, and the text of its file."""
 
     document: dict[str, Any]
     notes: tuple[str, ...] = ()
@@ -63,12 +53,7 @@ class Start(NamedTuple):
 
 
 def starting_document(path: Path | None) -> Start:
-    """Return what the page starts with.
-
-    Parameters
-    ----------
-    path : Path or None
-        A case file or a bearing file; None for the case that 'nonhertz new' writes.
+    """Return what the page starts with: a case file or a bearing file; None for the case that 'nonhertz new' writes.
 
     Raises
     ------

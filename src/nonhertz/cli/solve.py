@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, refuse_unwritable_out, saved
-from nonhertz.cli.printing import print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, refuse_unwritable_out, saved
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import read_case
 from nonhertz.files.changes import changes_in
@@ -34,9 +33,7 @@ def solve(
     *more: Path,
     changes: Changes = (),
     out: Path | None = None,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> int:
+) -> Answer:
     """Solve cases and print a summary, or a table of several.
 
     Parameters
@@ -50,45 +47,32 @@ def solve(
         folder in it, beside the table of all, cases.csv. A file .xlsx or .csv for the table alone.
     """
     if more or (out is not None and _is_table(out)):
-        return _solve_several((case, *more), changes_in(changes), out, as_json)
+        return _several((case, *more), changes_in(changes), out)
     read = read_case(case, changes_in(changes))
     solution, complaint = attempted(read)
     found = Result(read, solution)
-    made = saved(found, out)
-    if as_json:
-        print(found.to_json())
-    else:
-        warnings = solution.warnings
-        verdict = of_contact(solution)
-        shown = sections(solution, read.prescribed)
-        print_result(read.title, shown, verdict=verdict, warnings=warnings, written=made, piped=None)
-    if complaint:
-        sys.stdout.flush()
-        print(complaint, file=sys.stderr)
-    return NOT_CONVERGED if complaint else FINE
+    return Answer(
+        read.title, sections(solution, read.prescribed), found.to_json, of_contact(solution), solution.warnings,
+        saved(found, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,
+    )  # fmt: skip
 
 
-def _solve_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None, as_json: bool) -> int:
-    """Solve cases one by one, write and print all results; return the exit code, the worst of all."""
+def _several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None) -> Answer:
+    """Solve cases one by one and write all results; the exit code is the worst of all."""
     workbook = out is not None and _is_table(out) and out.suffix.lower() == ".xlsx"
     refuse_unwritable_out(out.parent if out is not None and _is_table(out) else out)
     if workbook:
         refuse_missing_writer()
     found = [_attempt(path, changes) for path in paths]
-    made = () if out is None else _several_written(out, found, workbook)
-    if as_json:
-        print(json.dumps(objects(found), allow_nan=False))
-    else:
-        warnings = [f"{each.name}: {one}" for each in found if each.solution for one in each.solution.warnings]
-        verdict, table = worst_of({f"in {each.name}": each.verdict for each in found}), overview_table(found)
-        print_result("", [Section("", [table])], verdict=verdict, warnings=warnings, written=made)
-    sys.stdout.flush()
-    for each in found:
-        for sentence in each.complaints:
-            print(sentence if sentence.startswith(each.name) else f"{each.name}: {sentence}", file=sys.stderr)
-    if any(each.solution is None for each in found):
-        return BAD_INPUT
-    return NOT_CONVERGED if any(each.complaints for each in found) else FINE
+    said = [(each.name, sentence) for each in found for sentence in each.complaints]
+    return Answer(
+        "", [Section("", [overview_table(found)])], lambda: json.dumps(objects(found), allow_nan=False),
+        worst_of({f"in {each.name}": each.verdict for each in found}),
+        [f"{each.name}: {one}" for each in found if each.solution for one in each.solution.warnings],
+        () if out is None else _several_written(out, found, workbook),
+        [words if words.startswith(name) else f"{name}: {words}" for name, words in said],
+        BAD_INPUT if any(each.solution is None for each in found) else NOT_CONVERGED if said else FINE,
+    )  # fmt: skip
 
 
 def _is_table(out: Path) -> bool:

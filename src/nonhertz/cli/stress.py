@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from pathlib import Path
 
 from nonhertz.amounts import mm
-from nonhertz.cli.options import AsJson, Changes, UnitsRead, refuse_unwritable_out, written
-from nonhertz.cli.printing import Progress, print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, refuse_unwritable_out, written
+from nonhertz.cli.printing import Progress
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import read_case
 from nonhertz.files.changes import changes_in
@@ -32,9 +34,7 @@ def stress(
     station: float | None = None,
     body: str = "a",
     out: Path | None = None,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Find the largest stresses of a case below the surface.
 
     Size and position of the largest von Mises, maximum shear and orthogonal shear stress, in the whole body and in one
@@ -71,16 +71,7 @@ def stress(
         if out is not None:
             progress.announce("planes and figures")
             planes = stress_planes(solution, found[1])
-            made = written(
-                out, lambda: files(text, planes), lambda: stress_figures(solution, *found, read.title, planes)
-            )
-    if as_json:
-        print(text)
-        return
-    print_result(
-        read.title,
-        sections(solution, *found, (strength,)),
-        verdict=of_contact(solution, (strength,)),
-        warnings=all_findings(solution, *found),
-        written=made,
-    )
+            figures = functools.partial(stress_figures, solution, *found, read.title, planes)
+            made = written(out, lambda: files(text, planes), figures)
+    shown, verdict = sections(solution, *found, (strength,)), of_contact(solution, (strength,))
+    return Answer(read.title, shown, lambda: text, verdict, all_findings(solution, *found), made)

@@ -7,14 +7,14 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from nonhertz.cli.options import AsJson, Changes, Excel, Scheduler, UnitsRead, Words, Workers, drawing, named_as
-from nonhertz.cli.printing import Update, bar, print_result
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
+from nonhertz.cli.printing import Update, bar
 from nonhertz.errors import InputError
 from nonhertz.files.changes import changes_in
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.planfile import Plan, case_or_bearing_in
 from nonhertz.files.workbooks import refuse_missing_writer
-from nonhertz.inputs.files import legible
 from nonhertz.show.studies import sweep_sections
 from nonhertz.study.pictures import sweep_figures
 from nonhertz.study.sweeps import Progress, Sweep, sweep
@@ -32,9 +32,7 @@ def sweep_plan(
     workers: Workers = None,
     scheduler: Scheduler = None,
     excel: Excel = False,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Solve a case or a bearing for many values of its inputs.
 
     Rows are kept as they are solved. A sweep that was stopped, however it was, goes on when the same command is given
@@ -56,15 +54,16 @@ def sweep_plan(
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "over", changes_in(changes))
-    directory = directory_for(plan, "sweep") if out is None else out
+    directory = named_after(plan, "-sweep", out)
     with bar("rows") as update, named_as(threads="--workers", over="--over"):
         found = sweep(asked, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))
     made = found.save(directory, drawing(lambda: sweep_figures(found)), excel=excel)
-    if as_json:
+
+    def json_text() -> str:
         ends = {quantity.name: found.extremes(quantity.name) for quantity in found.quantities}
-        print(as_text(found, made, over=list(found.paths), shape=list(found.shape), extremes=ends))
-    else:
-        print_result(found.plan.title, sweep_sections(found), verdict=found.verdict, written=made)
+        return as_text(found, made, over=list(found.paths), shape=list(found.shape), extremes=ends)
+
+    return Answer(found.plan.title, sweep_sections(found), json_text, verdict=found.verdict, written=made)
 
 
 def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]) -> Plan:
@@ -92,11 +91,6 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
     except InputError as error:
         option = "--quantities" if error.field == "quantities" else f"--over {error.field}".rstrip()
         raise InputError(option, error.value, error.condition, error.remedy) from None
-
-
-def directory_for(file: Path, study: str) -> Path:
-    """Return where the rows of a study of a plan are kept if nothing else is said."""
-    return Path(f"{legible(file.stem)}-{study}")
 
 
 def of_rows(update: Update | None) -> Callable[[Progress], object] | None:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from nonhertz.cli.options import AsJson, Changes, Excel, Scheduler, UnitsRead, Words, Workers, drawing, named_as
-from nonhertz.cli.printing import bar, print_result
-from nonhertz.cli.sweep import as_text, directory_for, of_rows, planned
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
+from nonhertz.cli.printing import bar
+from nonhertz.cli.sweep import as_text, of_rows, planned
 from nonhertz.files.changes import changes_in
 from nonhertz.files.results import plain
 from nonhertz.files.workbooks import refuse_missing_writer
@@ -29,9 +30,7 @@ def study_tolerance(
     workers: Workers = None,
     scheduler: Scheduler = None,
     excel: Excel = False,
-    units: UnitsRead = "si",
-    as_json: AsJson = False,
-) -> None:
+) -> Answer:
     """Propagate tolerances to results, and rank their influence.
 
     Rows are kept as those of 'nonhertz sweep' are, and the same command goes on where it was stopped.
@@ -56,7 +55,7 @@ def study_tolerance(
     if excel:
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
-    directory = directory_for(plan, "tolerance") if out is None else out
+    directory = named_after(plan, "-tolerance", out)
     options = {"threads": "--workers", "count": "--samples", "seed": "--seed", "over": "--over"}
     with bar("rows") as update, named_as(**options):
         found = tolerance(
@@ -69,11 +68,8 @@ def study_tolerance(
         drawing(lambda: tolerance_figures(found))(folder)
 
     made = found.sweep.save(directory, draw, excel=excel)
-    if as_json:
-        print(_as_json(found, made))
-    else:
-        title, shown = found.sweep.plan.title, tolerance_sections(found)
-        print_result(title, shown, verdict=found.sweep.verdict, written=made)
+    title, shown = found.sweep.plan.title, tolerance_sections(found)
+    return Answer(title, shown, lambda: _as_json(found, made), verdict=found.sweep.verdict, written=made)
 
 
 def _as_json(found: Tolerance, files: Sequence[Path]) -> str:

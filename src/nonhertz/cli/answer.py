@@ -1,0 +1,43 @@
+"""What commands answer: a value, which is printed in one place, for people or as JSON."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nonhertz.cli import FINE
+
+if TYPE_CHECKING:
+    from nonhertz.show.sections import Section
+    from nonhertz.verdict import Verdict
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a command found. A command that returns one has the options ``--units`` and ``--json``."""
+
+    title: str
+    sections: Iterable[Section]
+    json: Callable[[], str]
+    verdict: Verdict | None = None
+    warnings: Iterable[object] = ()
+    written: Iterable[Path] = ()
+    complaints: Sequence[str] = ()  # to standard error
+    code: int = FINE
+    wide: int | None = 120  # where there is no terminal; None for what COLUMNS says, or else 80
+
+    def printed(self, *, as_json: bool) -> int:
+        """Print it, and return the exit code."""
+        if as_json:
+            print(self.json())
+        else:
+            from nonhertz.cli.printing import print_result
+
+            print_result(self.title, self.sections, self.verdict, self.warnings, self.written, piped=self.wide)
+        if self.complaints:
+            sys.stdout.flush()
+            print(*self.complaints, sep="\n", file=sys.stderr)
+        return self.code
