@@ -8,7 +8,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz import verify
-from nonhertz.verify.claim import Claim, Section, forget, named, series, solved
+from nonhertz.verify.claim import Claim, Evidence, Section, forget, named, solved
 from nonhertz.verify.page import as_json, as_markdown, row
 
 COMMAND = "nonhertz verify --out DIR"
@@ -64,9 +64,11 @@ def test_a_claim_whose_number_is_not_found_fails_with_the_reason():
 
 
 def test_numbers_found_together_are_claims_of_their_own():
-    first, second = series(["a", "b"], ["law", "other"], lambda: (1.0, 2.0), lambda: (1.0, 3.0), (1e-3, None), "mm")
+    both = Evidence("pair", "law", lambda: (1.0, 3.0), lambda: (1.0, 2.0))
+    first, second = both.each(["a", "b"], (1e-3, None), "mm")
     assert (first.check().verdict, second.check().verdict) == ("pass", "shown")
-    assert (second.source, second.unit, second.check().expected, second.check().computed) == ("other", "mm", 2.0, 3.0)
+    checked = second.check()
+    assert (second.quantity, second.unit, checked.expected, checked.computed) == ("pair: b", "mm", 2.0, 3.0)
 
 
 def test_ids_are_section_and_quantity_and_never_the_same_twice():

@@ -9,7 +9,7 @@ import functools
 import math
 import operator
 from collections.abc import Callable, Iterator
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,7 @@ from nonhertz.bearing.strips import StripLaw, StrippedContact
 from nonhertz.bearing.verb import joined
 from nonhertz.verify import known_bearings as known
 from nonhertz.verify.bearing_sums import sums_in_space
-from nonhertz.verify.claim import Claim, Evidence, series, solved
+from nonhertz.verify.claim import Claim, Evidence, solved
 
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
@@ -65,35 +65,29 @@ def claims() -> Iterator[Claim]:
     yield from _loads()
     yield from _ratings()
     for kappa, row in known.LIFE_FACTORS.items():
-        yield from series(
-            [f"a_ISO at kappa = {kappa:g} and e_C C_u / P = {limit:g}" for limit in known.LIMITS],
-            "five public programs", row, functools.partial(_life_factors, kappa), 5.1e-4, absolute=True,
-            why="all their digits",
-        )  # fmt: skip
+        factors = Evidence("", "five public programs", functools.partial(_life_factors, kappa))
+        names = [f"a_ISO at kappa = {kappa:g} and e_C C_u / P = {limit:g}" for limit in known.LIMITS]
+        yield from factors.each(names, 5.1e-4, expected=row, absolute=True, why="all their digits")
     yield from _lives()
     yield from _by_hand()
     for method in METHODS:
         yield from _in_space(method)
     for method in METHODS:
-        yield Claim(
-            f"HR30306J, {method}: largest error of K_ij, over the root of K_ii K_jj", "differences of forces", 0.0,
-            functools.partial(_derivative_off, method), 1e-6, absolute=True,
-        )  # fmt: skip
+        name = f"HR30306J, {method}: largest error of K_ij, over the root of K_ii K_jj"
+        yield Claim(name, "differences of forces", 0.0, functools.partial(_derivative_off, method), 1e-6)
 
 
 # Very many rollers, between two rings without clearance
 
 
 def _of_many(exponent: float) -> Iterator[Claim]:
-    words = f"exponent {exponent:.4g}"
-    factor, ratio = f"{words}: Q_max Z cos(alpha) / F_r", f"{words}: F_a / (F_r tan(alpha))"
+    of = Evidence(f"exponent {exponent:.4g}", "integral over the angle", functools.partial(_spread, exponent))
+    factor, ratio = ratios = "Q_max Z cos(alpha) / F_r", "F_a / (F_r tan(alpha))"
     weighted, plain = (known.zone_integral(exponent, weighted=each) for each in (True, False))
-    published = 1e-3 if exponent == 1.1 else None
-    why = "published with three digits, for 1.1"
-    integrals, names = "integral over the angle", ["Stribeck", "Sjovall"]
-    found = functools.partial(_spread, exponent)
-    yield from series([factor, ratio], integrals, (1.0 / weighted, plain / weighted), found, 1e-4)
-    yield from series([factor, ratio], names, (known.STRIBECK, known.SJOVALL), found, published, why=why)
+    yield from of.each(ratios, 1e-4, expected=(1.0 / weighted, plain / weighted))
+    within, why = 1e-3 if exponent == 1.1 else None, "published with three digits, for 1.1"
+    yield of.claim(factor, operator.itemgetter(0), within, expected=known.STRIBECK, source="Stribeck", why=why)
+    yield of.claim(ratio, operator.itemgetter(1), within, expected=known.SJOVALL, source="Sjovall", why=why)
 
 
 @solved
@@ -116,6 +110,11 @@ def _spread(exponent: float) -> tuple[float, float]:
 # The example of the standard, in as many digits as its figures have
 
 
+def _moved(solution: BearingSolution) -> float:
+    """Return the displacement of the inner ring along y [um]."""
+    return 1e3 * float(solution.displacement[1])
+
+
 @solved
 def _lamina_solution(case: known.LaminaCase) -> BearingSolution:
     return solve(case.bearing, radial=known.LAMINA_LOAD, tilt=case.tilt, method="slices")
@@ -131,14 +130,10 @@ def _laminae(case: known.LaminaCase) -> Iterator[Claim]:
     of = Evidence(case.name, _STANDARD, functools.partial(_lamina_solution, case))
     if case.displacement is not None:
         digit = 6e-6 if case.displacement < 10.0 else 6e-5
-        yield of.claim(
-            "displacement", lambda found: 1e3 * found.displacement[1], digit, "um", expected=case.displacement,
-            absolute=True,
-        )  # fmt: skip
-    yield from series(
-        [f"{of.name}: load of roller {number}" for number in range(len(case.loads))], _STANDARD, case.loads,
-        lambda: of.found().load[:, 0], 0.006, "N", absolute=True,
-    )  # fmt: skip
+        yield of.claim("displacement", _moved, digit, "um", expected=case.displacement, absolute=True)
+    loads = Evidence(case.name, _STANDARD, lambda: of.found().load[:, 0])
+    names = [f"load of roller {number}" for number in range(len(case.loads))]
+    yield from loads.each(names, 0.006, "N", expected=case.loads, absolute=True)
     digit = 0.6 if case.life > 1e4 else 0.06
     yield of.claim(
         "L10r, f = 1", lambda _: _lamina_life(case, "none").reference_life, digit, "million", expected=case.life,
@@ -172,21 +167,17 @@ def tapered_life(method: Method, edge_stress: Literal["none", "standard"]) -> Be
 
 def _loads() -> Iterator[Claim]:
     for method in ("slices", "strips"):
-        of = Evidence(f"HR30306J, {method}", _MASTA, functools.partial(tapered, method))
-        for number, load in enumerate(known.MASTA.loads):
-            # Of an idle roller there is no relative difference.
-            yield of.claim(
-                f"load at {360.0 / 14 * number:.1f} degrees", functools.partial(_outer_load, number=number),
-                WITHIN[method] if load else 1.0, "N", expected=load, absolute=not load,
-            )  # fmt: skip
-    yield Claim(
-        "HR30306J, slices: radial displacement", _RECOMPUTED, known.SLICES_DISPLACEMENT,
-        lambda: 1e3 * float(tapered("slices").displacement[1]), 6e-3, "um", absolute=True,
-    )  # fmt: skip
+        of, loads = Evidence(f"HR30306J, {method}", _MASTA, functools.partial(_outer_loads, method)), known.MASTA.loads
+        names = [f"load at {360.0 / 14 * number:.1f} degrees" for number in range(len(loads))]
+        # Of an idle roller there is no relative difference.
+        yield from of.each(names, [WITHIN[method] if load else 1.0 for load in loads], "N", expected=loads)
+    yield Evidence("HR30306J, slices", _RECOMPUTED, lambda: tapered("slices")).claim(
+        "radial displacement", _moved, 6e-3, "um", expected=known.SLICES_DISPLACEMENT, absolute=True
+    )
 
 
-def _outer_load(solution: BearingSolution, number: int) -> float:
-    return float(solution.load[number, 1])
+def _outer_loads(method: Method) -> Array:
+    return tapered(method).load[:, 1]
 
 
 def _ratings() -> Iterator[Claim]:
@@ -201,16 +192,18 @@ def _ratings() -> Iterator[Claim]:
         return [inner, outer, inner * per_lamina, outer * per_lamina, 1e-3 * life.rating.fatigue_limit, *of_oil]
 
     names = ("Q_ci", "Q_ce", "q_ci of a lamina", "q_ce of a lamina", "C_u", "nu_1", "kappa", "e_C")
-    yield from series(
-        [f"HR30306J: {name}" for name in names], "quoted beside MASTA",
-        (14.16, 24.20, 0.803, 1.373, 7.317, 16.18, 3.413, 0.8174), found,
-        (1e-3, 1e-3, 1e-3, 1e-3, 1e-4, 4e-4, 2e-4, 7e-5), ("kN", "kN", "kN", "kN", "kN", "mm^2/s", "", ""),
+    yield from Evidence("HR30306J", "quoted beside MASTA", found).each(
+        names, (1e-3, 1e-3, 1e-3, 1e-3, 1e-4, 4e-4, 2e-4, 7e-5), ("kN", "kN", "kN", "kN", "kN", "mm^2/s", "", ""),
+        expected=(14.16, 24.20, 0.803, 1.373, 7.317, 16.18, 3.413, 0.8174),
     )  # fmt: skip
-    yield from series(
-        ["HR30306J: C by the formula of ISO 281", "HR30306J: C_0 by the formula of ISO 76"], "catalogue",
-        (1e-3 * given.dynamic, 1e-3 * given.static),
-        lambda: (1e-3 * rating(bearing).dynamic, 1e-3 * rating(bearing).static), None, "kN",
-    )  # fmt: skip
+    of = Evidence("HR30306J", "catalogue", lambda: rating(bearing))
+    for name, what in (("C by the formula of ISO 281", "dynamic"), ("C_0 by the formula of ISO 76", "static")):
+        kilo = functools.partial(_thousandth, what=what)
+        yield of.claim(name, kilo, None, "kN", expected=kilo(given))
+
+
+def _thousandth(of: Any, what: str) -> float:
+    return float(1e-3 * getattr(of, what))
 
 
 def _life_factors(kappa: float) -> list[float]:
@@ -261,19 +254,11 @@ def nu206_by_hand() -> tuple[float, Array]:
 def _by_hand() -> Iterator[Claim]:
     """Yield the displacement and the loads of the NU 206; the fourth roller is idle."""
     of = Evidence("NU 206", "single contacts", lambda: nu206("strips"))
-    yield of.claim(
-        "displacement", lambda found: 1e3 * found.displacement[1], 1e-4, "um",
-        expected=lambda: 1e3 * nu206_by_hand()[0],
-    )  # fmt: skip
-    idle = 3
-    yield from series(
-        [f"NU 206: load at {360.0 / 13 * number:.1f} degrees" for number in range(idle)], of.source,
-        lambda: nu206_by_hand()[1], lambda: of.found().load[:, 0], 1e-4, "N",
-    )  # fmt: skip
-    yield of.claim(
-        f"load at {360.0 / 13 * idle:.1f} degrees", lambda found: found.load[idle, 0], 0.1, "N",
-        expected=lambda: nu206_by_hand()[1][idle], absolute=True,
-    )  # fmt: skip
+    yield of.claim("displacement", _moved, 1e-4, "um", expected=lambda: 1e3 * nu206_by_hand()[0])
+    *loaded, idle = [f"load at {360.0 / 13 * number:.1f} degrees" for number in range(4)]
+    loads = Evidence(of.name, of.source, lambda: nu206("strips").load[:, 0], lambda: nu206_by_hand()[1])
+    yield from loads.each(loaded, 1e-4, "N")
+    yield loads.claim(idle, operator.itemgetter(len(loaded)), 0.1, "N", absolute=True)
 
 
 # Forces in space, and their derivatives
@@ -288,17 +273,12 @@ def _pair(method: Method) -> BearingSolution:
 def _in_space(method: Method) -> Iterator[Claim]:
     """Yield that the forces on two HR30306J are in balance, and have a potential."""
     of = Evidence(f"two HR30306J, {method}", "sum of vectors", lambda: sums_in_space(_pair(method)))
-    yield of.claim(
-        "what is left of a roller's balance, over all loads", "rollers_left", 1e-8, expected=0.0, absolute=True
-    )
-    yield of.claim(
-        "what the ring bears beside what is given, over all loads", lambda sums: np.max(np.abs(sums.off(FORCE))), 1e-8,
-        expected=0.0, absolute=True,
-    )  # fmt: skip
+    beside = "what the ring bears beside what is given, over all loads"
+    yield of.claim("what is left of a roller's balance, over all loads", "rollers_left", 1e-8)
+    yield of.claim(beside, lambda sums: np.max(np.abs(sums.off(FORCE))), 1e-8)
     yield Evidence(of.name, "forces with a potential", lambda: _pair(method).stiffness).claim(
-        "largest K_ij - K_ji, over the root of K_ii K_jj", lambda K: _largest(K - K.T, K), 1e-4, expected=0.0,
-        absolute=True,
-    )  # fmt: skip
+        "largest K_ij - K_ji, over the root of K_ii K_jj", lambda K: _largest(K - K.T, K), 1e-4
+    )
 
 
 def _largest(difference: Array, stiffness: Array) -> float:

@@ -46,7 +46,8 @@ class Claim:
     unit : str
         Unit of both values, empty for a ratio.
     absolute : bool
-        Whether difference and tolerance are absolute, in ``unit``; else relative to the expected value.
+        Whether difference and tolerance are absolute, in ``unit``; else relative to the expected value. They are where
+        the expected number is zero.
     why : str
         Reason for the tolerance, where it is not that of the source.
     id : str
@@ -62,6 +63,10 @@ class Claim:
     absolute: bool = False
     why: str = ""
     id: str = ""
+
+    def __post_init__(self) -> None:
+        """Take a difference from zero as it is."""
+        object.__setattr__(self, "absolute", self.absolute or self.expected == 0.0)
 
     def check(self) -> Check:
         """Return the claim with its numbers; a computation that fails gives NaN and the reason."""
@@ -122,11 +127,11 @@ class Evidence:
     Attributes
     ----------
     name : str
-        Words before each quantity.
+        Words before each quantity, if any.
     source : str
         That of its claims, unless they have their own.
     found, expected : callable
-        Return the result and its counterpart. Without one each claim says what it expects.
+        Return the result and its counterpart. Without one a claim says what it expects, unless that is zero.
     """
 
     name: str
@@ -148,11 +153,26 @@ class Evidence:
     ) -> Claim:
         """Return a claim about an attribute of the result, or about what a function finds in it."""
         of = operator.attrgetter(measure) if isinstance(measure, str) else measure
-        counterpart = self.expected
-        by = expected if counterpart is None or expected is not None else lambda: of(counterpart())
-        assert by is not None, "evidence without a counterpart has claims that say what they expect"
-        words = f"{self.name}: {quantity}"
-        return Claim(words, source or self.source, by, lambda: of(self.found()), tolerance, unit, absolute, why)
+        counterpart, words = self.expected, f"{self.name}: {quantity}" if self.name else quantity
+        if expected is None:
+            expected = 0.0 if counterpart is None else lambda: of(counterpart())
+        return Claim(words, source or self.source, expected, lambda: of(self.found()), tolerance, unit, absolute, why)
+
+    def each(
+        self,
+        quantities: Iterable[str],
+        tolerance: float | Sequence[float | None] | None,
+        unit: str | Sequence[str] = "",
+        *,
+        expected: Values | None = None,
+        absolute: bool = False,
+        why: str = "",
+    ) -> Iterator[Claim]:
+        """Yield a claim about each of the numbers that the result consists of; sequences have an entry for each."""
+        for place, quantity in enumerate(quantities):
+            within = tolerance[place] if isinstance(tolerance, Sequence) else tolerance
+            by, of = None if expected is None else expected[place], unit if isinstance(unit, str) else unit[place]
+            yield self.claim(quantity, operator.itemgetter(place), within, of, expected=by, absolute=absolute, why=why)
 
 
 @dataclass(frozen=True)
@@ -162,29 +182,6 @@ class Section:
     name: str
     title: str
     checks: tuple[Check, ...]
-
-
-def series(
-    quantities: Sequence[str],
-    source: str | Sequence[str],
-    expected: Values | Callable[[], Values],
-    found: Callable[[], Values],
-    tolerance: float | Sequence[float | None] | None,
-    unit: str | Sequence[str] = "",
-    *,
-    absolute: bool = False,
-    why: str = "",
-) -> Iterator[Claim]:
-    """Yield a claim for each of several numbers that are found together; sequences have an entry for each."""
-
-    def entry(values: Values | Callable[[], Values], place: int) -> Callable[[], float]:
-        return lambda: float((values() if callable(values) else values)[place])
-
-    for place, quantity in enumerate(quantities):
-        by = source if isinstance(source, str) else source[place]
-        of = unit if isinstance(unit, str) else unit[place]
-        allowed = tolerance[place] if isinstance(tolerance, Sequence) else tolerance
-        yield Claim(quantity, by, entry(expected, place), entry(found, place), allowed, of, absolute, why)
 
 
 def named(section: str, claims: Iterable[Claim]) -> tuple[Claim, ...]:

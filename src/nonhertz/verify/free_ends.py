@@ -23,7 +23,7 @@ from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.solver import solve as solve_patch
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Claim, Evidence, pressures, series, solved
+from nonhertz.verify.claim import Claim, Evidence, pressures, solved
 
 # What mirroring leaves: bodies on y > 0 with a combined radius of 100 mm, separation 0 up to y = 13 mm and
 # (y - 13)^2 / 5000 beyond; the half-width is about 0.85 mm. Compared are p(0, y) / p(0, 8).
@@ -70,10 +70,10 @@ def _mirrored(
     expected: tuple[float, ...],
     tolerances: tuple[float | None, ...],
 ) -> Iterator[Claim]:
-    quantities = [f"{name}: pressure at y = {place:g} mm over that at {FAR:g} mm" for place in DISTANCES]
+    of = Evidence(name, source, functools.partial(_mirrored_ratios, *weights))
+    quantities = [f"pressure at y = {place:g} mm over that at {FAR:g} mm" for place in DISTANCES]
     why = "across the last quarter of a half-width the pressure is no semi-ellipse"
-    found = functools.partial(_mirrored_ratios, *weights)
-    yield from series(quantities, source, expected, found, tolerances, why=why)
+    yield from of.each(quantities, tolerances, expected=expected, why=why)
 
 
 def _mirrored_ratios(of_roller: float, of_flat: float) -> list[float]:
@@ -150,10 +150,10 @@ def free() -> Iterator[Claim]:
     yield of.claim("pressure in the middle", _in_middle, 1e-3, "MPa", expected=MIDDLE)
     tilted = Evidence("straight, tilted, plane grid", _ITERATED, lambda: on_grid(TILTED))
     yield tilted.claim("moment", "moment", 5e-3, "N mm", expected=MOMENT)
-    yield from series(
-        [f"{of.name}: pressure {place:g} half-widths from the end" for place in PLACES], _ITERATED,
-        PRESSURES, lambda: pressures(of.found(), HALF - half_width(STRAIGHT) * np.array(PLACES)), TOLERANCES, "MPa",
-    )  # fmt: skip
+    towards_end = lambda: pressures(of.found(), HALF - half_width(STRAIGHT) * np.array(PLACES))  # noqa: E731
+    yield from Evidence(of.name, _ITERATED, towards_end).each(
+        [f"pressure {place:g} half-widths from the end" for place in PLACES], TOLERANCES, "MPa", expected=PRESSURES
+    )
     for both, name in ((True, "both bodies end"), (False, "one body ends")):
         strips, grid = functools.partial(_ratios, both), functools.partial(_ratios, both, on_grid)
         for place, y in enumerate(PLACES):
@@ -181,10 +181,9 @@ def _of_case(case: Case) -> Iterator[Claim]:
     if "tilt" in case.given:
         yield of.claim("moment", "moment", 1e-3, "N mm")
     tolerances = [None if case.runs_out and place < 0.5 else TOLERANCES[i] for i, place in enumerate(PLACES)]
-    yield from series(
-        [f"{case.name}: pressure {place:g} half-widths from the end of the contact" for place in PLACES], _GRID,
-        lambda: towards_end(on_grid(case)), lambda: towards_end(by_strips(case)), tolerances, "MPa",
-    )  # fmt: skip
+    both = lambda: towards_end(by_strips(case)), lambda: towards_end(on_grid(case))
+    names = [f"pressure {place:g} half-widths from the end of the contact" for place in PLACES]
+    yield from Evidence(case.name, _GRID, *both).each(names, tolerances, "MPa")
 
 
 @solved

@@ -20,7 +20,7 @@ from nonhertz.model.material import STEEL, Material
 from nonhertz.model.profile import Profile, crown, straight
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, series, solved
+from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, solved
 
 Array = NDArray[np.float64]
 SOURCE = "uniform rectangles, extrapolated"
@@ -89,10 +89,10 @@ def _of_case(reference: Reference) -> Iterator[Claim]:
     yield of.claim("centre half-width", half_width, tolerance, "mm", expected=reference.half_width)
     if reference.moment is not None:
         yield of.claim("moment", "moment", 3e-4, "N mm", expected=reference.moment)
-    yield from series(
-        [f"{of.name}: pressure at y = {place:g} mm" for place in places], SOURCE,
-        [pressure for _, pressure in reference.inwards], lambda: pressures(of.found(), places),
+    yield from Evidence(of.name, SOURCE, lambda: pressures(of.found(), places)).each(
+        [f"pressure at y = {place:g} mm" for place in places],
         [1e-2 if place <= JUDGED_TO else None for place in places], "MPa",
+        expected=[pressure for _, pressure in reference.inwards],
     )  # fmt: skip
     if reference.strength is not None:
         yield of.claim(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
+import operator
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -22,7 +23,7 @@ from nonhertz.model.profile import Profile
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
-from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, series, solved
+from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, solved
 
 Array = NDArray[np.float64]
 STEEL = Material(206000.0, 0.3)
@@ -100,14 +101,12 @@ def ellipses() -> Iterator[Claim]:
         yield from _against_hertz(element, EQUAL_STRIPS, f"{EQUAL_STRIPS} equal strips", 2e-4, 3e-3)
         yield from _against_hertz(element, None, "automatic grid", 5e-5, 5e-4)
     for ellipticity, radius_y, expected in SECOND_ERRORS:
-        yield from series(
-            [f"parabolic, a/b = {ellipticity}: {name} over Hertz's" for name in QUANTITIES], SECOND, expected,
-            functools.partial(_second_errors, radius_y), 0.006, "%", absolute=True, why="two decimals are given",
-        )  # fmt: skip
-    yield from series(
-        [f"parabolic, a/b = 10: pressure at y/a = {place:g} over Hertz's greatest" for place in SHAPE],
-        SECOND, list(SHAPE.values()), _shape, 2e-4, absolute=True,
-        why="between strip centres the pressure is interpolated linearly, as in the other program",
+        of = Evidence(f"parabolic, a/b = {ellipticity}", SECOND, functools.partial(_second_errors, radius_y))
+        names, why = [f"{name} over Hertz's" for name in QUANTITIES], "two decimals are given"
+        yield from of.each(names, 0.006, "%", expected=expected, absolute=True, why=why)
+    yield from Evidence("parabolic, a/b = 10", SECOND, _shape).each(
+        [f"pressure at y/a = {place:g} over Hertz's greatest" for place in SHAPE], 2e-4, expected=[*SHAPE.values()],
+        absolute=True, why="between strip centres the pressure is interpolated linearly, as in the other program",
     )  # fmt: skip
 
 
@@ -115,21 +114,20 @@ def _against_hertz(
     element: Element, strips: int | None, grid: str, within: float, along_within: float
 ) -> Iterator[Claim]:
     exact, biased = ellipse(), element is PARABOLIC
-    targets = [exact.max_pressure, exact.half_width, exact.approach]
-    sources, case, why = ["Hertz"] * 3, f"{element.name}, {grid}", ""
+    solution = functools.partial(on_strips, exact, element, REACH, strips)
+    of = Evidence(f"{element.name}, {grid}", "Hertz", lambda: found(solution()))
+    targets = exact.max_pressure, exact.half_width, exact.approach
     if biased:
-        sources = [f"Hertz {100.0 * bias:+.2f} %, the element's bias" for bias in PARABOLIC_BIAS]
-        targets = [target * (1.0 + bias) for target, bias in zip(targets, PARABOLIC_BIAS, strict=True)]
-        within, why = 3e-4, "41 strips add 2e-4 to the bias"
-
-    def solution() -> Solution:
-        return on_strips(exact, element, REACH, strips)
-
-    quantities = [f"{case}: {name}" for name in QUANTITIES]
-    yield from series(quantities, sources, targets, lambda: found(solution()), within, UNITS, why=why)
-    yield Claim(
-        f"{case}: largest difference of pressure within {INSIDE:g} half-lengths, of the greatest", "Hertz", 0.0,
-        lambda: float(np.max(np.abs(off(solution(), exact)[1]))), None if biased else along_within, absolute=True,
+        for place, (name, bias) in enumerate(zip(QUANTITIES, PARABOLIC_BIAS, strict=True)):
+            yield of.claim(
+                name, operator.itemgetter(place), 3e-4, UNITS[place], expected=targets[place] * (1.0 + bias),
+                source=f"Hertz {100.0 * bias:+.2f} %, the element's bias", why="41 strips add 2e-4 to the bias",
+            )  # fmt: skip
+    else:
+        yield from of.each(QUANTITIES, within, UNITS, expected=targets)
+    yield Evidence(of.name, of.source, solution).claim(
+        f"largest difference of pressure within {INSIDE:g} half-lengths, of the greatest",
+        lambda solved: np.max(np.abs(off(solved, exact)[1])), None if biased else along_within,
     )  # fmt: skip
 
 
@@ -201,9 +199,8 @@ def _long(element: Element, strips: int | None) -> Solution:
 def _of_lines(element: Element, grid: str, strips: int | None) -> Iterator[Claim]:
     solution = functools.partial(_long, element, strips)
     of = Evidence(f"{element.name}, {grid}", "Hertz's line contact", solution)
-    half_width, pressure, c, line_load = map(
-        in_middle, ("half_width", "centre_pressure", "element_half_width", "line_load")
-    )
+    names = "half_width", "centre_pressure", "element_half_width", "line_load"
+    half_width, pressure, c, line_load = map(in_middle, names)
 
     def by_load() -> LineContact:
         # The sharp ends attract load; what is left in the middle decides.

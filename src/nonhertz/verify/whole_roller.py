@@ -23,7 +23,7 @@ from nonhertz.model.material import Material
 from nonhertz.model.side_faces import FaceRule
 from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.strip.influence import displacements
-from nonhertz.verify.claim import Claim, Evidence, series, solved
+from nonhertz.verify.claim import Claim, Evidence, solved
 
 Array = NDArray[np.float64]
 
@@ -156,19 +156,19 @@ def claims() -> Iterator[Claim]:
     places = ("in the middle", "one half-width from the end", "at the end", "in tilting")
     for model in MODELS[:-1]:
         # Judged where they are recorded with the finite elements.
-        yield from series(
-            [f"{model.name}: error {place}, nu = 0.3" for place in places],
-            "recorded with the finite elements" if model.errors else _ELEMENTS, model.errors or (0.0,) * 4,
-            functools.partial(errors, model), 0.3 if model.errors else None, "%", absolute=True,
+        source = "recorded with the finite elements" if model.errors else _ELEMENTS
+        yield from Evidence(model.name, source, functools.partial(errors, model)).each(
+            [f"error {place}, nu = 0.3" for place in places], 0.3 if model.errors else None, "%",
+            expected=model.errors or (0.0,) * 4, absolute=True,
         )  # fmt: skip
 
 
 def _of_whole_roller(load: Load) -> Iterator[Claim]:
     judged = [place for place, y in enumerate(load.y) if y in _JUDGED and load.moved[place]]
-    yield from series(
-        [f"{WHOLE.name}, {load.name}: w / (K q) at y = {load.y[place]:g} mm" for place in judged], _ELEMENTS,
-        [load.moved[place] for place in judged], lambda: whole_moved(load)[judged],
+    yield from Evidence(f"{WHOLE.name}, {load.name}", _ELEMENTS, lambda: whole_moved(load)[judged]).each(
+        [f"w / (K q) at y = {load.y[place]:g} mm" for place in judged],
         [_WITHIN if load.y[place] < END - 0.1 * load.half_width else _AT_END for place in judged],
+        expected=[load.moved[place] for place in judged],
     )  # fmt: skip
 
 
