@@ -102,8 +102,8 @@ def test_fields_are_in_us_units_and_stand_for_what_the_case_says(name):
         found = fields(name)
     converted = 0
     for path, each in found.items():
-        unit = next((unit for unit in each.units if unit.chosen), None)
-        before = next((unit for unit in usual[path].units if unit.chosen), None)
+        unit = next((unit for unit in each.units if unit.word == each.word), None)
+        before = next((unit for unit in usual[path].units if unit.word == usual[path].word), None)
         if unit is None or not each.value:
             assert each.value == usual[path].value
             continue

@@ -20,14 +20,6 @@ _PLAIN_NUMBER: Final = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
 @dataclass(frozen=True)
-class Slider:
-    """A slider for a number: its range, and its position."""
-
-    range: Range
-    position: int
-
-
-@dataclass(frozen=True)
 class Option:
     """An option: its word, and what else changes in the document when it is chosen."""
 
@@ -57,16 +49,16 @@ class FormField:
         else text), ``"hidden-json"``. If the text is empty, the key is left out.
     value : str
         The text in it; of a quantity with units, the number in the one that is chosen.
-    units : tuple of Unit
-        The units to choose from.
+    units, word : tuple of Unit, str
+        The units to choose from, and the one that is chosen.
     stands_for : str
         The value in the document as JSON, where it is not what the text in its unit would say.
     default : str
         What leaving it empty means.
     options : tuple of Option
         Choices, or suggested words.
-    slider : Slider or None
-        For numbers.
+    slider : Range or None
+        That of a slider, for numbers.
     structural : bool
         Whether changing it changes the form.
     removable : bool
@@ -81,8 +73,9 @@ class FormField:
     unit: str = ""
     default: str = ""
     options: tuple[Option, ...] = ()
-    slider: Slider | None = None
+    slider: Range | None = None
     units: tuple[Unit, ...] = ()
+    word: str = ""
     stands_for: str = ""
     structural: bool = False
     removable: bool = False

@@ -25,7 +25,7 @@ from nonhertz.inputs.fields import (
     text_of,
 )
 from nonhertz.inputs.units import in_unit
-from nonhertz.web.form.fields import FormField, Option, Slider, number_or_words, options_of, text_in
+from nonhertz.web.form.fields import FormField, Option, number_or_words, options_of, text_in
 from nonhertz.web.form.ranges import Range
 from nonhertz.web.form.units import units_of
 
@@ -95,11 +95,10 @@ def _with_units(made: FormField, value: Any, name: str) -> FormField:
     """Return an input with the units to choose from, and the number in the one in which it is shown."""
     if text_in(made.kind, value) is None and value is not ABSENT:
         return made
-    text, units = units_of(made.unit, name, None if value is ABSENT else value)
-    word = next((unit.word for unit in units if unit.chosen), "")
+    text, word, units = units_of(made.unit, name, None if value is ABSENT else value)
     if _is_number(made.default) and word != made.unit:
         made = replace(made, default=f"{amount(float(made.default), made.unit):g}")
-    made = replace(made, units=units)
+    made = replace(made, units=units, word=word)
     if text is None:
         return made
     stands_for = "" if value == (float(text) if word == made.unit else f"{text} {word}") else json.dumps(value)
@@ -113,8 +112,8 @@ def _is_number(text: str) -> bool:
         return False
 
 
-def _slider(made: FormField, value: Any, found: Range | None) -> Slider | None:
-    """Return the slider for a quantity, at its present value."""
+def _slider(made: FormField, value: Any, found: Range | None) -> Range | None:
+    """Return the range of the slider for a quantity; None where it has none, or no number."""
     if found is None:
         return None
     try:
@@ -124,8 +123,7 @@ def _slider(made: FormField, value: Any, found: Range | None) -> Slider | None:
     if not isinstance(number, float) or not math.isfinite(number):  # a file may hold NaN
         return None
     found = found.as_read(made.unit)
-    found = found.mirrored() if found.scale == "log" and number < 0.0 < found.low else found
-    return Slider(found, found.position(number))
+    return found.mirrored() if found.scale == "log" and number < 0.0 < found.low else found
 
 
 def stray(value: Any, place: Place) -> FormField:

@@ -26,7 +26,6 @@ from nonhertz.inputs.units import in_unit
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 
-SLIDER_STEPS: Final = 1000
 MOST_PRESSURE: Final = 3500.0
 """MPa; ISO 76 takes 4000 as the limit of a roller at rest."""
 _USUAL: Final = 0.3  # of the largest load: some 1900 MPa
@@ -69,21 +68,6 @@ class Range:
         factor = chosen().of(unit)[1]
         low, high = (_two_figures(end * factor) / factor for end in (self.low, self.high))
         return self if factor == 1.0 else Range(low, high, self.scale, self.start)
-
-    def position(self, value: float) -> int:
-        """Return the position of a value on the slider, from 0 to `SLIDER_STEPS`.
-
-        Examples
-        --------
-        >>> Range(1.0, 100.0, "log", 10.0).position(10.0)
-        500
-        """
-        low, high, at = self.low, self.high, value
-        if self.scale == "log":
-            if value / low <= 0.0:
-                return 0
-            low, high, at = 0.0, math.log(high / low), math.log(value / low)
-        return round(SLIDER_STEPS * min(max((at - low) / (high - low), 0.0), 1.0))
 
 
 def _two_figures(value: float) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Final
 
 from nonhertz.amounts import INCH, POUND_FORCE, SI, chosen
@@ -41,13 +41,10 @@ class Unit:
         As files have it.
     factor : float or None
         Its size in the base unit; None where the value is not proportional to the number.
-    chosen : bool
-        Whether the value is shown in it.
     """
 
     word: str
     factor: float | None
-    chosen: bool = False
 
     @property
     def label(self) -> str:
@@ -55,8 +52,8 @@ class Unit:
         return self.word.replace("um", "µm").replace("uin", "µin").replace("deg", "°").replace("arcmin", "′")
 
 
-def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, ...]]:
-    """Return the number of a value in the unit in which it is shown, and the units to choose from.
+def units_of(base: str, name: str, value: Any) -> tuple[str | None, str, tuple[Unit, ...]]:
+    """Return the number of a value in the unit in which it is shown, that unit, and all units to choose from.
 
     What was given with a unit is shown in that, unless results are read in US units.
 
@@ -73,41 +70,32 @@ def units_of(base: str, name: str, value: Any) -> tuple[str | None, tuple[Unit, 
     -------
     text : str or None
         None for a value that is no number, with a unit or without.
+    word : str
+        The unit in which it is shown, as files have it.
     units : tuple of Unit
         Empty where there is nothing to choose.
     """
     known = CHOICES.get(base)
     if known is None:
-        return None, ()
+        return None, "", ()
     units = tuple(Unit(word, factor) for word, factor in known.items())
     if isinstance(value, str):
-        written = number_and_unit(value)
-        if written is None:
-            return None, _chosen(units, _read(base)[0])
-        number, unit = written
+        number, unit = number_and_unit(value) or ("", "")
         word = unit.replace("µ", "u").replace("μ", "u")
         if word not in known:
             try:
-                size = in_unit(name, value, base)
-                one = in_unit(name, f"1 {unit}", base)
+                size, one = (in_unit(name, each, base) for each in (value, f"1 {unit}"))
             except InputError:
-                return None, _chosen(units, _read(base)[0])
+                return None, _read(base)[0], units
             word = unit
             units += (Unit(word, one if math.isclose(one * float(number), size, rel_tol=_LINEAR) else None),)
         if chosen() is SI or word not in chosen().table:
-            return number, _chosen(units, word)
+            return number, word, units
         value = in_unit(name, value, base)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        return None, _chosen(units, _usual(base, name, None)[0])
-    word, figures = _usual(base, name, float(value))
-    return _shown(float(value) / known[word], figures), _chosen(units, word)
-
-
-def _usual(base: str, name: str, value: float | None) -> tuple[str, int]:
-    """Return the unit in which people write a quantity of this name and size, and with how many digits."""
-    word = _of_files(base, name, value)
-    read, factor = _read(word)
-    return read, _FIGURES if factor == 1.0 else _FEWER
+    there = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    word, factor = _read(_usual(base, name, abs(value) if there else 0.0))
+    text = _shown(float(value) / known[word], _FIGURES if factor == 1.0 else _FEWER) if there else None
+    return text, word, units
 
 
 def _read(word: str) -> tuple[str, float]:
@@ -116,18 +104,14 @@ def _read(word: str) -> tuple[str, float]:
     return read.replace("µ", "u"), factor
 
 
-def _of_files(base: str, name: str, value: float | None) -> str:
-    size = abs(value) if value is not None else 0.0
+def _usual(base: str, name: str, size: float) -> str:
+    """Return the unit of files in which people write a quantity of this name and size."""
     if base == "mm":
         return "um" if name in MICROMETRES and size < 1.0 else "mm"
     if base == "rad":
         return "mrad" if size < _SMALL_ANGLE else "deg"
     from_, word = _LARGE.get(base, (math.inf, base))
     return word if size >= from_ else base
-
-
-def _chosen(units: tuple[Unit, ...], word: str) -> tuple[Unit, ...]:
-    return tuple(replace(unit, chosen=unit.word == word) for unit in units)
 
 
 def _shown(number: float, figures: int) -> str:

@@ -127,7 +127,7 @@ export function slid(slider, control) {
 }
 
 /**
- * Move a slider to the value of its field; a value beyond the range leaves it at an end.
+ * Move a slider to the value of its field, if that is a number.
  * @param {HTMLInputElement} slider
  * @param {Control} control
  */
@@ -135,7 +135,11 @@ export function follow(slider, control) {
   const unit = split(control.value) ? "" : unitOf(control);
   slider.setAttribute("aria-valuetext", control.value ? `${control.value} ${unit}`.trim() : "left out");
   const value = valueOf(slider, control);
-  if (!Number.isFinite(value)) return;
+  if (Number.isFinite(value)) place(slider, value);
+}
+
+/** Move a slider to a value; one beyond the range leaves it at an end. @param {HTMLInputElement} slider @param {number} value */
+export function place(slider, value) {
   const [low, high] = ends(slider);
   const share = isLogarithmic(slider)
     ? Math.log(Math.max(value / low, 1)) / Math.log(high / low)

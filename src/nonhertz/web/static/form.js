@@ -2,7 +2,7 @@
 // requested when an edit changes which fields there are.
 
 import { byId } from "./elements.js";
-import { convert, follow, said, settle, slid, sliderOf, unitsOf } from "./fields.js";
+import { convert, follow, place, said, settle, slid, sliderOf, unitsOf } from "./fields.js";
 import { columns } from "./numbers.js";
 import { outer, valueAt, withValue } from "./paths.js";
 
@@ -182,6 +182,7 @@ export class Form {
       this.form.querySelectorAll('input[type="range"]')
     )) {
       slider.tabIndex = 0;
+      place(slider, Number(slider.dataset.start)); // where its field is empty
       const control = document.getElementById(slider.dataset.for ?? "");
       if (control) follow(slider, /** @type {Control} */ (control));
     }
