@@ -65,26 +65,6 @@ def test_one_that_fails_does_not_hide_the_others(cases, run):
 
 
 @pytest.mark.slow
-def test_one_that_does_not_converge_is_said_and_shown(cases, monkeypatch, run):
-    whole = nonhertz.solver.one.solve
-
-    def solve(contact: nh.Contact, **given: object) -> nh.Solution:
-        solution = whole(contact, **given)
-        if given["load"] != 5000.0:
-            return solution
-        object.__setattr__(solution, "status", nh.Status.ITERATION_LIMIT)
-        raise nh.ConvergenceError("It did not converge.", solution)
-
-    monkeypatch.setattr(nonhertz.solver.one, "solve", solve)
-    printed = run("solve", *cases, "--out", "results", code=1)
-    assert printed.err == "other/one.toml: It did not converge.\n"
-    assert "iteration limit, " in printed.out
-    table = list(csv.DictReader(io.StringIO(Path("results", "cases.csv").read_text(encoding="utf-8"))))
-    assert [row["status"] for row in table] == ["converged", "iteration-limit"]
-    assert [row["complaint"] for row in table] == ["", "It did not converge."]
-
-
-@pytest.mark.slow
 def test_each_has_a_folder_of_its_own_beside_the_table(cases, run):
     printed = run("solve", *cases, "missing.toml", "--out", "results", code=2).out
     assert {path.name for path in Path("results").iterdir()} == {"one", "one-2", "cases.csv"}

@@ -112,17 +112,14 @@ def test_stress_is_that_of_the_search(body):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("body", ["a", "b"])
-def test_what_a_body_bears_is_said_as_everywhere(body):
+def test_what_a_body_bears_is_said_as_everywhere():
     steel = {"modulus": 2.07e5, "poisson": 0.3, "yield_strength": 1000.0, "pressure_limit": 4000.0}
-    document = changed(**{f"body__{body}__material": steel, f"body__{body}__case_depth": 0.1})
-    answer = json.loads(jobs.strength(document, body))
-    found = answer["checks"]
-    strength = assess(solution_of(document), body=body)
-    assert [each["sentence"] for each in found] == list(strength.sentences)
-    assert [each["verdict"] for each in found] == [check.verdict for check in strength.checks]
-    assert {each["verdict"] for each in found} >= {"fine", "over"}
-    assert found[0]["sentence"].endswith(f"static safety {strength.static_safety:.3g}.")
+    document = changed(body__b__material=steel, body__b__case_depth=0.1, solver__strips=21)
+    answer = json.loads(jobs.strength(document, "b"))
+    strength = assess(solution_of(document), body="b")
+    found = [(each["sentence"], each["verdict"]) for each in answer["checks"]]
+    assert found == [(check.sentence, check.verdict) for check in strength.checks]
+    assert {verdict for _, verdict in found} >= {"fine", "over"}
     assert answer["stress"]["von_mises"]["value"] == strength.largest.von_mises.max
 
 
@@ -139,14 +136,6 @@ def test_singular_ends_are_told_and_scale_without_them():
     assert [end["y"] for end in found["singular"]] == [-10.0, 10.0]
     assert 0.0 < found["key"]["max_pressure"] < 0.5 * max(found["line"]["pressure"])
     assert "away from singular ends" in found["key"]["largest"]
-
-
-def test_pieces_of_the_contact_are_parted():
-    hollow = [{"kind": "tabulated", "y": [-10, -5, 0, 5, 10], "relief": [0.02, 0.0, 0.02, 0.0, 0.02]}]
-    found = answer(changed(body__a__profile=hollow, load__load=2000.0, load__tilt=0.0))
-    assert len(found["contact"]) == 2
-    assert found["footprint"]["y"].count(None) == 1
-    assert found["footprint"]["y"].index(None) == found["footprint"]["pressure"].index(None)
 
 
 def test_an_unconverged_solve_is_shown_with_its_complaint(monkeypatch):
@@ -186,11 +175,6 @@ def test_what_the_solver_refuses_stands_at_its_field():
     assert [mistake["path"] for mistake in found["mistakes"]] == ["body.a.depth"]
     found = answer(changed(body__a__profile=[{"kind": "crown", "radius": 1e-9}]))
     assert [mistake["path"] for mistake in found["mistakes"]] == ["body.a.profile"]
-
-
-def test_the_sound_body_of_a_broken_case_is_drawn():
-    found = answer(changed(load__load="heavy", body__b__diameter="round"))
-    assert set(found["profiles"]) == {"a"}
 
 
 @pytest.mark.parametrize("document", [{}, {"body": 3}, {"body": {"a": []}}, {"": {}}, {"load": {"load": True}}])
@@ -287,17 +271,6 @@ def test_a_value_without_a_solution_is_a_sentence_on_the_curve():
     good, bad = curve(STARTING, "body.a.length", [18.0, -1.0])["points"]
     assert good["numbers"]
     assert "positive" in bad["sentence"]
-
-
-def test_a_curve_over_nothing_names_the_nearest():
-    found = curve(STARTING, "body.a.diametre", [1.0])
-    assert not found["ok"]
-    assert "body.a.diameter" in found["mistakes"][0]["sentence"]
-
-
-def test_a_curve_obeys_the_limits_of_the_page():
-    (point,) = curve(STARTING | {"solver": {"strips": 20}}, "solver.strips", [limits.STRIPS + 1])["points"]
-    assert f"at most {limits.STRIPS}" in point["sentence"]
 
 
 def test_points_for_which_there_is_no_time_are_left_to_the_next_request(monkeypatch):

@@ -19,10 +19,8 @@ from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.schemas import schema_of
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import in_unit
-from nonhertz.model.materials import MATERIALS
 from nonhertz.solver.one import solve
 from nonhertz.web.form.form import form
-from nonhertz.web.form.ranges import RANGES
 from nonhertz.web.form.units import CHOICES, SLOPE
 from nonhertz.web.view import jobs
 
@@ -241,15 +239,6 @@ def test_what_is_added_can_be_solved():
         assert answer["ok"] or asks == ["body.b.profile[1].length"], (option["value"], answer["mistakes"])
 
 
-def test_inputs_have_names_of_their_own():
-    found = Inputs(form_of(every_kind() | {"life": with_life()["life"]}))
-    ids = [each["id"] for each in found.found if "id" in each]
-    assert len(ids) == len(set(ids)) > 100
-    for each in found.found:
-        if "slider" in (each.get("class") or ""):
-            assert each["data-for"] in ids
-
-
 def field_of(path: str, value: Any) -> Any:
     fields = form(nested(path, value)).fields
     return next(field for field in fields if field.path == path and field.kind != "switch")
@@ -306,12 +295,6 @@ def test_sizes_of_units_are_those_of_files():
     assert in_unit("x", "1e-3 um/mm", "rad") == pytest.approx(1e-3 * CHOICES["rad"][SLOPE], rel=1e-9)
 
 
-def test_a_steep_slope_has_no_unit_that_a_slider_could_move_in():
-    flat, steep = (field_of("load.tilt", text) for text in ("8 um/25 mm", "2 mm/1 mm"))
-    assert next(unit for unit in flat.units if unit.word == flat.word).factor == pytest.approx(4e-5, rel=1e-8)
-    assert next(unit for unit in steep.units if unit.word == steep.word).factor is None
-
-
 @pytest.mark.parametrize("name", [None, *TEMPLATES_OF_CASES])
 def test_sliders_of_a_load_end_at_what_steel_bears(name):
     document = tomllib.loads(starting_case(name))
@@ -335,20 +318,6 @@ def test_sliders_of_a_load_end_at_what_steel_bears(name):
     assert all(float(f"{stop:.2g}") == stop for stop in stops)
 
 
-@pytest.mark.parametrize(
-    "body",
-    [
-        {"diameter": "x"},
-        {"diameter": 20.0, "length": 20.0, "profile": [{"kind": "crown", "radius": -0.062}]},
-        {"kind": "plate"},
-    ],
-    ids=["a mistake", "no body beside its middle", "flat"],
-)
-def test_ranges_are_the_usual_ones_where_the_geometry_gives_none(body):
-    fields = {field.path: field.slider for field in form({"body": {"a": body, "b": {"kind": "plate"}}}).fields}
-    assert fields["load.load"] == RANGES["load"]
-
-
 @pytest.mark.parametrize("name", ["cylindrical", "needle", "tapered"])
 def test_sliders_of_a_body_stay_on_it(name):
     document = tomllib.loads(starting_case(name))
@@ -361,16 +330,6 @@ def test_sliders_of_a_body_stay_on_it(name):
             set_at(made, f"body.a.{key}", value)
             answer = json.loads(jobs.solve(made, False, "a"))
             assert answer["ok"], (key, value, answer["mistakes"])
-
-
-def test_a_table_that_needs_several_keys_is_given_as_a_whole():
-    (switch,) = (field for field in form(STARTING).fields if field.path == "body.a.chamfer")
-    made = copy.deepcopy(STARTING)
-    ((path, value),) = switch.options[1].edits
-    set_at(made, path, value)
-    assert json.loads(jobs.solve(made, False, "a"))["ok"]
-    (switch,) = (each for each in form(made).fields if each.path == path and each.kind == "switch")
-    assert (switch.value, switch.options[0].edits) == ("given", [(path, None)])
 
 
 def test_a_form_of_a_bearing_is_the_document_again():
@@ -397,25 +356,3 @@ def test_every_key_of_a_bearing_is_in_its_form():
     asked = set(keys_of(schema_of("bearing"), schema_of("bearing")["$defs"], ()))
     optional = {("format",), ("fit",), ("solver",), ("report",), ("bearing", "pair")}  # tables themselves
     assert asked - {plain_path(name) for name in shown} - optional == set()
-
-
-@pytest.mark.parametrize(
-    ("body", "depth"),
-    [
-        ({"kind": "roller", "diameter": 20.0, "length": 20.0}, "finite"),
-        ({"diameter": "20 mm", "length": 20.0}, "finite"),
-        ({"diameter": "20 mm", "length": 20.0, "side_faces": "mirror"}, "plane-strain"),
-        ({"kind": "roller", "diameter": 20.0, "length": 400.0}, "plane-strain"),
-        ({"diameter": -20.0, "length": 20.0}, "none"),
-        ({"diameter": 20.0}, "none"),
-        ({"kind": "plate", "length": 20.0}, "none"),
-    ],
-)
-def test_what_leaving_a_key_out_means(body, depth):
-    document = STARTING | {"body": {"a": body, "b": {"diameter": 10.0}}}
-    fields = {field.path: field for field in form(document).fields}
-    assert fields["body.a.depth"].default == depth
-    assert fields["body.a.material"].default == "steel"
-    made = Case.of(document, Path("case.toml")).contact.a
-    assert made.behind.word == depth
-    assert made.material == MATERIALS["steel"]

@@ -59,26 +59,6 @@ def assert_same(first, second, rtol=RTOL):
 
 @lawful
 @given(gaps(), loads, tilts)
-def test_no_cell_pulls_none_overlaps_and_those_that_press_touch(gap, load, tilt):
-    solution = solve(gap, load=load, tilt=tilt)
-    displacement = solution.gap + solution.approach + tilt * solution.y - gap(solution.x[:, None], solution.y)
-    allowed = 2.0 * TOLERANCE * np.max(np.abs(displacement))
-    assert np.all(solution.pressure >= 0.0)
-    assert np.all(np.abs(solution.gap[solution.footprint]) <= allowed)
-    assert np.all(solution.gap >= -allowed)
-
-
-@lawful
-@given(gaps(), loads, st.floats(-0.5, 0.5))
-def test_load_and_moment_are_what_is_asked_for(gap, load, arm):
-    solution = solve(gap, load=load, moment=load * arm)
-    # Rounding of the sums, and of the last step.
-    np.testing.assert_allclose(solution.load, load, rtol=1e-9, atol=0.0)
-    np.testing.assert_allclose(solution.moment, load * arm, rtol=0.0, atol=1e-9 * load * np.max(np.abs(solution.y)))
-
-
-@lawful
-@given(gaps(), loads, tilts)
 def test_all_four_pairs_of_given_quantities_agree(gap, load, tilt):
     first = solve(gap, load=load, tilt=tilt)
     moment = first.moment
@@ -135,14 +115,6 @@ def test_mirrored_bodies_have_mirrored_pressures(gap, load, tilt):
     )
     np.testing.assert_allclose(along.pressure[:, ::-1], first.pressure, rtol=0.0, atol=RTOL * first.max_pressure)
     np.testing.assert_allclose(along.moment, -first.moment, rtol=0.0, atol=RTOL * load)
-
-
-@lawful
-@given(gaps(), loads, st.floats(1.01, 2.0))
-def test_more_load_brings_the_bodies_nearer(gap, load, more):
-    first, second = solve(gap, load=load), solve(gap, load=more * load)
-    assert second.approach > first.approach
-    assert second.contact_area >= 0.9 * first.contact_area  # cells of another size
 
 
 @pytest.mark.parametrize("stiffer", [0.2, 7.0])

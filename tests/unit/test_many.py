@@ -244,22 +244,6 @@ def test_a_relief_that_is_no_number_is_a_failure(strips):
     assert "profile = nan must not be NaN, but is at y =" in str(many.failures[1])
 
 
-def test_an_error_does_not_grow_with_every_look_at_it():
-    many = nh.solve_many(CROWNED, approach=[-0.5], strips=5)
-    depths = []
-    for _ in range(3):
-        with pytest.raises(nh.InputError) as failure:
-            many[0]
-        depths.append(len(failure.traceback))
-    assert len(set(depths)) == 1
-
-
-def test_contacts_may_come_as_any_iterable():
-    one = nh.solve_many((contact for contact in [CROWNED, LOGARITHMIC]), load=5e3, strips=15)
-    assert one.shape == (2,)
-    assert np.array_equal(one.approach, nh.solve_many((CROWNED, LOGARITHMIC), load=5e3, strips=15).approach)
-
-
 def test_a_grid_that_resists_is_solved_in_any_order():
     # Strips of very unlike widths on a body 3.7 half-widths deep: used to be called too thin from the sixth load on.
     edges = [
