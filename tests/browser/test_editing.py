@@ -65,29 +65,6 @@ def test_dragging_a_slider_shows_results_on_the_way_and_ends_with_the_last(desk)
     assert_shows(desk, solution_of(load=desk.value("load.load")))
 
 
-def places(desk: Desk) -> list[list[float]]:
-    """Where everything is that can be pressed in the form, and the figures."""
-    found: list[list[float]] = desk.page.evaluate(
-        """() => [...document.querySelectorAll("#case :is(input, select, button, summary), figure")]
-          .map(each => each.getBoundingClientRect()).map(box => [box.x, box.y, box.width, box.height])"""
-    )
-    return found
-
-
-def test_a_notice_that_comes_or_goes_moves_nothing(open_desk):
-    desk = open_desk(viewport={"width": 390, "height": 844})
-    without = places(desk)
-    desk.page.route("**/status", lambda route: route.fulfill(json={"ready": False, "compiling": True}))
-    desk.page.reload()
-    desk.page.locator("#notice", has_text="The solver is being compiled").wait_for()
-    desk.settle()
-    assert places(desk) == without
-    desk.photograph("notice-390")
-    desk.page.unroute("**/status")
-    desk.page.locator("#notice").wait_for(state="hidden")
-    assert places(desk) == without
-
-
 def handle_of(desk: Desk, side: str) -> Any:
     return desk.page.get_by_role("slider", name=f"Tilt, by the {side} end")
 

@@ -1,7 +1,6 @@
 """Mistakes stand at their fields, in the sentences of the command line, and go when they are mended."""
 
 import copy
-import json
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -66,18 +65,6 @@ def test_the_list_on_top_leads_to_the_fields(desk):
     desk.photograph("mistakes")
 
 
-def test_a_mistake_without_a_field_is_in_the_list(open_desk):
-    document = tomllib.loads(starting_case())
-    document["body"]["a"]["profile"] = [{"kind": "crown"}]
-    desk = open_desk(f"#c={packed(document)}")
-    (sentence,) = desk.mistakes
-    assert "radius" in sentence
-    assert desk.page.locator("#state").inner_text() == "no result yet"
-    desk.write("body.a.profile[1].radius", "4000")
-    assert desk.mistakes == []
-    assert desk.numbers["Largest pressure"] > 0.0
-
-
 def test_what_is_written_in_a_case_is_never_html(open_desk):
     document = tomllib.loads(starting_case())
     nasty = '<img src=x onerror="document.title=1"></script><b>bold</b>'
@@ -133,13 +120,3 @@ def test_the_page_says_that_the_solver_is_being_compiled_unless_it_is_only_start
         desk.page.wait_for_timeout(100)
     desk.page.locator("#notice").wait_for(state="hidden")
     assert desk.page.evaluate("() => Boolean(window.told)") is said
-
-
-def test_a_mistaken_file_is_refused_in_a_sentence(desk, tmp_path):
-    path = tmp_path / "case.toml"
-    path.write_text("[body.a\ndiameter = 20", encoding="utf-8")
-    good = desk.numbers
-    desk.page.locator("#open-file").set_input_files(path)
-    desk.page.locator("#mistakes-list li").wait_for()
-    assert "valid TOML" in desk.mistakes[0]
-    assert json.dumps(desk.numbers) == json.dumps(good)

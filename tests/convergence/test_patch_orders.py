@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.errors import without_accuracy_warnings
 from nonhertz.hertz import point_contact
 
 pytestmark = pytest.mark.slow
@@ -34,34 +33,6 @@ def test_the_estimate_covers_the_error():
         found = on_ellipse((n, n))
         assert abs(found.approach / exact.approach - 1.0) < found.error_estimate.approach
         assert abs(found.max_pressure / exact.max_pressure - 1.0) < found.error_estimate.max_pressure
-
-
-LONG = [pytest.param(cells, marks=pytest.mark.campaign) for cells in ((16, 256), (24, 200), (32, 128), (64, 128))]
-
-
-@pytest.mark.parametrize("cells", [(16, 64), *LONG], ids=str)
-def test_the_estimate_covers_the_error_of_few_cells_in_one_direction(cells):
-    generator = np.random.default_rng(3)
-    for k in range(4):
-        diameter = generator.uniform(6.0, 40.0)
-        length = generator.uniform(0.8, 2.0) * diameter
-        profile = (
-            nh.profile.crown(generator.uniform(200.0, 2000.0))
-            if k % 2
-            else nh.profile.iso_logarithmic(diameter=diameter, length=length)
-        )
-        ring = nh.Ring(diameter=generator.uniform(3.0, 8.0) * diameter)
-        contact = nh.Contact(nh.Roller(diameter=diameter, length=length, profile=profile), ring)
-        given = {"load": 8.0 * diameter * length, "tilt": generator.uniform(0.0, 3e-4)}
-        with without_accuracy_warnings():
-            found = nh.patch.solve(contact, cells=cells, **given)
-            half = 0.5 * found.dx, 0.5 * found.dy
-            ends = [(each[0] - more, each[-1] + more) for each, more in zip((found.x, found.y), half, strict=True)]
-            finer = nh.patch.solve(contact, cells=(3 * cells[0], 3 * cells[1]), region=tuple(ends), **given)
-        assert abs(found.approach / finer.approach - 1.0) < found.error_estimate.approach
-        assert abs(found.max_pressure / finer.max_pressure - 1.0) < found.error_estimate.max_pressure
-        # Honest, not endless.
-        assert found.error_estimate.approach < 0.05
 
 
 @pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")  # of few cells

@@ -248,22 +248,3 @@ def test_coarse_levels_whose_centres_all_miss_a_body_are_left_out():
 def test_a_grid_whose_centres_all_miss_the_body_is_refused():
     with pytest.raises(nh.InputError, match="gap = inf must be finite at the centre of at least one cell: give more"):
         nh.patch.solve(PLATES, gap=disc(0.02), load=100.0, cells=(16, 16), region=region(3.0))
-
-
-@pytest.mark.parametrize("seed", range(6))
-@pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
-@pytest.mark.slow
-def test_whatever_the_shape_of_the_bodies_and_whatever_is_given(seed):
-    # Holes and islands a few cells wide, whose coarse levels look quite different.
-    generator = np.random.default_rng(seed)
-    waves = generator.normal(0.0, 4.0, (4, 2))
-    phases = generator.uniform(0.0, 6.0, 4)
-
-    def gap(x, y):
-        wave = sum(np.cos(a * x + b * y + phase) for (a, b), phase in zip(waves, phases, strict=True))
-        return np.where(wave > 0.3, (x**2 + y**2) / 20.0, math.inf)
-
-    for pressed in ({"load": 2e3}, {"approach": 0.02}):
-        for turned in ({}, {"moment": 300.0}):
-            found = nh.patch.solve(PLATES, gap=gap, cells=(40, 56), region=region(1.5), **pressed, **turned)
-            assert_nothing_without_a_body(found, gap)

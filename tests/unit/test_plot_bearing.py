@@ -173,14 +173,6 @@ class TestDisplacement:
             found = B.solve(row(), radial=radial, tilt=5e-4)
             assert_allclose(np.interp(1e-3 * radial, *line.get_xydata().T), 1e3 * found.displacement[1], rtol=2e-3)
 
-    @pytest.mark.slow
-    def test_maps_take_the_place_of_strips(self, tilted):
-        maps = B.maps(row(), load=4e3, tilt=6e-4, accuracy=1e-2)
-        axes = plot.displacement_against_load(tilted, flat(), maps=maps)
-        line = labelled(axes, "radial by maps")
-        # The curve of the same contacts goes through the state.
-        assert_allclose(np.interp(5.0, *line.get_xydata().T), 1e3 * tilted.displacement[1], rtol=1e-2)
-
 
 class TestFigures:
     def test_all_four_and_fewer_where_there_is_less(self, tilted):

@@ -1,9 +1,6 @@
 """Solutions that are saved and read again: the same to the last bit, or refused in one sentence."""
 
 import dataclasses
-import os
-import threading
-import zipfile
 
 import numpy as np
 import pytest
@@ -237,20 +234,6 @@ def test_an_old_file_survives_a_failed_save(tmp_path, monkeypatch):
         many.save(path)
     assert [each.name for each in tmp_path.iterdir()] == ["many.npz"]
     np.testing.assert_array_equal(nh.Solutions.read(path, CROWNED).load, many.load)
-
-
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
-def test_solutions_pass_through_a_pipe(tmp_path):
-    many, pipe = nh.solve_many(CROWNED, load=[2e3, 3e3], strips=11), tmp_path / "pipe"
-    os.mkfifo(pipe)
-    received: list[bytes] = []
-    reader = threading.Thread(target=lambda: received.append(pipe.read_bytes()))
-    reader.start()
-    many.save(pipe)
-    reader.join()
-    (tmp_path / "many.npz").write_bytes(received[0])
-    np.testing.assert_array_equal(nh.Solutions.read(tmp_path / "many.npz", CROWNED).load, many.load)
-    assert zipfile.is_zipfile(tmp_path / "many.npz")
 
 
 @pytest.mark.slow

@@ -89,16 +89,6 @@ def test_planes_and_volumes_are_points_in_rows_and_columns(tilted):
 
 
 @pytest.mark.slow
-def test_planes_cover_the_contact_unless_told_otherwise(tilted):
-    plane, section = axial_plane(tilted), cross_section(tilted, 4.0)
-    assert plane.y.min() < tilted.contact_y[0][0] + 0.2
-    assert plane.y.max() == 10.0  # the roller's face
-    assert axial_plane(tilted, z=[0.1], body="b").y.max() > 10.0
-    assert section.x.max() > 1.9 * tilted.half_width.max() * 0.95
-    assert section.z.min() == plane.z.min() == 0.0
-
-
-@pytest.mark.slow
 def test_threads_and_portions_change_no_digit(tilted):
     points = np.random.default_rng(3).uniform(-1.0, 1.0, (3, 2 * PORTION + 5)) * [[0.5], [9.0], [1.0]]
     points[2] = np.abs(points[2])

@@ -132,25 +132,6 @@ def test_finite_on_edges_and_corners_of_the_surface(grid):
         assert np.abs(load.stress(surface, 0.3)).max() < 10.0 * pressure.max()
 
 
-def test_no_pressure_no_field(points):
-    load = Rectangles.of(centres(4, 1.0), centres(5, 1.0), 1.0, 1.0, np.zeros((4, 5)))
-    assert not load.stress(points, 0.3).any()
-    assert not load.displacement(points, 0.3).any()
-
-
-def test_unloaded_cells_around_change_nothing(grid, points):
-    x, y, dx, dy, pressure = grid
-    wider = x[0] + dx * np.arange(-3, x.size + 2), y[0] + dy * np.arange(-1, y.size + 4), dx, dy
-    padded = np.pad(pressure, ((3, 2), (1, 4)))
-    # Rounding of where the cells are.
-    np.testing.assert_allclose(
-        Rectangles.of(*wider, padded).stress(points, 0.3),
-        Rectangles.of(*grid).stress(points, 0.3),
-        rtol=0.0,
-        atol=1e-9 * pressure.max(),
-    )
-
-
 def test_beyond_its_ellipse_a_rule_errs_by_what_is_allowed():
     for points, (long, short) in zip(LADDER, rule_ellipses(), strict=True):
         # Foci at the ends of a panel of half-length 1, and rows that add exp(-n eta) / sinh(eta).
