@@ -18,16 +18,14 @@ from nonhertz.plot.bearing.displacement import displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
 from nonhertz.plot.bearing.pressure import bearing_pressure
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
-from nonhertz.plot.bearing.sheets import bearing_figures
-from nonhertz.plot.centre_line import pressure
+from nonhertz.plot.centre_line import pressure, profile
 from nonhertz.plot.contact_area import footprint
 from nonhertz.plot.fatigue import dent_figure, life_density, life_figure
+from nonhertz.plot.finished import bearing_figures, draw, figures
 from nonhertz.plot.measured import measured_figure
-from nonhertz.plot.results import draw, figures
 from nonhertz.plot.sheets import save, save_all
 from nonhertz.plot.side_by_side import comparison
 from nonhertz.plot.subsurface import axial_stress, section_stress, stress_figures, stress_planes
-from nonhertz.plot.surfaces import profile
 
 __all__ = [
     "axial_stress",

@@ -1,13 +1,14 @@
-"""Pressure on the centre line and half-width, along the contact."""
+"""Along the centre line of a contact: pressure and half-width, and both surfaces before and after loading."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from nonhertz.amounts import EndStrength, mpa
-from nonhertz.plot.axes import OWN, Alignment, along, drawing, measure, note
+from nonhertz.amounts import EndStrength, mpa, um
+from nonhertz.plot.axes import OWN, Alignment, along, drawing, measure, note, open_frame
 from nonhertz.plot.axial import (
     alignment,
     axial_range,
@@ -21,12 +22,14 @@ from nonhertz.plot.axial import (
     unlimited_ends,
     written,
 )
-from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, HINT_DASHES, INK, LINE, SECOND, THIN
+from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, HINT_DASHES, INK, LINE, PALE, SECOND, THIN
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgePressure, Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+Array = NDArray[np.float64]
 
 # The largest pressure and half-width are drawn at these fractions of the axes' height: far enough apart to be
 # distinguished (in a line contact both curves have the same shape), with room above for the text.
@@ -39,6 +42,10 @@ BEYOND, CUT_HALF_WIDTH_SHARE, SINGULAR_SHARE = 1.6, 0.44, 0.77
 
 # Further than this fraction of the range from its middle, the text at a largest pressure is on the side of the middle.
 SIDE = 0.2
+
+LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
+"""Clearance, as a multiple of the deepest interference: up to the first all of it is drawn; if there is more, the axis
+is cut at the second, so that the interference fills half of the axes."""
 
 # Of words above a point, on a background that hides thin lines.
 OVER_LINES: dict[str, Any] = {"va": "bottom", "color": INK, "bbox": BACKING}
@@ -155,15 +162,80 @@ def _mark_contact(solution: Solution, ax: Axes, span: tuple[float, float]) -> No
                 style: dict[str, Any] = {"color": FAINT_INK, "linewidth": THIN, "linestyle": HINT_DASHES}
                 ax.plot(length([end, end]), [0.0, CONTACT_SHARE], transform=across, **style)
     first, last = solution.contact_y[0][0], solution.contact_y[-1][1]
-    words = _contact_words(solution, span)
+    intervals = [place(span, *ends, between=" to ") for ends in solution.contact_y]
+    words = "contact " + " and ".join(intervals)
+    if len(intervals) > 2:
+        words = f"contact on {len(intervals)} intervals between {place(span, first, last)}"
     side = alignment(ax, 0.5 * (first + last), span, words)
     at = {"left": first, "center": 0.5 * (first + last), "right": last}[side]
     note(ax, words, (float(length(at)), CONTACT_SHARE), side, 0.0, 3.0, across=True, **OVER_LINES)
 
 
-def _contact_words(solution: Solution, span: tuple[float, float]) -> str:
-    intervals = [place(span, *ends, between=" to ") for ends in solution.contact_y]
-    if len(intervals) <= 2:
-        return "contact " + " and ".join(intervals)
-    low, high = solution.contact_y[0][0], solution.contact_y[-1][1]
-    return f"contact on {len(intervals)} intervals between {place(span, low, high)}"
+@drawing
+def profile(solution: Solution, ax: Axes = OWN) -> Axes:
+    """Draw the surfaces' distance on the centre line, undeformed and deformed, in micrometres against y.
+
+    The undeformed distance is ``h - (delta + gamma y)``, negative where the bodies would overlap if they did
+    not deform; the deformed one is the gap, zero in contact (shaded). The area between them is the elastic
+    displacement of both surfaces. Where the relief is far larger than the interference the axis is cut, and
+    the heading gives the largest distance.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    """
+    span = axial_range(solution)
+    length, distance = measure("mm"), measure("mm", "um")
+    y, (before, after) = length(solution.y), (distance(1e-3 * each) for each in distances(solution))
+
+    for count, (low, high) in enumerate(length(pair) for pair in solution.contact_y):
+        label = "in contact" if count == 0 else None
+        ax.axvspan(low, high, facecolor=PALE, edgecolor="none", zorder=0.5, label=label)
+    ax.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
+    draw_body_ends(solution, ax)
+    label = r"undeformed, $h - (\delta + \gamma y)$"
+    ax.plot(y, before, color=SECOND, linewidth=LINE, linestyle="--", label=label)
+    ax.plot(y, after, color=FIRST, linewidth=LINE, label="deformed gap")
+    label = "elastic displacement"
+    ax.fill_between(y, before, after, facecolor=FIRST, alpha=0.16, linewidth=0.0, label=label)
+
+    bottom, top = drawn_range(before, after)
+    along(ax, span)
+    ax.set_ylim(bottom, top)
+    ax.set_ylabel(distance.label("Distance of the surfaces"))
+    open_frame(ax)
+    inside = (solution.y >= span[0]) & (solution.y <= span[1])
+    largest, remark = float(-solution.interference[inside].min()), ""
+    if np.isinf(largest):
+        remark = "axis cut, the relief is infinite at an end"
+    elif distance(largest) > top:
+        remark = f"axis cut, the undeformed distance reaches {written(um(largest), 3)}"
+    handles, labels = ax.get_legend_handles_labels()
+    order = [1, 2, 3, 0] if solution.contact_y else [0, 1, 2]
+    head(solution, ax, [handles[k] for k in order], [labels[k] for k in order], remark=remark)
+    return ax
+
+
+def distances(solution: Solution) -> tuple[Array, Array]:
+    """Return the surfaces' distance on the centre line [micrometre], undeformed and deformed, at each strip.
+
+    The undeformed one is negative where the bodies would overlap. An infinite relief cannot be drawn: both are NaN
+    there, and the line is interrupted.
+    """
+    before = -1e3 * solution.interference
+    after = 1e3 * solution.gap
+    drawn = np.isfinite(before) & np.isfinite(after)
+    return np.where(drawn, before, np.nan), np.where(drawn, after, np.nan)
+
+
+def drawn_range(before: Array, after: Array) -> tuple[float, float]:
+    """Return the range of distances, in one unit, to draw, chosen so that the contact fills it."""
+    depth = max(-float(np.nanmin(before)), 0.0)
+    clearance = float(np.nanmax(np.maximum(before, after)))
+    if depth == 0.0:
+        return (-0.1 * clearance, 1.1 * clearance)
+    if clearance > LARGEST_CLEARANCE * depth:
+        return (-1.12 * depth, CUT_CLEARANCE * depth)
+    # A little above zero even if there is no clearance, so that the line of the gap is not the axes' edge.
+    return (-1.12 * depth, 1.08 * max(clearance, 0.15 * depth))

@@ -69,7 +69,10 @@ def footprint(solution: Solution, ax: Axes = OWN, *, stretch: float = 1.0, colou
     ax.set_aspect(stretch, adjustable="datalim")
     ax.set_xlabel(length.label("Axial position $y$"))
     ax.set_ylabel(length.label("$x$"))
-    ax.set_title(_scale(solution, stretch), loc="left", fontsize=SMALL_SIZE)
+    words = "True proportions" if stretch == 1.0 else f"$x$ stretched {number(stretch)} times"
+    if _parabolic(solution):
+        words += "; the parabolic strips' own width, dotted: Hertz half-width $b$"
+    ax.set_title(words, loc="left", fontsize=SMALL_SIZE)
     if colour_bar and pieces:
         draw_colour_bar(solution, ax, ax=ax, orientation="horizontal", aspect=40)
     return ax
@@ -140,19 +143,9 @@ def outlines(solution: Solution) -> list[Outline]:
         half_width = solution.element_half_width[strips]
         pressure = solution.element.centre_factor * solution.line_load[strips] / half_width
         cut = (float(first == 0), float(last == solution.strips - 1))
-        pieces.append(
-            Outline(
-                np.concatenate(
-                    [
-                        [y[0] - 0.5 * solution.strip_width[first]],
-                        y,
-                        [y[-1] + 0.5 * solution.strip_width[last]],
-                    ]
-                ),
-                np.concatenate([[cut[0] * half_width[0]], half_width, [cut[1] * half_width[-1]]]),
-                np.concatenate([[cut[0] * pressure[0]], pressure, [cut[1] * pressure[-1]]]),
-            )
-        )
+        low, high = y[0] - 0.5 * solution.strip_width[first], y[-1] + 0.5 * solution.strip_width[last]
+        across = (np.concatenate([[cut[0] * of[0]], of, [cut[1] * of[-1]]]) for of in (half_width, pressure))
+        pieces.append(Outline(np.concatenate([[low], y, [high]]), *across))
     return pieces
 
 
@@ -168,10 +161,3 @@ def _field(solution: Solution, piece: Outline) -> tuple[Array, Array, Array]:
 def _parabolic(solution: Solution) -> bool:
     # By name: a solution from another process has a copy of the element.
     return solution.element.name == PARABOLIC.name
-
-
-def _scale(solution: Solution, stretch: float) -> str:
-    words = "True proportions" if stretch == 1.0 else f"$x$ stretched {number(stretch)} times"
-    if _parabolic(solution):
-        words += "; the parabolic strips' own width, dotted: Hertz half-width $b$"
-    return words

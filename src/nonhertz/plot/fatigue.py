@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -28,7 +29,7 @@ Spectrum = Sequence[tuple[Solution, float]]
 
 # Inches: above each panel its name and rows of the legend.
 HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN = 0.06, 0.22, 0.17, 2.6, 2.0, 0.35
-COLUMNS, COLUMNS_COMPARED = 3, 2  # of the legend
+COLUMNS, COLUMNS_COMPARED = 3, 2  # of the legend: the labels of compared lines are longer
 DENT_HIGH = 2.7
 MODELS = ("lundberg-palmgren", "ioannides-harris", "zaretsky", "weibull")
 LINES: dict[str, tuple[str, Any]] = {**dict(zip(MODELS, PALETTE, strict=False)), "iso-16281": (INK, "-")}
@@ -60,7 +61,7 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes = OWN, *, c
     spans = [axial_range(solution) for solution, _ in spectrum]
     span = min(low for low, _ in spans), max(high for _, high in spans)
     entries = [_draw(life, ax) for life in lives]
-    entries += [_draw_compared(life, ax) for life in compared[:1]]
+    entries += [_draw(life, ax, compared=True) for life in compared[:1]]
     ax.axhline(1.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
     _scale([*lives, *compared[:1]], ax)
     along(ax, span)
@@ -73,7 +74,8 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes = OWN, *, c
     elif any(solution.singular_ends for solution, _ in spectrum):
         mark_unlimited([solution for solution, _ in spectrum], ax)
     handles, labels = zip(*entries, strict=True)
-    key_above(ax, handles, labels, columns=_columns(bool(compared)), handlelength=2.6, labelspacing=0.35)
+    columns = COLUMNS_COMPARED if compared else COLUMNS
+    key_above(ax, handles, labels, columns=columns, handlelength=2.6, labelspacing=0.35)
     ax.set_title(f"body {lives[0].body}", loc="left", pad=_key_points(_rows(lives, bool(compared))))
     return ax
 
@@ -114,7 +116,9 @@ def life_figure(
             life_density(spectrum, lives[body], axes, compared=other.get(body, ()))
             _scale(shown, axes)
             if len(bodies) == 1:
-                axes.set_title(_name_of_one(lives["b"]), loc="left", pad=_key_points(rows))
+                none = all(np.isnan(life.relative_life) for life in lives["b"])
+                words = "bodies a and b" if none else f"body b; lives of body a are within {100.0 * ALIKE:g} %"
+                axes.set_title(words, loc="left", pad=_key_points(rows))
             elif body == "a":
                 axes.set_xlabel("")
     return figure
@@ -170,26 +174,21 @@ def dent_figure(found: Overrolled, model: VolumeModel, title: str = "") -> Figur
     return figure
 
 
-def _draw(life: Life, ax: Axes) -> tuple[Artist, str]:
+def _draw(life: Life, ax: Axes, *, compared: bool = False) -> tuple[Artist, str]:
+    """Draw the damage by a model, that of another case as a broad grey line; return its entry of the legend."""
     colour, dashes = LINES[life.model.name]
-    y = measure("mm")(life.y)
-    density = np.where(np.isfinite(life.density), life.density, np.nan)
+    y, density = measure("mm")(life.y), np.where(np.isfinite(life.density), life.density, np.nan)
     drawn: Artist
-    if life.model.name == "iso-16281":
+    if compared:
+        (drawn,) = ax.plot(y, density, color=OTHER_COLOUR, linewidth=OTHER_WIDTH, zorder=2.0)
+    elif life.model.name == "iso-16281":
         edges = 0.5 * (y[1:] + y[:-1])
         ends = 2.0 * y[[0, -1]] - edges[[0, -1]]
         edges = np.concatenate([ends[:1], edges, ends[1:]])
         drawn = ax.stairs(density, edges, baseline=None, color=colour, linewidth=THIN, zorder=2.5)
     else:
         (drawn,) = ax.plot(y, density, color=colour, linewidth=LINE, linestyle=dashes, zorder=3.0)
-    return drawn, f"{life.model.name}: {_life(life)}"
-
-
-def _draw_compared(life: Life, ax: Axes) -> tuple[Artist, str]:
-    density = np.where(np.isfinite(life.density), life.density, np.nan)
-    y = measure("mm")(life.y)
-    (drawn,) = ax.plot(y, density, color=OTHER_COLOUR, linewidth=OTHER_WIDTH, zorder=2.0)
-    return drawn, f"{life.model.name}, other case: {_life(life)}"
+    return drawn, f"{life.model.name}{', other case' * compared}: {_life(life)}"
 
 
 def _life(life: Life) -> str:
@@ -209,19 +208,9 @@ def _scale(lives: Sequence[Life], ax: Axes) -> None:
     ax.set_ylim(FAINTEST, 2.0 * highest)
 
 
-def _name_of_one(lives: Sequence[Life]) -> str:
-    if all(np.isnan(life.relative_life) for life in lives):
-        return "bodies a and b"
-    return f"body b; lives of body a are within {100.0 * ALIKE:g} %"
-
-
-def _columns(compared: bool) -> int:
-    # The labels of compared lines are longer.
-    return COLUMNS_COMPARED if compared else COLUMNS
-
-
 def _rows(lives: Sequence[Life], compared: bool) -> int:
-    return -(-(len(lives) + compared) // _columns(compared))
+    """Return how many rows the legend has."""
+    return math.ceil((len(lives) + compared) / (COLUMNS_COMPARED if compared else COLUMNS))
 
 
 def _key_points(rows: int) -> float:
@@ -238,10 +227,8 @@ def _conditions(spectrum: Spectrum) -> str:
     """Return the line that says what was solved."""
     if len(spectrum) == 1:
         return conditions(spectrum[0][0])
-    loads = [solution.load for solution, _ in spectrum]
-    tilts = [solution.tilt for solution, _ in spectrum]
-    words = [f"Spectrum of {len(loads)} loads", _span(newton, loads), f"tilt {_span(mrad, tilts)}"]
-    return ", ".join(words)
+    loads, tilts = ([getattr(solution, name) for solution, _ in spectrum] for name in ("load", "tilt"))
+    return f"Spectrum of {len(loads)} loads, {_span(newton, loads)}, tilt {_span(mrad, tilts)}"
 
 
 def _span(kind: Callable[..., Amount], values: Sequence[float]) -> str:

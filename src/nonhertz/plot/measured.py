@@ -59,15 +59,13 @@ def measured_figure(measured: Measured, title: str = "", fit: ProfileFit | None 
     """
     shown = [pair for pair in zip(measured.states, measured.states[1:], strict=False) if pair[1].name != "thin"]
     corners = [corner for corner in measured.points.beyond_land if np.any(corner)]
-    heads: list[float] = []
-    heights: list[float] = []
+    sizes: list[tuple[float, float]] = []  # of head and panel
     for _, after in shown:
-        heads += [HEAD + (FOOT if heads else 0.0), *([GAP] if after.name == "smooth" else [])]
-        heights += [TALL, *([SLIM] if after.name == "smooth" else [])]
-    heads += [LAST_HEAD + FOOT, *([] if fit is None else [GAP])]
-    heights += [1.5 * TALL, *([] if fit is None else [SLIM])]
+        sizes += [(HEAD + (FOOT if sizes else 0.0), TALL), *([(GAP, SLIM)] if after.name == "smooth" else [])]
+    sizes += [(LAST_HEAD + FOOT, 1.5 * TALL), *([] if fit is None else [(GAP, SLIM)])]
     room = FOOT + 0.2 + (HEAD + 1.5 * TALL + FOOT + 0.2 if measured.points.land is not None else 0.0)
     with sheet_style():
+        heads, heights = zip(*sizes, strict=True)
         figure, panels = stacked(heads, heights, title, bottom=room)
         every = iter(panels)
         for count, (before, after) in enumerate(shown, start=1):
@@ -96,10 +94,6 @@ def _ruler(height: Array) -> Measure:
     return measure("mm", "" if np.ptp(height) > MILLIMETRES_FROM else "um")
 
 
-def _micrometres() -> Measure:
-    return measure("mm", "um")
-
-
 def _draw_step(every: Iterator[Axes], count: int, before: StepResult, after: StepResult) -> None:
     """Draw a step on the next of the panels, and what smoothing took off on the one below."""
     axes = next(every)
@@ -113,8 +107,9 @@ def _draw_step(every: Iterator[Axes], count: int, before: StepResult, after: Ste
     if after.name == "smooth" and after.removed_height is not None:
         axes.tick_params(labelbottom=False)
         slim = next(every)
-        slim.plot(*_line(after.y, after.removed_height, _micrometres()), color=SECOND, linewidth=HAIR)
-        _tidy(slim, _micrometres().label("off"))
+        small = measure("mm", "um")
+        slim.plot(*_line(after.y, after.removed_height, small), color=SECOND, linewidth=HAIR)
+        _tidy(slim, small.label("off"))
         slim.set_xlim(axes.get_xlim())
 
 
@@ -148,7 +143,7 @@ def _draw_corners(figure: Figure, corners: Sequence[NDArray[np.bool_]], measured
     highest = float(measured.points.height.max())
     room = 0.5 if len(corners) > 1 else 0.0
     width = (WIDTH - LEFT - MARGIN - room) / max(len(corners), 1)
-    length, depth = measure("mm"), _micrometres()
+    length, depth = measure("mm"), measure("mm", "um")
     for k, corner in enumerate(corners):
         axes = panel(figure, LEFT + k * (width + room), FOOT + 0.2, width, 1.5 * TALL)
         ends = np.sort(measured.points.y[corner])[[0, -1]]
@@ -170,13 +165,11 @@ def _draw_corners(figure: Figure, corners: Sequence[NDArray[np.bool_]], measured
 
 def _draw_relief(every: Iterator[Axes], measured: Measured, fit: ProfileFit | None) -> None:
     axes = next(every)
-    y, relief = measured.points.y, measured.relief
-    land = measured.points.on_land
-    ruler = _ruler(land.height)
-    thin = next((state for state in measured.states if state.name == "thin"), None)
-    words = "Relief, highest point less height" + (f", {len(y)} points." if thin is not None else ".")
+    y, land = measured.points.y, measured.points.on_land
+    ruler, thin = _ruler(land.height), any(state.name == "thin" for state in measured.states)
+    words = "Relief, highest point less height" + (f", {len(y)} points." if thin else ".")
     marks: dict[str, Any] = {"marker": ".", "markersize": 2.5} if len(y) <= COLUMNS else {}
-    axes.plot(*_line(y, relief, ruler), color=INK, linewidth=THIN, **marks)
+    axes.plot(*_line(y, measured.relief, ruler), color=INK, linewidth=THIN, **marks)
     if measured.points.land is not None:
         _mark_land(axes, measured.points)
         most = ruler.factor * float(measured.points.height.max() - land.height.min())
@@ -191,8 +184,9 @@ def _draw_relief(every: Iterator[Axes], measured: Measured, fit: ProfileFit | No
         lowest = next(every)
         lowest.axhline(0.0, color=FAINT_INK, linewidth=HAIR)
         left = measured.points.height.max() - land.height - fit.relief(land.y)
-        lowest.plot(*_line(land.y, left, _micrometres()), color=FIRST, linewidth=THIN)
-        _tidy(lowest, _micrometres().label("left"))
+        small = measure("mm", "um")
+        lowest.plot(*_line(land.y, left, small), color=FIRST, linewidth=THIN)
+        _tidy(lowest, small.label("left"))
         lowest.set_xlim(axes.get_xlim())
     _head(axes, words)
     lowest.set_xlabel(measure("mm").label("Axial position $y$"))
@@ -222,7 +216,7 @@ def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: Measure) ->
         low = min(low, deepest)
         high = max(high, ruler.factor * float(before.height.max()))
     else:
-        read = (um if ruler.factor == _micrometres().factor else mm)(deepest / ruler.factor)
+        read = (um if ruler.factor == measure("mm", "um").factor else mm)(deepest / ruler.factor)
         note = f"axis cut, heights go down to {written(read, 3)}"
         style: dict[str, Any] = {"fontsize": SMALL_SIZE, "color": FAINT_INK, "bbox": BACKING, "ha": "center"}
         axes.text(0.5, 0.06, note, transform=axes.transAxes, **style)

@@ -85,20 +85,17 @@ def compared_bearings(found: Mapping[str, BearingSolution]) -> Figure:
 def _around(axes: Axes, found: Mapping[str, BearingSolution], name: str, drawn: Measure) -> list[object]:
     """Draw a line for each row of each bearing, and return one of each bearing for the key."""
     handles: list[object] = []
-    top = 0.0
     for solution, (colour, dashes) in zip(found.values(), lines_of(len(found)), strict=True):
+        look: dict[str, Any] = {"color": colour, "linestyle": dashes, "linewidth": LINE, "marker": "o"}
         for row in range(len(solution.bearing.rows)):
             these = solution.rollers_of(row)
             angle = (np.degrees(solution.angle[these]) + 180.0) % 360.0 - 180.0
-            values = drawn(getattr(solution, name)[these, 0])
             order = np.argsort(angle)
-            (line,) = axes.plot(
-                angle[order], values[order], color=colour, linestyle=dashes, linewidth=LINE, marker="o", markersize=3.0
-            )
-            top = max(top, float(values.max()))
+            values = drawn(getattr(solution, name)[these, 0])
+            (line,) = axes.plot(angle[order], values[order], markersize=3.0, **look)
             if row == 0:
                 handles.append(line)
-    axes.set_ylim(0.0, ROOM * top or 1.0)
+    axes.set_ylim(0.0, ROOM * max(float(np.max(line.get_ydata())) for line in axes.lines) or 1.0)
     axes.set_xlim(-180.0, 180.0)
     axes.set_xticks(np.arange(-180.0, 181.0, 45.0))
     return handles

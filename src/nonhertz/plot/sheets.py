@@ -1,4 +1,4 @@
-"""Finished figures, laid out for the width of a page, and writing them to disk."""
+"""Sheets for figures, laid out for the width of a page, and writing them to disk."""
 
 from __future__ import annotations
 
@@ -6,44 +6,27 @@ import io
 import math
 import textwrap
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from nonhertz.plot.axial import axial_range, conditions
-from nonhertz.plot.centre_line import pressure
-from nonhertz.plot.contact_area import draw_colour_bar, footprint
 from nonhertz.plot.style import SIZE, TITLE_SIZE, sheet_style
-from nonhertz.plot.surfaces import profile
-from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 # All lengths in inches; the width is that of a journal page, 170 mm.
-WIDTH, HEIGHT = 6.7, 3.7
-LEFT, RIGHT, BOTTOM, MARGIN = 0.75, 0.75, 0.55, 0.15
-HEAD, FOOTPRINT_HEAD = 0.43, 0.24
+WIDTH = 6.7
+LEFT, BOTTOM, MARGIN = 0.75, 0.55, 0.15
 # Above: a line of the title, the first line of conditions and each further one, and the letters that fit in a line.
 TITLE, CONDITIONS, LINE, TITLE_LETTERS = 0.22, 0.24, 0.14, 78
-BETWEEN = 0.6
-LOWEST_PANEL, HIGHEST_PANEL, HIGHEST_STRETCHED = 0.5, 3.2, 1.9
+HIGHEST_PANEL, HIGHEST_STRETCHED = 3.2, 1.9
 BAR, BAR_GAP, BAR_ROOM = 0.11, 0.12, 0.95
 
 STRETCHES = tuple(step * decade for decade in (1, 10, 100, 1000) for step in (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8))
 
 PNG_DPI = 220
-
-
-def contact_figures(solution: Solution, title: str = "") -> dict[str, Figure]:
-    """Return one finished figure each of pressure, footprint and profile; see `nonhertz.plot.figures`."""
-    with sheet_style():
-        return {
-            "pressure": _sheet(solution, title, pressure),
-            "footprint": _footprint_sheet(solution, title),
-            "profile": _sheet(solution, title, profile),
-        }
 
 
 def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
@@ -80,37 +63,6 @@ def image(figure: Figure, kind: Literal["svg", "png"], dots: int = PNG_DPI) -> b
         warnings.filterwarnings("ignore", "Glyph .* missing")
         figure.savefig(written, format=kind, dpi=dots, metadata={"Date": None} if kind == "svg" else None)
     return written.getvalue()
-
-
-def _sheet(solution: Solution, title: str, draw: Callable[[Solution, Axes], Axes]) -> Figure:
-    figure, (axes,) = stacked([HEAD], [HEIGHT - BOTTOM - HEAD], title, right=RIGHT)
-    draw(solution, axes)
-    return figure
-
-
-def _footprint_sheet(solution: Solution, title: str) -> Figure:
-    """Return the contact area in true proportions and, if that is a thin band, stretched below it.
-
-    A roller's contact may be 50 times as long as wide. The panels' shapes are computed here, so that the axes'
-    limits need not be widened to fit them.
-    """
-    low, high = axial_range(solution)
-    width = WIDTH - LEFT - BAR_ROOM
-    across = 2.3 * float(solution.element_half_width.max())
-    natural = width * across / (high - low)
-    stretch = max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
-    heights = [min(max(natural, LOWEST_PANEL), HIGHEST_PANEL)]
-    if stretch >= 2.0 and solution.contact_y:
-        heights.append(stretch * natural)
-    heads, conditioned = [FOOTPRINT_HEAD, BETWEEN][: len(heights)], [conditions(solution)]
-    figure, panels = stacked(heads, heights, title, conditioned, right=BAR_ROOM)
-    for count, axes in enumerate(panels):
-        footprint(solution, axes, stretch=stretch if count else 1.0, colour_bar=False)
-        if axes is not panels[-1]:
-            axes.set_xlabel("")
-    if solution.contact_y:
-        draw_colour_bar(solution, panels[-1], cax=bar_beside(panels[-1]))
-    return figure
 
 
 def sheet(height: float, title: str = "", conditions: Sequence[str] = (), left: float = LEFT) -> Figure:
@@ -164,10 +116,10 @@ def bar_beside(*panels: Axes, most: float = math.inf) -> Axes:
     return figure.add_axes((boxes[0].x1 + BAR_GAP / WIDTH, 0.5 * (low + high - height), BAR / WIDTH, height))
 
 
-def panel(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
+def panel(figure: Figure, left: float, bottom: float, width: float, height: float, kind: str | None = None) -> Axes:
     """Return axes on a sheet, all lengths in inches."""
     whole = figure.get_figheight()
-    axes = figure.add_axes((left / WIDTH, bottom / whole, width / WIDTH, height / whole))
+    axes = figure.add_axes((left / WIDTH, bottom / whole, width / WIDTH, height / whole), projection=kind)
     # Ticks are laid out when the figure is drawn, by then perhaps under other settings.
     axes.tick_params(labelsize=SIZE)
     return axes

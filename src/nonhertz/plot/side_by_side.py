@@ -10,28 +10,9 @@ from numpy.typing import NDArray
 from nonhertz.comparison import Comparison, Station
 from nonhertz.comparison.value import NOTABLE
 from nonhertz.plot.axes import Alignment, along, key_above, measure, note, open_frame
-from nonhertz.plot.axial import (
-    axial_range,
-    conditions,
-    draw_body_ends,
-    mark_unlimited,
-    number,
-    place,
-)
+from nonhertz.plot.axial import axial_range, conditions, draw_body_ends, mark_unlimited, number, place
 from nonhertz.plot.sheets import LEFT, MARGIN, WIDTH, panel, stacked
-from nonhertz.plot.style import (
-    FAINT_INK,
-    FIRST,
-    HAIR,
-    INK,
-    LINE,
-    PALE,
-    SECOND,
-    SIZE,
-    SMALL_SIZE,
-    THIN,
-    sheet_style,
-)
+from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SIZE, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC
 
@@ -47,10 +28,14 @@ BEYOND = 1.6  # upper end of the axis over the largest pressure away from singul
 ROOM = 1.12
 FAINTEST, LARGEST = 0.1, 100.0  # per cent, between which the axis of differences is logarithmic
 CROWDED = 0.025  # of the drawn range: stations closer together have their letters on opposite sides
-MARKS: dict[str, tuple[str, str, Any]] = {
-    "semi-elliptic": ("o", FIRST, "-"),
-    "parabolic": ("x", SECOND, (0, (3, 1.2))),
-}
+# How strips are drawn by their element: one by one, and the shape that they assume across.
+OPEN: dict[str, Any] = {"markeredgewidth": THIN, "markerfacecolor": "none"}
+MARKS: dict[str, dict[str, Any]] = {
+    "semi-elliptic": {"marker": "o", "color": FIRST, **OPEN}, "parabolic": {"marker": "x", "color": SECOND, **OPEN},
+}  # fmt: skip
+SHAPES: dict[str, dict[str, Any]] = {
+    "semi-elliptic": {"color": FIRST, "linestyle": "-"}, "parabolic": {"color": SECOND, "linestyle": (0, (3, 1.2))},
+}  # fmt: skip
 ACROSS = 201  # points of a strip's own shape
 
 
@@ -97,12 +82,11 @@ def _draw_along(found: Comparison, axes: Axes) -> None:
     axes.plot(length(patch.y[shown]), stress(patch.centre_pressure[shown]), color=INK, linewidth=THIN, zorder=2.0)
     for solution in found.strips:
         pressed = solution.line_load > 0.0
-        marker, colour, _ = MARKS[solution.element.name]
-        axes.plot(
-            length(solution.y[pressed]), stress(solution.centre_pressure[pressed]), marker, markersize=3.2,
-            markeredgewidth=THIN, markerfacecolor="none", color=colour, zorder=3.0,
-        )  # fmt: skip
-    axes.set_ylim(0.0, stress.factor * _top(found))
+        strips = length(solution.y[pressed]), stress(solution.centre_pressure[pressed])
+        axes.plot(*strips, linestyle="none", markersize=3.2, zorder=3.0, **MARKS[solution.element.name])
+    # Above all pressures except singular ones.
+    top = ROOM * max(semi.max_pressure, float(patch.centre_pressure.max()))
+    axes.set_ylim(0.0, stress.factor * (BEYOND * semi.max_pressure if semi.singular_ends else top))
     if semi.singular_ends:
         mark_unlimited([semi], axes)
     _mark_stations(found, axes, named=True)
@@ -116,22 +100,13 @@ def _draw_key(found: Comparison, axes: Axes) -> None:
     """Put the legend above the axes; it also applies to the cuts, where the markers become lines."""
     from matplotlib.lines import Line2D
 
-    marks: Any = {"markersize": 3.2, "markeredgewidth": THIN, "markerfacecolor": "none", "linewidth": LINE}
     handles = [Line2D([], [], color=INK, linewidth=THIN, marker=".", markersize=2.4)]
     labels = [f"plane grid, {_time(found.seconds.patch)}"]
     for solution, seconds in zip(found.strips, (found.seconds.semi_elliptic, found.seconds.parabolic), strict=True):
-        marker, colour, dashes = MARKS[solution.element.name]
-        handles.append(Line2D([], [], color=colour, marker=marker, linestyle=dashes, **marks))
+        look = MARKS[solution.element.name] | SHAPES[solution.element.name]
+        handles.append(Line2D([], [], markersize=3.2, linewidth=LINE, **look))
         labels.append(f"{solution.strips} {solution.element.name} strips, {_time(seconds)}")
     key_above(axes, handles, labels, columns=3)
-
-
-def _top(found: Comparison) -> float:
-    """Return the upper end of the axis: above all pressures except singular ones."""
-    semi = found.semi_elliptic
-    if semi.singular_ends:
-        return BEYOND * semi.max_pressure
-    return ROOM * max(semi.max_pressure, float(found.patch.centre_pressure.max()))
 
 
 def draw_differences(found: Comparison, axes: Axes) -> None:
@@ -140,12 +115,8 @@ def draw_differences(found: Comparison, axes: Axes) -> None:
     axes.axhspan(-100.0 * NOTABLE, 100.0 * NOTABLE, facecolor=PALE, edgecolor="none", zorder=0.5)
     axes.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
     for solution in found.strips:
-        marker, colour, _ = MARKS[solution.element.name]
-        relative = 100.0 * found.along(solution)
-        axes.plot(
-            measure("mm")(solution.y), np.clip(relative, -LARGEST, LARGEST), marker, markersize=2.8,
-            markeredgewidth=THIN, markerfacecolor="none", color=colour, zorder=3.0,
-        )  # fmt: skip
+        strips = measure("mm")(solution.y), np.clip(100.0 * found.along(solution), -LARGEST, LARGEST)
+        axes.plot(*strips, linestyle="none", markersize=2.8, zorder=3.0, **MARKS[solution.element.name])
     axes.set_ylim(-1.4 * LARGEST, 1.4 * LARGEST)
     axes.set_yticks([-100.0, -10.0, -1.0, 0.0, 1.0, 10.0, 100.0], ["−100", "−10", "−1", "0", "1", "10", "100"])
     axes.tick_params(axis="y", labelsize=SMALL_SIZE)
@@ -184,8 +155,7 @@ def draw_across(found: Comparison, axes: Axes, station: Station) -> None:
     highest = float(pressure.max())
     for solution in found.strips:
         across, shape = _own_shape(solution, station.y)
-        _, colour, dashes = MARKS[solution.element.name]
-        axes.plot(length(across), stress(shape), color=colour, linewidth=LINE, linestyle=dashes, zorder=1.5)
+        axes.plot(length(across), stress(shape), linewidth=LINE, zorder=1.5, **SHAPES[solution.element.name])
         widest, highest = max(widest, float(across[-1])), max(highest, float(shape.max()))
     reach = length.factor * ROOM * (widest or 1.0)
     axes.set_xlim(-reach, reach)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.plot.axes import OWN, drawing, measure, open_frame
+from nonhertz.plot.axes import OWN, drawing, measure, note, open_frame
 from nonhertz.plot.style import BACKING, COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:
@@ -88,8 +88,7 @@ def study_map(
     ax.set(xlabel=x_label, ylabel=y_label)
     if not numbers.count() or np.ptp(numbers.compressed()) <= 1e-9 * np.abs(numbers).max():
         value = f"{numbers.compressed()[0]:.5g} everywhere" if numbers.count() else "no row has a number"
-        ax.text(0.5, 0.5, f"{label}:\n{value}", transform=ax.transAxes, ha="center", va="center", fontsize=SMALL_SIZE)
-        return ax
+        return _instead(ax, f"{label}:\n{value}", fontsize=SMALL_SIZE)
     field = ax.contourf(x, y, numbers, levels=LEVELS, cmap=COLOUR_MAP)
     levels = np.asarray(field.levels)
     inks = ["white" if level < np.median(levels) else INK for level in levels]
@@ -119,16 +118,14 @@ def histogram(
     ax.set(xlabel=label, ylabel="Samples")
     open_frame(ax)
     if not numbers.size:
-        ax.text(0.5, 0.5, "no sample has a number", transform=ax.transAxes, ha="center", va="center")
-        return ax
+        return _instead(ax, "no sample has a number")
     bins = min(BINS_AT_MOST, max(5, round(2.0 * numbers.size ** (1.0 / 3.0))))
     ax.hist(numbers, bins=bins, color=PALE, edgecolor=FAINT_INK, linewidth=HAIR)
     for share, (low, high) in (quantiles or {}).items():
         ax.axvspan(low, high, color=SECOND, alpha=0.25, linewidth=0.0)
         place = 0.5 * (low + high)
         ax.axvline(place, color=SECOND, linewidth=THIN)
-        at, words = ("data", "axes fraction"), f"{100.0 * share:g} %"
-        ax.annotate(words, (place, 0.98), xycoords=at, rotation=90, va="top", ha="right", size=SMALL_SIZE, bbox=BACKING)
+        note(ax, f"{100.0 * share:g} %", (place, 0.98), "right", across=True, rotation=90, va="top", bbox=BACKING)
     return ax
 
 
@@ -195,6 +192,12 @@ def profile_band(
     ax.set(xlabel=length.label("Axial position $y$"), ylabel=depth.label("Relief"))
     ax.legend(fontsize=SMALL_SIZE, frameon=False, loc="lower center")
     open_frame(ax)
+    return ax
+
+
+def _instead(ax: Axes, words: str, **style: Any) -> Axes:
+    """Write words in place of a drawing."""
+    ax.text(0.5, 0.5, words, transform=ax.transAxes, ha="center", va="center", **style)
     return ax
 
 

@@ -81,13 +81,18 @@ def axial_stress(
     y = field.y[:, 0]
     span = _framed(solution, field)
     _frame(ax, span, float(field.z.max()), stretch)
-    ends, section = _draw_ends(solution, span, ax), _draw_station(station, span, ax)
+    ends, section = _draw_ends(solution, span, ax), []
+    if station is not None:
+        line = ax.axvline(measure("mm").factor * station, color=INK, linewidth=THIN, linestyle="--", zorder=1.5)
+        section = [(line, f"cross-section, $y$ = {_station(station, span)}")]
     contact = _draw_surface(solution.contact_y, "contact", ax)
     landmarks = [_mark(name, getattr(overall, name), span, ax) for name in MARKS]
-    lines = _draw_contours(field, y, _last_colour(solution, overall), ax, bar)
+    lines = _draw_contours(solution, field, y, overall, ax, bar)
     _label(lines, field, y, _calm_column(solution, y, overall, station), overall, ax)
     ax.set_xlabel(measure("mm").label("Axial position $y$"))
-    plane = f"body {field.body} at $x$ = {written(mm(field.x[0, 0]))}{_scale(stretch)}"
+    plane = f"body {field.body} at $x$ = {written(mm(field.x[0, 0]))}"
+    if stretch != 1.0:
+        plane += f", ${'z' if stretch > 1.0 else 'y'}$ stretched {number(max(stretch, 1.0 / stretch))} times"
     _head(solution, plane, landmarks, [*contact, *section, *ends], ax)
     return ax
 
@@ -125,7 +130,7 @@ def section_stress(
     label = f"contact, half-width {written(mm(half_width), 3)}"
     contact = _draw_surface(((middle - half_width, middle + half_width),), label, ax)
     landmarks = [_mark(name, getattr(section, name), None, ax) for name in MARKS]
-    lines = _draw_contours(field, x, _last_colour(solution, section), ax, bar)
+    lines = _draw_contours(solution, field, x, section, ax, bar)
     _label(lines, field, x, int(np.abs(x - middle).argmin()), section, ax)
     ax.set_xlabel(measure("mm").label("Across $x$"))
     ends = solution.contact_y[0][0], solution.contact_y[-1][1]
@@ -191,7 +196,11 @@ def stress_figures(
         low, high = _framed(solution, along)
         width = WIDTH - LEFT - BAR_ROOM
         natural = width * float(along.z.max()) / (high - low)
-        stretch = _stretch(natural)
+        # Less than 1 if the panel would be too high.
+        if natural > HIGHEST_PANEL:
+            stretch = 1.0 / min((step for step in STRETCHES if natural / step <= HIGHEST_PANEL), default=STRETCHES[-1])
+        else:
+            stretch = max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
         axial, (axes,) = stacked([HEAD], [stretch * natural], title, right=BAR_ROOM)
         station, bar = section.von_mises.y, bar_beside(axes)
         axial_stress(solution, along, overall, axes, station=station, stretch=stretch, bar=bar)
@@ -199,21 +208,6 @@ def stress_figures(
         cross, (axes,) = stacked([HEAD], [height], title, right=WIDTH - LEFT - ACROSS_WIDTH)
         section_stress(solution, across, section, axes, bar=bar_beside(axes))
         return {"axial-plane": axial, "cross-section": cross}
-
-
-def _stretch(natural: float) -> float:
-    """Return the stretch factor for a panel of that height [inch]; less than 1 if it would be too high."""
-    if natural > HIGHEST_PANEL:
-        return 1.0 / min((step for step in STRETCHES if natural / step <= HIGHEST_PANEL), default=STRETCHES[-1])
-    return max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
-
-
-def _scale(stretch: float) -> str:
-    if stretch == 1.0:
-        return ""
-    return (
-        f", $z$ stretched {number(stretch)} times" if stretch > 1.0 else f", $y$ stretched {number(1 / stretch)} times"
-    )
 
 
 def _framed(solution: Solution, field: Field) -> tuple[float, float]:
@@ -234,16 +228,15 @@ def _frame(ax: Axes, span: tuple[float, float], depth: float, stretch: float) ->
     ax.set_ylabel(length.label("Depth $z$"))
 
 
-def _last_colour(solution: Solution, found: Extremes) -> float:
-    """Return the stress [MPa] of the last colour: the largest, unless that is an artefact of a step between strips."""
-    return min(found.von_mises.max, colour_limit(solution))
-
-
-def _draw_contours(field: Field, along: Array, limit: float, ax: Axes, bar: Axes | None) -> ContourSet:
+def _draw_contours(
+    solution: Solution, field: Field, along: Array, found: Extremes, ax: Axes, bar: Axes | None
+) -> ContourSet:
     """Fill bands of von Mises stress, draw the lines between them and the colour bar; return the lines."""
     from matplotlib.ticker import MaxNLocator
 
     length, drawn = measure("mm"), measure("MPa")
+    # The last colour is that of the largest stress, unless that is an artefact of a step between strips.
+    limit = min(found.von_mises.max, colour_limit(solution))
     levels = MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, drawn.factor * (limit or 1.0))
     stress, depths = np.ma.masked_invalid(drawn(field.von_mises.T)), length(field.z[0])
     # On the surface itself the stress is also unbounded at a step of the pressure from strip to strip.
@@ -319,13 +312,6 @@ def _draw_surface(intervals: tuple[tuple[float, float], ...], label: str, ax: Ax
     style: dict[str, Any] = {"color": SECOND, "linewidth": 2.4, "solid_capstyle": "butt", "zorder": 2.5}
     drawn = [ax.plot(measure("mm")(pair), [0.0, 0.0], clip_on=False, **style) for pair in intervals]
     return [(drawn[0][0], label)] if drawn else []
-
-
-def _draw_station(station: float | None, span: tuple[float, float], ax: Axes) -> list[Entry]:
-    if station is None:
-        return []
-    line = ax.axvline(measure("mm").factor * station, color=INK, linewidth=THIN, linestyle="--", zorder=1.5)
-    return [(line, f"cross-section, $y$ = {_station(station, span)}")]
 
 
 def _station(y: float, span: tuple[float, float]) -> str:

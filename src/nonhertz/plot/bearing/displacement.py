@@ -51,6 +51,8 @@ def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps
     InputError
         If no force acts on the ring, or the maps are not for these states.
     """
+    from scipy.interpolate import CubicHermiteSpline
+
     ways = directions(solution)
     if not ways:
         raise InputError("solution", "without force", "have a force on the inner ring", "give a radial or an axial one")
@@ -58,12 +60,19 @@ def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps
     force, distance = measure("N", values=[size]), measure("mm", "um")
     load = force.factor * size
     multiples, curve = _curve(solution, maps)
+    reached = np.isfinite(curve[0, :, 0])
+    others = reached & (multiples != 1.0)
+    fine = np.linspace(multiples[reached][0], multiples[reached][-1], POINTS) if reached.sum() > 1 else multiples[:0]
     by = "maps" if maps is not None else solution.method
     slope = _slope(solution.stiffness, solution.force)
     for (label, way), (colour, dashes) in zip(ways.items(), ((FIRST, "-"), (SECOND, "--")), strict=False):
         at, rise = float(solution.displacement[:3] @ way), TANGENT * float(slope @ way)
-        moved = distance(curve @ way)
-        _draw_curve(ax, load, multiples, moved, {"color": colour, "linestyle": dashes}, f"{label} by {by}")
+        moved, rising = distance(curve @ way)
+        if fine.size:
+            # Smooth, with the slopes of the states that were found.
+            line = CubicHermiteSpline(multiples[reached], moved[reached], rising[reached])(fine)
+            ax.plot(load * fine, line, color=colour, linestyle=dashes, linewidth=LINE, label=f"{label} by {by}")
+            ax.plot(load * multiples[others], moved[others], ".", markersize=4.0, color=colour)
         ends = [load * (1.0 - TANGENT), load * (1.0 + TANGENT)]
         ax.plot(ends, distance([at - rise, at + rise]), color=colour, linewidth=THIN)
         words = f"{label}, {written(um(at))} by {solution.method}, with tangent"
@@ -112,14 +121,11 @@ def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, 
     if maps is None:
         states[1.0] = solution
     multiples = np.array(sorted(states))
-    nowhere = np.full(3, np.nan)
-    moved = [
-        [nowhere, nowhere]
-        if (each := states[m]) is None
-        else [each.displacement[:3], _slope(each.stiffness, each.force) / m]
-        for m in multiples
-    ]
-    return multiples, np.array(moved).transpose(1, 0, 2)
+    moved = np.full((2, multiples.size, 3), np.nan)
+    for place, multiple in enumerate(multiples):
+        if (each := states[multiple]) is not None:
+            moved[:, place] = each.displacement[:3], _slope(each.stiffness, each.force) / multiple
+    return multiples, moved
 
 
 def _speed(solution: BearingSolution) -> float:
@@ -152,18 +158,3 @@ def _slope(stiffness: Array, force: Array) -> Array:
     slope = np.zeros(3)
     slope[held] = np.linalg.lstsq(stiffness[np.ix_(held, held)], force[held], rcond=1e-12)[0]
     return slope
-
-
-def _draw_curve(ax: Axes, load: float, multiples: Array, along: Array, style: dict[str, Any], label: str) -> None:
-    """Draw a smooth line with given slopes through states that were found, in the units of the axes."""
-    from scipy.interpolate import CubicHermiteSpline
-
-    moved, slope = along
-    found = np.isfinite(moved)
-    if np.count_nonzero(found) < 2:
-        return
-    fine = np.linspace(multiples[found][0], multiples[found][-1], POINTS)
-    line = CubicHermiteSpline(multiples[found], moved[found], slope[found])(fine)
-    ax.plot(load * fine, line, linewidth=LINE, label=label, **style)
-    others = found & (multiples != 1.0)
-    ax.plot(load * multiples[others], moved[others], ".", markersize=4.0, color=style["color"])

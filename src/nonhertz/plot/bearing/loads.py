@@ -33,6 +33,7 @@ NO_FORCE = 1e-9  # of the sum of all loads
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 MOST_RINGS = 4
 SPOKES = 8
+CENTRED: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": SMALL_SIZE}
 
 
 @functools.partial(drawing, projection="polar")
@@ -98,10 +99,7 @@ def _lay(ax: PolarAxes, numbers_at: float, load: float, force: Measure) -> None:
     ax.set_yticks(ticks, [])
     for each in ticks:
         # Not as labels of the ticks, which bars would cover.
-        words = f"{number(each)} {force.unit}"
-        ax.text(
-            numbers_at, each, words, ha="center", va="center", fontsize=SMALL_SIZE, bbox=BACKING, zorder=5.0,
-        )  # fmt: skip
+        ax.text(numbers_at, each, f"{number(each)} {force.unit}", bbox=BACKING, zorder=5.0, **CENTRED)
     ax.tick_params(axis="x", pad=3.0, labelsize=SMALL_SIZE)
     ax.grid(True, color=FAINT_INK, linewidth=HAIR, alpha=0.5)
     ax.set_axisbelow(True)
@@ -139,17 +137,11 @@ def _draw_rollers(ax: PolarAxes, angle: Array, load: Array) -> None:
     width = min(ax.bbox.width, ax.bbox.height) / ax.figure.dpi * 72.0
     around = math.pi * width * HOLE / (1.0 + HOLE)
     size = min(LARGEST_MARK, MARK_SHARE * around / angle.size)
-    common: dict[str, Any] = {
-        "linestyle": "none",
-        "marker": "o",
-        "markersize": size,
-        "markeredgewidth": THIN,
-        "clip_on": False,
-    }
+    common: dict[str, Any] = {"marker": "o", "markersize": size, "markeredgewidth": THIN, "clip_on": False}
     for which, face, label in ((loaded, INK, "_"), (~loaded, "white", without)):
         if np.any(which):
-            zero = np.zeros(np.count_nonzero(which))
-            ax.plot(angle[which], zero, markerfacecolor=face, markeredgecolor=INK, label=label, zorder=4.0, **common)
+            look = {"markerfacecolor": face, "markeredgecolor": INK, "linestyle": "none", **common}
+            ax.plot(angle[which], np.zeros(np.count_nonzero(which)), label=label, zorder=4.0, **look)
 
 
 def _draw_force(ax: PolarAxes, solution: BearingSolution, top: float) -> None:
@@ -157,22 +149,12 @@ def _draw_force(ax: PolarAxes, solution: BearingSolution, top: float) -> None:
     along_y, along_z = solution.force[1:3]
     radial = math.hypot(along_y, along_z)
     if radial <= NO_FORCE * float(solution.load.sum()):
-        ax.text(
-            0.0, -HOLE * top, "no radial\nforce", ha="center", va="center", fontsize=SMALL_SIZE, color=FAINT_INK,
-            clip_on=False,
-        )  # fmt: skip
+        ax.text(0.0, -HOLE * top, "no radial\nforce", color=FAINT_INK, clip_on=False, **CENTRED)
         return
     way = math.atan2(along_z, along_y)
     tail, tip = -HOLE * top * (1.0 - 0.25 * ARROW_SHARE), -HOLE * top * (1.0 - ARROW_SHARE)
-    ax.annotate(
-        "",
-        (way, tip),
-        xytext=(way + math.pi, tail),
-        arrowprops={"arrowstyle": "-|>,head_length=0.6,head_width=0.25", "color": INK, "linewidth": LINE,
-                    "shrinkA": 0.0, "shrinkB": 0.0},
-        annotation_clip=False,
-    )  # fmt: skip
-    ax.text(
-        way + math.pi, -HOLE * top * (1.0 - 0.55), written(newton(radial)), ha="center", va="center",
-        fontsize=SMALL_SIZE, bbox=BACKING, clip_on=False,
-    )  # fmt: skip
+    arrow = {"arrowstyle": "-|>,head_length=0.6,head_width=0.25", "color": INK, "linewidth": LINE}
+    arrow |= {"shrinkA": 0.0, "shrinkB": 0.0}
+    ax.annotate("", (way, tip), xytext=(way + math.pi, tail), arrowprops=arrow, annotation_clip=False)
+    words = written(newton(radial))
+    ax.text(way + math.pi, -HOLE * top * (1.0 - 0.55), words, bbox=BACKING, clip_on=False, **CENTRED)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from nonhertz.bearing import BearingSolution
+    from nonhertz.result.solution import Solution
 
 COLOURS = {"inner": (FIRST, "-"), "outer": (SECOND, "--")}
 POINTS = 801
@@ -30,14 +31,21 @@ MARGIN = 0.02  # of a roller's length beyond its ends
 AT_ENDS, DEEP = 1.3, 0.2
 
 
-def most_loaded(solution: BearingSolution) -> tuple[int, int, int]:
-    """Return the most loaded roller: its number among all, its row and its number in the row."""
+def _most_loaded(solution: BearingSolution) -> tuple[int, int, float, list[tuple[str, Solution]]]:
+    """Return the number of the most loaded roller, its row, half its length, and its contacts by ring.
+
+    Raises
+    ------
+    InputError
+        If no roller is loaded, or the bearing was solved by slices.
+    """
     roller = int(solution.load.max(axis=1).argmax())
-    for row in range(len(solution.bearing.rows)):
-        these = solution.rollers_of(row)
-        if roller < these.stop:
-            return roller, row, roller - these.start
-    raise AssertionError("a roller is in a row")
+    both = [(ring, solution.contact(roller, ring)) for ring in RINGS]
+    contacts = [(ring, contact) for ring, contact in both if contact is not None]
+    if not contacts:
+        raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
+    row = next(row for row in range(len(solution.bearing.rows)) if roller < solution.rollers_of(row).stop)
+    return roller, row, 0.5 * solution.bearing.rows[row].bearing.roller_length, contacts
 
 
 @drawing
@@ -57,14 +65,10 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     InputError
         If no roller is loaded, or the bearing was solved by slices.
     """
-    roller, row, within = most_loaded(solution)
-    largest, length, stress = 0.0, measure("mm"), measure("MPa")
-    for ring in RINGS:
-        contact = solution.contact(roller, ring)
-        if contact is None:
-            continue
+    roller, row, half, contacts = _most_loaded(solution)
+    length, stress = measure("mm"), measure("MPa")
+    for ring, contact in contacts:
         colour, dashes = COLOURS[ring]
-        largest = max(largest, contact.max_pressure)
         words = f"{ring} ring, {written(newton(contact.load))}: largest {written(mpa(contact.max_pressure))}"
         # To where the contact ends, not to the next strip beyond.
         y = np.unique(np.concatenate([contact.y, np.ravel(contact.contact_y)]))
@@ -74,17 +78,13 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
         tops = stress([contact.max_pressure] * len(places))
         ax.plot(length(places), tops, "o", markersize=4.0, color=colour, markerfacecolor="white")
         mark_land_ends(contact, ax, colour)
-    if not largest:
-        raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
-    _lay(solution, ax, row, labelled=False)
-    ax.set_ylim(0.0, stress.factor * ROOM * largest)
+    _lay(half, ax, labelled=False)
+    ax.set_ylim(0.0, stress.factor * ROOM * max(contact.max_pressure for _, contact in contacts))
     ax.set_ylabel(stress.label("Centre-line\npressure $p_0$"))
     several = f"row {row + 1}, " if len(solution.bearing.rows) > 1 else ""
     where = number(math.degrees(solution.angle[roller]), 4)
-    words = f"Most loaded roller: {several}number {within} at {where}°"
-    if any(
-        contact is not None and contact.singular_ends for contact in (solution.contact(roller, ring) for ring in RINGS)
-    ):
+    words = f"Most loaded roller: {several}number {roller - solution.rollers_of(row).start} at {where}°"
+    if any(contact.singular_ends for _, contact in contacts):
         words += "; pressure has no limit at sharp ends"
     ax.set_title(words, loc="left", fontsize=SMALL_SIZE, pad=18.0)
     key_above(ax, columns=2, handlelength=2.6)
@@ -108,13 +108,9 @@ def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     InputError
         If no roller is loaded, or the bearing was solved by slices.
     """
-    roller, row, _ = most_loaded(solution)
-    half = 0.5 * solution.bearing.rows[row].bearing.roller_length
+    _, _, half, contacts = _most_loaded(solution)
     shown, length, depth = 0.0, measure("mm"), measure("mm", "um")
-    for count, ring in enumerate(RINGS):
-        contact = solution.contact(roller, ring)
-        if contact is None:
-            continue
+    for ring, contact in contacts:
         colour, dashes = COLOURS[ring]
         low, high = max(-half, contact.contact.interval[0]), min(half, contact.contact.interval[1])
         # Strictly inside: a profile may be infinite at its very end.
@@ -127,12 +123,10 @@ def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
         at_ends = np.nanmax(np.interp(touching, y, relief))
         shown = max(shown, DEEP * contact.penetration, AT_ENDS * float(at_ends))
         for pair in contact.contact_y:
-            at = 0.03 + 0.05 * count
+            at = 0.03 + 0.05 * RINGS.index(ring)
             ax.plot(length(pair), [at, at], transform=ax.get_xaxis_transform(), color=colour, linewidth=2.0 * LINE,
                     solid_capstyle="butt")  # fmt: skip
-    if not shown:
-        raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
-    _lay(solution, ax, row, labelled=True)
+    _lay(half, ax, labelled=True)
     # Downwards, as material is taken away; room for the bars below the deepest that is drawn.
     ax.set_ylim(*depth([1.15 * shown, -0.08 * shown]))
     ax.axhline(0.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
@@ -141,8 +135,8 @@ def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     return ax
 
 
-def _lay(solution: BearingSolution, ax: Axes, row: int, *, labelled: bool) -> None:
-    half = 0.5 * solution.bearing.rows[row].bearing.roller_length
+def _lay(half: float, ax: Axes, *, labelled: bool) -> None:
+    """Set the axis along a roller of half a length, and mark its ends."""
     for end in (-half, half):
         ax.axvline(measure("mm").factor * end, color=FAINT_INK, linewidth=THIN, linestyle=":", zorder=1.0)
     along(ax, (-half * (1.0 + 2.0 * MARGIN), half * (1.0 + 2.0 * MARGIN)), labelled=labelled)

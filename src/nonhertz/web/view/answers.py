@@ -17,8 +17,8 @@ from nonhertz.files.results import plain
 from nonhertz.files.sections import surroundings
 from nonhertz.model.body import Body
 from nonhertz.plot.axial import land_end_peaks
+from nonhertz.plot.centre_line import distances, drawn_range
 from nonhertz.plot.contact_area import outlines
-from nonhertz.plot.surfaces import distances, drawn_range
 from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, Solution

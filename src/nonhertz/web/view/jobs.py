@@ -150,7 +150,7 @@ def written(document: dict[str, Any], kind: type[Case | BearingCase], name: str)
 @job
 def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> bytes | dict[str, Any]:
     """Return a figure of a bearing as a file."""
-    from nonhertz.plot.bearing.sheets import bearing_figures
+    from nonhertz.plot.finished import bearing_figures
     from nonhertz.plot.sheets import image
 
     case, solution = _loaded(sound(document, BearingCase))

@@ -1,0 +1,223 @@
+"""What is drawn of a contact and of a whole bearing: by name, and as finished figures for the width of a page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Final
+
+from nonhertz.amounts import mrad, newton
+from nonhertz.bearing import BearingSolution
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import one_of
+from nonhertz.plot.axial import axial_range, conditions, written
+from nonhertz.plot.bearing.displacement import directions, displacement_against_load
+from nonhertz.plot.bearing.loads import bearing_loads
+from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure
+from nonhertz.plot.bearing.pressure import draw_colour_bar as draw_colour_bar_of_bearing
+from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
+from nonhertz.plot.centre_line import pressure, profile
+from nonhertz.plot.contact_area import draw_colour_bar, footprint
+from nonhertz.plot.sheets import (
+    BAR_ROOM,
+    HIGHEST_PANEL,
+    HIGHEST_STRETCHED,
+    LEFT,
+    MARGIN,
+    STRETCHES,
+    WIDTH,
+    bar_beside,
+    panel,
+    sheet,
+    stacked,
+)
+from nonhertz.plot.style import SMALL_SIZE, sheet_style
+from nonhertz.result.solution import Solution
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from nonhertz.bearing import BearingMaps
+
+Drawings = Mapping[str, Callable[..., Any]]
+
+OF_CONTACTS: Final[Drawings] = {"pressure": pressure, "footprint": footprint, "profile": profile}
+OF_BEARINGS: Final[Drawings] = {
+    "loads": bearing_loads,
+    "pressure": bearing_pressure,
+    "roller": most_loaded_roller,
+    "relief": roller_relief,
+    "displacement": displacement_against_load,
+}
+
+# Inches. Of a contact: a panel and the room above it; the lowest panel of a footprint, and the room above both.
+HEIGHT, HEAD, RIGHT = 2.72, 0.43, 0.75
+LOWEST_PANEL, FOOTPRINT_HEADS = 0.5, (0.24, 0.6)
+# Of a bearing: the polar picture of one row and of several side by side, what is written around it, the key below.
+ALONE, BESIDE, AROUND, HEAD_OF_POLAR, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
+PER_LINE = 2
+PANEL, PANEL_HEAD = 1.25, 0.3
+CURVE, CURVE_HEAD = 2.6, 0.45
+ROLLER_PANELS, ROLLER_HEADS = (2.2, 1.4), (0.5, 0.45)
+CONDITION_LETTERS = 104  # that fit in a line
+LEFT_OF_TWO = 0.85  # beside a label of two lines
+
+
+def draw(result: Solution | BearingSolution, what: str, ax: Axes | None = None) -> Axes:
+    """Draw one thing of a result, as its method ``plot`` does."""
+    from matplotlib import axes
+
+    drawings = OF_BEARINGS if isinstance(result, BearingSolution) else OF_CONTACTS
+    one_of("what", what, tuple(drawings), "choose one of them")
+    if ax is not None and not isinstance(ax, axes.Axes):
+        raise InputError("ax", ax, "be axes of matplotlib", "leave it out for a figure of its own")
+    drawn: Axes = drawings[what](result, ax)
+    return drawn
+
+
+def figures(result: Solution | BearingSolution, title: str = "") -> dict[str, Figure]:
+    """Return the finished figures of a result, by name; `save` writes them.
+
+    Parameters
+    ----------
+    result : Solution or BearingSolution
+        A solved contact, or a loaded bearing (see `bearing_figures`).
+    title : str
+        Heading of every figure; none if empty.
+
+    Returns
+    -------
+    dict of str to matplotlib.figure.Figure
+        Of a contact ``"pressure"``, ``"footprint"`` and ``"profile"``.
+    """
+    if isinstance(result, BearingSolution):
+        return bearing_figures(result, title)
+    with sheet_style():
+        return {
+            name: _footprint(result, title) if drawing is footprint else _alone(drawing, result, title)
+            for name, drawing in OF_CONTACTS.items()
+        }
+
+
+def _alone(drawing: Callable[..., Any], solution: Solution, title: str) -> Figure:
+    figure, (axes,) = stacked([HEAD], [HEIGHT], title, right=RIGHT)
+    drawing(solution, axes)
+    return figure
+
+
+def _footprint(solution: Solution, title: str) -> Figure:
+    """Return the contact area in true proportions and, if that is a thin band, stretched below it.
+
+    A roller's contact may be 50 times as long as wide. The panels' shapes are computed here, so that the axes'
+    limits need not be widened to fit them.
+    """
+    low, high = axial_range(solution)
+    natural = (WIDTH - LEFT - BAR_ROOM) * 2.3 * float(solution.element_half_width.max()) / (high - low)
+    stretch = max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
+    heights = [min(max(natural, LOWEST_PANEL), HIGHEST_PANEL)]
+    if stretch >= 2.0 and solution.contact_y:
+        heights.append(stretch * natural)
+    heads = FOOTPRINT_HEADS[: len(heights)]
+    figure, panels = stacked(heads, heights, title, [conditions(solution)], right=BAR_ROOM)
+    for count, axes in enumerate(panels):
+        footprint(solution, axes, stretch=stretch if count else 1.0, colour_bar=False)
+        if axes is not panels[-1]:
+            axes.set_xlabel("")
+    if solution.contact_y:
+        draw_colour_bar(solution, panels[-1], cax=bar_beside(panels[-1]))
+    return figure
+
+
+def bearing_figures(
+    solution: BearingSolution, title: str = "", *, maps: BearingMaps | None = None
+) -> dict[str, Figure]:
+    """Return one finished figure each of loads, pressure, most loaded roller and displacement.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        A loaded bearing. If it was solved by slices there are no pressures, and so neither ``"pressure"`` nor
+        ``"roller"``.
+    title : str
+        Heading of every figure; none if empty.
+    maps : BearingMaps, optional
+        For the displacement, in place of slices; see `displacement_against_load`.
+
+    Returns
+    -------
+    dict of str to matplotlib.figure.Figure
+        Keys ``"loads"``, ``"pressure"`` and ``"roller"`` (by strips, if any roller is loaded), and ``"displacement"``
+        (if a force acts on the inner ring); `save` writes them.
+    """
+    head = title, _lines(bearing_conditions(solution))
+    with sheet_style():
+        found = {"loads": _loads(solution, *head)}
+        if solution.method == "strips" and solution.load.any():
+            found["pressure"] = _pressure(solution, *head)
+            found["roller"], (upper, lower) = stacked(
+                ROLLER_HEADS, ROLLER_PANELS, *head, left=LEFT_OF_TWO, words=MARGIN
+            )
+            most_loaded_roller(solution, upper).tick_params(labelbottom=False)
+            roller_relief(solution, lower)
+        if directions(solution):
+            found["displacement"], (axes,) = stacked([CURVE_HEAD], [CURVE], *head, left=LEFT_OF_TWO, words=MARGIN)
+            displacement_against_load(solution, axes, maps=maps)
+        return found
+
+
+def _loads(solution: BearingSolution, title: str, words: Sequence[str]) -> Figure:
+    rows = len(solution.bearing.rows)
+    size, across = (ALONE, 1) if rows == 1 else (BESIDE, PER_LINE)
+    block, lines = HEAD_OF_POLAR + size + 2.0 * AROUND, math.ceil(rows / across)
+    bottom = lines * block + KEY
+    figure = sheet(bottom, title, words, MARGIN)
+    entries: dict[str, Artist] = {}
+    for row in range(rows):
+        line, column = divmod(row, across)
+        left = WIDTH * (column + 0.5) / across - 0.5 * size
+        axes: Any = panel(figure, left, bottom - line * block - HEAD_OF_POLAR - AROUND - size, size, size, "polar")
+        bearing_loads(solution, axes, row=row)
+        entries |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+    handles, labels = list(entries.values()), list(entries)
+    figure.legend(handles, labels, loc="lower center", ncols=len(labels), frameon=False, fontsize=SMALL_SIZE)
+    return figure
+
+
+def _pressure(solution: BearingSolution, title: str, words: Sequence[str]) -> Figure:
+    panels = [(row, ring) for row in range(len(solution.bearing.rows)) for ring in RINGS]
+    heads, heights = [PANEL_HEAD] * len(panels), [PANEL] * len(panels)
+    figure, every = stacked(heads, heights, title, words, right=BAR_ROOM, words=MARGIN)
+    for (row, ring), axes in zip(panels, every, strict=True):
+        bearing_pressure(solution, axes, ring=ring, row=row, colour_bar=False)
+        if axes is not every[-1]:
+            axes.set_xlabel("")
+            axes.tick_params(axis="x", labelbottom=False)
+    # Of the height of two panels, however many there are.
+    draw_colour_bar_of_bearing(solution, every[-1], cax=bar_beside(*every, most=2.0 * PANEL + PANEL_HEAD))
+    return figure
+
+
+def _lines(parts: Sequence[str]) -> list[str]:
+    """Return parts in lines that are not too long, none of which begins within a part."""
+    lines = [parts[0]]
+    for part in parts[1:]:
+        joined = f"{lines[-1]}; {part}"
+        lines[-1:] = [joined] if len(joined) <= CONDITION_LETTERS else [lines[-1], part]
+    return lines
+
+
+def bearing_conditions(solution: BearingSolution) -> list[str]:
+    """Return what was solved, in parts: the bearing, and what acts on its inner ring with the method."""
+    rows = [row.bearing for row in solution.bearing.rows]
+    same = len({(type(each), each.rollers) for each in rows}) == 1
+    kinds = [f"{each.kind.capitalize()}, {each.rollers} rollers" for each in (rows[:1] if same else rows)]
+    acting = [
+        f"{name} {written(newton(float(solution.force[:3] @ (abs(way) if name == 'axial' else way))))}"
+        for name, way in directions(solution).items()
+    ]
+    tilt = math.hypot(*solution.displacement[3:])
+    acting.append(f"tilt {written(mrad(tilt if tilt > 1e-9 else 0.0), 3)}")
+    acting.append(f"by {solution.method}")
+    return [*([f"{len(rows)} rows: {kinds[0]} each"] if same and len(rows) > 1 else kinds), ", ".join(acting)]
