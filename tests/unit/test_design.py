@@ -9,9 +9,9 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.files.free_forms import FreeForm, free_form_in
-from nonhertz.study.design import best, checked, front
+from nonhertz.study.design import begins_of, best, checked, front
 from nonhertz.study.objective import Variable, refuse_unlimited
-from nonhertz.study.pictures import design_figures
+from nonhertz.study.pictures import design_figures, front_figure
 from nonhertz.study.search import _Searching
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
@@ -172,8 +172,12 @@ def test_no_point_of_a_front_is_better_than_another_in_both():
 
 
 def test_points_of_a_front_at_an_end_of_a_range_are_warned_of():
-    case, vary = replace(CASE, solver={"strips": 21}), {"body.a.profile.radius": (1500.0, 2000.0)}
+    case, vary = replace(CASE, solver={"strips": 11}), {"body.a.profile.radius": (1500.0, 2000.0)}
     found = front(case, first=LOADS[:1], second=LOADS[1:], vary=vary, points=3, starts=1, workers=1)
+    (axes,) = front_figure(found, ("upright", "tilted")).axes
+    (line,) = axes.get_lines()
+    np.testing.assert_allclose(np.column_stack(line.get_data()), np.column_stack([found.first, found.second]))
+    assert axes.get_xlabel().startswith("Largest pressure, upright")
     every = f"at {len(found.first)} of {len(found.first)} points"
     said = f"The best body.a.profile.radius is the highest of its range, 1500 to 2000 mm, {every}: "
     assert [each.startswith(said) for each in found.warnings] == [True]
@@ -266,6 +270,14 @@ def test_what_cannot_be_designed_is_refused_in_one_sentence(given, what):
     with pytest.raises(nh.InputError, match=what) as caught:
         best(**{"case": CASE, "vary": RADIUS, "workers": 1} | given)
     assert len(str(caught.value).splitlines()) == 1
+
+
+def test_searches_begin_all_over_a_range_but_not_at_its_ends():
+    vary = RADIUS | {"body.a.diameter": "15 mm : 25 mm"}
+    now, *spread = begins_of(asked(vary), 17)
+    np.testing.assert_allclose(now, [math.log(4000 / 1500) / math.log(30000 / 1500), 0.5])
+    low, high = np.min(spread, axis=0), np.max(spread, axis=0)
+    assert np.all((low > 0.0) & (low < 0.15) & (high > 0.85) & (high < 1.0))
 
 
 def test_a_wide_range_is_searched_in_its_logarithm():

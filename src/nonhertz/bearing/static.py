@@ -19,7 +19,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 
 LIMIT = 4000.0  # MPa
-_FURTHEST = 1e6
+_FURTHEST, _STEP = 1e6, 4.0
 _EXACT = 1e-6
 
 
@@ -71,24 +71,19 @@ def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
 def _factor(contact: Solution, limit: float) -> float:
     """Return the factor on the load at which a contact reaches a pressure."""
 
-    def pressure(factor: float) -> float:
-        with without_accuracy_warnings():
-            return solve(contact.contact, load=factor * contact.load, tilt=contact.tilt).max_pressure
-
-    # The pressure grows with the load, hardly faster than its square root.
-    low = high = 1.0
-    while pressure(high) < limit:
-        low, high = high, high * max(1.5, (limit / pressure(high)) ** 2.0)
-        _refuse_beyond(high, limit)
-    while pressure(low) > limit:
-        low, high = low * min(0.5, (limit / pressure(low)) ** 2.0), low
-        _refuse_beyond(low, limit)
     from scipy.optimize import brentq
 
-    return float(brentq(lambda factor: math.log(pressure(factor) / limit), low, high, rtol=_EXACT, xtol=_EXACT * low))
+    def above(factor: float) -> float:
+        with without_accuracy_warnings():
+            solved = solve(contact.contact, load=factor * contact.load, tilt=contact.tilt)
+        return math.log(solved.max_pressure / limit)
 
-
-def _refuse_beyond(factor: float, limit: float) -> None:
-    if not 1.0 / _FURTHEST < factor < _FURTHEST:
-        condition = "be reached within a millionth and a million times the load of the contact"
-        raise InputError("limit", limit, condition, "give the pressure in MPa, 4000 by ISO 76")
+    step = _STEP if above(1.0) < 0.0 else 1.0 / _STEP
+    factor = step
+    while (above(factor) < 0.0) is (step > 1.0):
+        factor *= step
+        if not 1.0 / _FURTHEST < factor < _FURTHEST:
+            condition = "be reached within a millionth and a million times the load of the contact"
+            raise InputError("limit", limit, condition, "give the pressure in MPa, 4000 by ISO 76")
+    low, high = sorted((factor / step, factor))
+    return float(brentq(above, low, high, rtol=_EXACT, xtol=_EXACT * low))

@@ -177,7 +177,7 @@ class ForceTable(ReadOnly):
         self._check_kind(kind)
         at = self.checked_displacement[:, [list(MOTIONS).index(name) for name in self.names]]
         off = np.abs(self._between(kind, at) - self.checked_force)
-        off = off[np.all(np.isfinite(off), axis=1)]
+        off = off[np.isfinite(off.sum(axis=1))]
         return SAFETY * np.max(off, axis=0) if off.size else np.full(5, np.nan)
 
     def _between(self, kind: Kind, at: Array) -> Array:
