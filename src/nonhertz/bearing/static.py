@@ -70,7 +70,6 @@ def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
 
 def _factor(contact: Solution, limit: float) -> float:
     """Return the factor on the load at which a contact reaches a pressure."""
-
     from scipy.optimize import brentq
 
     def above(factor: float) -> float:
