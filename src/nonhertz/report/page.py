@@ -28,7 +28,7 @@ from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.lives import RATIO
-from nonhertz.show.sections import SUMMARY, Block, Cell, Picture, Row, Said, Section, Table, summary
+from nonhertz.show.sections import Block, Cell, Picture, Row, Said, Section, Table, rows_of_summaries, summary
 
 _OF_CONTACT = Words(
     "case",
@@ -106,9 +106,7 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
     if len(found) == 1:
         only = found[0]
         shown = _shown(only)
-        tables = (block for section in shown for block in section.blocks if isinstance(block, Table))
-        rows = [row for table in tables if table.layout == SUMMARY for row in table.rows]
-        numbers = first_numbers(only, rows)  # type: ignore[arg-type]  # summaries have rows of three words
+        numbers = first_numbers(only, rows_of_summaries(shown))
         part = Part(only, [*_with_figures(only, shown, numbers), *_given(only, words)], numbers=numbers)
         return laid_out(only.case.title, words, head, opening(only), [part])
     parts = [Part(None, _compared(found, words))]

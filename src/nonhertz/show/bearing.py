@@ -32,7 +32,10 @@ _PLAY = 1e-3  # mm, below which diameters are rounded
 def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str) -> list[Section]:
     """Return what is shown of a loaded bearing; nothing of its life if neither that nor a reason is given."""
     speed = None if case.spectrum else case.prescribed.get("speed")
-    lives = [*spectrum_rows(case), *life_rows(life, reason, speed)] if life is not None or reason else []
+    lives = life_rows(life, reason, speed) if life is not None or reason else []
+    if lives and case.spectrum:
+        share = f"{given(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
+        lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
     return [
         Section("Results", [summary(summary_rows(case, solution))]),
         Section("Ratings and life", [summary(lives)] if lives else []),
@@ -42,20 +45,17 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
 
 def compared_sections(case: BearingCase, strips: BearingSolution, slices: BearingSolution) -> list[Section]:
     """Return what is shown of a bearing by strips and by slices."""
-    rows = compared_rows(SolvedBearing(case, strips), SolvedBearing(case, slices))
-    whole = Table(rows, ("", "strips", "slices", "difference"), (0,))
+    rows = []
+    for quantity in (each for part in _COMPARED for each in QUANTITIES.values() if each.within == part):
+        one, other = (clean(quantity, SolvedBearing(case, each)) for each in (strips, slices))
+        if one or other:
+            numbers, unit = quantity.amount(one, other).apart("" if quantity.unit else "g")
+            change = percent(other / one - 1.0) if one and quantity.unit else ""
+            rows.append((quantity.label, *(f"{each} {unit}".rstrip() for each in numbers), change))
     return [
-        Section("Strips beside slices", [whole]),
+        Section("Strips beside slices", [Table(rows, ("", "strips", "slices", "difference"), (0,))]),
         Section("", [compared_table(strips, slices), Said([OF_LARGEST])]),
     ]
-
-
-def spectrum_rows(case: BearingCase) -> list[Row]:
-    """Return under which loads life is assessed, if not under those that are shown."""
-    if not case.spectrum:
-        return []
-    total = sum(each.share for each in case.spectrum)
-    return [("life under", f"{len(case.spectrum)} loads of a spectrum", f"{given(100.0 * total, 4)} % of revolutions")]
 
 
 def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
@@ -128,19 +128,6 @@ def roller_table(solution: BearingSolution) -> Table:
             )
         )  # fmt: skip
     return Table(rows, heads, (), "numbers narrow")
-
-
-def compared_rows(strips: SolvedBearing, slices: SolvedBearing) -> list[tuple[str, str, str, str]]:
-    """Return name, value by strips, value by slices and difference of what describes the whole bearing."""
-    rows = []
-    for quantity in (each for part in _COMPARED for each in QUANTITIES.values() if each.within == part):
-        one, other = (clean(quantity, each) for each in (strips, slices))
-        if one or other:
-            numbers, unit = quantity.amount(one, other).apart("" if quantity.unit else "g")
-            of_strips, of_slices = (f"{each} {unit}".rstrip() for each in numbers)
-            change = percent(other / one - 1.0) if one and quantity.unit else ""
-            rows.append((quantity.label, of_strips, of_slices, change))
-    return rows
 
 
 def clean(quantity: Quantity, solved: SolvedBearing) -> float:

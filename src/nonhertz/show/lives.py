@@ -19,42 +19,29 @@ RATIO = (
     "Ratios are those of passes of a roller: where the cases differ in rings or in the number of rollers, compare "
     "their L10."
 )
-REVOLUTIONS = "L10 [10^6 rev]"
-LIFE_COLUMNS = ("", "life against ideal profile: a", "b", REVOLUTIONS, "damage")
+_HEADS = ("", "life against ideal profile: a", "b", "L10 [10^6 rev]")
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
 
 
 def sections(found: Assessment) -> list[Section]:
-    """Return what is shown of the lives of a case."""
-    blocks = [loads_table(found), Table(life_rows(found), LIFE_COLUMNS, (0, 4)), Said(sentences(found))]
-    return [Section("Life", blocks)]
+    """Return what is shown of the lives of a case: by each model both lives, revolutions and what is integrated."""
+    rows = [
+        (life.model.name, *_lives(found, number), _integrand(life.model))
+        for number, life in enumerate(found.lives["a"])
+    ]
+    heads = (*_HEADS, "damage")
+    return [Section("Life", [loads_table(found), Table(rows, heads, (0, 4)), Said(sentences(found))])]
 
 
 def compared_sections(found: Assessment, other: Assessment) -> list[Section]:
     """Return what is shown of the lives of another case, with the ratios of those of the first case to them."""
-    heads = (*LIFE_COLUMNS[:4], "lives, first / this: a", "b")
+    rows = [
+        (life.model.name, *_lives(other, number), *(of_life(found.over(other, body, number)) for body in BODIES))
+        for number, life in enumerate(found.lives["a"])
+    ]
+    heads = (*_HEADS, "lives, first / this: a", "b")
     notes = [RATIO, *without_ratio(found, other), *sentences(other)[1:]]
-    return [Section("", [loads_table(other), Table(ratio_rows(found, other), heads, (0,)), Said(notes)])]
-
-
-def life_rows(found: Assessment) -> list[tuple[str, ...]]:
-    """Return name, life in both bodies, revolutions and the damage integrand of each model."""
-    return [
-        (life.model.name, *_lives(found, number), _integrand(life.model))
-        for number, life in enumerate(found.lives["a"])
-    ]
-
-
-def ratio_rows(found: Assessment, other: Assessment) -> list[tuple[str, ...]]:
-    """Return name, the other case's lives, and the ratios of the first case's lives to them, for each model."""
-    return [
-        (
-            life.model.name,
-            *_lives(other, number),
-            *(of_life(found.over(other, body, number)) for body in BODIES),
-        )
-        for number, life in enumerate(found.lives["a"])
-    ]
+    return [Section("", [loads_table(other), Table(rows, heads, (0,)), Said(notes)])]
 
 
 def sentences(found: Assessment) -> list[str]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple, cast
 
 from nonhertz.findings import Finding
 
@@ -113,6 +113,12 @@ class Section(NamedTuple):
 def summary(rows: Iterable[Row], title: str = "") -> Table:
     """Return rows of name, value and remark as a table."""
     return Table(list(rows), layout=SUMMARY, title=title)
+
+
+def rows_of_summaries(sections: Iterable[Section]) -> list[Row]:
+    """Return the rows of all summaries."""
+    tables = (block for section in sections for block in section.blocks if isinstance(block, Table))
+    return [cast("Row", row) for table in tables if table.layout == SUMMARY for row in table.rows]
 
 
 def shown_columns(table: Table) -> list[int]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,47 +16,78 @@ from nonhertz.study.design import Design
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance
 
-QUANTILE_COLUMNS = ("", "share", "below", "", "95 % certain between")
-INDEX_COLUMNS = ("share of the variance due to", "alone", "in total", "")
-BAND_COLUMNS = ("as good within", "from", "to", "")
-START_COLUMNS = ("searches", "looked at", "from", "to")
-SWEEP_COLUMNS = ("", "smallest", "largest", "")
 _SAME = 1e-9  # relative: numbers that differ by less are one number
 _HOW_GOOD = ("error", "warnings")  # of a row, which are not what comes out of it
 
 
 def sweep_sections(sweep: Sweep) -> list[Section]:
     """Return what is shown of a sweep: what was varied, between which numbers the results lie, and why rows failed."""
+    rows = []
+    for quantity, extremes in _numbers(sweep):
+        (low, high), unit = quantity.amount(*extremes).apart()
+        rows.append((quantity.label, low, high, unit))
     return [
         Section("", [Said([_counted(sweep)])]),
-        Section("", [summary(varied_rows(sweep))]),
-        Section("", [Table(sweep_rows(sweep), SWEEP_COLUMNS, (0, 3)), Said(failure_rows(sweep), "warning")]),
+        Section("", [summary(_varied(sweep))]),
+        Section("", [Table(rows, ("", "smallest", "largest", ""), (0, 3)), Said(_failures(sweep), "warning")]),
     ]
 
 
 def tolerance_sections(found: Tolerance) -> list[Section]:
     """Return what is shown of a tolerance study: what is distributed, quantiles, what matters, and why rows failed."""
     sweep = found.sweep
+    # Those that are asked for by name, or else the results that are not the same in all rows.
+    spread = [
+        quantity
+        for quantity, (low, high) in _numbers(sweep)
+        if quantity.name in sweep.plan.quantities
+        or (high - low > _SAME * max(abs(low), abs(high)) and quantity.name not in _HOW_GOOD)
+    ]
     tables = [
-        Table([row[:2] for row in varied_rows(sweep)]),
-        Table(quantile_rows(found), QUANTILE_COLUMNS, (0, 3, 4)),
-        Table(alike_rows(found)),
-        *(Table(rows, (label, *INDEX_COLUMNS[1:]), (0, 3)) for label, rows in index_rows(found)),
+        Table([row[:2] for row in _varied(sweep)]),
+        _quantiles(found, spread),
+        Table(_alike(sweep, spread)),
+        *_indices(found, spread),
     ]
     blocks: list[list[Block]] = [[each] for each in tables if each.rows]
     words: Block = Said([f"{_counted(sweep)}; {found.independent.size} independent samples"])
-    blocks[-1:] = [[*blocks[-1], Said(failure_rows(sweep), "warning")]]
+    blocks[-1:] = [[*blocks[-1], Said(_failures(sweep), "warning")]]
     return [Section("", each) for each in [[words], *blocks]]
 
 
 def design_sections(found: Design) -> list[Section]:
     """Return what is shown of a design: the goal before and after, what is best, how flat that is, and the searches."""
+
+    def read(path: str, value: float) -> str:
+        return f"{of_dimension([value], found.units.get(path, '')):4}"
+
+    def all_of(values: Mapping[str, Any]) -> str:
+        return ", ".join(read(path, value) for path, value in values.items() if isinstance(value, float))
+
+    bands = [
+        (f"{100.0 * band.cost:g} %", read(band.path, band.low), read(band.path, band.high), band.path)
+        for band in found.bands
+    ]
+    starts = []
+    for start in found.starts:
+        value = str(amount(start.value, "MPa" if found.goal == "pressure" else ""))
+        value += "" if start.meets else ", limits not met"
+        value = value if math.isfinite(start.value) else f"failed: {start.failure}"
+        starts.append((value, f"{len(start.history)} points", all_of(start.begun), all_of(start.ended)))
     tables = [
-        summary(design_rows(found)),
-        Table(band_rows(found), BAND_COLUMNS),
-        Table(start_rows(found), START_COLUMNS),
+        summary(_best(found, read)),
+        Table(bands, ("as good within", "from", "to", "")),
+        Table(starts, ("searches", "looked at", "from", "to")),
     ]
     return [Section("", [each]) for each in tables if each.rows]
+
+
+def _numbers(sweep: Sweep) -> Iterator[tuple[Quantity, tuple[float, float]]]:
+    """Yield the quantities that have numbers, with the smallest and the largest."""
+    for quantity in sweep.quantities:
+        extremes = sweep.extremes(quantity.name)
+        if extremes is not None:
+            yield quantity, extremes
 
 
 def _counted(sweep: Sweep) -> str:
@@ -64,35 +95,22 @@ def _counted(sweep: Sweep) -> str:
     return f"{len(sweep)} {rows}{f', {sweep.failed} of them failed' if sweep.failed else ''}"
 
 
-def varied_rows(sweep: Sweep) -> list[Row]:
-    """Return path, what it runs over, and how many values that are."""
-    found = []
+def _varied(sweep: Sweep) -> Iterator[Row]:
+    """Yield path, what it runs over, and how many values that are."""
     for path, spread in sweep.plan.spreads.items():
         unit = sweep.unit(path)
         if isinstance(spread, Distribution):
             written = sweep.plan.over[path]
             words = written if isinstance(written, str) else in_words(spread, unit)
-            found.append((path, words, f"{sweep.shape[-1]} samples"))
+            yield path, words, f"{sweep.shape[-1]} samples"
         else:
-            found.append((path, _ends(spread, unit), f"{len(spread)} values" if len(spread) > 1 else "1 value"))
-    return found
+            yield path, _ends(spread, unit), f"{len(spread)} values" if len(spread) > 1 else "1 value"
 
 
-def sweep_rows(sweep: Sweep) -> list[tuple[str, str, str, str]]:
-    """Return the cells of `SWEEP_COLUMNS` of every quantity that has numbers."""
-    rows = []
-    for quantity in sweep.quantities:
-        ends = sweep.extremes(quantity.name)
-        if ends is not None:
-            (low, high), unit = quantity.amount(*ends).apart()
-            rows.append((quantity.label, low, high, unit))
-    return rows
-
-
-def quantile_rows(found: Tolerance) -> list[tuple[str, ...]]:
-    """Return the cells of `QUANTILE_COLUMNS`: several rows for every quantity that has numbers."""
+def _quantiles(found: Tolerance, spread: Sequence[Quantity]) -> Table:
+    """Return several rows for every quantity."""
     rows: list[tuple[str, ...]] = []
-    for quantity in _spread(found):
+    for quantity in spread:
         label, quantiles = quantity.label, found.quantiles(quantity.name)
         numbers = [number for each in quantiles for number in (each.low, each.value, each.high)]
         texts, unit = quantity.amount(*numbers).apart()
@@ -101,60 +119,37 @@ def quantile_rows(found: Tolerance) -> list[tuple[str, ...]]:
             between = f"{low} to {high}" if math.isfinite(each.low + each.high) else "too few samples to say"
             rows.append((label, f"{100.0 * each.share:g} %", value, unit, between))
             label = ""
-    return rows
+    return Table(rows, ("", "share", "below", "", "95 % certain between"), (0, 3, 4))
 
 
-def alike_rows(found: Tolerance) -> list[Row]:
+def _alike(sweep: Sweep, spread: Sequence[Quantity]) -> list[Row]:
     """Return the results that are the same in all rows, and how far the rows are to be trusted."""
-    sweep, rows = found.sweep, []
-    for quantity in sweep.quantities:
-        ends = sweep.extremes(quantity.name)
-        if ends is None or quantity in _spread(found):
+    rows = []
+    for quantity, extremes in _numbers(sweep):
+        largest = max(extremes)
+        if quantity in spread:
             continue
-        largest = max(ends)
         if quantity.name not in _HOW_GOOD:
             rows.append((quantity.label, str(quantity.amount(largest)), "in all rows"))
-        elif quantity.name == "error" and error_words(ends[1]):
-            rows.append(("approach or load", error_words(ends[1]), "at most"))
+        elif quantity.name == "error" and error_words(largest):
+            rows.append(("approach or load", error_words(largest), "at most"))
         elif largest > 0.0:
             rows.append((quantity.label, digits(largest), "at most; a sweep over the same samples says which"))
     return rows
 
 
-def _spread(found: Tolerance) -> list[Quantity]:
-    """Return the quantities that are asked for by name, or else the results that are not the same in all rows."""
-    sweep = found.sweep
-    spread = []
-    for quantity in sweep.quantities:
-        ends = sweep.extremes(quantity.name)
-        if ends is None:
-            continue
-        asked = quantity.name in sweep.plan.quantities
-        varies = ends[1] - ends[0] > _SAME * max(map(abs, ends)) and quantity.name not in _HOW_GOOD
-        if asked or varies:
-            spread.append(quantity)
-    return spread
+def _indices(found: Tolerance, spread: Sequence[Quantity]) -> Iterator[Table]:
+    """Yield for every quantity that varies what its variance is due to, most important first."""
+    for quantity in spread:
+        rows: list[tuple[str, ...]] = []
+        for each in found.indices(quantity.name):
+            shares = ((each.first, each.first_error), (each.total, each.total_error))
+            alone, total = (f"{100.0 * share:.1f} +- {100.0 * error:.1f} %" for share, error in shares)
+            rows.append((each.path, alone, total, "" if rows else "tighten this first"))
+        yield Table(rows, (quantity.label, "alone", "in total", ""), (0, 3))
 
 
-def index_rows(found: Tolerance) -> list[tuple[str, list[tuple[str, str, str, str]]]]:
-    """Return for every quantity that varies its label and the cells of `INDEX_COLUMNS`, most important first."""
-    sections = []
-    for quantity in _spread(found):
-        rows = [
-            (each.path, _share(each.first, each.first_error), _share(each.total, each.total_error), "")
-            for each in found.indices(quantity.name)
-        ]
-        if rows:
-            rows[0] = (*rows[0][:3], "tighten this first")
-            sections.append((quantity.label, rows))
-    return sections
-
-
-def _share(value: float, error: float) -> str:
-    return f"{100.0 * value:.1f} +- {100.0 * error:.1f} %"
-
-
-def failure_rows(sweep: Sweep) -> list[str]:
+def _failures(sweep: Sweep) -> list[str]:
     """Return why rows have failed, a sentence for each reason, the commonest first."""
     reasons = sweep.reasons()
     shown = [
@@ -178,52 +173,17 @@ def _ends(spread: Spread, unit: str) -> str:
     return f"{of_dimension((spread[0], spread[-1])[: len(spread)], unit):g}"
 
 
-def design_rows(found: Design) -> list[Row]:
-    """Return the goal before and after, what is best, and the worst load."""
+def _best(found: Design, read: Callable[[str, float], str]) -> Iterator[Row]:
+    """Yield the goal before and after, what is best, and the worst load."""
     if found.goal == "pressure":
         before = f"{mpa(found.before)}" if math.isfinite(found.before) else "no solution"
-        rows = [("largest pressure", f"{mpa(found.value)}", f"before: {before}")]
+        yield "largest pressure", f"{mpa(found.value)}", f"before: {before}"
     else:
-        rows = [("life", f"{digits(found.value)} times that before", "")]
+        yield "life", f"{digits(found.value)} times that before", ""
     for path, value in found.values.items():
         if isinstance(value, float):
-            rows.append((path, _of_path(found, path, value), ""))
+            yield path, read(path, value), ""
         else:
-            deepest = float(np.nanmax(found.relief[1]))
-            rows.append((path, "free", f"{len(value)} steps, up to {um(deepest)}"))
-    agreeing = f"{found.agreeing} of {len(found.starts)}"
-    return [*rows, ("worst load", found.worst, ""), ("searches that agree", agreeing, "within 1 %")]
-
-
-def band_rows(found: Design) -> list[tuple[str, ...]]:
-    """Return the cells of `BAND_COLUMNS`: between which values each variable may lie at a cost."""
-    return [
-        (
-            f"{100.0 * band.cost:g} %",
-            _of_path(found, band.path, band.low),
-            _of_path(found, band.path, band.high),
-            band.path,
-        )
-        for band in found.bands
-    ]
-
-
-def start_rows(found: Design) -> list[tuple[str, ...]]:
-    """Return the cells of `START_COLUMNS`: what every search has found, from where, and in how many points."""
-    unit = "MPa" if found.goal == "pressure" else ""
-    rows: list[tuple[str, ...]] = []
-    for start in found.starts:
-        value = str(amount(start.value, unit)) if math.isfinite(start.value) else f"failed: {start.failure}"
-        short = "" if start.meets or not math.isfinite(start.value) else ", limits not met"
-        rows.append(
-            (value + short, f"{len(start.history)} points", _values(found, start.begun), _values(found, start.ended))
-        )
-    return rows
-
-
-def _values(found: Design, values: Mapping[str, Any]) -> str:
-    return ", ".join(_of_path(found, path, value) for path, value in values.items() if isinstance(value, float))
-
-
-def _of_path(found: Design, path: str, value: float) -> str:
-    return f"{of_dimension([value], found.units.get(path, '')):4}"
+            yield path, "free", f"{len(value)} steps, up to {um(float(np.nanmax(found.relief[1])))}"
+    yield "worst load", found.worst, ""
+    yield "searches that agree", f"{found.agreeing} of {len(found.starts)}", "within 1 %"

@@ -55,8 +55,8 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()}
         | {"largest": where_largest(solution, 3)},
         "verdict": verdict_seen(None if complaint else of_contact(solution)),
-        "summary": [list(row) for row in summary_rows(solution, case.prescribed)],
-        "warnings": list(solution.warnings),
+        "summary": summary_rows(solution, case.prescribed),
+        "warnings": solution.warnings,
         "line": lines(solution),
         "footprint": _footprint(solution),
         "gap": _gap(solution),

@@ -18,12 +18,8 @@ from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
 from nonhertz.findings import sentences
 from nonhertz.result.solution import Solution
-from nonhertz.show.bearing import (
-    life_rows,
-    most_loaded,
-    roller_table,
-    summary_rows,
-)
+from nonhertz.show.bearing import most_loaded, sections
+from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import findings_of, of_bearing
 from nonhertz.web.view.answers import lines, profiles, relief_between
 from nonhertz.web.view.replies import numbers, verdict_seen
@@ -51,8 +47,8 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         contacts = [[_lines(solution.contact(j, ring)) for ring in RINGS] for j in range(solution.angle.size)]
     else:
         contacts = _by_slices(solution, case.solver.get("laminae", LAMINAE))
-    rows = [*summary_rows(case, solution), *life_rows(life, reason, case.prescribed.get("speed"))]
-    rollers = roller_table(solution)
+    *shown, (_, (rollers,)) = sections(case, solution, life, reason)
+    assert isinstance(rollers, Table)
     return {
         "ok": True,
         "title": case.title,
@@ -67,10 +63,10 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "most": most_loaded(solution),
         "contacts": contacts,
         "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
-        "summary": [list(row) for row in rows],
-        "columns": list(rollers.heads),
-        "rollers": [list(row) for row in rollers.rows],
-        "warnings": list(sentences(findings_of(solution, life))),
+        "summary": rows_of_summaries(shown),
+        "columns": rollers.heads,
+        "rollers": rollers.rows,
+        "warnings": sentences(findings_of(solution, life)),
     }
 
 
