@@ -8,10 +8,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from changed_documents import changed_documents
+from few_rollers import SIX
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from test_bad_input import MISTAKES
 
 import nonhertz as nh
+from nonhertz.amounts import read_in
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.strength import assess
 from nonhertz.subsurface import extremes
@@ -182,6 +187,30 @@ def test_what_is_hardly_a_case_is_answered(document):
     found = answer(document, True)
     assert not found["ok"]
     assert found["mistakes"]
+
+
+@pytest.mark.slow
+@settings(deadline=None, suppress_health_check=list(HealthCheck))
+@given(changed_documents(changed(solver__strips=15)), st.booleans())
+def test_whatever_is_in_a_case_it_is_answered(document, in_us_units):
+    with read_in("us" if in_us_units else "si"):
+        assert_answered(answer(document))
+
+
+@pytest.mark.slow
+@settings(deadline=None, suppress_health_check=list(HealthCheck))
+@given(changed_documents(tomllib.loads(SIX)))
+def test_whatever_is_in_a_bearing_it_is_answered(document):
+    assert_answered(json.loads(jobs.load(document, "slices")))
+
+
+def assert_answered(found):
+    """Assert that what is asked is answered, or refused in sentences that each are one line."""
+    assert found["ok"] or found["mistakes"]
+    assert not found.get("internal")
+    for mistake in found.get("mistakes", ()):
+        assert mistake["sentence"].endswith(".")
+        assert len(mistake["sentence"].splitlines()) == 1
 
 
 def test_files_are_not_read(tmp_path):

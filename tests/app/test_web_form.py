@@ -9,7 +9,9 @@ from typing import Any, Literal
 
 import jinja2
 import pytest
+from changed_documents import changed_documents
 from form_reading import Inputs, document_in, parts_of, set_at, value_of
+from hypothesis import given, settings
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad
@@ -142,6 +144,12 @@ DOCUMENTS = {
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_a_form_is_the_document_again(name):
     document = DOCUMENTS[name]
+    assert as_text(document_in(form_of(document))) == as_text(document)
+
+
+@settings(deadline=None)
+@given(changed_documents(with_life()))
+def test_a_form_is_the_document_again_whatever_is_in_it(document):
     assert as_text(document_in(form_of(document))) == as_text(document)
 
 
