@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import statistics
 import time
 from collections.abc import Callable
@@ -12,7 +13,6 @@ from nonhertz.comparison.value import Comparison, Seconds
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
-from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
 from nonhertz.patch.resources import checked_cells
 from nonhertz.result.solution import Solution
@@ -84,20 +84,31 @@ def compare(
         thread_count(threads)
     given: dict[str, Any] = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
 
-    def on_strips(element: Element) -> tuple[Solution, float]:
-        return _timed(
-            f"{element.name} strips",
-            lambda: solve(contact, **given, element=element, strips=strips, accuracy=accuracy),
-            RUNS,
-            announce,
-        )
+    def timed(name: str, again: int, run: Callable[[], Outcome]) -> tuple[Outcome, float]:
+        """Return an outcome and the median time of ``again`` further runs, or the time of the first if there are none.
 
-    def on_grid() -> PatchSolution:
-        return solve_patch(contact, **given, cells=cells, threads=threads)
+        The first solve on strips may include compilation; the plane grid uses the same compiled code.
+        """
+        if announce is not None:
+            announce(name)
+        times = []
+        try:
+            for _ in range(1 + again):
+                begin = time.perf_counter()
+                outcome = run()
+                times.append(time.perf_counter() - begin)
+        except ConvergenceError as error:
+            raise ConvergenceError(f"On {name}: {error}", error.solution) from None
+        return outcome, statistics.median(times[1:] or times)
+
+    def on_strips(element: Element) -> tuple[Solution, float]:
+        options: dict[str, Any] = {"element": element, "strips": strips, "accuracy": accuracy}
+        return timed(f"{element.name} strips", RUNS, lambda: solve(contact, **given, **options))
 
     with without_accuracy_warnings():
         (semi, of_semi), (parabola, of_parabola) = on_strips(SEMI_ELLIPTIC), on_strips(PARABOLIC)
-        patch, of_patch = _timed("plane grid", on_grid, 0, announce)
+        on_grid = functools.partial(solve_patch, contact, **given, cells=cells, threads=threads)
+        patch, of_patch = timed("plane grid", 0, on_grid)
     if not patch.footprint.any():
         # An approach so small that strips touch but no cell centre does.
         raise InputError("approach", approach, "bring the bodies into contact", "give a larger one, or a load")
@@ -109,26 +120,3 @@ def compare(
         quantities=quantities(semi, parabola, patch),
         stations=stations(semi, patch),
     )
-
-
-def _timed(
-    name: str, run: Callable[[], Outcome], again: int, announce: Callable[[str], object] | None
-) -> tuple[Outcome, float]:
-    """Return an outcome and the median time of ``again`` further runs, or the time of the first if there are none.
-
-    The first solve on strips may include compilation; the plane grid uses the same compiled code.
-    """
-    if announce is not None:
-        announce(name)
-    try:
-        outcome, first = _clocked(run)
-        times = [_clocked(run)[1] for _ in range(again)]
-    except ConvergenceError as error:
-        raise ConvergenceError(f"On {name}: {error}", error.solution) from None
-    return outcome, statistics.median(times or [first])
-
-
-def _clocked(run: Callable[[], Outcome]) -> tuple[Outcome, float]:
-    begin = time.perf_counter()
-    outcome = run()
-    return outcome, time.perf_counter() - begin

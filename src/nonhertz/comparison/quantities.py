@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,21 +38,40 @@ def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tupl
     patch : PatchSolution
         On the plane grid.
     """
-    at = centre(semi)
-    p_semi, p_parabola = (_at(at, one.y, one.centre_pressure) for one in (semi, parabola))
-    b_semi, b_parabola = (_at(at, one.y, one.half_width) for one in (semi, parabola))
-    p, b = _at(at, patch.y, patch.centre_pressure), _at(at, patch.y, patch.half_width)
-    cells = finding("cells", "cells {width:.2g} across", width=mm(patch.dx))
+    at, (low, high) = centre(semi), (semi.contact_y[0][0], semi.contact_y[-1][1])
+    across = finding("cells", "cells {width:.2g} across", width=mm(patch.dx))
+    along = finding("cells", "cells {length:.2g} along", length=mm(patch.dy))
+    rounding = ROUNDING * patch.load * float(np.max(np.abs(semi.edges)))
+    rows = patch.y[patch.footprint.any(axis=0)]
+    first, last = float(rows[0]) - 0.5 * patch.dy, float(rows[-1]) + 0.5 * patch.dy
+    p, y = _peak(semi, patch, high)
+    (p_semi, y_semi), (p_parabola, y_parabola) = (_peak(semi, one, y) for one in (semi, parabola))
+
+    def compared(
+        what: str, unit: str, of: Callable[[Solution | PatchSolution], float], **more: Any
+    ) -> ComparedQuantity:
+        return ComparedQuantity(what, unit, of(patch), of(semi), of(parabola), **more)
+
     return (
-        ComparedQuantity("approach", "mm", patch.approach, semi.approach, parabola.approach),
-        ComparedQuantity("tilt", "rad", patch.tilt, semi.tilt, parabola.tilt),
-        ComparedQuantity("load", "N", patch.load, semi.load, parabola.load),
-        _moment(semi, parabola, patch),
-        ComparedQuantity("pressure", "MPa", p, p_semi, p_parabola, at=at),
-        ComparedQuantity("half-width", "mm", b, b_semi, b_parabola, remark=cells, at=at),
-        *_largest(semi, parabola, patch),
-        *_ends(semi, parabola, patch),
+        compared("approach", "mm", lambda one: one.approach),
+        compared("tilt", "rad", lambda one: one.tilt),
+        compared("load", "N", lambda one: one.load),
+        compared("moment", "N mm", lambda one: one.moment if abs(one.moment) > rounding else 0.0),
+        compared("pressure", "MPa", lambda one: _at(at, one.y, one.centre_pressure), at=at),
+        compared("half-width", "mm", lambda one: _at(at, one.y, one.half_width), remark=across, at=at),
+        ComparedQuantity("maximum pressure", "MPa", p, p_semi, p_parabola, remark=_without_limit(semi)),
+        ComparedQuantity("position of the maximum", "mm", y, y_semi, y_parabola, absolute=True),
+        ComparedQuantity("contact from", "mm", first, low, parabola.contact_y[0][0], True, along),
+        ComparedQuantity("contact to", "mm", last, high, parabola.contact_y[-1][1], True, along),
     )
+
+
+def _without_limit(semi: Solution) -> Finding | None:
+    """Return where the largest pressure is not looked for, or has no limit."""
+    if semi.singular_ends:
+        away = "a half-width and more from {ends}, where it has no limit"
+        return finding("away-from-ends", away, ends=ends_in_words(semi.singular_ends))
+    return said("at a corner of the profile, where it has no limit") if semi.peaks_at_corner else None
 
 
 def centre(semi: Solution) -> float:
@@ -72,54 +93,18 @@ def _at(at: float, y: Array, values: Array) -> float:
     return float(np.array(weights) @ found)
 
 
-def _moment(semi: Solution, parabola: Solution, patch: PatchSolution) -> ComparedQuantity:
-    rounding = ROUNDING * patch.load * float(np.max(np.abs(semi.edges)))
-    of_patch, of_semi, of_parabola = (
-        one.moment if abs(one.moment) > rounding else 0.0 for one in (patch, semi, parabola)
-    )
-    return ComparedQuantity("moment", "N mm", of_patch, of_semi, of_parabola)
-
-
-def _largest(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[ComparedQuantity, ComparedQuantity]:
-    """Return the largest pressure and its position, away from ends at which it has no limit."""
-    p, y = _peak(semi, patch.y, patch.centre_pressure, semi.contact_y[-1][1])
-    (p_semi, y_semi), (p_parabola, y_parabola) = (
-        _peak(semi, one.y, one.centre_pressure, y) for one in (semi, parabola)
-    )
-    remark: Finding | None = None
-    if semi.singular_ends:
-        away = "a half-width and more from {ends}, where it has no limit"
-        remark = finding("away-from-ends", away, ends=ends_in_words(semi.singular_ends))
-    elif semi.peaks_at_corner:
-        remark = said("at a corner of the profile, where it has no limit")
-    return (
-        ComparedQuantity("maximum pressure", "MPa", p, p_semi, p_parabola, remark=remark),
-        ComparedQuantity("position of the maximum", "mm", y, y_semi, y_parabola, absolute=True),
-    )
-
-
-def _peak(semi: Solution, y: Array, pressure: Array, near: float) -> tuple[float, float]:
+def _peak(semi: Solution, one: Solution | PatchSolution, near: float) -> tuple[float, float]:
     """Return the largest pressure, and of all positions that have it the one nearest to ``near``; NaN without contact.
 
     For all methods, the half-width next to singular ends, as found by semi-elliptic strips, is left out.
     """
-    half_width = np.where(pressure > 0.0, np.interp(y, semi.y, semi.half_width), 0.0)
-    places, found = counted(y, pressure, half_width, singular_y(semi))
+    half_width = np.where(one.centre_pressure > 0.0, np.interp(one.y, semi.y, semi.half_width), 0.0)
+    places, found = counted(one.y, one.centre_pressure, half_width, singular_y(semi))
     if not np.any(found > 0.0):
         return math.nan, math.nan
     largest = np.flatnonzero(found >= (1.0 - SAME) * found.max())
     at = largest[np.abs(places[largest] - near).argmin()]
     return float(found.max()), float(places[at])
-
-
-def _ends(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[ComparedQuantity, ComparedQuantity]:
-    rows = patch.y[patch.footprint.any(axis=0)]
-    remark = finding("cells", "cells {length:.2g} along", length=mm(patch.dy))
-    low, high = float(rows[0]) - 0.5 * patch.dy, float(rows[-1]) + 0.5 * patch.dy
-    return (
-        ComparedQuantity("contact from", "mm", low, semi.contact_y[0][0], parabola.contact_y[0][0], True, remark),
-        ComparedQuantity("contact to", "mm", high, semi.contact_y[-1][1], parabola.contact_y[-1][1], True, remark),
-    )
 
 
 def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, Station]:
@@ -143,11 +128,7 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
     between = 0.5 * (middle + end)
     if np.any(free):
         between = float(semi.y[np.where(free, np.abs(semi.centre_pressure - expected), -1.0).argmax()])
-    return (
-        Station(middle, "middle"),
-        Station(between, LARGEST),
-        Station(end, "near the more loaded end"),
-    )
+    return Station(middle, "middle"), Station(between, LARGEST), Station(end, "near the more loaded end")
 
 
 def _near_end(semi: Solution, patch: PatchSolution) -> float:
