@@ -13,7 +13,7 @@ from cyclopts import Parameter
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import refuse_unwritable_out, written
 from nonhertz.errors import InputError
-from nonhertz.files.measured import checked, measured_in
+from nonhertz.files.measured import PREPARING, READING, checked, measured_in
 from nonhertz.files.prepared import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import one_of
@@ -23,7 +23,7 @@ from nonhertz.plot.measured import measured_figure
 from nonhertz.show.measured import sections
 
 BEST = "best"
-_PLAIN_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+KEYS = (*READING, *PREPARING)  # of a measured profile in a file, which the options of these names are
 _NO, _YES = frozenset({"no", "false", "none"}), frozenset({"yes", "true"})
 # Options whose values are always text, whatever they look like.
 _WORDS = frozenset({"position_unit", "height_unit", "sense"})
@@ -89,14 +89,10 @@ def profile(
     out : Path
         Directory for profile.csv, profile.json, profile.toml and the figure; created if it does not exist.
     """
+    words = {key: word for key, word in locals().items() if key in KEYS and word is not None}
     refuse_unwritable_out(out)
-    words = {
-        "position_unit": position_unit, "height_unit": height_unit, "position_column": position_column,
-        "height_column": height_column, "sense": sense, "level": level, "align": align, "trim": trim, "corner": corner,
-        "outliers": outliers, "smooth": smooth, "cutoff": cutoff, "slope": slope, "points": points,
-    }  # fmt: skip
     with _options_named():
-        values = {key: checked(key, _meant(key, word)) for key, word in words.items() if word is not None}
+        values = {key: checked(key, _meant(key, word)) for key, word in words.items()}
         measured = measured_in(file, values)
         _ = measured.states
     fits: tuple[ProfileFit, ...] = ()
@@ -131,9 +127,7 @@ def _meant(name: str, word: str | bool) -> Any:
         return word
     if word.lower() in _NO | _YES:
         return word.lower() in _YES
-    if _PLAIN_NUMBER.fullmatch(word):
+    with contextlib.suppress(ValueError):
         number = float(word)
-        return (
-            int(number) if name in {"points", "position_column", "height_column"} and number == int(number) else number
-        )
+        return int(number) if number.is_integer() else number
     return word
