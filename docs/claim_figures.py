@@ -272,8 +272,9 @@ def draw_life(figure: Figure) -> None:
     left.set_xticks([0.5, 1.0, 2.0], ["0.5", "1", "2"])
     left.minorticks_off()
     left.legend(loc="upper right")
+    contact = subsurface_stress.tilted_on_strips().contact
     for tilt, (colour, dashes) in zip((0.0, fatigue_life.TILT, 1e-3), LOOKS, strict=False):
-        solution = solve(fatigue_life.tilted_roller(), load=fatigue_life.LOAD, tilt=tilt)
+        solution = solve(contact, load=fatigue_life.LOAD, tilt=tilt)
         (life,) = assess(solution, "lundberg-palmgren", body="b")
         words = f"{1e3 * tilt:g} mrad: life {life.relative_life:.2f}"
         right.semilogy(life.y, life.density, color=colour, linestyle=dashes, label=words)

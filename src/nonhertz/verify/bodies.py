@@ -9,15 +9,11 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
+from nonhertz import PARABOLIC, SEMI_ELLIPTIC, Body, Contact, EdgeKind, Material, Plate, Roller, Solution, solve
 from nonhertz.bodies.depths import plane_strain_depth
 from nonhertz.hertz import LineContact, line_contact, plane_strain_cylinder_compression
-from nonhertz.model.body import Body, Plate, Roller
-from nonhertz.model.contact import Contact
-from nonhertz.model.material import Material
 from nonhertz.model.profile import crown
-from nonhertz.result.solution import EdgeKind, Solution
-from nonhertz.solver.one import solve
-from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
+from nonhertz.strip.element import Element
 from nonhertz.verify.claim import Claim, Evidence, solved
 
 MODULUS = 206000.0

@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import functools
 import statistics
-import time
+import timeit
 from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from nonhertz import SEMI_ELLIPTIC, Contact, Ring, Roller, Solution, solve
 from nonhertz.bodies.influence import influence_of
-from nonhertz.model.body import Ring, Roller
-from nonhertz.model.contact import Contact
 from nonhertz.model.profile import iso_logarithmic
-from nonhertz.result.solution import Solution
-from nonhertz.solver.one import solve
-from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.strip.influence import coefficients, kernel_of, remote_of
 from nonhertz.strip.records import Strips
 from nonhertz.verify.claim import Claim
@@ -58,15 +54,6 @@ def _assemble(contact: Contact, solution: Solution) -> None:
 
 
 def _exponent(runs: list[Callable[[], object]]) -> float:
-    """Return the exponent of the median time of runs over the number of their strips."""
-    return float(np.polyfit(np.log(COUNTS), np.log([_median(run) for run in runs]), 1)[0])
-
-
-def _median(run: Callable[[], object]) -> float:
-    run()
-    times = []
-    for _ in range(REPEATS):
-        begin = time.perf_counter()
-        run()
-        times.append(time.perf_counter() - begin)
-    return statistics.median(times)
+    """Return the exponent of the median time of runs, without the first, over the number of their strips."""
+    times = [statistics.median(timeit.repeat(run, number=1, repeat=1 + REPEATS)[1:]) for run in runs]
+    return float(np.polyfit(np.log(COUNTS), np.log(times), 1)[0])

@@ -9,25 +9,20 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz import Contact, Material, Ring, Roller, Solution, solve
 from nonhertz.hertz import line_contact
 from nonhertz.life import MODELS, Life, Model, Raceway, VolumeModel, assess, ioannides_harris, iso_16281
 from nonhertz.life.lamina import edge_function, laminae_of
-from nonhertz.model.body import Ring, Roller
-from nonhertz.model.contact import Contact
-from nonhertz.model.material import Material
-from nonhertz.model.profile import iso_logarithmic
+from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
-from nonhertz.result.solution import Solution
-from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Claim, Evidence, solved
-from nonhertz.verify.subsurface_stress import mcewen
+from nonhertz.verify.subsurface_stress import LOAD, RING_DIAMETER, STEEL, TILT, mcewen, tilted_on_strips
 
 Array = NDArray[np.float64]
 
-STEEL = Material(206000.0, 0.3)
 DIAMETER, LENGTH, LOAD_ON_LINE = 10.0, 10.0, 10e3  # mm, N
 NARROW = 0.05  # mm: width of the outer two of three strips; a line contact is uniform along y and needs no more
-RING_DIAMETER, LOAD, TILT, CELLS = 80.0, 20e3, 0.5e-3, (192, 64)
+CELLS = 192, 64
 ROLLERS = 14
 _LIVES = (50000.0, 6500.0, 1000.0)  # h
 _HOURS = (40.0 / 60.0, 15.0 / 60.0, 5.0 / 60.0)  # of every load in a cycle of one hour
@@ -44,13 +39,6 @@ def line(load: float = LOAD_ON_LINE, length: float = LENGTH) -> Solution:
     return solve(Contact(roller, roller), load=load, strips=(-end, NARROW - end, end - NARROW, end))
 
 
-def tilted_roller() -> Contact:
-    """Return a roller with the profile of ISO 16281 on a ring."""
-    profile = iso_logarithmic(diameter=20.0, length=20.0)
-    roller = Roller(diameter=20.0, length=20.0, material=STEEL, profile=profile, side_faces="mirror")
-    return Contact(roller, Ring(diameter=RING_DIAMETER, material=STEEL))
-
-
 @solved
 def lives(load: float = LOAD_ON_LINE, length: float = LENGTH, *, raised: float = 1.0) -> dict[str, Life]:
     """Return the lives of a line contact by all models, with a fatigue limit so many times as high."""
@@ -63,12 +51,11 @@ def lives(load: float = LOAD_ON_LINE, length: float = LENGTH, *, raised: float =
 @solved
 def tilted_lives(method: str) -> dict[str, Life]:
     """Return the lives of the tilted roller by all models, on strips or on cells."""
-    if method == "strips":
-        lived = assess(solve(tilted_roller(), load=LOAD, tilt=TILT), body="b")
-    else:
+    solution: Solution | PatchSolution = tilted_on_strips()
+    if method == "cells":
         # Many cells across, for the shear just below the surface; along, the pressure is smooth.
-        lived = assess(solve_patch(tilted_roller(), load=LOAD, tilt=TILT, cells=CELLS), body="b")
-    return dict(zip(BY_NAME, lived, strict=True))
+        solution = solve_patch(solution.contact, load=LOAD, tilt=TILT, cells=CELLS)
+    return dict(zip(BY_NAME, assess(solution, body="b"), strict=True))
 
 
 def claims() -> Iterator[Claim]:

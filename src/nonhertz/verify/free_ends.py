@@ -15,14 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.model.body import Body, Ring, Roller
-from nonhertz.model.contact import Contact
-from nonhertz.model.material import Material
+from nonhertz import Body, Contact, Material, Ring, Roller, Solution, solve
 from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown, straight, tabulated
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.solver import solve as solve_patch
-from nonhertz.result.solution import Solution
-from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Claim, Evidence, pressures, solved
 
 # What mirroring leaves: bodies on y > 0 with a combined radius of 100 mm, separation 0 up to y = 13 mm and

@@ -14,12 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-from nonhertz.model.body import Plate, Roller
-from nonhertz.model.contact import Contact
-from nonhertz.model.material import STEEL, Material
+from nonhertz import Contact, Material, Plate, Roller, Solution, solve
+from nonhertz.model.material import STEEL
 from nonhertz.model.profile import Profile, crown, straight
-from nonhertz.result.solution import Solution
-from nonhertz.solver.one import solve
 from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, solved
 
 Array = NDArray[np.float64]

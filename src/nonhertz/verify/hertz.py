@@ -15,14 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz import PARABOLIC, SEMI_ELLIPTIC, Body, Contact, Material, Plate, Roller, Solution, solve
 from nonhertz.hertz import LineContact, PointContact, line_contact, point_contact
-from nonhertz.model.body import Body, Plate, Roller
-from nonhertz.model.contact import Contact
-from nonhertz.model.material import Material
 from nonhertz.model.profile import Profile
-from nonhertz.result.solution import Solution
-from nonhertz.solver.one import solve
-from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
+from nonhertz.strip.element import Element
 from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, solved
 
 Array = NDArray[np.float64]

@@ -8,15 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import quad
+from scipy.optimize import newton, root
 
+from nonhertz import Material, Ring, Roller, Solution, TabulatedDiameter, solve
 from nonhertz.bearing import CylindricalRollerBearing, TaperedRollerBearing
-from nonhertz.errors import InputError
-from nonhertz.model.body import Ring, Roller, TabulatedDiameter
-from nonhertz.model.contact import Contact
-from nonhertz.model.material import Material
 from nonhertz.model.profile import Profile, iso_logarithmic, straight
-from nonhertz.result.solution import Solution
-from nonhertz.solver.one import solve
 
 Array = NDArray[np.float64]
 
@@ -167,56 +163,35 @@ def by_hand(bearing: CylindricalRollerBearing, load: float, tilt: float) -> tupl
     The rollers' motions and the displacement of the ring are found one after the other, from single contacts solved
     with `nonhertz.solve` alone; the load is along y, towards the first roller.
     """
-    pitch = 2.0 * math.pi / bearing.rollers
-    rollers = [_HandRoller(bearing, math.cos(pitch * j), tilt) for j in range(1 + int(0.25 * bearing.rollers))]
+    cosines = np.cos(2.0 * math.pi / bearing.rollers * np.arange(1 + int(0.25 * bearing.rollers)))
+    # All but the first have a twin on the other side of the load.
+    weights = cosines * np.where(cosines < 1.0, 2.0, 1.0)
+
+    def loads(moved: float) -> Array:
+        return np.array([_borne(bearing, moved * cosine, tilt * cosine) for cosine in cosines])
+
     # As if springs of the size of two contacts of steel in series bore it.
-    moved = 0.5 * bearing.clearance + 5.0 * load / bearing.rollers / _SPRING
-    loads = np.zeros(len(rollers))
-    for _ in range(20):
-        found = [each.borne(moved) for each in rollers]
-        loads = np.array([load_of for load_of, _ in found])
-        # All but the first have a twin on the other side of the load.
-        along = np.array([each.cosine * (2.0 if j else 1.0) for j, each in enumerate(rollers)])
-        off = float(along @ loads) - load
-        if abs(off) < 1e-7 * load:
-            break
-        moved -= off / float(along @ np.array([slope for _, slope in found]))
-    return moved, loads
+    start = 0.5 * bearing.clearance + 5.0 * load / bearing.rollers / _SPRING
+    moved = float(newton(lambda moved: float(weights @ loads(moved)) / load - 1.0, start, tol=1e-11))
+    return moved, loads(moved)
 
 
-class _HandRoller:
-    """A roller between two contacts, with its motion along r and its own tilt."""
+def _borne(bearing: CylindricalRollerBearing, inwards: float, tilt: float) -> float:
+    """Return the load of a roller between two contacts, towards which the inner ring moves and tilts."""
+    slack = 0.25 * bearing.clearance
+    if inwards <= 2.0 * slack:
+        return 0.0
 
-    def __init__(self, bearing: CylindricalRollerBearing, cosine: float, tilt: float) -> None:
-        self.contacts, self.cosine, self.tilt = bearing.contacts, cosine, tilt * cosine
-        self.slack = 0.25 * bearing.clearance
-        self.motion: Array | None = None
+    def pressed(motion: Array) -> list[Solution]:
+        poses = np.array([inwards, tilt]) - motion, motion
+        return [
+            solve(contact, approach=float(moved) - slack, tilt=float(turned))
+            for contact, (moved, turned) in zip(bearing.contacts, poses, strict=True)
+        ]
 
-    def borne(self, moved: float) -> tuple[float, float]:
-        """Return the load under a displacement of the ring, and its derivative."""
-        inwards = np.array([moved * self.cosine, self.tilt])
-        if inwards[0] <= 2.0 * self.slack:
-            return 0.0, 0.0
-        motion = 0.5 * inwards if self.motion is None else self.motion
-        while True:
-            inner, outer = (
-                self._pressed(contact, pose)
-                for contact, pose in zip(self.contacts, (inwards - motion, motion), strict=True)
-            )
-            if inner is None or outer is None:
-                return 0.0, 0.0
-            off = np.array([inner.load - outer.load, inner.moment - outer.moment])
-            both = inner.stiffness + outer.stiffness
-            if np.max(np.abs(off)) < 1e-8 * inner.load:
-                break
-            motion = motion + np.linalg.solve(both, off)
-        self.motion = motion
-        # Both contacts yield: the derivative of springs in series.
-        series = outer.stiffness @ np.linalg.solve(both, inner.stiffness)
-        return inner.load, float(series[0, 0]) * self.cosine
+    def off(motion: Array) -> tuple[float, float]:
+        inner, outer = pressed(motion)
+        return inner.load - outer.load, inner.moment - outer.moment
 
-    def _pressed(self, contact: Contact, pose: Array) -> Solution | None:
-        try:
-            return solve(contact, approach=float(pose[0]) - self.slack, tilt=float(pose[1]))
-        except InputError:  # the bodies do not touch
-            return None
+    # Of the roller along r, and its own tilt.
+    return pressed(root(off, [0.5 * inwards, 0.5 * tilt], tol=1e-11).x)[0].load

@@ -12,10 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.comparison import Comparison, compare
+from nonhertz import Body, Comparison, Contact, Plate, Ring, Roller, TabulatedDiameter, compare
 from nonhertz.hertz import point_contact
-from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
-from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL
 from nonhertz.model.profile import crown, iso_logarithmic
 from nonhertz.verify.claim import Claim, Evidence, Value, solved

@@ -20,15 +20,12 @@ from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprd
 
+from nonhertz import Body, Contact, Material, Plate, Ring, Roller, Solution, solve
 from nonhertz.hertz import LineContact, PointContact, line_contact, point_contact
-from nonhertz.model.body import BODIES, Body, BodyName, Plate, Ring, Roller
-from nonhertz.model.contact import Contact
-from nonhertz.model.material import Material
+from nonhertz.model.body import BODIES, BodyName
 from nonhertz.model.profile import crown, iso_logarithmic
 from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
-from nonhertz.result.solution import Solution
-from nonhertz.solver.one import solve
 from nonhertz.subsurface import Extremes, Field, extremes, passage, stress
 from nonhertz.subsurface.field import SIGMA_Z, TAU_XY, TAU_XZ, TAU_YZ
 from nonhertz.verify.claim import Claim, Evidence, Value, solved

@@ -15,13 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz import SEMI_ELLIPTIC, Contact, Material, Plate, Roller
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
-from nonhertz.model.body import Plate, Roller
-from nonhertz.model.contact import Contact
 from nonhertz.model.depths import DepthRule
-from nonhertz.model.material import Material
 from nonhertz.model.side_faces import FaceRule
-from nonhertz.strip.element import SEMI_ELLIPTIC
 from nonhertz.strip.influence import displacements
 from nonhertz.verify.claim import Claim, Evidence, solved
 
