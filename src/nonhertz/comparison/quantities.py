@@ -7,17 +7,14 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.comparison.value import ComparedQuantity, Station
+from nonhertz.comparison.value import Array, ComparedQuantity, Station
 from nonhertz.findings import Finding, finding, said
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import away_from_ends, ends_in_words
 from nonhertz.result.maximum import counted, singular_y
 from nonhertz.result.solution import Solution
-
-Array = NDArray[np.float64]
 
 LARGEST = "largest difference in MPa"
 """Why the second station was chosen."""

@@ -13,10 +13,17 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import amount
 from nonhertz.plot.style import SMALL_SIZE, sheet_style
 
+# matplotlib is imported only when something is drawn.
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
+    from matplotlib import artist, axes, figure
 
+    Artist = artist.Artist
+    Axes = axes.Axes
+    Figure = figure.Figure
+else:
+    Artist = Axes = Figure = Any
+
+Array = NDArray[np.float64]
 P = ParamSpec("P")
 T = TypeVar("T")
 Alignment = Literal["left", "center", "right"]
@@ -67,7 +74,7 @@ class Measure(NamedTuple):
     factor: float
     unit: str
 
-    def __call__(self, values: ArrayLike) -> NDArray[np.float64]:
+    def __call__(self, values: ArrayLike) -> Array:
         """Return numbers as they are drawn."""
         return self.factor * np.asarray(values, dtype=float)
 

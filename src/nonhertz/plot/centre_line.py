@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import EndStrength, mpa, um
-from nonhertz.plot.axes import OWN, Alignment, along, drawing, measure, note, open_frame
+from nonhertz.plot.axes import OWN, Alignment, Array, Axes, along, drawing, measure, note, open_frame
 from nonhertz.plot.axial import (
     alignment,
     axial_range,
@@ -25,11 +24,6 @@ from nonhertz.plot.axial import (
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, HINT_DASHES, INK, LINE, PALE, SECOND, THIN
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgePressure, Solution
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-Array = NDArray[np.float64]
 
 # The largest pressure and half-width are drawn at these fractions of the axes' height: far enough apart to be
 # distinguished (in a line contact both curves have the same shape), with room above for the text.

@@ -3,21 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nonhertz.plot.axes import OWN, ROUND, drawing, measure
+from nonhertz.plot.axes import OWN, ROUND, Array, Axes, drawing, measure
 from nonhertz.plot.axial import axial_range, draw_body_ends, number
 from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-Array = NDArray[np.float64]
 
 # Points across the contact at which the pressure is coloured, equally spaced in the angle whose sine is x/a:
 # the semi-ellipse falls vertically at its edge.

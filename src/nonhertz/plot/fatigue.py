@@ -4,27 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, mrad, newton
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.plot.axes import OWN, along, drawing, key_above, measure, open_frame
+from nonhertz.plot.axes import OWN, Artist, Axes, Figure, along, drawing, key_above, measure, open_frame
 from nonhertz.plot.axial import axial_range, conditions, draw_body_ends, mark_unlimited, number, written
 from nonhertz.plot.sheets import sheet, stacked
 from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALETTE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 
-if TYPE_CHECKING:
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[Solution, float]]
 
 # Inches: above each panel its name and rows of the legend.

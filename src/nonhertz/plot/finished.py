@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 from nonhertz.amounts import mrad, newton
-from nonhertz.bearing import BearingSolution
+from nonhertz.bearing import BearingMaps, BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of
+from nonhertz.plot.axes import Artist, Axes, Figure
 from nonhertz.plot.axial import axial_range, conditions, written
 from nonhertz.plot.bearing.displacement import directions, displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
@@ -33,13 +34,6 @@ from nonhertz.plot.sheets import (
 )
 from nonhertz.plot.style import SMALL_SIZE, sheet_style
 from nonhertz.result.solution import Solution
-
-if TYPE_CHECKING:
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from nonhertz.bearing import BearingMaps
 
 Drawings = Mapping[str, Callable[..., Any]]
 

@@ -5,23 +5,17 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import amount, mm, um
 from nonhertz.measured import Measured, Points, ProfileFit, StepResult
-from nonhertz.plot.axes import Measure, measure, open_frame
+from nonhertz.plot.axes import Array, Axes, Figure, Measure, measure, open_frame
 from nonhertz.plot.axial import written
 from nonhertz.plot.sheets import LEFT, MARGIN, WIDTH, panel, stacked
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, sheet_style
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
 
 MILLIMETRES_FROM = 0.5  # mm: a greater range of heights is drawn in mm
 # Inches.

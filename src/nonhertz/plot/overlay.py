@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from nonhertz.plot.axes import Measure, along, measure, open_frame
+from nonhertz.bearing import BearingSolution
+from nonhertz.plot.axes import Axes, Figure, Measure, along, measure, open_frame
 from nonhertz.plot.axial import axial_range, mark_land_ends, mark_unlimited
 from nonhertz.plot.sheets import stacked
 from nonhertz.plot.style import FAINT_INK, HAIR, LINE, PALETTE, SMALL_SIZE, sheet_style
 from nonhertz.result.solution import Solution
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from nonhertz.bearing import BearingSolution
 
 HIGH, LOW, BETWEEN, ROW = 2.3, 1.5, 0.25, 0.17  # inches; the last is a line of the legend
 ROOM, BEYOND = 1.08, 1.6  # axis limit over the largest value: usually, and where a pressure has no limit

@@ -8,13 +8,10 @@ import textwrap
 import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
+from nonhertz.plot.axes import Axes, Figure
 from nonhertz.plot.style import SIZE, TITLE_SIZE, sheet_style
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 # All lengths in inches; the width is that of a journal page, 170 mm.
 WIDTH = 6.7

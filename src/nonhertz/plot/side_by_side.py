@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.comparison import Comparison, Station
 from nonhertz.comparison.value import NOTABLE
-from nonhertz.plot.axes import Alignment, along, key_above, measure, note, open_frame
+from nonhertz.plot.axes import Alignment, Array, Axes, Figure, along, key_above, measure, note, open_frame
 from nonhertz.plot.axial import axial_range, conditions, draw_body_ends, mark_unlimited, number, place
 from nonhertz.plot.sheets import LEFT, MARGIN, WIDTH, panel, stacked
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SIZE, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import PARABOLIC
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-Array = NDArray[np.float64]
 
 # Inches, from the top.
 HEAD, TALL, GAP, SLIM, BETWEEN, LOW, BOTTOM, APART = 0.28, 2.0, 0.22, 0.95, 0.92, 1.55, 0.5, 0.42

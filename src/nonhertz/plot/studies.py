@@ -6,18 +6,13 @@ They take plain arrays and labels, so that numbers of any origin can be drawn.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from nonhertz.plot.axes import OWN, drawing, measure, note, open_frame
+from nonhertz.plot.axes import OWN, Axes, drawing, measure, note, open_frame
 from nonhertz.plot.style import BACKING, COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-Array = NDArray[np.float64]
 
 LEVELS, BINS_AT_MOST = 10, 60
 WIDE = 30.0

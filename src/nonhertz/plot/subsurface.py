@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa
-from nonhertz.plot.axes import OWN, ROUND, drawing, key_above, measure
+from nonhertz.plot.axes import OWN, ROUND, Array, Axes, Figure, drawing, key_above, measure
 from nonhertz.plot.axial import body_ends, conditions, number, place, written
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, HIGHEST_STRETCHED, LEFT, STRETCHES, WIDTH, bar_beside, stacked
@@ -19,12 +18,9 @@ from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_sec
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.contour import ContourSet
-    from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
-Array = NDArray[np.float64]
 Entry = tuple["Line2D", str]
 
 # The first is drawn last: it may lie on the second, which is larger.

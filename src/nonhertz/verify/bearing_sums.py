@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.bearing import BearingSolution, RollerBearing, SphericalRollerBearing
+from nonhertz.verify.claim import Array
 
-Array = NDArray[np.float64]
 _AXIS = np.array([1.0, 0.0, 0.0])
 
 

@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterator
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.bearing import (
     BearingLife,
@@ -32,9 +31,8 @@ from nonhertz.bearing.strips import StripLaw, StrippedContact
 from nonhertz.bearing.verb import joined
 from nonhertz.verify import known_bearings as known
 from nonhertz.verify.bearing_sums import sums_in_space
-from nonhertz.verify.claim import Claim, Evidence, solved
+from nonhertz.verify.claim import Array, Claim, Evidence, solved
 
-Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
 
 METHODS: tuple[Method, Method] = ("strips", "slices")

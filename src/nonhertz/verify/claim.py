@@ -19,8 +19,9 @@ if TYPE_CHECKING:
     from nonhertz.patch.solution import PatchSolution
     from nonhertz.result.solution import Solution
 
+Array = NDArray[np.float64]
 Value = float | Callable[[], float]
-Values = Sequence[float] | NDArray[np.float64]
+Values = Sequence[float] | Array
 P = ParamSpec("P")
 T = TypeVar("T")
 

@@ -11,15 +11,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 from nonhertz import Contact, Material, Plate, Roller, Solution, solve
 from nonhertz.model.material import STEEL
 from nonhertz.model.profile import Profile, crown, straight
-from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, solved
+from nonhertz.verify.claim import Array, Claim, Evidence, in_middle, pressures, solved
 
-Array = NDArray[np.float64]
 SOURCE = "uniform rectangles, extrapolated"
 JUDGED_TO = 9.5  # mm: closer to the end than one half-width the pressure across is not a semi-ellipse
 

@@ -13,15 +13,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nonhertz import PARABOLIC, SEMI_ELLIPTIC, Body, Contact, Material, Plate, Roller, Solution, solve
 from nonhertz.hertz import LineContact, PointContact, line_contact, point_contact
 from nonhertz.model.profile import Profile
 from nonhertz.strip.element import Element
-from nonhertz.verify.claim import Claim, Evidence, in_middle, pressures, solved
+from nonhertz.verify.claim import Array, Claim, Evidence, in_middle, pressures, solved
 
-Array = NDArray[np.float64]
 STEEL = Material(206000.0, 0.3)
 ELEMENTS = (SEMI_ELLIPTIC, PARABOLIC)
 RADIUS_X, RADIUS_Y, LOAD = 10.0, 100.0, 1000.0

@@ -6,15 +6,14 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.integrate import quad
 from scipy.optimize import newton, root
 
 from nonhertz import Material, Ring, Roller, Solution, TabulatedDiameter, solve
 from nonhertz.bearing import CylindricalRollerBearing, TaperedRollerBearing
 from nonhertz.model.profile import Profile, iso_logarithmic, straight
-
-Array = NDArray[np.float64]
+from nonhertz.verify.claim import Array
 
 #: Q_max Z / F_r and F_a / (F_r tan alpha) of half a load zone, of very many rollers without clearance, as published;
 #: and integrated anew for an exponent of the contacts: those of 1.1 are the published ones.

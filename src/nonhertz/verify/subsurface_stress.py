@@ -28,9 +28,8 @@ from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
 from nonhertz.subsurface import Extremes, Field, extremes, passage, stress
 from nonhertz.subsurface.field import SIGMA_Z, TAU_XY, TAU_XZ, TAU_YZ
-from nonhertz.verify.claim import Claim, Evidence, Value, solved
+from nonhertz.verify.claim import Array, Claim, Evidence, Value, solved
 
-Array = NDArray[np.float64]
 Loaded = Solution | PatchSolution
 Landmarks = Mapping[str, tuple[Value, Value]]
 Normal = tuple[float, float, float]

@@ -13,16 +13,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz import SEMI_ELLIPTIC, Contact, Material, Plate, Roller
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.model.depths import DepthRule
 from nonhertz.model.side_faces import FaceRule
 from nonhertz.strip.influence import displacements
-from nonhertz.verify.claim import Claim, Evidence, solved
-
-Array = NDArray[np.float64]
+from nonhertz.verify.claim import Array, Claim, Evidence, solved
 
 DIAMETER, LENGTH, MODULUS = 20.0, 20.0, 206000.0  # mm, mm, MPa
 END = 0.5 * LENGTH

@@ -3,23 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import um
+from nonhertz.bearing import BearingMaps, BearingSolution, solve
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.plot.axes import OWN, drawing, key_above, measure, open_frame
+from nonhertz.plot.axes import OWN, Array, Axes, drawing, key_above, measure, open_frame
 from nonhertz.plot.axial import written
 from nonhertz.plot.style import FIRST, LINE, SECOND, THIN
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from nonhertz.bearing import BearingMaps, BearingSolution
-
-Array = NDArray[np.float64]
 
 # Multiples of the load: close together where clearance makes the curve steep.
 MULTIPLES = 1.5 * (np.arange(1, 7) / 6.0) ** 2
@@ -137,8 +130,6 @@ def _speed(solution: BearingSolution) -> float:
 
 
 def _one(solution: BearingSolution, given: dict[str, Any], how: dict[str, Any]) -> BearingSolution | None:
-    # Other figures must not wait for all that solves bearings.
-    from nonhertz.bearing import solve
 
     with without_accuracy_warnings():
         try:

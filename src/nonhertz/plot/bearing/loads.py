@@ -7,20 +7,16 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import newton
+from nonhertz.bearing import BearingSolution
 from nonhertz.errors import InputError
-from nonhertz.plot.axes import OWN, Measure, drawing, measure
+from nonhertz.plot.axes import OWN, Array, Measure, drawing, measure
 from nonhertz.plot.axial import number, written
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:
     from matplotlib.projections.polar import PolarAxes
-
-    from nonhertz.bearing import BearingSolution
-
-Array = NDArray[np.float64]
 
 # The circle of the rollers, from which the bars rise, over the largest load; room beyond the largest bar.
 HOLE, ROOM = 0.75, 1.08

@@ -3,23 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import mpa
-from nonhertz.plot.axes import OWN, drawing, measure
+from nonhertz.bearing import BearingSolution
+from nonhertz.plot.axes import OWN, Array, Axes, drawing, measure
 from nonhertz.plot.axial import number, place, written
 from nonhertz.plot.contact_area import colour_bar_to
 from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, SMALL_SIZE
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from nonhertz.bearing import BearingSolution
-
-Array = NDArray[np.float64]
 
 RINGS = ("inner", "outer")
 UNLOADED = "#D9D9D9"  # no colour of the map
