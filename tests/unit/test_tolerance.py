@@ -134,6 +134,9 @@ def test_rows_that_fail_are_left_out_of_quantiles_and_indices(tmp_path):
         rows.execute("update rows set n0 = null where number = 3")
     assert len(found.indices("approach")) == 2
     assert np.isnan(found.sweep["approach"]).sum() == 1
+    for shares in (0.0, 1.0, [[0.1, 0.5]]):
+        with pytest.raises(nh.InputError, match="must lie above 0 and below 1"):
+            found.quantiles("approach", shares)
 
 
 def test_values_in_place_of_a_distribution_are_refused():
