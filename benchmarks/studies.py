@@ -100,7 +100,7 @@ def rows() -> list[dict[str, Any]]:
     real = nh.read_case(EXAMPLES / "cylindrical-roller-bearing.toml")
     found = []
     for name, each, share in (("roller between half-spaces", half_spaces, 1.0), ("whole roller on a ring", real, 0.1)):
-        load = each.prescribed["load"]
+        load = each.prescribed.load
         side = round(math.sqrt(share * ROWS))
         over = {"load.load": np.linspace(0.25, 2.0, side) * load, "load.tilt": np.linspace(-1e-3, 1e-3, side)}
         found.append(timed(f"sweep over load and tilt, {name}", nh.sweep, each, over, NUMBERS))

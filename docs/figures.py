@@ -112,7 +112,7 @@ def draw(stem: str, case: Case, names: tuple[str, ...]) -> None:
     """Write the figures of a case as ``stem``-pressure.svg and so on."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
-        solution = nh.solve(case.contact, **case.prescribed, **case.solver)
+        solution = nh.solve(case.contact, **case.prescribed.keywords, **case.solver.keywords)
     drawn = figures(solution, case.title)
     for name in names:
         write(drawn[name], f"{stem}-{name}")
@@ -130,7 +130,7 @@ def draw_below(stem: str, case: Case) -> None:
     """Write the pictures of stress below the surface, and of where it makes the bodies fatigue."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)
-        solution = nh.solve(case.contact, **case.prescribed, **case.solver)
+        solution = nh.solve(case.contact, **case.prescribed.keywords, **case.solver.keywords)
     overall = nh.subsurface.extremes(solution)
     section = nh.subsurface.extremes(solution, overall.von_mises.y)
     for name, figure in stress_figures(solution, overall, section, case.title).items():

@@ -64,6 +64,6 @@ def test_a_front_of_aligned_and_misaligned_loads(folder, run):
         f"case-{k}.toml" for k in range(1, len(points) + 1)
     }
     case = nh.read_case(folder / "plan-design" / "case-1.toml")
-    again = nh.solve(case.contact, load=20e3, strips=case.solver["strips"])
+    again = nh.solve(case.contact, load=20e3, strips=case.solver.strips)
     assert again.max_pressure == pytest.approx(points[0]["max_pressure_without_tilt"], rel=1e-6)
     assert len((folder / "plan-design" / "front.csv").read_text(encoding="utf-8").splitlines()) == 1 + len(points)

@@ -30,7 +30,7 @@ def case(name: str) -> Case:
 
 
 def solved(example: Case) -> nh.Solution:
-    return nh.solve(example.contact, **example.prescribed, **example.solver)
+    return nh.solve(example.contact, **example.prescribed.keywords, **example.solver.keywords)
 
 
 @pytest.mark.parametrize(("name", "static", "tolerance"), [("nu206", 36.5e3, 2e-3), ("tapered-pair", 60e3, 0.015)])
@@ -64,7 +64,7 @@ def test_the_bearing_reaches_4000_mpa_at_its_static_rating():
 def test_the_bearing_is_loaded_as_its_radial_load_and_misalignment_say():
     example = case("cylindrical-roller-bearing")
     # Stribeck's rule, 5 / 13 of 11 kN; the file rounds to two digits.
-    assert_allclose(example.prescribed["load"], 5 / 13 * 11e3, rtol=0.01)
+    assert_allclose(example.prescribed.load, 5 / 13 * 11e3, rtol=0.01)
     solution = solved(example)
     # The logarithm has its poles at the ends of the effective length: contact ends inside, without an edge.
     (low, high), *others = solution.contact_y
@@ -102,7 +102,7 @@ def test_the_tabulated_profile_gives_what_its_formula_gives(tmp_path):
     example = case("tabulated-profile")
     roller = nh.Roller(diameter=16, length=24, profile=Formula())
     assert replace(example.contact.a, profile=roller.profile) == roller
-    direct = nh.solve(nh.Contact(roller, example.contact.b), **example.prescribed)
+    direct = nh.solve(nh.Contact(roller, example.contact.b), **example.prescribed.keywords)
     # Points are rounded to 10 nm, 3e-4 of the approach at each point and far less in the mean.
     assert_allclose(solved(example).approach, direct.approach, rtol=1e-4)
 
@@ -117,7 +117,7 @@ def test_the_measured_roller_is_the_profile_below_what_the_machine_added():
     make = script(EXAMPLES / "make_measured_roller.py")
     example = case("measured-roller")
     true = replace(example.contact.a, profile=make.profile(), chamfer=make.CHAMFER)
-    direct = nh.solve(nh.Contact(true, example.contact.b), **example.prescribed)
+    direct = nh.solve(nh.Contact(true, example.contact.b), **example.prescribed.keywords)
     found = solved(example)
     # The waviness of 50 nm stays, and of the roughness 20 nm in waves of the cutoff: 0.07 um of 11 um of approach, and
     # with curvatures of 4 pi^2 * 50 nm / (1.9 mm)^2 a few per cent of pressure.

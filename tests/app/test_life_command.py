@@ -76,7 +76,7 @@ def refused(words: list[str], run) -> str:
 
 def solved(path: str) -> nh.Solution:
     problem = read_case(path)
-    return nh.solve(problem.contact, **problem.prescribed, **problem.solver)
+    return nh.solve(problem.contact, **problem.prescribed.keywords, **problem.solver.keywords)
 
 
 def test_the_table_says_what_its_numbers_mean(case, run):

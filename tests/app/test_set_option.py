@@ -76,7 +76,7 @@ def test_values_may_be_numbers_words_lists_and_tables():
         "load.tilt": 0,
     }
     case = nh.read_case(CASE, changes_in([*words, 'body.a.profile=[{kind="crown", radius="1 m"}]']))
-    assert (case.solver["strips"], case.solver["element"].name, case.prescribed["tilt"]) == (41, "parabolic", 0.0)
+    assert (case.solver.strips, case.solver.element.name, case.prescribed.tilt) == (41, "parabolic", 0.0)
     assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "1 m"}]
 
 
@@ -84,7 +84,7 @@ def test_what_was_set_is_in_the_text_of_the_case():
     case = nh.read_case(CASE, {"load.load": "5 kN", "load.tilt": None})
     assert case.text.startswith("# Set in place of what the file held: load.load = 5 kN, without load.tilt\n")
     assert tomllib.loads(case.text) == case.document
-    assert nh.read_case(CASE).prescribed["load"] == 20000.0
+    assert nh.read_case(CASE).prescribed.load == 20000.0
 
 
 def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(run):
@@ -140,4 +140,4 @@ def test_a_bearing_takes_it_too(run):
     found = run("bearing", file, *words).json
     assert found["method"] == "slices"
     assert max(map(abs, found["force"])) == pytest.approx(5e3, rel=1e-6)
-    assert nh.read_bearing(file, {"load.radial": 5e3}).prescribed["radial"] == 5000.0
+    assert nh.read_bearing(file, {"load.radial": 5e3}).prescribed.radial == 5000.0

@@ -46,7 +46,7 @@ def changed(**tables):
 
 def solution_of(document):
     case = Case.of(document, Path("case.toml"))
-    return nh.solve(case.contact, **case.prescribed, **case.solver)
+    return nh.solve(case.contact, **case.prescribed.keywords, **case.solver.keywords)
 
 
 def test_numbers_are_those_of_the_solver():

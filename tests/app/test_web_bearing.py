@@ -62,7 +62,7 @@ def changed(document: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
 
 def solved(document: dict[str, Any], method: str) -> nh.bearing.BearingSolution:
     case = BearingCase.of(document, Path("b.toml"))
-    return nh.bearing.solve(case.bearing, **case.prescribed, method=method)
+    return nh.bearing.solve(case.bearing, **case.prescribed.keywords, method=method)
 
 
 # Answers

@@ -185,7 +185,7 @@ def test_downloads(client, tmp_path):
     path.write_bytes(download("case.toml"))
     assert tomllib.loads(path.read_text()) == STARTING
     case = read_case(path)
-    solution = nh.solve(case.contact, **case.prescribed)
+    solution = nh.solve(case.contact, **case.prescribed.keywords)
     assert json.loads(download("result.json"))["approach"] == solution.approach
     table = np.loadtxt(download("table.csv").decode().splitlines(), delimiter=",", skiprows=1)
     # Written with all digits.

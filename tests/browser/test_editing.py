@@ -23,7 +23,7 @@ def solution_of(**changes: Any) -> nh.Solution:
     document = tomllib.loads(starting_case())
     document["load"] |= changes
     case = Case.of(document, Path("case.toml"))
-    return nh.solve(case.contact, **case.prescribed, **case.solver)
+    return nh.solve(case.contact, **case.prescribed.keywords, **case.solver.keywords)
 
 
 def assert_shows(desk: Desk, solution: nh.Solution) -> None:

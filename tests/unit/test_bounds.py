@@ -72,7 +72,7 @@ def test_a_case_comes_through_a_pipe():
     os.write(write, CASE.encode())
     os.close(write)
     try:
-        assert read_case(f"/dev/fd/{read}").prescribed == {"load": 20000.0}
+        assert read_case(f"/dev/fd/{read}").prescribed.keywords == {"load": 20000.0}
     finally:
         os.close(read)
 
@@ -80,7 +80,7 @@ def test_a_case_comes_through_a_pipe():
 def test_a_case_file_has_a_largest_size(tmp_path):
     largest = CASE + "#" * (LARGEST_CASE - len(CASE))
     (tmp_path / "case.toml").write_text(largest)
-    assert read_case(tmp_path / "case.toml").prescribed == {"load": 20000.0}
+    assert read_case(tmp_path / "case.toml").prescribed.keywords == {"load": 20000.0}
     assert mistakes_in(tmp_path, largest + "#") == (
         "must be readable (larger than 1 MB): put measured points into a file that it names.",
     )

@@ -58,14 +58,14 @@ def test_the_case_file_of_the_specification(tmp_path):
         depth="none",
     )
     assert case.contact.b == nh.Body(material=steel, side_faces="none", depth="none")
-    assert case.prescribed == {"load": 20000.0, "tilt": 0.0005}
-    assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto", "accuracy": None}
+    assert case.prescribed.keywords == {"load": 20000.0, "tilt": 0.0005}
+    assert case.solver.keywords == {"element": "semi-elliptic", "strips": "auto"}
 
 
 def test_everything_but_the_bodies_and_the_load_can_be_left_out(tmp_path):
     case = read(tmp_path, with_body("diameter = 20"))
     assert case.title == "case"
-    assert case.solver == {"element": nh.SEMI_ELLIPTIC, "strips": "auto", "accuracy": None}
+    assert case.solver.keywords == {"element": "semi-elliptic", "strips": "auto"}
     assert case.contact.a.material == nh.Material(207000.0, 0.3)
 
 
@@ -154,7 +154,7 @@ def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path):
     assert case.contact.a.depth == 10.0
     np.testing.assert_allclose(case.contact.a.curvature(Y), 0.1, rtol=1e-15)
     np.testing.assert_allclose(case.contact.b.curvature(np.zeros(1)), 2.0 / 55.0, rtol=1e-15)
-    assert case.prescribed == {"approach": 0.012, "moment": 5000.0}
+    assert case.prescribed.keywords == {"approach": 0.012, "moment": 5000.0}
 
 
 def test_profiles_take_length_and_diameter_from_their_body(tmp_path):
@@ -185,7 +185,7 @@ def test_a_profile_file_is_found_beside_the_case_file(tmp_path, monkeypatch):
 def test_files_of_other_editors_are_read(tmp_path, bom, ending):
     path = tmp_path / "case.toml"
     path.write_bytes((bom + PRINTED.replace("\n", ending)).encode())
-    assert read_case(path).prescribed["load"] == 20000.0
+    assert read_case(path).prescribed.load == 20000.0
 
 
 def test_mistakes_are_listed_in_the_order_of_the_file():

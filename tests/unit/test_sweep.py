@@ -256,7 +256,7 @@ def test_a_bearing_is_swept_too():
     # Beyond half of C, 20.2 kN, the life has a finding.
     assert found["warnings"].ravel().tolist() == [0, 0, 1]
     for number, radial in enumerate((5e3, 10e3, 22e3)):
-        alone = nh.bearing.solve(case.mounted, **case.prescribed | {"radial": radial}, method="slices")
+        alone = nh.bearing.solve(case.mounted, **case.prescribed.keywords | {"radial": radial}, method="slices")
         assert found["max_load"][number, 0] == alone.load.max()
         assert found["reference_life"][number, 0] == case.assess(alone).reference_life
     assert found["solver.method"].ravel().tolist() == ["slices"] * 3

@@ -138,7 +138,7 @@ def test_every_kind_of_body_comes_back(name):
 def test_options_and_life_come_back():
     spectrum = (LoadCase(load=5e3, share=0.25), LoadCase(load=2e3, share=0.75))
     life = Life(rollers=14, models=("iso-16281",), laminae=40, spectrum=spectrum)
-    case = dataclasses.replace(made(), solver={"element": nh.PARABOLIC, "strips": 41}, life=life)
+    case = dataclasses.replace(made(), solver={"element": "parabolic", "strips": 41}, life=life)
     assert back(case) == case
     dented = Life(dent=OverrolledDent(depth=0.002, diameter=0.3, per_area=0.1))
     assert back(dataclasses.replace(case, life=dented)).life == dented
@@ -156,7 +156,6 @@ class Own(Profile):
     ("case", "sentence"),
     [
         (made(Own()), r"body\.a\.profile = 'Own' must be from the catalogue to go into a case file: tabulate it"),
-        (dataclasses.replace(made(), solver={"strips": [-1.0, 1.0]}), "strips = 'edges' must be 'auto' or a number"),
     ],
 )
 def test_what_no_case_file_has_is_refused_and_nothing_is_left_behind(case, sentence, tmp_path):
@@ -188,7 +187,7 @@ SOLVED = {
     "runs out": made(nh.profile.iso_logarithmic(20.0, LENGTH)),
     "sharp ends": made(),
     "grooved": made(nh.profile.tabulated([-10, -2.1, -2, 2, 2.1, 10], [0, 0, 1, 1, 0, 0])),
-    "few strips": dataclasses.replace(made(), solver={"strips": 1, "element": nh.PARABOLIC}),
+    "few strips": dataclasses.replace(made(), solver={"strips": 1, "element": "parabolic"}),
 }
 
 

@@ -11,9 +11,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz.amounts import given, mm, mpa
-from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.solution import BearingSolution, slice_loads
-from nonhertz.bearing.standard import LAMINAE
 from nonhertz.cli import BAD_INPUT, FINE
 from nonhertz.cli.options import Changes
 from nonhertz.errors import CaseError, ConvergenceError, InputError, joined
@@ -21,11 +19,12 @@ from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.changes import changes_in
 from nonhertz.files.held import holds_plan, opened
-from nonhertz.files.keys import table_of, unit_of
+from nonhertz.files.keys import unit_of
 from nonhertz.files.planfile import DESIGN, Plan, case_or_bearing_in, design_in
+from nonhertz.files.writing import document_of
 from nonhertz.hertz import line_contact
+from nonhertz.inputs.fields import Input
 from nonhertz.model.body import BODIES, Body
-from nonhertz.model.prescription import Prescription
 from nonhertz.show.analysis import attempted
 from nonhertz.study.design import checked as checked_design
 from nonhertz.study.points import Points
@@ -79,7 +78,7 @@ def _held(path: Path, changes: Mapping[str, Any]) -> str:
 def _contact(case: Case) -> str:
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
     solution, _ = attempted(case)
-    ends, pressed = mm(*case.contact.interval, between=" to "), _listed(case.prescribed, Prescription)
+    ends, pressed = mm(*case.contact.interval, between=" to "), _listed(case.prescribed)
     said = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
     bodies = {f"body {name}": getattr(case.contact, name) for name in BODIES}
     return ".\ndoubtful: ".join((said, *_doubts(bodies, 0.0 if solution is None else solution.max_pressure)))
@@ -101,11 +100,11 @@ def _bearing(case: BearingCase) -> str:
     # By slices, which takes milliseconds. Whether a balance is found is for solving it to say.
     row, pressure = case.bearing.rows[0].bearing, 0.0
     with contextlib.suppress(ConvergenceError):
-        pressure = _largest_of_slices(case.solve("slices"), int(case.solver.get("laminae", LAMINAE)))
+        pressure = _largest_of_slices(case.solve("slices"), case.solver.laminae)
     kind, count = case.document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
-    said = f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed, BearingLoad) or 'no load'}"
+    said = f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed) or 'no load'}"
     bodies = {"roller": row.roller, "inner ring": row.inner, "outer ring": row.outer}
-    doubts, speed = [*_doubts(bodies, pressure)], case.prescribed.get("speed", 0.0)
+    doubts, speed = [*_doubts(bodies, pressure)], case.prescribed.speed
     if speed * row.pitch > FAST:
         doubts.append(f"speed = {given(speed)} is to be in 1/min; no test rig turns a bearing of this size as fast")
     return ".\ndoubtful: ".join((said, *doubts))
@@ -145,11 +144,11 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
     return f"{plan.title!r}, {joined(said) if said else 'which varies nothing'}"
 
 
-def _listed(prescribed: dict[str, Any], cls: Any) -> str:
+def _listed(prescribed: Input) -> str:
     """Return loads, motions and speed as files have them, with the units that their descriptions say."""
     found = []
-    for name, value in prescribed.items():
-        numbers = value if isinstance(value, tuple) else (value,)
-        unit = unit_of(table_of(cls).keys[name])
+    for name, value in document_of(prescribed, defaults=False).items():
+        numbers = value if isinstance(value, list) else [value]
+        unit = unit_of(prescribed.descriptions[name])
         found.append(f"{name} = {', '.join(f'{each:g}' for each in numbers)} {unit}")
     return ", ".join(found)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
@@ -47,10 +47,12 @@ def compare(
     """
     read = read_case(case, changes_in(changes))
     refuse_unwritable_out(out)
-    given = {name: read.solver[name] for name in ("strips", "accuracy")}
+    given: dict[str, Any] = {"strips": read.solver.strips, "accuracy": read.solver.accuracy}
     try:
         with Progress(_METHODS) as progress:
-            found = methods.compare(read.contact, **read.prescribed, **given, cells=cells, announce=progress.announce)
+            found = methods.compare(
+                read.contact, **read.prescribed.keywords, **given, cells=cells, announce=progress.announce
+            )
     except InputError as error:
         if error.field == "cells":
             raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None

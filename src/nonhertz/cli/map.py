@@ -22,7 +22,6 @@ from nonhertz.maps import ContactMap, MapPoint
 from nonhertz.maps import contact_map as map_of
 from nonhertz.maps.value import ROWS, TILTS
 from nonhertz.show.maps import sections
-from nonhertz.strip.element import SEMI_ELLIPTIC
 
 _SUFFIXES = (".csv", ".npz")
 _OPTIONS = {name: f"--{name}" for name in ("load", "approach", "tilt", "accuracy")}
@@ -72,7 +71,7 @@ def contact_map(
     ((name, word),) = given.items()
     low, high, rows = range_in(_OPTIONS[name], word, *_EXAMPLES[name])
     pressed: dict[str, Any] = {name: (low, high)}
-    turned: float | tuple[float, float] = float(read.prescribed.get("tilt", 0.0))
+    turned: float | tuple[float, float] = read.prescribed.tilt or 0.0
     tilts: int | None = 1
     if tilt is not None and ":" in tilt:
         *ends, tilts = range_in("--tilt", tilt, "rad", "-2mrad:2mrad")
@@ -82,8 +81,10 @@ def contact_map(
     refuse_unwritable_out(None if out is None else out.parent)
     with named_as(**_OPTIONS), Progress(None) as progress, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        options = {"accuracy": accuracy, "element": read.solver.get("element", SEMI_ELLIPTIC)}
-        found = map_of(read.contact, **pressed, tilt=turned, **options, announce=progress.announce)
+        found = map_of(
+            read.contact, **pressed, tilt=turned, accuracy=accuracy, element=read.solver.element,
+            announce=progress.announce,
+        )  # fmt: skip
     for each in caught:
         warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
     made = () if out is None else _written(out, found, found.grid(rows or ROWS, tilts or TILTS))

@@ -52,7 +52,7 @@ def solve(
     solution, complaint = attempted(read)
     found = Result(read, solution)
     return Answer(
-        read.title, sections(solution, read.prescribed), found.to_json, of_contact(solution), solution.warnings,
+        read.title, sections(solution, read.prescribed.keywords), found.to_json, of_contact(solution), solution.warnings,
         saved(found, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,
     )  # fmt: skip
 

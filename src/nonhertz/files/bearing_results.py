@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import TaperedRollerBearing
-from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.quantities import SolvedBearing, further
 from nonhertz.bearing.section import FORCES, MOTIONS, RINGS
 from nonhertz.bearing.solution import CONTACT_UNITS, BearingSolution, slice_loads
-from nonhertz.bearing.standard import LAMINAE
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.results import key_by_key, plain
 from nonhertz.findings import as_warnings
@@ -103,13 +101,13 @@ def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | 
 def _clearance(case: BearingCase) -> dict[str, Any] | None:
     """Return what is left of the clearance of a row, and what took it; None without fits."""
     found = case.operating_clearance
-    if found is None:
+    if found is None or case.fit is None:
         return None
     row = case.bearing.rows[0].bearing
     numbers = {name: plain(getattr(found, name)) for name in _OF_CLEARANCE}
     axial = {"axial": plain(found.axial(row.nominal_angle))} if isinstance(row, TaperedRollerBearing) else {}
     fits = {ring: plain(vars(getattr(found, ring))) for ring in RINGS}
-    return numbers | axial | {"expansion": Mounting(**case.fit).expansion(case.bearing)} | fits
+    return numbers | axial | {"expansion": case.fit.expansion(case.bearing)} | fits
 
 
 def _life(found: BearingLife) -> dict[str, Any]:
@@ -174,7 +172,7 @@ def files(solution: BearingSolution, case: BearingCase, life: BearingLife | None
     return {
         "result.json": key_by_key(as_object(solution, case, life, reason)) + "\n",
         "rollers.csv": rollers_table(solution),
-        "lines.csv": lines_table(solution, int(case.solver.get("laminae", LAMINAE))),
+        "lines.csv": lines_table(solution, case.solver.laminae),
     }
 
 

@@ -17,27 +17,26 @@ from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files.bearing_document import BearingFile, bearing_sections, of_fit, radius_across, read_document
+from nonhertz.files.bearing_document import (
+    BearingFile,
+    BearingLifeConditions,
+    bearing_sections,
+    of_fit,
+    radius_across,
+    read_document,
+)
 from nonhertz.files.casefile import Case
 from nonhertz.files.held import OF_BEARINGS, HeldCase, starting_text
 from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import Surroundings
-from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import flag, one_of, whole
+from nonhertz.model.prescription import Prescription
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.solution import BearingSolution
-
-_SECTIONS = {
-    "fit": Mounting.descriptions,
-    "load": BearingLoad.descriptions,
-    "solver": BearingSolver.descriptions,
-    # In a file the speed beside a viscosity is that of the load.
-    "life": {**LifeConditions.descriptions, "speed": BearingLoad.descriptions["speed"]},
-}
 
 
 @dataclass(frozen=True, repr=False)
@@ -48,17 +47,15 @@ class BearingCase(HeldCase):
     ----------
     bearing : RollerBearing or Paired
         The bearing.
-    prescribed : dict
-        Forces or displacements, moment or tilt, and speed: keywords for `nonhertz.bearing.solve`.
-    solver : dict
-        Method and number of slices: keywords for `nonhertz.bearing.solve`; strips where left out.
-    life : dict
-        Viscosity, contamination, reliability and so on: keywords for `nonhertz.bearing.assess`.
-    spectrum : tuple of LoadCase
-        The loads under which life is assessed, in place of what is prescribed; empty if there are none.
-    fit : dict
-        Seats and temperatures: keywords for `nonhertz.bearing.Mounting`; the speed is that of
-        ``prescribed``. The clearance of ``bearing`` is then the one before it is mounted.
+    prescribed : BearingLoad
+        Forces or displacements, moment or tilt, and speed; keywords of it will do, as for the next three.
+    solver : BearingSolver
+        Method and number of slices; strips where left out.
+    life : BearingLifeConditions
+        Viscosity, contamination, reliability and so on, and a spectrum of loads in place of what is prescribed.
+    fit : Mounting or None
+        Seats and temperatures; the speed is that of ``prescribed``. The clearance of ``bearing`` is then the one
+        before it is mounted.
     title, path, title_block, origin
         As of `HeldCase`.
 
@@ -74,67 +71,47 @@ class BearingCase(HeldCase):
     ...     path = Path(folder, "nu206.toml")
     ...     _ = path.write_text(starting_bearing())
     ...     case = read_bearing(path)
-    >>> case.bearing.rollers, case.prescribed["radial"]
+    >>> case.bearing.rollers, case.prescribed.radial
     (13, 10000.0)
     >>> case.solve().load[0].round(-1)
     array([3810., 3810.])
     """
 
     bearing: RollerBearing | Paired
-    prescribed: dict[str, Any] = field(default_factory=dict)
-    solver: dict[str, Any] = field(default_factory=dict)
-    life: dict[str, Any] = field(default_factory=dict)
+    prescribed: BearingLoad = field(default_factory=BearingLoad)
+    solver: BearingSolver = field(default_factory=BearingSolver)
+    life: BearingLifeConditions = field(default_factory=BearingLifeConditions)
     path: Path = field(default=Path("bearing.toml"), compare=False, kw_only=True)
-    spectrum: tuple[LoadCase, ...] = field(default=(), kw_only=True)
-    fit: dict[str, Any] = field(default_factory=dict, kw_only=True)
+    fit: Mounting | None = field(default=None, kw_only=True)
 
-    parts: ClassVar = {"title_block": TitleBlock}
-    keywords: ClassVar = {"prescribed" if name == "load" else name: known for name, known in _SECTIONS.items()}
     contents: ClassVar = BearingFile
     kind: ClassVar = "bearing"
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.bearing, RollerBearing | Paired):
-            remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing"
-            raise InputError("bearing", self.bearing, "be a bearing", remedy)
-        super().__post_init__()
-        if not (isinstance(self.spectrum, tuple) and all(isinstance(each, LoadCase) for each in self.spectrum)):
-            remedy = "make them with nonhertz.bearing.LoadCase, and leave the tuple empty for one load"
-            raise InputError("spectrum", self.spectrum, "be a tuple of load cases", remedy)
-        if self.fit and not {"shaft", "housing"} <= set(self.fit):
-            remedy = "make them with nonhertz.bearing.Shaft and Housing"
-            raise InputError("fit", self.fit, "hold shaft and housing", remedy)
 
     @staticmethod
     def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
         """Return the title and the fields of a bearing in a document."""
         found = read_document(document, Surroundings(folder, radius_across(document)))
-        load, life = found.load, found.life
-        loads = document["life"]["spectrum"] if life.spectrum else []
-        conditions = {name: value for name in LifeConditions.descriptions if (value := getattr(life, name)) is not None}
-        speed = {} if life.viscosity is None else {"speed": load.speed if "speed" in document["load"] else None}
         return {
             "title": found.title,
             "bearing": found.bearing,
-            "prescribed": {name: getattr(load, name) for name in BearingLoad.descriptions if name in document["load"]},
-            "solver": dict(vars(found.solver)),
-            "life": conditions | speed,
-            "fit": {} if found.fit is None else {name: getattr(found.fit, name) for name in document["fit"]},
-            "spectrum": tuple(
-                case if "speed" in table else replace(case, speed=load.speed)
-                for case, table in zip(life.spectrum, loads, strict=True)
-            ),
+            "prescribed": found.load,
+            "solver": found.solver,
+            "life": found.life,
+            "fit": found.fit,
             "title_block": found.report,
         }
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""
-        life = {name: value for name, value in self.life.items() if name != "speed"}
-        life |= {"spectrum": document_of(self.spectrum)} if self.spectrum else {}
-        given = {"load": self.prescribed, "fit": self.fit, "solver": self.solver, "life": life}
-        found = document_of(given | {"report": self.title_block}, defaults=False)
-        needed = {name: each for name, each in found.items() if each or name in {"load", "solver"}}
-        return bearing_sections(self.bearing) | needed
+        given = {"load": self.prescribed, "fit": self.fit, "report": self.title_block}
+        found = document_of(given, defaults=False) | document_of({"solver": self.solver, "life": self.life})
+        return bearing_sections(self.bearing) | {name: each for name, each in found.items() if each or name == "load"}
+
+    @property
+    def spectrum(self) -> tuple[LoadCase, ...]:
+        """The loads under which life is assessed, in place of what is prescribed, with their speeds; empty without."""
+        speed = self.prescribed.speed
+        return tuple(case if case.speed else replace(case, speed=speed) for case in self.life.spectrum)
 
     @property
     def operating_clearance(self) -> OperatingClearance | None:
@@ -145,10 +122,10 @@ class BearingCase(HeldCase):
         CaseError
             If such a bearing has no fits, or a seat does not fit its rings.
         """
-        if not self.fit:
+        if self.fit is None:
             return None
         try:
-            return Mounting(**self.fit).operating(self.bearing.rows[0].bearing, self._inner_speed)
+            return self.fit.operating(self.bearing.rows[0].bearing, self._inner_speed)
         except InputError as error:
             raise placed(error, "fit") from None
 
@@ -161,21 +138,17 @@ class BearingCase(HeldCase):
         CaseError
             As `nonhertz.bearing.Mounting.operating` does, or if what is left is no clearance that a bearing can have.
         """
-        if not self.fit:
+        if self.fit is None:
             return self.bearing
         try:
-            return Mounting(**self.fit).mounted(self.bearing, self._inner_speed)
+            return self.fit.mounted(self.bearing, self._inner_speed)
         except InputError as error:
             raise placed(error, "fit") from None
 
     @property
-    def _turning(self) -> str:
-        return str(self.life.get("turning", "inner"))
-
-    @property
     def _inner_speed(self) -> float:
         """The speed at which the inner ring and the shaft widen [1/min]."""
-        return float(self.prescribed.get("speed") or 0.0) if self._turning == "inner" else 0.0
+        return self.prescribed.speed if self.life.turning == "inner" else 0.0
 
     def solve(self, method: str | None = None, *, interpolated: bool = False) -> BearingSolution:
         """Return the loaded bearing, as `nonhertz.bearing.solve` does.
@@ -197,10 +170,10 @@ class BearingCase(HeldCase):
         from nonhertz.bearing.verb import solve
 
         flag("interpolated", interpolated, "write True for thousands of different rollers")
-        chosen: dict[str, Any] = {} if method is None else {"method": method}
+        solver = self.solver.keywords | ({} if method is None else {"method": method})
         bearing = of_interpolated_shapes(self.mounted) if interpolated else self.mounted
         try:
-            return solve(bearing, **self.prescribed, turning=self._turning, **self.solver | chosen)
+            return solve(bearing, **self.prescribed.keywords, turning=self.life.turning, **solver)
         except InputError as error:
             raise placed(error) from None
 
@@ -220,13 +193,15 @@ class BearingCase(HeldCase):
         from nonhertz.bearing.spectrum import solve_spectrum
 
         try:
+            conditions = {name: value for name, value in self.life.keywords.items() if name != "spectrum"}
             if not self.spectrum:
-                return assess(solution, **self.life)
-            speeds = {"speed": [case.speed for case in self.spectrum]} if "viscosity" in self.life else {}
-            pairs = solve_spectrum(self.mounted, self.spectrum, turning=self._turning, **self.solver)
-            return assess(pairs, **self.life | speeds)
+                speed = None if self.life.viscosity is None else self.prescribed.speed or None
+                return assess(solution, **conditions, speed=speed)
+            speeds = None if self.life.viscosity is None else [case.speed for case in self.spectrum]
+            pairs = solve_spectrum(self.mounted, self.spectrum, turning=self.life.turning, **self.solver.keywords)
+            return assess(pairs, **conditions, speed=speeds)
         except InputError as error:
-            if error.field in {*_SECTIONS["life"], "viscosity_ratio"}:
+            if error.field in {*LifeConditions.descriptions, "speed", "viscosity_ratio"}:
                 raise placed(error, "life") from None
             raise
 
@@ -274,7 +249,7 @@ class BearingCase(HeldCase):
         ...     _ = path.write_text(starting_bearing())
         ...     bearing = read_bearing(path)
         >>> case = bearing.contact_case(bearing.solve("slices"), 0, "outer")
-        >>> case.title, round(case.prescribed["load"], -1)
+        >>> case.title, round(case.prescribed.load, -1)
         ('NU 206, roller 0 on the outer ring, by slices', 3720.0)
         """
         from nonhertz.bearing.section import RINGS
@@ -294,7 +269,7 @@ class BearingCase(HeldCase):
         method = "" if solution.method == "strips" else f", by {solution.method}"
         return Case(
             contact=row.bearing.contacts[side],
-            prescribed={"load": load, "tilt": tilt},
+            prescribed=Prescription(load=load, tilt=tilt),
             title=f"{self.title}, roller {roller} on the {ring} ring{method}".removeprefix(", "),
             path=Path(f"{self.path.stem}-{roller}-{ring}.toml"),
             title_block=self.title_block,
@@ -362,8 +337,8 @@ def placed(error: InputError, *sections: str) -> CaseError:
     field = error.field.partition(".")[0]
     if sections == ("fit",):
         error = of_fit(error)
-    elif section := next((each for each in sections or ("load", "solver") if field in _SECTIONS[each]), ""):
-        error = error.within(section)
+    elif within := [each for each in sections or ("load", "solver") if field in BearingFile.inputs[each].descriptions]:
+        error = error.within(within[0])
     elif field == "viscosity_ratio":
         error = InputError("life.viscosity", error.value, error.condition, error.remedy)
     elif field not in OF_BEARINGS:

@@ -15,13 +15,10 @@ from nonhertz.files.held import HeldCase, starting_text
 from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import read
 from nonhertz.files.sections import CaseDocument, Life, OverrolledDent, Solver, of_both, surroundings
-from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
 from nonhertz.model.body import BODIES
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
-from nonhertz.solver.one import element_of
-from nonhertz.strip.element import SEMI_ELLIPTIC
 
 if TYPE_CHECKING:
     from nonhertz.result.solution import Solution
@@ -43,10 +40,10 @@ class Case(HeldCase):
     ----------
     contact : Contact
         The two bodies.
-    prescribed : dict
-        Load or approach, tilt or moment: keywords for `nonhertz.solve`.
-    solver : dict
-        Element, strips and accuracy: keywords for `nonhertz.solve`; semi-elliptic and automatic where left out.
+    prescribed : Prescription
+        Load or approach, tilt or moment; keywords of it will do, as for ``solver`` and ``life``.
+    solver : Solver
+        Element, strips and accuracy; semi-elliptic and automatic where left out.
     life : Life
         How long the bodies last: models and a spectrum of loads.
     title, path, title_block, origin
@@ -59,29 +56,18 @@ class Case(HeldCase):
     ...     path = Path(folder, "case.toml")
     ...     _ = path.write_text(starting_case())
     ...     case = read_case(path)
-    >>> case.prescribed["load"], case.contact.interval
+    >>> case.prescribed.load, case.contact.interval
     (20000.0, (-10.0, 10.0))
     >>> round(case.solve().load)
     20000
     """
 
     contact: Contact
-    prescribed: dict[str, Any]
-    solver: dict[str, Any] = field(default_factory=dict)
+    prescribed: Prescription
+    solver: Solver = field(default_factory=Solver)
     life: Life = field(default_factory=Life)
 
-    parts: ClassVar = {"contact": Contact, "life": Life, "title_block": TitleBlock}
     contents: ClassVar = CaseDocument
-    keywords: ClassVar = {"prescribed": Prescription.descriptions, "solver": Solver.descriptions}
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if len({"load", "approach"} & set(self.prescribed)) != 1:
-            condition = "hold either load or approach"
-            raise InputError("prescribed", self.prescribed, condition, 'write {"load": 20e3}, say, in N')
-        element = element_of(self.solver.get("element") or SEMI_ELLIPTIC)
-        solver = {"element": element, "strips": "auto", "accuracy": None}
-        object.__setattr__(self, "solver", solver | self.solver | {"element": element})
 
     @staticmethod
     def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
@@ -90,8 +76,8 @@ class Case(HeldCase):
         return {
             "title": found.title,
             "contact": Contact(found.body.a, found.body.b),
-            "prescribed": found.load.keywords,
-            "solver": found.solver.keywords,
+            "prescribed": found.load,
+            "solver": found.solver,
             "life": found.life,
             "title_block": found.report,
         }
@@ -104,15 +90,9 @@ class Case(HeldCase):
                 body[which] = document_of(getattr(self.contact, which))
             except InputError as error:
                 raise error.within(f"body.{which}") from None
-        strips = "auto" if self.solver["strips"] is None else self.solver["strips"]
-        if not isinstance(strips, str | int):
-            condition, remedy = "be 'auto' or a number to go into a case file", "give the number of strips"
-            raise InputError("strips", "edges", condition, remedy)
-        solver = Solver(element=self.solver["element"].name, strips=strips, accuracy=self.solver["accuracy"])
-        load = {name: float(value) for name, value in self.prescribed.items()}
         parts = {"life": self.life, "report": self.title_block}
         rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}
-        return {"body": body, "load": load, "solver": document_of(solver)} | rest
+        return {"body": body, "load": document_of(self.prescribed), "solver": document_of(self.solver)} | rest
 
     def solve(self) -> Solution:
         """Return the solution of the case, as `nonhertz.solve` does.
@@ -132,7 +112,7 @@ class Case(HeldCase):
         from nonhertz.solver.one import solve
 
         try:
-            return solve(self.contact, **self.prescribed, **self.solver)
+            return solve(self.contact, **self.prescribed.keywords, **self.solver.keywords)
         except InputError as error:
             raise placed(error) from None
 

@@ -8,11 +8,12 @@ import re
 import tomllib
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass, field, fields
+from functools import cache, cached_property
 from importlib import resources
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from types import NoneType, UnionType
+from typing import Any, ClassVar, Self, get_args, get_type_hints
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError, joined
 from nonhertz.files.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key, walk
@@ -21,7 +22,7 @@ from nonhertz.files.folder import write_file
 from nonhertz.files.mistakes import case_error, in_order
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.checks import one_line, one_of
-from nonhertz.inputs.fields import Described, Input, short_repr
+from nonhertz.inputs.fields import Input, short_repr, unknown
 from nonhertz.inputs.files import content, legible, seen_from
 
 #: Tables of a bearing file in place of those of both bodies, and what only plans have.
@@ -90,25 +91,20 @@ class Held:
     # No argument, so that a changed copy does not carry the text of the case it was made from.
     origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
 
-    #: What such a file is called, the classes that fields must be of, and what the entries of dictionaries are.
+    #: What such a file is called.
     kind: ClassVar[str] = "case"
-    parts: ClassVar[Mapping[str, type[Any]]] = {}
-    keywords: ClassVar[Mapping[str, Mapping[str, Described]]] = {}
 
     def __post_init__(self) -> None:
-        kinds: dict[str, type[Any]] = {"title": str, "path": Path, **self.parts}
-        for name, kind in kinds.items():
+        for name, kinds in _classes_of(type(self)).items():
             value = getattr(self, name)
-            if not isinstance(value, kind):
-                raise InputError(name, value, f"be a {kind.__name__}", f"make the {self.kind} with one")
+            # An input may be given by its keywords.
+            if isinstance(value, Mapping) and issubclass(kinds[0], Input) and not kinds[0].kinds:
+                value = _made(name, kinds[0], value)
+                object.__setattr__(self, name, value)
+            if not isinstance(value, kinds):
+                words = joined((each.__name__ for each in kinds if each is not NoneType), "or")
+                raise InputError(name, value, f"be a {words}", f"make the {self.kind} with one")
         one_line("title", self.title, "give a short name")
-        for name, known in self.keywords.items():
-            given = getattr(self, name)
-            if not isinstance(given, dict) or not set(given) <= set(known):
-                raise InputError(name, given, f"be a dictionary of {', '.join(known)}", "give no other names")
-            # Numbers are checked where they are used, with all that they have to go with.
-            read = {key: known[key].take(key, each) for key, each in given.items() if isinstance(each, str)}
-            object.__setattr__(self, name, given | read)
 
     def __repr__(self) -> str:
         return short_repr(self)
@@ -172,7 +168,7 @@ class Held:
         ------
         InputError
             If the file cannot be written, or it has something no file can hold: a profile, a diameter or the shape of
-            a raceway of a user-defined class, strips given by their edges, or rows that are not two equal ones.
+            a raceway of a user-defined class, or rows that are not two equal ones.
         """
         if not isinstance(path, str | Path):
             raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
@@ -252,6 +248,25 @@ class HeldCase(Held):
         notes = dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, AccuracyWarning))
         title = given.pop("title") or legible(path.stem)
         return cls(title=title, path=path, **given)._held_in(Origin(document, text, tuple(notes), folder))
+
+
+@cache
+def _classes_of(cls: type[Any]) -> dict[str, tuple[type[Any], ...]]:
+    """Return the classes that each field of a file must be of, where it is one value."""
+    hints = get_type_hints(cls)
+    kinds = {each.name: hints[each.name] for each in fields(cls) if each.init}
+    return {name: get_args(kind) or (kind,) for name, kind in kinds.items() if isinstance(kind, type | UnionType)}
+
+
+def _made(name: str, kind: type[Input], given: Mapping[str, Any]) -> Input:
+    """Return the input that keywords make."""
+    for key, value in given.items():
+        if key not in kind.descriptions:
+            raise unknown(f"{name}.{key}", value, "name", key, kind.descriptions)
+    try:
+        return kind(**given)
+    except InputError as error:
+        raise error.within(name) from None
 
 
 def _moved(value: Any, old: Path, new: Path) -> Any:

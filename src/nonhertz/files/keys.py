@@ -150,9 +150,9 @@ def _key(name: str, each: Described, usual: Any, inner: Any) -> Key:
     return Key(each, usual, () if inner is None else (replace(table_of(inner), likely=likely),))
 
 
-def unit_of(key: Key) -> str:
-    """Return the unit of the number or the numbers that a key holds; empty if they have none, or it holds others."""
-    return str(getattr(getattr(key.each, "each", key.each), "unit", ""))
+def unit_of(each: Described) -> str:
+    """Return the unit of the number or the numbers of a field; empty if they have none, or it holds others."""
+    return str(getattr(getattr(each, "each", each), "unit", ""))
 
 
 @cache

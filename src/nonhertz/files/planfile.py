@@ -153,7 +153,6 @@ class Plan(Held):
     path: Path = field(default=Path("plan.toml"), compare=False, kw_only=True)
 
     kind: ClassVar = "plan"
-    parts: ClassVar = {"samples": Sampling}
 
     def __post_init__(self) -> None:
         if not isinstance(self.case, Case | BearingCase):
@@ -357,7 +356,7 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
     load = next(path for path in (*_LOADS, *numbers) if path in numbers)
     diameter = next((path for path in numbers if path.endswith(".diameter")), "")
     profile = next((path for path in numbers if ".profile" in path and template.known[path].unit == "mm"), "")
-    turned = not template.is_bearing and "moment" not in case.prescribed
+    turned = not template.is_bearing and "moment" not in case.prescribed.keywords
     name = seen_from(folder, case.path).as_posix()
     around_load = _around(template, load, numbers[load], 0.25, 2.0)
     # What stands in place of a line of the text, up to its comment; None for nothing.
@@ -382,7 +381,7 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
             there = f"{there:<45} #{comment.partition('; here')[0]}"
         found += [] if there is None else [there]
     whole = "\n".join(found)
-    designed = bool(profile) and turned and "load" in case.prescribed
+    designed = bool(profile) and turned and "load" in case.prescribed.keywords
     return (whole if designed else whole.partition(_DESIGN)[0]).rstrip() + "\n"
 
 

@@ -138,11 +138,6 @@ class Solver(Input):
     def _check_accuracy(self) -> None:
         refuse_accuracy(self.strips, self.accuracy)
 
-    @property
-    def keywords(self) -> dict[str, Any]:
-        """The keywords of `nonhertz.solve`."""
-        return vars(self) | {"element": ELEMENTS[self.element]}
-
 
 @described(kw_only=True)
 class OverrolledDent(Input):

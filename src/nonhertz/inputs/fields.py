@@ -471,6 +471,11 @@ class Input:
     def __repr__(self) -> str:
         return short_repr(self)
 
+    @property
+    def keywords(self) -> dict[str, Any]:
+        """What is given: keywords of the function that takes such an input."""
+        return {name: value for name in self.descriptions if (value := getattr(self, name)) is not None}
+
     @classmethod
     def likely(cls, values: Mapping[str, Any]) -> type[Any]:
         """Return the class of an input whose table gives no kind, by its values."""

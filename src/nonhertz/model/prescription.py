@@ -61,11 +61,6 @@ class Prescription(Input):
         refuse_unpaired(self.approach, self.load, None, None)
 
     @property
-    def keywords(self) -> dict[str, float]:
-        """What is given: keywords of `nonhertz.solve`."""
-        return {name: value for name, value in vars(self).items() if value is not None}
-
-    @property
     def by_force(self) -> tuple[bool, bool]:
         """Whether the load, else the approach, and the moment, else the tilt, are given."""
         return self.load is not None, self.moment is not None

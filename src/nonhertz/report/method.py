@@ -111,7 +111,7 @@ def _of_contact(found: CaseResults) -> Iterator[tuple[str, list[str]]]:
 
 
 def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
-    strips = found.case.solver.get("method", "strips") == "strips"
+    strips = found.case.solver.method == "strips"
     row = found.case.bearing.rows[0].bearing
     profiles = [*_profile_sources(found.case.document)]
     yield _IN_BEARING, [_BEARINGS]

@@ -63,7 +63,7 @@ def first_numbers(found: Results, rows: Iterable[Row]) -> list[Row]:
 
 def opening(found: Results) -> str:
     """Return one sentence on what was solved."""
-    prescribed = found.case.prescribed
+    prescribed = found.case.prescribed.keywords
     acting = [_acting(name, prescribed[name]) for name in _PRESCRIBED if name in prescribed and prescribed[name] != 0.0]
     under = f"under {joined(acting)}" if acting else "without a load"
     if isinstance(found, CaseResults):

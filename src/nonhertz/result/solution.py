@@ -18,6 +18,7 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
+from nonhertz.model.prescription import Prescription
 from nonhertz.result import brief
 from nonhertz.result.data import library
 from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
@@ -631,7 +632,8 @@ class Solution(Solved):
         """
         import nonhertz  # what writes stands above what is written
 
-        case = nonhertz.Case(title=title, contact=self.contact, prescribed={"load": self.load, "tilt": self.tilt})
+        prescribed = Prescription(load=self.load, tilt=self.tilt)
+        case = nonhertz.Case(title=title, contact=self.contact, prescribed=prescribed)
         return nonhertz.Result(case, self).save(os.fspath(folder))
 
     @cached_property

@@ -67,7 +67,7 @@ def spectrum_solved(case: Case) -> Spectrum:
     if not case.life.spectrum:
         return ((solved(case), 1.0),)
     with _in_the_words_of_the_file():
-        return solve_spectrum(case.contact, case.life.spectrum, **case.solver)
+        return solve_spectrum(case.contact, case.life.spectrum, **case.solver.keywords)
 
 
 def largest_stresses(

@@ -12,7 +12,6 @@ from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, ne
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
-from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
@@ -31,7 +30,7 @@ _PLAY = 1e-3  # mm, below which diameters are rounded
 
 def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str) -> list[Section]:
     """Return what is shown of a loaded bearing; nothing of its life if neither that nor a reason is given."""
-    speed = None if case.spectrum else case.prescribed.get("speed")
+    speed = None if case.spectrum else case.prescribed.speed
     lives = life_rows(life, reason, speed) if life is not None or reason else []
     if lives and case.spectrum:
         share = f"{given(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
@@ -60,9 +59,9 @@ def compared_sections(case: BearingCase, strips: BearingSolution, slices: Bearin
 
 def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     """Return name, value and remark of what loads a bearing, how it moves, and its most loaded roller."""
-    speed = case.prescribed.get("speed")
+    speed = case.prescribed.speed
     return [
-        *_bearing_rows(solution.bearing, fitted=bool(case.fit)),
+        *_bearing_rows(solution.bearing, fitted=case.fit is not None),
         *_fit_rows(case),
         *_load_rows(solution),
         *([("speed", f"{given(float(speed))} 1/min", "")] if speed else []),
@@ -209,7 +208,7 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
 def _fit_rows(case: BearingCase) -> list[Row]:
     """Return what is left of the clearance before mounting, and what takes it; axial ones of tapered rows."""
     found = case.operating_clearance
-    if found is None:
+    if found is None or case.fit is None:
         return []
     row = case.bearing.rows[0].bearing
     # Radial and axial clearances of a tapered row are proportional.
@@ -225,13 +224,7 @@ def _fit_rows(case: BearingCase) -> list[Row]:
     rows = [("before mounting", f"{um(factor * found.unmounted):g}", way)]
     rows += [("", f"{um(factor * value):4}", words) for value, words in taken]
     if isinstance(case.bearing, Paired):
-        rows.append(
-            (
-                "",
-                f"{um(Mounting(**case.fit).expansion(case.bearing)):4}",
-                "given by temperatures between rows",
-            )
-        )
+        rows.append(("", f"{um(case.fit.expansion(case.bearing)):4}", "given by temperatures between rows"))
     for ring, fit in (("inner", found.inner), ("outer", found.outer)):
         loose = ", loosened" if fit.loosened else ""
         value = f"{mpa(fit.pressure):4}{loose}"

@@ -115,7 +115,12 @@ def solve_many(
 
 
 def solve_in_silence(
-    contact: Contact, prescribed: Mapping[str, ArrayLike], *, element: Element, strips: Strips, accuracy: float | None
+    contact: Contact,
+    prescribed: Mapping[str, ArrayLike],
+    *,
+    element: Element | str,
+    strips: Strips,
+    accuracy: float | None = None,
 ) -> Solutions:
     """Return what `solve_many` does, in the caller's thread and without warnings.
 

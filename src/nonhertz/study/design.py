@@ -367,7 +367,7 @@ def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
 
 
 def _solved(case: Case, load: LoadCase) -> Solution:
-    return solve(replace(case.contact, interpolated=True), load=load.load, tilt=load.tilt, **case.solver)
+    return solve(replace(case.contact, interpolated=True), load=load.load, tilt=load.tilt, **case.solver.keywords)
 
 
 def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:
@@ -481,10 +481,11 @@ def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:
     if loads is None:
         if case.life.spectrum:
             return case.life.spectrum
-        if "load" not in case.prescribed or "moment" in case.prescribed:
+        given = case.prescribed
+        if given.load is None or given.moment is not None:
             remedy = "give loads, each with a tilt"
-            raise InputError("case", sorted(case.prescribed), "have a load, and no moment, for a design", remedy)
-        return (LoadCase(load=case.prescribed["load"], share=1.0, tilt=case.prescribed.get("tilt", 0.0)),)
+            raise InputError("case", sorted(given.keywords), "have a load, and no moment, for a design", remedy)
+        return (LoadCase(load=given.load, share=1.0, tilt=given.tilt or 0.0),)
     found = checked_cases("loads", loads, LoadCase)
     refuse_other_than_whole("loads", found, "give each its share")
     return tuple(found)

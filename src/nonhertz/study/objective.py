@@ -174,7 +174,7 @@ class Task:
         """
         case = self.case(x)
         with without_accuracy_warnings():
-            solver = case.solver | ({"accuracy": accuracy} if self.is_automatic else {})
+            solver = case.solver.keywords | ({"accuracy": accuracy} if self.is_automatic else {})
             pressed = {name: [getattr(each, name) for each in self.loads] for name in ("load", "tilt")}
             solutions = tuple(solve_in_silence(replace(case.contact, interpolated=True), pressed, **solver))
         return Judged(self, x.copy(), case, solutions)

@@ -199,10 +199,10 @@ def _before_and_after(found: Design, number: int) -> Callable[[Axes], object]:
 
     def draw(ax: Axes) -> None:
         with without_accuracy_warnings():
-            after = solve(found.case.contact, load=load.load, tilt=load.tilt, **found.case.solver)
+            after = solve(found.case.contact, load=load.load, tilt=load.tilt, **found.case.solver.keywords)
             lines = {"designed": (after.y, after.centre_pressure)}
             with contextlib.suppress(NonhertzError):
-                before = solve(found.was.contact, load=load.load, tilt=load.tilt, **found.was.solver)
+                before = solve(found.was.contact, load=load.load, tilt=load.tilt, **found.was.solver.keywords)
                 lines["before"] = (before.y, before.centre_pressure)
         y = np.unique(np.concatenate([each for each, _ in lines.values()]))
         stress = measure("MPa")

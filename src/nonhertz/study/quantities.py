@@ -47,7 +47,7 @@ class SolvedContact:
         case = self.case.life
         solved: Solution | Spectrum = self.solution
         if case.spectrum:
-            solved = solve_spectrum(self.case.contact, case.spectrum, **self.case.solver, threads=1)
+            solved = solve_spectrum(self.case.contact, case.spectrum, **self.case.solver.keywords, threads=1)
         return life_of(self.case, solved, (*case.models, LIFE_MODEL)[0])
 
 

@@ -101,9 +101,9 @@ class Work:
             pass  # solved alone, those that are refused get a sentence of their own
         return [self._alone(template, each) for each in values]
 
-    def _together(self, case: Case, given: Sequence[dict[str, float]]) -> list[Row]:
-        columns = {name: np.array([each[name] for each in given]) for name in given[0]}
-        solutions = solve_in_silence(replace(case.contact, interpolated=True), columns, **case.solver)
+    def _together(self, case: Case, given: Sequence[Prescription]) -> list[Row]:
+        columns = {name: np.array([getattr(each, name) for each in given]) for name in given[0].keywords}
+        solutions = solve_in_silence(replace(case.contact, interpolated=True), columns, **case.solver.keywords)
         at_once = {each.name: solutions.column(each.name) for each in self.quantities if each.name in QUANTITIES}
         converged = solutions.converged.tolist()
         rows = []
@@ -145,12 +145,12 @@ class Work:
         try:
             case = template.case({path: value for path, value in values.items() if path != LOAD})
             assert isinstance(case, Case)
-            if case.prescribed.get("moment", 0.0) != 0.0:
+            if case.prescribed.moment:
                 condition = "be zero where there is no load"
-                raise InputError("moment", case.prescribed["moment"], condition, "leave it out, or give a load")
-            tilt = case.prescribed.get("tilt", 0.0)
+                raise InputError("moment", case.prescribed.moment, condition, "leave it out, or give a load")
+            tilt = case.prescribed.tilt or 0.0
             contact = replace(case.contact, interpolated=True)
-            problem = problem_of(contact, Prescription(load=1.0, tilt=tilt), case.solver["element"])
+            problem = problem_of(contact, Prescription(load=1.0, tilt=tilt), case.solver.element)
             edges = np.linspace(*bounded(problem), TOUCHING + 1)
             touched = -float(penetrations(contact, edges, np.array([0.0, tilt])))
         except NonhertzError as error:
@@ -177,7 +177,7 @@ class Work:
             yield replace(self.template, path=Path(folder, self.template.path.name))
 
 
-def _prescribed(case: Case, values: Values) -> dict[str, float]:
+def _prescribed(case: Case, values: Values) -> Prescription:
     """Return what presses the bodies of a row together.
 
     Raises
@@ -186,6 +186,4 @@ def _prescribed(case: Case, values: Values) -> dict[str, float]:
         If that is out of range.
     """
     given = {path.partition(".")[2]: value for path, value in values.items() if path in _PRESSED}
-    prescribed = case.prescribed | given
-    Prescription(**prescribed)
-    return prescribed
+    return Prescription(**case.prescribed.keywords | given)

@@ -55,7 +55,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()}
         | {"largest": where_largest(solution, 3)},
         "verdict": verdict_seen(None if complaint else of_contact(solution)),
-        "summary": summary_rows(solution, case.prescribed),
+        "summary": summary_rows(solution, case.prescribed.keywords),
         "warnings": solution.warnings,
         "line": lines(solution),
         "footprint": _footprint(solution),

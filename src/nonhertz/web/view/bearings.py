@@ -12,7 +12,6 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
-from nonhertz.bearing.standard import LAMINAE
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain

@@ -71,7 +71,7 @@ def strength(document: dict[str, Any], body: BodyName) -> dict[str, Any]:
 def load(document: dict[str, Any], method: Method | None) -> dict[str, Any]:
     """Answer with what the page shows of a bearing, by a method in place of that of the file."""
     case = sound(document, BearingCase)
-    return {"file_method": case.solver.get("method", "strips")} | bearing_answer(*_loaded(case, method))
+    return {"file_method": case.solver.method} | bearing_answer(*_loaded(case, method))
 
 
 @job
@@ -88,7 +88,7 @@ def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCas
     ------
     CaseError, ConvergenceError
     """
-    key = json.dumps([case.document, method or case.solver.get("method", "strips")])
+    key = json.dumps([case.document, method or case.solver.method])
     if key not in _LATEST:
         found = _newly_loaded(case, method)
         _LATEST.clear()
@@ -103,9 +103,9 @@ def _newly_loaded(case: BearingCase, method: Method | None) -> tuple[BearingCase
             solution.max_pressure  # noqa: B018  (solves the contacts, each of which may be refused)
     except InputError as error:
         raise placed(error) from None
-    if solution.method == "slices" and case.life.get("edge_stress") == "pressure":
+    if solution.method == "slices" and case.life.edge_stress == "pressure":
         # They have no pressures: without the word, life is that of the standard's edges.
-        case = replace(case, life={name: each for name, each in case.life.items() if name != "edge_stress"})
+        case = replace(case, life=replace(case.life, edge_stress=None))
     return case, solution
 
 
