@@ -76,7 +76,7 @@ def test_values_may_be_numbers_words_lists_and_tables():
         "load.tilt": 0,
     }
     case = nh.read_case(CASE, changes_in([*words, 'body.a.profile=[{kind="crown", radius="1 m"}]']))
-    assert (case.solver.strips, case.solver.element.name, case.prescribed.tilt) == (41, "parabolic", 0.0)
+    assert (case.solver.strips, case.solver.element, case.prescribed.tilt) == (41, "parabolic", 0.0)
     assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "1 m"}]
 
 

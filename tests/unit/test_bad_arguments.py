@@ -59,6 +59,7 @@ OF_TYPE: dict[Any, set[str]] = {
     float: NUMBER,
     int: COUNT,
     str: ALL,
+    nh.study.Sampling: ALL - {"dictionary"},  # of keywords
     ArrayLike: NO_NUMBERS | {"inf", "minus inf", "huge"},
     ArrayLike | None: (NO_NUMBERS | {"inf", "minus inf", "huge"}) - {"none"},
 }
@@ -166,7 +167,7 @@ BY_THEMSELVES = {"life.model", "measured.fit", "profile.with_drop"}
 WRITING = {"load", "read", "write", "save"}
 #: Asked by the package, of positions that it has checked, of documents and bearings that it has read or solved.
 ASKED = {
-    "apply", "called", "curvature_at", "document_in", "drawn", "drop_at", "given_in", "likely", "of", "partials",
+    "apply", "called", "curvature_at", "document_in", "drawn", "drop_at", "likely", "of", "partials",
     "rated", "relief_at", "separation_at", "unchecked",
 }  # fmt: skip
 #: Made by the package and not by its users, who only read them.
@@ -187,7 +188,7 @@ RESULTS = {
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
     "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "Interrupted", "NonhertzError",
     *(f"profile.{name}" for name in (
-        "Arcs", "Conical", "Flipped", "Logarithmic", "Profile", "Scaled", "Shifted", "Straight", "Sum", "Tabulated",
+        "Arcs", "Conical", "Logarithmic", "Moved", "Profile", "Straight", "Sum", "Tabulated",
         "ProfileKind", "TaperedEnds", "UniformPressure",
     )),
 }  # fmt: skip

@@ -88,18 +88,9 @@ class BearingCase(HeldCase):
     kind: ClassVar = "bearing"
 
     @staticmethod
-    def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-        """Return the title and the fields of a bearing in a document."""
-        found = read_document(document, Surroundings(folder, radius_across(document)))
-        return {
-            "title": found.title,
-            "bearing": found.bearing,
-            "prescribed": found.load,
-            "solver": found.solver,
-            "life": found.life,
-            "fit": found.fit,
-            "title_block": found.report,
-        }
+    def contents_of(document: dict[str, Any], folder: Path | None) -> BearingFile:
+        """Return what a document holds."""
+        return read_document(document, Surroundings(folder, radius_across(document)))
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""

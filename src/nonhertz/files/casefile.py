@@ -70,17 +70,9 @@ class Case(HeldCase):
     contents: ClassVar = CaseDocument
 
     @staticmethod
-    def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-        """Return the title and the fields of a case in a document."""
-        found = read(CaseDocument, document, surroundings(document, folder))
-        return {
-            "title": found.title,
-            "contact": Contact(found.body.a, found.body.b),
-            "prescribed": found.load,
-            "solver": found.solver,
-            "life": found.life,
-            "title_block": found.report,
-        }
+    def contents_of(document: dict[str, Any], folder: Path | None) -> CaseDocument:
+        """Return what a document holds."""
+        return read(CaseDocument, document, surroundings(document, folder))
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""

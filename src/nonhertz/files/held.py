@@ -95,7 +95,8 @@ class Held:
     kind: ClassVar[str] = "case"
 
     def __post_init__(self) -> None:
-        for name, kinds in _classes_of(type(self)).items():
+        cls: Any = type(self)
+        for name, kinds in _classes_of(cls).items():
             value = getattr(self, name)
             # An input may be given by its keywords.
             if isinstance(value, Mapping) and issubclass(kinds[0], Input) and not kinds[0].kinds:
@@ -195,9 +196,12 @@ class HeldCase(Held):
     #: The class of what a file holds.
     contents: ClassVar[type[Input]]
 
+    #: The sections that fields are read from where these have other names.
+    elsewhere: ClassVar[Mapping[str, str]] = {"prescribed": "load", "title_block": "report"}
+
     @staticmethod
-    def given_in(document: dict[str, Any], folder: Path | None) -> dict[str, Any]:
-        """Return the fields that a document gives; raises ``InputsError`` with every mistake in it."""
+    def contents_of(document: dict[str, Any], folder: Path | None) -> Any:
+        """Return what a document holds, of the class ``contents``; raises ``InputsError`` with every mistake in it."""
         raise NotImplementedError
 
     @classmethod
@@ -240,14 +244,16 @@ class HeldCase(Held):
         folder = path.parent if files else None
         try:
             with warnings.catch_warnings(record=True, action="always", category=AccuracyWarning) as caught:
-                given = cls.given_in(document, folder)
+                found = cls.contents_of(document, folder)
         except InputError as error:
             raise case_error(in_order(error.each, document)) from None
         for each in caught:
             warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
         notes = dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, AccuracyWarning))
-        title = given.pop("title") or legible(path.stem)
-        return cls(title=title, path=path, **given)._held_in(Origin(document, text, tuple(notes), folder))
+        names = [each.name for each in fields(cls) if each.init and each.name not in ("title", "path")]
+        given = {name: getattr(found, cls.elsewhere.get(name, name)) for name in names}
+        made = cls(title=found.title or legible(path.stem), path=path, **given)
+        return made._held_in(Origin(document, text, tuple(notes), folder))
 
 
 @cache

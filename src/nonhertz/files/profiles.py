@@ -42,9 +42,7 @@ class Moves(Input):
 
     def of(self, profile: Profile) -> Profile:
         """Return a profile that is scaled, then shifted, then flipped."""
-        profile = profile if self.scale is None else profile.scaled(self.scale)
-        profile = profile if self.shift is None else profile.shifted(self.shift)
-        return profile.flipped() if self.flip else profile
+        return profile.moved(scale=1.0 if self.scale is None else self.scale, shift=self.shift or 0.0, flip=self.flip)
 
 
 @described(kw_only=True)

@@ -337,3 +337,8 @@ class CaseDocument(Input):
     solver: Annotated[Solver, Part("how it is solved", Solver, "give a table")] = Solver()
     life: Annotated[Life, Part("how long the bodies last", Life, "give a table")] = Life()
     report: Annotated[TitleBlock, Part("what the head of a report says", TitleBlock, "give a table")] = TitleBlock()
+
+    @property
+    def contact(self) -> Contact:
+        """Both bodies."""
+        return Contact(self.body.a, self.body.b)

@@ -10,7 +10,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.fields import Input, default_of
 from nonhertz.model.material import Material
 from nonhertz.model.materials import name_of
-from nonhertz.model.profile import Flipped, Profile, Scaled, Shifted, Straight, Sum
+from nonhertz.model.profile import Moved, Profile, Straight, Sum
 
 
 def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
@@ -76,16 +76,12 @@ def profile_tables(profile: Profile) -> list[dict[str, Any]]:
         return []
     if isinstance(profile, Sum):
         return [table for part in profile.parts for table in profile_tables(part)]
-    if isinstance(profile, Shifted | Flipped | Scaled):
-        tables = profile_tables(profile.profile)
-        for table in tables:
-            if isinstance(profile, Scaled):
-                table["scale"] = table.get("scale", 1.0) * profile.by
-            elif isinstance(profile, Shifted):
-                # A table is flipped last, after its shift.
-                table["shift"] = table.get("shift", 0.0) + (-profile.by if "flip" in table else profile.by)
-            elif not table.pop("flip", False):
-                table["flip"] = True
-        return tables
+    if isinstance(profile, Moved):
+        moves: dict[str, Any] = {"scale": profile.scale, "shift": profile.shift, "flip": profile.flip}
+        if isinstance(profile.profile, Sum):
+            return [table for part in profile.profile.parts for table in profile_tables(part.moved(**moves))]
+        usual = {"scale": 1.0, "shift": 0.0, "flip": False}
+        given = {name: value for name, value in moves.items() if value != usual[name]}
+        return [table | given for table in profile_tables(profile.profile)]
     remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
     raise InputError("profile", type(profile).__name__, "be from the catalogue to go into a case file", remedy)

@@ -14,7 +14,7 @@ makes any of them from its drop at a place, as a drawing states it.
 
 from __future__ import annotations
 
-from nonhertz.model.profile.base import Flipped, Profile, Scaled, Shifted, Straight, Sum
+from nonhertz.model.profile.base import Moved, Profile, Straight, Sum
 from nonhertz.model.profile.circular import Arcs, crown, partial_crown, two_radius
 from nonhertz.model.profile.drop import with_drop
 from nonhertz.model.profile.kind import CATALOGUE, PARAMETERS, ProfileKind
@@ -36,12 +36,10 @@ __all__ = [
     "PARAMETERS",
     "Arcs",
     "Conical",
-    "Flipped",
     "Logarithmic",
+    "Moved",
     "Profile",
     "ProfileKind",
-    "Scaled",
-    "Shifted",
     "Straight",
     "Sum",
     "Tabulated",

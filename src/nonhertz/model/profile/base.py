@@ -69,16 +69,20 @@ class Profile(ABC):
     def shifted(self, by: float) -> Profile:
         """Return this profile moved by ``by`` [mm] towards positive y."""
         finite("by", by, "give the shift in mm")
-        return Shifted(self, float(by))
+        return self.moved(shift=float(by))
 
     def scaled(self, by: float) -> Profile:
         """Return this profile with its relief multiplied by ``by``; infinite relief stays infinite."""
         finite("by", by, "give a factor")
-        return Scaled(self, float(by))
+        return self.moved(scale=float(by))
 
     def flipped(self) -> Profile:
         """Return this profile mirrored about y = 0: its relief at y is that of this one at -y."""
-        return Flipped(self)
+        return self.moved(flip=True)
+
+    def moved(self, *, scale: float = 1.0, shift: float = 0.0, flip: bool = False) -> Profile:
+        """Return this profile with its relief multiplied, then shifted [mm], then flipped."""
+        return Moved(self, scale, shift, flip) if (scale, shift, flip) != (1.0, 0.0, False) else self
 
     def __add__(self, other: Profile) -> Profile:
         if not isinstance(other, Profile):
@@ -155,37 +159,62 @@ class Sum(Formula):
 
 
 @dataclass(frozen=True)
-class Shifted(Formula):
-    """A profile moved along the axis."""
+class Moved(Formula):
+    """A profile with its relief multiplied, then shifted along the axis, then flipped.
+
+    Where the relief is infinite there is no body, whatever the factor.
+    """
 
     profile: Profile
-    by: float
+    scale: float
+    shift: float
+    flip: bool
+
+    def moved(self, *, scale: float = 1.0, shift: float = 0.0, flip: bool = False) -> Profile:
+        """Return this profile multiplied, shifted and flipped once more: of one without a name, the same at once."""
+        if self.catalogue_entry is not None:
+            return super().moved(scale=scale, shift=shift, flip=flip)
+        # What is flipped moves the other way.
+        way = -1.0 if self.flip else 1.0
+        return self.profile.moved(scale=scale * self.scale, shift=self.shift + way * shift, flip=self.flip != flip)
 
     def relief_at(self, y: Array) -> Array:
-        """Return the relief of the profile ``by`` further back."""
-        return self.profile.relief_at(moved_back(y, self.by, self.profile.extent))
+        """Return the factor times the profile's relief where that is found."""
+        relief = self.profile.relief_at(moved_back(-y if self.flip else y, self.shift, self.profile.extent))
+        if self.scale == 1.0:
+            return relief
+        # A plain product would turn "no body here" into NaN (factor 0) or an infinite peak (factor < 0).
+        present = np.isfinite(relief)
+        return np.where(present, self.scale * np.where(present, relief, 0.0), np.inf)
 
     @property
     def crests(self) -> tuple[float, ...]:
         """The profile's crests, moved."""
-        return tuple(crest + self.by for crest in self.profile.crests)
+        return self._moved(self.profile.crests)
 
     @property
     def bends(self) -> tuple[float, ...]:
         """The profile's bends, moved."""
-        return tuple(bend + self.by for bend in self.profile.bends)
+        return self._moved(self.profile.bends)
 
     @property
     def extent(self) -> tuple[float, float]:
         """The profile's extent, moved."""
-        low, high = self.profile.extent
-        return (low + self.by, high + self.by)
+        low, high = self._moved(self.profile.extent)
+        return low, high
 
     @property
     def joints(self) -> tuple[float, float] | None:
         """The profile's, moved."""
-        joints = self.profile.joints
-        return None if joints is None else (joints[0] + self.by, joints[1] + self.by)
+        if self.profile.joints is None:
+            return None
+        low, high = self._moved(self.profile.joints)
+        return low, high
+
+    def _moved(self, positions: tuple[float, ...]) -> tuple[float, ...]:
+        """Return positions along the axis [mm], ascending, where they are moved to."""
+        there = [each + self.shift for each in positions]
+        return tuple(-each for each in reversed(there)) if self.flip else tuple(there)
 
 
 def moved_back(y: Array, by: float, extent: tuple[float, float]) -> Array:
@@ -198,75 +227,3 @@ def moved_back(y: Array, by: float, extent: tuple[float, float]) -> Array:
     low, high = extent
     within = (y >= low + by) & (y <= high + by)
     return np.where(within, np.clip(y - by, low, high), y - by)
-
-
-@dataclass(frozen=True)
-class Scaled(Formula):
-    """A profile with its relief multiplied; where that is infinite there is no body, whatever the factor."""
-
-    profile: Profile
-    by: float
-
-    def relief_at(self, y: Array) -> Array:
-        """Return ``by`` times the profile's relief."""
-        relief = self.profile.relief_at(y)
-        # A plain product would turn "no body here" into NaN (factor 0) or an infinite peak (factor < 0).
-        present = np.isfinite(relief)
-        return np.where(present, self.by * np.where(present, relief, 0.0), np.inf)
-
-    @property
-    def crests(self) -> tuple[float, ...]:
-        """The profile's crests."""
-        return self.profile.crests
-
-    @property
-    def bends(self) -> tuple[float, ...]:
-        """The profile's bends."""
-        return self.profile.bends
-
-    @property
-    def extent(self) -> tuple[float, float]:
-        """The profile's extent."""
-        return self.profile.extent
-
-    @property
-    def joints(self) -> tuple[float, float] | None:
-        """The profile's."""
-        return self.profile.joints
-
-
-@dataclass(frozen=True)
-class Flipped(Formula):
-    """A profile mirrored about y = 0, as a body that is turned end for end has it."""
-
-    profile: Profile
-
-    def flipped(self) -> Profile:
-        """Return the profile that this one mirrors."""
-        return self.profile
-
-    def relief_at(self, y: Array) -> Array:
-        """Return the profile's relief at ``-y``."""
-        return self.profile.relief_at(-y)
-
-    @property
-    def crests(self) -> tuple[float, ...]:
-        """The profile's crests, mirrored."""
-        return tuple(-crest for crest in reversed(self.profile.crests))
-
-    @property
-    def bends(self) -> tuple[float, ...]:
-        """The profile's bends, mirrored."""
-        return tuple(-bend for bend in reversed(self.profile.bends))
-
-    @property
-    def extent(self) -> tuple[float, float]:
-        """The profile's extent, mirrored."""
-        low, high = self.profile.extent
-        return (-high, -low)
-
-    @property
-    def joints(self) -> tuple[float, float] | None:
-        """The profile's, mirrored."""
-        joints = self.profile.joints
-        return None if joints is None else (-joints[1], -joints[0])
