@@ -51,8 +51,9 @@ def solve(
     read = read_case(case, changes_in(changes))
     solution, complaint = attempted(read)
     found = Result(read, solution)
+    shown = sections(solution, read.prescribed.keywords)
     return Answer(
-        read.title, sections(solution, read.prescribed.keywords), found.to_json, of_contact(solution), solution.warnings,
+        read.title, shown, found.to_json, of_contact(solution), solution.warnings,
         saved(found, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,
     )  # fmt: skip
 
