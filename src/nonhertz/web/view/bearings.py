@@ -45,7 +45,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
     if solution.method == "strips":
         contacts = [[_lines(solution.contact(j, ring)) for ring in RINGS] for j in range(solution.angle.size)]
     else:
-        contacts = _by_slices(solution, case.solver.get("laminae", LAMINAE))
+        contacts = _by_slices(solution, case.solver.laminae)
     *shown, (_, (rollers,)) = sections(case, solution, life, reason)
     assert isinstance(rollers, Table)
     return {
