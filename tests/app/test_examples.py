@@ -1,7 +1,6 @@
 """Every example runs, and each gives a number that is known from elsewhere; so does the tutorial."""
 
 import re
-import tomllib
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,14 +12,11 @@ from scripts import script
 import nonhertz as nh
 from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.casefile import Case, read_case
-from nonhertz.files.held import holds_plan
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
-FILES = sorted(EXAMPLES.glob("*.toml"))
 
 
-PLANS = [path for path in FILES if holds_plan(tomllib.loads(path.read_text(encoding="utf-8")))]
 TABULATED = "tabulated-profile.csv"
 MEASURED = "measured-roller.txt"
 
@@ -155,8 +151,3 @@ def test_tutorials_show_what_the_program_prints(name, monkeypatch):
     for line, old in zip(tells, told, strict=True):
         numbers, before = ([float(n) for n in number.findall(text)] for text in (line, old))
         assert_allclose(numbers, before, rtol=2e-4, err_msg="run: python docs/figures.py")
-
-
-@pytest.mark.parametrize("path", PLANS, ids=lambda path: path.stem)
-def test_every_plan_is_fine(path, run):
-    assert "roller-15x20" in run("check", str(path)).out

@@ -147,8 +147,6 @@ def report_text(*words: str) -> str:
         ["materials", "100Cr6"],
         ["sweep", "roller-15x20-sweep"],
         ["report", "roller-15x20", "--life"],
-        ["report", "nu206-mounted", "--compare"],
-        ["report", "roller-15x20", "measured-roller"],
     ],
     ids=" ".join,
 )

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.result.quantities import QUANTITIES, Quantity
+from nonhertz.result.quantities import QUANTITIES
 
 CROWNED = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(1000)), nh.Plate())
 
@@ -27,13 +27,6 @@ def test_a_column_is_what_the_solutions_say(chart, name):
     assert column.shape == (2, 3)
     for at in np.ndindex(2, 3):
         assert column[at] == pytest.approx(QUANTITIES[name].get(chart[at]), rel=1e-12, abs=1e-9)
-
-
-def test_a_quantity_that_is_made_of_whole_solutions_is_a_column_too(sweep, monkeypatch):
-    strips = Quantity("strips_in_contact", "", "", "", lambda one: float(np.count_nonzero(one.line_load)))
-    monkeypatch.setitem(QUANTITIES, "strips_in_contact", strips)
-    assert sweep.column("strips_in_contact").tolist() == [np.count_nonzero(one.line_load) for one in sweep]
-    assert "strips_in_contact" in sweep.to_dataframe()
 
 
 def test_no_other_column_is_known(sweep):

@@ -67,16 +67,15 @@ def test_what_cannot_be_rolled_over_is_refused_in_one_sentence(smooth, changes, 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("dent", "cell", "side"),
+    ("dent", "cell", "side", "reach"),
     [
-        (replace(DENT, y=2.5), 0.035, 0.035),
-        (nh.patch.Dent(depth=1e-9, diameter=0.3), 0.035, 0.035),
+        (replace(DENT, y=2.5), 0.035, 0.035, 1.0),
         # An eighth of the width of the shoulder.
-        (nh.patch.Dent(depth=1e-9, diameter=0.3, shoulder=1e-10, shoulder_diameter=0.4), None, 0.00625),
+        (nh.patch.Dent(depth=1e-9, diameter=0.3, shoulder=1e-10, shoulder_diameter=0.4), None, 0.00625, 0.3),
     ],
 )
-def test_a_dent_far_away_or_of_no_depth_leaves_the_life_as_it_is(smooth, dent, cell, side):
-    seen = overrolled(smooth, dent, cell=cell, reach=1.0)
+def test_a_dent_far_away_or_of_no_depth_leaves_the_life_as_it_is(smooth, dent, cell, side, reach):
+    seen = overrolled(smooth, dent, cell=cell, reach=reach)
     for points in (seen.x, seen.y):  # at every second cell
         assert 0.8 * side < 0.5 * (points[1] - points[0]) <= side
     for each in (lundberg_palmgren(), zaretsky()):
