@@ -204,3 +204,15 @@ def test_strips_wider_than_the_half_width_say_what_a_sharp_end_hides(ends, strip
     contact = nh.Contact(nh.Roller(diameter=32.0, length=80.0, **ends), nh.Plate())
     true, found = (nh.solve(contact, load=13e3, strips=each) for each in ("auto", strips))
     assert abs(found.max_pressure / true.max_pressure - 1.0) <= found.error_estimate.max_pressure
+
+
+@pytest.mark.parametrize("radius", [4000.0, 4500.0])
+def test_of_few_strips_the_last_counts_where_the_overlap_falls_by_a_tenth_over_a_half_width(radius):
+    # One that runs out shortly before the end looks like one that reaches it; with 0.11 and 0.098 here.
+    body = nh.Roller(diameter=400.0, length=20.0, profile=profile.crown(radius), side_faces="none", depth="none")
+    found = nh.solve(nh.Contact(body, nh.Plate()), approach=0.054, strips=9)
+    at_end, inside = 0.054 - body.relief([10.0, 10.0 - found.half_width[-1]])
+    excess = found.centre_pressure[-1] / found.max_pressure - 1.0
+    assert excess > 0.1
+    # The last strip's mean is lower than the peak within it: four times its excess.
+    assert (found.error_estimate.max_pressure > 4.0 * excess) == (at_end < 0.9 * inside) == (radius == 4000.0)
