@@ -51,18 +51,12 @@ def typical_errors():
     return levels, np.sqrt(squares)
 
 
-def test_order_in_approach_is_at_least_three_halves(typical_errors):
-    # The figure to reach; 1.7 here, and 2 asymptotically.
-    assert order(*typical_errors)[0] > 1.5
-
-
-def test_order_in_greatest_pressure_is_at_least_three_halves(typical_errors):
-    assert order(*typical_errors)[1] > 1.5
-
-
-def test_order_in_stiffness_is_at_least_one(typical_errors):
-    # The stiffness is a derivative by the place of the contact's end: one order less.
-    assert order(*typical_errors)[2] > 1.0
+def test_orders_of_approach_and_pressure_are_at_least_three_halves_and_that_of_stiffness_one(typical_errors):
+    # The figures to reach. The stiffness is a derivative by the place of the contact's end: one order less.
+    approach, pressure, stiffness = order(*typical_errors)
+    assert approach > 1.5  # 1.7 here, and 2 asymptotically
+    assert pressure > 1.5
+    assert stiffness > 1.0
 
 
 def test_order_is_nearly_two_where_the_end_keeps_its_place_in_its_strip():

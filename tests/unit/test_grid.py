@@ -22,16 +22,6 @@ HALF = 10.0
 profile = nh.profile
 
 
-@dataclass(frozen=True)
-class Wave(Profile):
-    """Raised in the middle of the roller's length by ``height``: contact at both ends only."""
-
-    height: float
-
-    def relief(self, y):
-        return self.height * np.cos(np.asarray(y, dtype=float) * np.pi / (2.0 * HALF)) ** 2
-
-
 BODIES = {"half-spaces": {"side_faces": "none", "depth": "none"}, "finite bodies": {}}
 both = pytest.mark.parametrize("bodies", BODIES.values(), ids=BODIES)
 
@@ -116,23 +106,6 @@ def test_automatic_strips_cover_the_contact_and_are_narrow_where_it_ends(name, b
     if name in SYMMETRIC:
         # To rounding: a grid that leans to one side gives a moment where there is none.
         np.testing.assert_allclose(y, -y[::-1], rtol=0.0, atol=1e-9 * HALF)
-
-
-@both
-@pytest.mark.parametrize("prescribed", [{"load": 5e3}, {"approach": 0.03}], ids=["load", "approach"])
-def test_two_intervals_take_at_most_twice_as_many(prescribed, bodies):
-    solution = solved(Wave(0.05), bodies, **prescribed)
-    assert len(solution.contact_y) == 2
-    assert solution.strips <= 180
-
-
-@pytest.mark.parametrize("load", [1.0, 1e3])
-def test_an_unbounded_body_is_searched_for_its_contact(load):
-    contact = nh.Contact(nh.Body(diameter=20, profile=profile.crown(100, centre=3.0)), nh.Plate())
-    solution = nh.solve(contact, load=load)
-    (low, high), *others = solution.contact_y
-    assert not others
-    np.testing.assert_allclose(0.5 * (low + high), 3.0, rtol=0.0, atol=0.02 * (high - low))
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,5 @@
 """What free side faces add on cells: against the quarter-space itself, by reciprocity, and node by node."""
 
-from concurrent.futures import ThreadPoolExecutor
-
 import numpy as np
 import pytest
 from scipy import integrate, special
@@ -136,12 +134,3 @@ def test_far_from_a_cell_its_load_is_a_force():
     kernel = dy * end.weights[50] @ end.kernel(edges_from(0.0, 100, dx)) @ end.weights[160]
     forces = at_points((EDGE,), np.array([0.0, 0.4]), y[[50, 50]], np.array([0.0]), y[[160]])
     np.testing.assert_allclose(dx * dy * forces[:, 0], kernel[[0, 20]], rtol=1e-4)
-
-
-def test_threads_change_nothing():
-    influence = influence_of(UNLIKE, HERTZ)
-    grid = Grid((-0.3, 0.3), (-9.0, 9.0), (40, 70))
-    pressure = np.random.default_rng(1).random(grid.cells)
-    alone = Convolution(grid, influence)(pressure)
-    with ThreadPoolExecutor(3) as pool:
-        assert np.array_equal(Convolution(grid, influence, pool)(pressure), alone)

@@ -8,7 +8,6 @@ import pytest
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch.convolution import Convolution
-from nonhertz.patch.settle import settle
 from nonhertz.patch.surface import Surface
 from nonhertz.patch.verdict import complaint, displacement
 
@@ -109,16 +108,6 @@ def test_a_wrong_convolution_does_not_leave_the_package(monkeypatch):
         nh.patch.solve(CONTACT, load=3e3, cells=CELLS)
     assert caught.value.solution.status is nh.Status.REFUTED
     assert caught.value.solution.load == pytest.approx(3e3)
-
-
-def test_a_state_at_another_load_does_not_leave_the_package(monkeypatch):
-    def half(task, pressure, rigid, tolerance):
-        lesser = replace(task, target=(0.5 * task.target[0], task.target[1]))
-        return settle(lesser, pressure, rigid, tolerance)
-
-    monkeypatch.setattr("nonhertz.patch.cascade.settle", half)
-    with pytest.raises(nh.ConvergenceError, match="The load came to 1500 N instead of 3000 N"):
-        nh.patch.solve(CONTACT, load=3e3, cells=CELLS)
 
 
 def test_a_gap_that_changes_its_mind_does_not_leave_the_package():

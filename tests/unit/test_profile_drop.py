@@ -1,6 +1,5 @@
 """Profiles by their drop at a place: every kind of the catalogue, and what no parameter makes."""
 
-import math
 from typing import Any
 
 import numpy as np
@@ -9,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nonhertz.errors import InputError
-from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, crown, logarithmic, with_drop
+from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, crown, with_drop
 from nonhertz.model.profile.drop import determined
 
 LENGTH = 20.0
@@ -75,12 +74,6 @@ def test_the_radius_of_a_crown_is_that_of_the_circle_through_three_points():
     assert hollow[1]["radius"] == pytest.approx(-(AT**2 + 0.02**2) / 0.04, rel=1e-13)
 
 
-def test_the_amplitude_of_a_logarithm_is_the_drop_over_the_logarithm():
-    entry = with_drop("logarithmic", 0.02, AT, length=LENGTH).catalogue_entry
-    assert entry is not None
-    assert entry[1]["amplitude"] == pytest.approx(0.02 / math.log(1 / (1 - 0.95**2)), rel=1e-13)
-
-
 def test_a_place_on_the_other_side_counts_there():
     assert drop_of(with_drop("crown", 0.02, -AT, centre=1.0), -AT) == pytest.approx(0.02, rel=1e-12)
     assert drop_of(with_drop("conical", 0.02, -AT), AT) == pytest.approx(-0.02, rel=1e-12)
@@ -95,14 +88,6 @@ def test_a_crown_is_found_from_its_drop(radius, at, centre):
     assert entry is not None
     # The drop is a difference of two reliefs, the smaller of which is up to a sixth of the larger.
     assert entry[1]["radius"] == pytest.approx(radius, rel=1e-11)
-
-
-@settings(deadline=None)
-@given(amplitude=st.floats(1e-5, 0.1), at=st.floats(0.1, 9.99), fraction=st.floats(0.5, 1.0))
-def test_a_logarithm_is_found_from_its_drop(amplitude, at, fraction):
-    profile = logarithmic(amplitude, LENGTH, fraction)
-    again = with_drop("logarithmic", float(profile.relief(at)), at, length=LENGTH, fraction=fraction)
-    np.testing.assert_allclose(again.relief([1.0, 5.0, 9.0]), profile.relief([1.0, 5.0, 9.0]), rtol=1e-13)
 
 
 @pytest.mark.parametrize(

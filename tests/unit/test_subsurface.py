@@ -217,15 +217,6 @@ def test_the_largest_of_the_body_is_no_less_than_of_any_section_and_found_on_a_f
     assert overall.von_mises.max * (1.0 - 2e-3) <= block.von_mises.max() <= overall.von_mises.max * (1.0 + 1e-6)
 
 
-def test_off_contact_the_largest_orthogonal_shear_lies_deeper():
-    crowned = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000))
-    solution = nh.solve(nh.Contact(crowned, nh.Plate()), load=4e3)
-    station = solution.contact_y[-1][1] + 1.0
-    found = extremes(solution, station=station).orthogonal_shear
-    block = volume(solution, np.linspace(0.0, 4.0, 81), [station], np.linspace(0.0, 6.0, 121))
-    assert found.max == pytest.approx(np.abs(block.tau_xz).max(), rel=2e-3)
-
-
 @pytest.fixture(scope="module")
 def chamfered():
     contact = nh.Contact(

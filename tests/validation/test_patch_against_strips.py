@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.verify import free_ends
 from nonhertz.verify.claim import pressures
 
 # Sharp ends, where the pressure has no limit, and corners.
@@ -109,13 +108,3 @@ def test_free_faces(name):
     clear = np.min(np.abs(places[:, None] - np.ravel(strips.contact_y)), axis=1) > 0.25 * half_width
     of_patch, of_strips = (np.array(pressures(each, places))[clear] for each in (patch, strips))
     np.testing.assert_allclose(of_patch, of_strips, rtol=5e-3)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("case", "singular"), [(free_ends.STRAIGHT, 2), (free_ends.TOGETHER, 0)])
-def test_the_estimate_covers_the_change_to_a_finer_grid(case, singular):
-    coarse, fine = (nh.patch.solve(case.contact, load=20e3, cells=cells) for cells in ((32, 128), (96, 384)))
-    for quantity in ("approach", "max_pressure"):
-        estimate = getattr(coarse.error_estimate, quantity)
-        assert abs(getattr(coarse, quantity) / getattr(fine, quantity) - 1.0) < estimate < 0.03
-    assert len(fine.singular_ends) == singular
