@@ -346,6 +346,8 @@ def test_what_the_solver_refuses_names_the_key():
     case = read(PLAIN)
     with pytest.raises(nh.CaseError, match=r"^load\.axial = 5\.0 must be zero"):
         dataclasses.replace(case, prescribed={"radial": 1e3, "axial": 5}).solve()
+    with pytest.raises(nh.CaseError, match=r"^load\.speed must be given with a viscosity"):
+        dataclasses.replace(case, life={"viscosity": 20.0}).assess(case.solve("slices"))
     with pytest.raises(nh.CaseError, match=r"^solver\.method = 'maps' must be one of"):
         case.solve("maps")
     with pytest.raises(nh.CaseError, match=r"^life\.viscosity = 0\.0\d+ must be at least 0\.1"):

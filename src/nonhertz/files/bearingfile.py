@@ -328,7 +328,7 @@ def placed(error: InputError, *sections: str) -> CaseError:
     field = error.field.partition(".")[0]
     if sections == ("fit",):
         error = of_fit(error)
-    elif within := [each for each in sections or ("load", "solver") if field in BearingFile.inputs[each].descriptions]:
+    elif within := [each for each in (*sections, "load", "solver") if field in BearingFile.inputs[each].descriptions]:
         error = error.within(within[0])
     elif field == "viscosity_ratio":
         error = InputError("life.viscosity", error.value, error.condition, error.remedy)
