@@ -1,4 +1,4 @@
-"""The strips' equations written a second time, from the theory alone: of the package nothing but reliefs is used.
+"""The strips' equations written a second time, from the theory alone: nothing here comes from the package.
 
 A strip with the line load q and the pressure shape phi of half-width a moves the centre line, by Boussinesq, by
 
@@ -6,8 +6,8 @@ A strip with the line load q and the pressure shape phi of half-width a moves th
     t^2) dxi,  psi = -phi' / xi,  t = (edge - y) / a.
 
 A is integrated numerically on panels that halve towards xi = 0, B has closed forms; both are splines in ln t. Images
-are set down one by one, a series of them by strips, forces and an integral, in this order. Bodies are read from
-plain data.
+are set down one by one, a series of them by strips, forces and an integral, in this order. Bodies and profiles are
+read from plain data.
 """
 
 import math
@@ -15,9 +15,9 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-import plain_case
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicSpline, PchipInterpolator
 from scipy.special import ellipkm1
+from shapes import Cusp, Dimple, Step, Wave
 
 LEAST, MOST, STEP = math.log(1e-10), math.log(1e9), 0.004  # of ln t, in the splines
 PANELS, NODES = 82, 12
@@ -121,9 +121,13 @@ def separation(case, y):
 
 
 def relief(body, y):
-    """The relief as profiles have it, which are checked elsewhere; of points too close for a curve it is no number."""
-    profile = plain_case.profile_of(body)
-    return np.full_like(y, np.nan) if profile is None else profile.relief(y - body.get("position", 0.0))
+    total = np.zeros_like(y)
+    for part in body.get("profile", []):
+        local = y - body.get("position", 0.0)
+        local = local - part.get("shift", 0.0)
+        given = part["with"]
+        total = total + (_tabulated(local, given) if part["of"] == "tabulated" else RELIEFS[part["of"]](local, **given))
+    return total
 
 
 def curvature(case, y):
@@ -137,6 +141,139 @@ def _curvature_of(body, y):
     if isinstance(diameter, dict):
         return 2.0 / np.interp(y - body.get("position", 0.0), diameter["y"], diameter["diameter"])
     return np.full_like(y, 2.0 / diameter)
+
+
+def _circle(radius, y):
+    size, distance = abs(radius), np.abs(y)
+    if math.isinf(size):
+        return np.zeros_like(y)
+    with np.errstate(invalid="ignore"):
+        drop = distance**2 / (size + np.sqrt((size - distance) * (size + distance)))
+    return np.where(distance <= size, math.copysign(1.0, radius) * drop, np.inf)
+
+
+def _crown(y, radius, centre=0.0):
+    return _circle(radius, y - centre)
+
+
+def _partial_crown(y, radius, straight, blended=True):
+    past = np.maximum(np.abs(y), 0.5 * straight)
+    start = 0.5 * straight if blended else 0.0
+    return _circle(radius, past - start) - _circle(radius, np.full_like(y, 0.5 * straight - start))
+
+
+def _two_radius(y, radius, end_radius, middle):
+    half = 0.5 * middle
+    summit = half * (1.0 - end_radius / radius)
+    past = np.maximum(np.abs(y), half)
+    joint = _circle(radius, np.full_like(y, half)) - _circle(end_radius, np.full_like(y, half - summit))
+    return np.where(np.abs(y) <= half, _circle(radius, y), _circle(end_radius, past - summit) + joint)
+
+
+def _logarithm(y, amplitude, length, rest, straight):
+    s = np.maximum(np.abs(y) - 0.5 * straight, 0.0) * (2.0 / length)
+    # 1 - (1 - rest) s^2 in two parts, neither of which cancels near the end; near the middle it is 1 but for the last
+    # digits, and its logarithm no better than they are.
+    argument = (1.0 - s) * (1.0 + s) + rest * s * s
+    with np.errstate(divide="ignore", invalid="ignore"):
+        near = np.log1p(s * s * np.where(s < 0.5, rest - 1.0, 0.0))
+        return np.where(argument > 0.0, -amplitude * np.where(s < 0.5, near, np.log(argument)), np.inf)
+
+
+def _logarithmic(y, amplitude, length, fraction=1.0, straight=0.0):
+    return _logarithm(y, amplitude, length, (1.0 - fraction) * (1.0 + fraction), straight)
+
+
+def _iso_logarithmic(y, diameter, length):
+    if length <= 2.5 * diameter:
+        return _logarithm(y, 0.00035 * diameter, length, 0.0, 0.0)
+    return _logarithm(y, 0.0005 * diameter, 2.5 * diameter, 0.0, length - 2.5 * diameter)
+
+
+def _iso_tapered(y, diameter, length):
+    return _logarithm(y, 0.00045 * diameter, length, 0.0, 0.0)
+
+
+def _design(load, length, radius, compliance):
+    amplitude = load / length * compliance
+    return amplitude, 2.0 * math.sqrt(amplitude * radius)
+
+
+def _johns_gohar(y, load, length, radius, compliance):
+    amplitude, half_width = _design(load, length, radius, compliance)
+    return _logarithm(y, amplitude, length, 0.6066 * half_width / length, 0.0)
+
+
+def _fujiwara_kawase(y, load, length, compliance, radius=None, k1=1.0, k2=1.0, zm=None):
+    amplitude = k1 * load / length * compliance
+    rest = (
+        math.exp(-zm / amplitude) if zm is not None else 0.6066 * _design(load, length, radius, compliance)[1] / length
+    )
+    return _logarithm(y, amplitude, k2 * length, rest, (1.0 - k2) * length)
+
+
+def _lundberg(y, load, length, radius, compliance):
+    amplitude, half_width = _design(load, length, radius, compliance)
+    of = kernel("semi-elliptic")
+    middle, _ = of(np.array([0.5 * length / half_width]))
+    ends = of((0.5 * length - y) / half_width)[0] + of((0.5 * length + y) / half_width)[0]
+    return amplitude * (2.0 * middle[0] - ends)
+
+
+def amplitudes_from_tables(case):
+    """Amplitudes of the reliefs that have no closed form."""
+    parts = [part for body in (case["a"], case["b"]) for part in body.get("profile", []) if part["of"] == "lundberg"]
+    return [part["with"]["load"] / part["with"]["length"] * part["with"]["compliance"] for part in parts]
+
+
+def _tapered_ends(y, straight, angle):
+    return math.tan(angle) * np.maximum(np.abs(y) - 0.5 * straight, 0.0)
+
+
+def _chamfer(y, length, width, angle=0.25 * math.pi):
+    return _tapered_ends(y, length - 2.0 * width, angle)
+
+
+def _tabulated(y, table):
+    points, order = np.array(table["y"]), np.argsort(table["y"])
+    values, points = np.array(table["relief"])[order], points[order]
+    inside = (y >= points[0]) & (y <= points[-1])
+    make = {"linear": _polyline, "pchip": PchipInterpolator, "cubic": CubicSpline}[table.get("interpolation", "pchip")]
+    try:
+        curve = make(points, values)
+    except np.linalg.LinAlgError:  # points so close that no spline goes through them
+        return np.full_like(y, np.nan)
+    return np.where(inside, curve(np.where(inside, y, points[0])), np.inf)
+
+
+def _polyline(points, values):
+    return lambda y: np.interp(y, points, values)
+
+
+def _of_shape(shape):
+    return lambda y, **given: shape(**given).relief(y)
+
+
+RELIEFS = {
+    "straight": np.zeros_like,
+    "crown": _crown,
+    "partial_crown": _partial_crown,
+    "two_radius": _two_radius,
+    "logarithmic": _logarithmic,
+    "iso_logarithmic": _iso_logarithmic,
+    "iso_thrust": _iso_logarithmic,
+    "iso_tapered": _iso_tapered,
+    "johns_gohar": _johns_gohar,
+    "fujiwara_kawase": _fujiwara_kawase,
+    "lundberg": _lundberg,
+    "conical": lambda y, angle: math.tan(angle) * y,
+    "tapered_ends": _tapered_ends,
+    "chamfer": _chamfer,
+    "Cusp": _of_shape(Cusp),
+    "Step": _of_shape(Step),
+    "Dimple": _of_shape(Dimple),
+    "Wave": _of_shape(Wave),
+}
 
 
 class Surfaces:

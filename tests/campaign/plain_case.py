@@ -7,14 +7,12 @@ with its kind and its arguments; a profile is a list of parts, each with its nam
 
 import math
 import warnings
-from functools import lru_cache
 
 import shapes
 
 import nonhertz as nh
 
 OF_SHAPES = {"Cusp", "Step", "Dimple", "Wave"}
-NAMES = {"nh": nh, "shapes": shapes, "inf": math.inf}
 
 
 def call_text(case):
@@ -31,21 +29,8 @@ def arguments(case):
     """Contact and keywords of `nonhertz.solve`, made from the text of the call, so that the text reproduces them."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", nh.AccuracyWarning)  # materials as soft as cork are drawn, too
-        contact = eval(contact_text(case), NAMES)
+        contact = eval(contact_text(case), {"nh": nh, "shapes": shapes, "inf": math.inf})
     return contact, {**case["given"], "element": element(case), "strips": case["strips"]}
-
-
-def profile_of(body):
-    """The profile of a body, None where it is refused."""
-    return _profile_from(" + ".join(["nh.profile.straight()", *map(_part_text, body.get("profile", []))]))
-
-
-@lru_cache(1000)
-def _profile_from(text):
-    try:
-        return eval(text, NAMES)
-    except nh.InputError:
-        return None
 
 
 def element(case):

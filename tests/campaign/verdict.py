@@ -8,7 +8,7 @@ import math
 import re
 
 import numpy as np
-from own_theory import EPS, HERTZ_RATIO, Surfaces, common_interval, curvature, separation
+from own_theory import EPS, HERTZ_RATIO, Surfaces, amplitudes_from_tables, common_interval, curvature, separation
 
 BALANCE = 1e-8  # of load and of load times reach
 GAP, CURVATURE = 1e-7, 1e-6  # of the interference, and of the curvature
@@ -16,6 +16,7 @@ SERIES = 1e-3  # the same where the sum of a series of images is truncated
 BETWEEN_STRIPS, MARGIN = 0.02, 0.03  # overlap of the interference, away from contact by this share of it or a strip
 MOST_ROWS, SCANNED = 160, 401
 ESTIMATE_WARNED, MAXIMUM_WARNED = 0.05, 0.20
+TABLE_DIGITS = 2e-10  # documented: ten digits of a relief that is read from a table
 SPARE = 1e-6  # beside the error estimates of two answers compared
 NUMBER = re.compile(r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|\binf\b|\bnan\b)", re.IGNORECASE)
 
@@ -211,7 +212,7 @@ def _separation(case, y, farthest):
     with np.errstate(invalid="ignore"):
         change = np.maximum(np.abs(after - h), np.abs(before - h))
     change = np.where(np.isnan(change), 0.0 if np.all(np.isfinite(h)) else np.inf, change)
-    return h, change
+    return h, change + sum(TABLE_DIGITS * amplitude for amplitude in amplitudes_from_tables(case))
 
 
 def _between_strips(solution, case, surfaces, scale):
