@@ -40,6 +40,14 @@ def assert_coefficients(values, expected):
 
 
 @both_elements
+def test_coefficients_are_differences_between_edges(element):
+    a = np.sqrt(M[ACTIVE])
+    upper = element.functions((HIGH[ACTIVE] - Y[ACTIVE, None]) / a)
+    lower = element.functions((LOW[ACTIVE] - Y[ACTIVE, None]) / a)
+    assert_coefficients(blocks(element), np.subtract(upper, lower))
+
+
+@both_elements
 @pytest.mark.parametrize("widest", [0.4, 0.01, 1e-6])
 @pytest.mark.parametrize(
     "active", [np.arange(12), np.arange(3, 9), np.array([0, 1, 5, 6, 7])], ids=["all", "some", "two runs"]
@@ -83,6 +91,27 @@ def test_derivatives_by_the_squared_half_width_are_those_of_the_values(element):
     np.testing.assert_allclose(a - 0.5 * ta, of_displacement, rtol=1e-7, atol=1e-10)
     of_curvature = (up[2] - down[2]) / (2.0 * step)
     np.testing.assert_allclose(-0.5 * tb, of_curvature, rtol=1e-7, atol=1e-10)
+
+
+@both_elements
+def test_an_image_is_the_mirrored_strip(element):
+    # A face at f sends the strip to 2 f - high ... 2 f - low with the same load and half-width.
+    face, weight = 3.5, 0.7
+    image = blocks(element, terms=(-1.0, 2.0 * face, weight))
+    a = np.sqrt(M[ACTIVE])
+    upper = element.functions((2.0 * face - LOW[ACTIVE] - Y[ACTIVE, None]) / a)
+    lower = element.functions((2.0 * face - HIGH[ACTIVE] - Y[ACTIVE, None]) / a)
+    assert_coefficients(image, weight * np.subtract(upper, lower))
+
+
+@both_elements
+def test_displacement_does_not_depend_on_how_a_strip_is_cut(element):
+    def from_strips(edges):
+        r, m = np.full(edges.size - 1, 0.03), np.full(edges.size - 1, 0.2)
+        return displacements(Influence(HALF_SPACE), np.array([0.7]), edges, r, m, element)
+
+    whole, parts = from_strips(np.array([-1.0, 2.0])), from_strips(np.array([-1.0, 0.4, 1.1, 2.0]))
+    np.testing.assert_allclose(parts, whole, rtol=1e-13, atol=0.0)
 
 
 @both_elements

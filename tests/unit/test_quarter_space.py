@@ -40,6 +40,44 @@ def test_values_of_another_quadrature_are_met(poisson, u, v, expected):
     assert added(free_face(poisson), u, v) == pytest.approx(expected, rel=4e-3)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("poisson", MATERIALS)
+def test_faces_alternate_towards_the_same_loads(poisson):
+    # One face after the other, a hundred times, instead of the sum of the series at once: on a plain grid, which is
+    # good to a hundredth, and with the integral of K0 by another rule.
+    step = 0.05
+    y = step * (np.arange(160) + 0.5)
+    operator = step * np.array([[_brought(z, v, poisson) for v in y] for z in y])
+    load = operator[:, np.searchsorted(y, 2.0)] / step
+    total, on_side = np.zeros_like(load), load
+    for _ in range(100):
+        on_top = operator @ on_side
+        total, on_side = total + on_top, operator @ on_top
+    solved = quarter_space.EdgeSolution.of(poisson)  # its displacement, from the same loads
+    place = 4.0
+    kernel = np.array([_k0(abs(place - at)) + _k0(place + at) for at in y])
+    raised = 2.0 * step * float(kernel @ total)
+    at_load = y[np.searchsorted(y, 2.0)]
+    assert raised == pytest.approx(float(solved.at(np.array([place]), np.array([at_load]))[0]), rel=0.02)
+
+
+def _k0(x):
+    from scipy import special
+
+    return special.k0(max(x, 1e-3))
+
+
+def _brought(z, v, poisson):
+    from scipy import special
+
+    distance = math.hypot(z, v)
+    k0, k1 = special.k0(distance), special.k1(distance)
+    k2 = k0 + 2.0 * k1 / distance
+    beyond = integrate.fixed_quad(lambda s: special.k0(np.hypot(s, v)), z, z + 12.0, n=40)[0]
+    near = 2.0 * z * k1 / distance - z**3 * k2 / distance**2
+    return 2.0 / math.pi * (near + z * k0 - (1.0 - 2.0 * poisson) * beyond)
+
+
 @pytest.mark.parametrize("poisson", MATERIALS)
 def test_near_the_edge_the_quarter_space_is_a_wedge(poisson):
     near, nearer = added(free_face(poisson), [1e-4, 1e-6], [1e-4, 1e-6])

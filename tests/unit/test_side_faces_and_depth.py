@@ -1,6 +1,7 @@
 """What side faces and thickness add: ends and their weights, chains of images, series, and depths."""
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
@@ -177,6 +178,14 @@ def test_a_roller_on_a_plate_has_one_depth_of_its_own():
     # The roller's half of the compliance, directly and in both images.
     table = {(sign, offset): weight for sign, offset, weight in depth.terms.tolist()}
     assert table == pytest.approx(dict.fromkeys([(1.0, 0.0), (-1.0, -16.0), (-1.0, 16.0)], 0.5), rel=1e-12)
+
+
+@pytest.mark.parametrize("poisson", [0.0, 0.3, 0.45])
+def test_depth_of_a_long_cylinder_in_plane_strain(poisson):
+    semi_elliptic = math.exp(-0.5 + poisson / (2.0 * (1.0 - poisson)))
+    parabolic = math.sqrt(6.0) * math.exp(-11.0 / 6.0 + 1.0 / (2.0 * (1.0 - poisson)))
+    assert plane_strain_depth(nh.SEMI_ELLIPTIC, poisson) == pytest.approx(semi_elliptic, rel=1e-14)
+    assert plane_strain_depth(nh.PARABOLIC, poisson) == pytest.approx(parabolic, rel=1e-14)
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.hertz import point_contact
+from nonhertz.hertz import line_contact, plane_strain_cylinder_compression, point_contact
 
 STEEL = nh.Material(modulus=206000.0, poisson=0.3)
 UNBOUNDED = nh.Contact(nh.Body(diameter=20, material=STEEL), nh.Plate(material=STEEL))
@@ -50,3 +50,21 @@ def test_tilt_shifts_a_parabola():
     exact, found = both(tilt=tilt, load=1000.0)
     assert found.approach == pytest.approx(exact.approach - 0.5 * tilt**2 * 100.0, rel=5e-5)
     assert found.moment == pytest.approx(1000.0 * tilt * 100.0, rel=1e-4)
+
+
+@pytest.mark.parametrize("images", [4, "series"])
+@pytest.mark.slow
+def test_two_equal_rollers_with_coincident_ends_are_in_plane_strain(images):
+    # Companion notes 9.4: mirrored about both ends, the pressure is that of a line without ends, and measured against
+    # the depth of plane strain the approach is Johnson's (5.57), twice 12.04 micrometres.
+    roller = nh.Roller(diameter=10, length=10, material=STEEL, side_faces="mirror", images=images)
+    contact = nh.Contact(roller, roller)
+    exact = line_contact(line_load=1000.0, radius=2.5, compliance=contact.compliance)
+    approach = 2.0 * plane_strain_cylinder_compression(exact, diameter=10.0, material=STEEL)
+    assert approach == pytest.approx(24.0803e-3, rel=1e-5)
+    found = nh.patch.solve(contact, load=10e3, cells=(128, 32))
+    # What four images leave of the series, 2.5e-4 (9.4: 24.0871); with all of them, the cells.
+    assert found.approach == pytest.approx(approach, rel=2e-5 if images == "series" else 3e-4)
+    np.testing.assert_allclose(found.centre_pressure, exact.max_pressure, rtol=5e-5, atol=0.0)
+    np.testing.assert_allclose(found.half_width, exact.half_width, rtol=1e-3, atol=0.0)
+    assert found.warnings == ()
