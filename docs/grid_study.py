@@ -243,7 +243,7 @@ def _catalogue() -> Iterator[tuple[str, Callable[[Array | None], nh.Solution]]]:
         yield name, _solver(_on_plate(profile, length), given)
     for stem in ("cylindrical-roller-bearing", "tabulated-profile"):
         case = read_case(ROOT / "examples" / f"{stem}.toml")
-        yield f"examples/{stem}.toml", _solver(case.contact, case.prescribed)
+        yield f"examples/{stem}.toml", _solver(case.contact, case.prescribed.keywords)
 
 
 def _solver(contact: nh.Contact, given: dict[str, float]) -> Callable[[Array | None], nh.Solution]:
