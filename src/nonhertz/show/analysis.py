@@ -174,14 +174,13 @@ def assessed(
     lives = {}
     with _in_the_words_of_the_file():
         for body in BODIES:
-            announce_next = _announcer(announce, body, len(spectrum))
             lives[body] = assess_life(
                 spectrum,
                 models,
                 body=body,
                 rollers=case.life.rollers,
                 contact_angle=case.life.contact_angle,
-                announce=announce_next,
+                announce=_announcer(announce, body, len(spectrum)),
             )
         found = Assessment(case.title, case.life.rollers, spectrum, lives, notes)
         if case.life.dent is not None:
@@ -212,15 +211,11 @@ def _in_the_words_of_the_file() -> Iterator[None]:
 
 def _announcer(announce: Announce, body: BodyName, loads: int) -> Callable[[int, int], None]:
     """Announce a body, and return a callback that announces each further load."""
-    words = (
-        [f"body {body}"] if loads == 1 else [f"body {body}, load {number} of {loads}" for number in range(1, loads + 1)]
-    )
-    left = iter(words)
-    announce(next(left))
+    names = iter([f"body {body}{f', load {number} of {loads}' * (loads > 1)}" for number in range(1, loads + 1)])
+    announce(next(names))
 
     def announce_next(done: int, total: int) -> None:
-        following = next(left, None) if done == total else None
-        if following is not None:
-            announce(following)
+        if done == total and (name := next(names, "")):
+            announce(name)
 
     return announce_next

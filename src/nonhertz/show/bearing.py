@@ -154,25 +154,6 @@ def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
     return Table(rows, heads, (), "numbers narrow")
 
 
-def load_zones(solution: BearingSolution) -> list[list[tuple[float, float]]]:
-    """Return for every row from which to which roller loaded ones follow each other [rad], from low to high."""
-    found: list[list[tuple[float, float]]] = []
-    first = 0
-    for row in solution.bearing.rows:
-        count = row.bearing.rollers
-        loaded = carrying(solution)[first : first + count]
-        angle = solution.angle[first : first + count]
-        first += count
-        zones = [(float(angle[0]), float(angle[-1]))] if loaded.all() else []
-        for begin in np.flatnonzero(loaded & ~np.roll(loaded, 1)):
-            length = int(np.argmin(np.roll(loaded, -begin)))
-            end = angle[(begin + length - 1) % count]
-            start = angle[begin] - 2.0 * math.pi if angle[begin] > end else angle[begin]
-            zones.append((float(start), float(end)))
-        found.append(sorted(zones))
-    return found
-
-
 def carrying(solution: BearingSolution) -> NDArray[np.bool_]:
     """Return which rollers are pressed by both rings, shape (rollers,); speed presses others against the outer one."""
     return np.asarray(solution.load.min(axis=1) > 0.0)
@@ -262,12 +243,21 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
 
 
 def _zones(solution: BearingSolution) -> str:
-    """Return the load zone of every row in words."""
+    """Return in words from which to which roller loaded ones follow each other, for every row."""
     said = []
-    for number, (row, zones) in enumerate(zip(solution.bearing.rows, load_zones(solution), strict=True), start=1):
-        words = [f"{_degrees(low)} to {_degrees(high)}" if low != high else _degrees(low) for low, high in zones]
+    for number, row in enumerate(solution.bearing.rows, start=1):
+        angle, loaded = solution.angle[row.rollers], carrying(solution)[row.rollers]
+        starts, ends = (angle[loaded & ~np.roll(loaded, step)] for step in (1, -1))
+        if loaded.all():
+            starts, ends = angle[:1], angle[-1:]
+        elif starts.size and ends[0] < starts[0]:  # through the angle zero
+            starts = np.roll(starts, 1) - 2.0 * math.pi * (np.arange(starts.size) == 0)
+        words = [
+            f"{_degrees(low)} to {_degrees(high)}" if low != high else _degrees(low)
+            for low, high in zip(starts, ends, strict=True)
+        ]
         here = f"{' and '.join(words)} degrees" if words else "none"
-        if np.ptp(zones or [(0.0, 0.0)]) == row.bearing.angles[-1] > 0.0:
+        if loaded.all() and row.bearing.rollers > 1:
             here = "all round"
         said.append(f"row {number}: {here}" if len(solution.bearing.rows) > 1 else here)
     return "; ".join(said)

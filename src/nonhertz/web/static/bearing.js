@@ -7,7 +7,7 @@ import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
 import { Polar, degrees, newtons } from "./polar.js";
-import { sayLater, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
+import { entitle, outdate, sayLater, sayMistakes, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
 import { drawRoller } from "./roller.js";
 import { notice, timed, watchProgram } from "./status.js";
 import { amount, parts } from "./units.js";
@@ -92,8 +92,7 @@ function show(answer, shown) {
   page.answer = answer;
   page.document = shown;
   byId("results").classList.remove("outdated", "empty");
-  byId("case-title").textContent = answer.title;
-  document.title = answer.title ? `${answer.title} – nonhertz` : "nonhertz";
+  entitle(answer.title);
   writeVerdict((pressedBefore() ?? answer).verdict, Boolean(pressedBefore()));
   writeRows(answer.summary, answer.warnings);
   work.drawProfiles(answer.profiles);
@@ -102,10 +101,8 @@ function show(answer, shown) {
 }
 
 function refuse({ mistakes }) {
-  byId("results").classList.add("outdated");
-  byId("state").textContent = page.answer ? "last good result" : "no result yet";
-  byId("round-trip").textContent = "";
-  sayLater(`${mistakes.length} mistake${mistakes.length > 1 ? "s" : ""}: ${mistakes[0]?.sentence ?? ""}`);
+  outdate(Boolean(page.answer));
+  sayMistakes(mistakes);
 }
 
 function saySlices(answer, took) {

@@ -12,6 +12,8 @@ export const FAINT = "var(--faint)";
 
 // The same side margins for all figures along y, so that the same y lines up.
 export const MARGINS = { marginLeft: 58, marginRight: 16, marginTop: 14, marginBottom: 24 };
+// Where the pressure has no limit, the axis ends at this multiple of the largest pressure away from sharp ends.
+const BEYOND = 1.6;
 export const NAMED = 38; // the bottom margin where the axis has a label
 
 /** 2000, not 2,000, which half the world reads as 2. @param {number} value */
@@ -85,22 +87,15 @@ export function head(host, heading, key, remark = "") {
   const text = `${heading}|${key.join()}|${remark}`;
   if (caption.dataset.text === text) return;
   caption.dataset.text = text;
-  const title = document.createElement("span");
-  title.className = "heading";
-  title.textContent = heading;
-  const entries = key.map(([style, words]) => {
-    const entry = document.createElement("span");
-    entry.className = "entry";
-    const swatch = document.createElement("span");
-    swatch.className = `swatch ${style}`;
-    entry.append(swatch, words);
-    return entry;
-  });
-  const note = document.createElement("span");
-  note.className = "remark";
-  note.textContent = remark;
-  const savers = caption.querySelector(".savers") ?? saversOf(host);
-  caption.replaceChildren(title, ...entries, ...(remark ? [note] : []), savers);
+  const entries = key.map(([style, words]) =>
+    element("span", { class: "entry" }, [element("span", { class: `swatch ${style}` }), words]),
+  );
+  caption.replaceChildren(
+    element("span", { class: "heading" }, [heading]),
+    ...entries,
+    ...(remark ? [element("span", { class: "remark" }, [remark])] : []),
+    caption.querySelector(".savers") ?? saversOf(host),
+  );
 }
 
 /** Buttons that save a figure. @param {HTMLElement} host */
@@ -181,6 +176,19 @@ export function extent(values) {
 export function fromZero(rows, room = 1.12) {
   const top = Math.max(...rows.filter((row) => row.length).map((row) => extent(row)[1]), 0);
   return /** @type {[number, number]} */ ([0, top > 0 ? room * top : 1]);
+}
+
+/**
+ * The vertical axis of pressures, and what keeps curves within reach of it: cut where they have no limit.
+ * @param {number} largest away from sharp ends
+ * @param {boolean} cut
+ * @param {(number|null)[][]} rows
+ * @returns {{top: [number, number], clamped: (values: (number|null)[]) => (number|null)[], remark: string}}
+ */
+export function ofPressure(largest, cut, rows) {
+  const top = cut ? /** @type {[number, number]} */ ([0, BEYOND * largest]) : fromZero(rows, 1.18);
+  const clamped = (values) => values.map((value) => (value === null ? null : Math.min(value, 2 * top[1])));
+  return { top, clamped, remark: cut ? "axis cut: no limit at an end" : "" };
 }
 
 /** The legend entry of a pinned case. @param {object | null} pinned @returns {[string, string][]} */

@@ -1,5 +1,7 @@
 // Making and finding elements.
 
+const SVG = "http://www.w3.org/2000/svg";
+
 /**
  * Return the element with an identifier, which must exist on the page.
  * @param {string} id
@@ -25,6 +27,20 @@ export function element(name, attributes, children = []) {
     else if (typeof value === "boolean") made.toggleAttribute(key, value);
     else made.setAttribute(key, value);
   }
+  made.append(...children);
+  return made;
+}
+
+/**
+ * Return a new element of a drawing.
+ * @param {string} name
+ * @param {Record<string, string | number>} attributes
+ * @param {(Node | string)[]} [children]
+ * @returns {any}
+ */
+export function drawn(name, attributes, children = []) {
+  const made = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
   made.append(...children);
   return made;
 }

@@ -12,6 +12,7 @@ import {
   fromZero,
   head,
   line,
+  ofPressure,
   pinnedKey,
   pinnedLine,
   reading,
@@ -21,9 +22,6 @@ import { drawFootprint } from "./footprint.js";
 import { drawGap } from "./gap.js";
 import { digits } from "./numbers.js";
 import { amount, strength } from "./units.js";
-
-// Where the pressure has no limit, the axis ends at this multiple of the largest pressure away from sharp ends.
-const BEYOND = 1.6;
 
 /** @typedef {import("./types.js").Answer} Answer */
 
@@ -45,15 +43,9 @@ function drawPressure(answer, pinned, span) {
   const { y, pressure } = answer.line;
   const before = pinned?.line;
   const host = figure("pressure");
-  const cut = answer.singular.length ? BEYOND * answer.key.max_pressure : undefined;
-  const top = cut ? /** @type {[number, number]} */ ([0, cut]) : fromZero([pressure, before?.pressure ?? []], 1.18);
-  const clamped = (values) => values.map((value) => (value === null ? null : Math.min(value, 2 * top[1])));
-  head(
-    host,
-    "Pressure on the centre line",
-    [["first", "p₀"], ...pinnedKey(pinned)],
-    cut ? "axis cut: no limit at an end" : "",
-  );
+  const cut = answer.singular.length > 0;
+  const { top, clamped, remark } = ofPressure(answer.key.max_pressure, cut, [pressure, before?.pressure ?? []]);
+  head(host, "Pressure on the centre line", [["first", "p₀"], ...pinnedKey(pinned)], remark);
   draw(
     host,
     {

@@ -36,14 +36,14 @@ export async function opened(file, most, what) {
 export async function saved(place, of) {
   const response = await post(place, of);
   if (!response.ok) return (await response.json()).mistakes;
-  const address = URL.createObjectURL(await response.blob());
-  const name = nameIn(response.headers.get("Content-Disposition")) ?? place.split("/").pop() ?? place;
-  element("a", { href: address, download: name }).click();
-  window.setTimeout(() => URL.revokeObjectURL(address), 60_000);
+  const name = response.headers.get("Content-Disposition")?.match(/filename="([^"]+)"/)?.[1];
+  hand(await response.blob(), name ?? place.split("/").pop() ?? place);
   return [];
 }
 
-/** @param {string | null} disposition */
-function nameIn(disposition) {
-  return disposition?.match(/filename="([^"]+)"/)?.[1];
+/** Let the browser save a file. @param {Blob} content @param {string} name */
+export function hand(content, name) {
+  const address = URL.createObjectURL(content);
+  element("a", { href: address, download: name }).click();
+  window.setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }

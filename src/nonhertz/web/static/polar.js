@@ -1,8 +1,8 @@
 // The loads of all rollers around the bearing's axis, one picture for each row; a roller can be chosen.
 
+import { drawn } from "./elements.js";
 import { force, read } from "./units.js";
 
-const SPACE = "http://www.w3.org/2000/svg";
 // Of the picture; radii of the rollers' circle, of the largest load, of the angles.
 const [SIZE, HOLE, RIM, OUTSIDE] = [420, 64, 168, 188];
 const FLAT = 0.5; // a bar less high than this is not drawn
@@ -46,9 +46,9 @@ export class Polar {
 
   build(row, number, rows) {
     const name = rows > 1 ? `Row ${number + 1}: loads` : "Loads";
-    const svg = made("svg", { viewBox: `${-SIZE / 2} ${-SIZE / 2} ${SIZE} ${SIZE}`, role: "group" });
+    const svg = drawn("svg", { viewBox: `${-SIZE / 2} ${-SIZE / 2} ${SIZE} ${SIZE}`, role: "group" });
     svg.setAttribute("aria-label", `${name} of the rollers around the axis; arrow keys go from roller to roller`);
-    const [grid, force] = [made("g", { "aria-hidden": "true" }), made("g", { "aria-hidden": "true" })];
+    const [grid, force] = [drawn("g", { "aria-hidden": "true" }), drawn("g", { "aria-hidden": "true" })];
     const rollers = Array.from({ length: row.count }, (_, j) => this.roller(row.first + j, row));
     if (rows > 1) svg.append(text(14 - SIZE / 2, 12 - SIZE / 2, `Row ${number + 1}`, "row"));
     svg.append(grid, ...rollers.map(({ group }) => group), force);
@@ -56,12 +56,12 @@ export class Polar {
   }
 
   roller(number, row) {
-    const group = made("g", { class: "roller", role: "button", "data-roller": String(number) });
+    const group = drawn("g", { class: "roller", role: "button", "data-roller": String(number) });
     const parts = {
-      band: made("path", { class: "band" }),
-      inner: made("path", { class: "inner-load" }),
-      outer: made("path", { class: "outer-load" }),
-      mark: made("circle", { class: "mark" }),
+      band: drawn("path", { class: "band" }),
+      inner: drawn("path", { class: "inner-load" }),
+      outer: drawn("path", { class: "outer-load" }),
+      mark: drawn("circle", { class: "mark" }),
     };
     group.append(...Object.values(parts));
     group.addEventListener("click", () => this.choose(number));
@@ -117,7 +117,7 @@ function drawGrid(grid, row, answer, top, radius) {
   for (let spoke = 0; spoke < SPOKES; spoke += 1) {
     const [degrees, at] = [(360 * spoke) / SPOKES, (2 * Math.PI * spoke) / SPOKES];
     const [x, y] = [Math.sin(at), Math.cos(at)];
-    parts.push(made("line", { class: "spoke", x1: HOLE * x, y1: HOLE * y, x2: RIM * x, y2: RIM * y }));
+    parts.push(drawn("line", { class: "spoke", x1: HOLE * x, y1: HOLE * y, x2: RIM * x, y2: RIM * y }));
     parts.push(text(OUTSIDE * x, OUTSIDE * y, `${degrees}°`, "angle"));
     const axis = { 0: "+y", 90: "+z" }[degrees];
     if (axis) parts.push(text(OUTSIDE * x, OUTSIDE * y + 14, axis, "angle"));
@@ -125,8 +125,8 @@ function drawGrid(grid, row, answer, top, radius) {
   const at = emptiest(row, answer);
   const factor = read("N")[1];
   const rings = d3.ticks(0, factor * top, 3).slice(1).map((load) => load / factor);
-  for (const load of rings) parts.push(made("circle", { class: "ring", r: radius(load) }));
-  parts.push(made("circle", { class: "circle", r: HOLE }));
+  for (const load of rings) parts.push(drawn("circle", { class: "ring", r: radius(load) }));
+  parts.push(drawn("circle", { class: "circle", r: HOLE }));
   for (const load of rings)
     parts.push(text(radius(load) * Math.sin(at), radius(load) * Math.cos(at), newtons(load), "of-ring"));
   grid.replaceChildren(...parts);
@@ -157,8 +157,8 @@ function drawForce(host, { force, load }) {
   const [tail, tip, wing] = [-6, 40, 7];
   const side = (sign) => `${(tip - 12) * x - sign * wing * y} ${(tip - 12) * y + sign * wing * x}`;
   host.replaceChildren(
-    made("path", { class: "arrow", d: `M${tail * x} ${tail * y}L${(tip - 12) * x} ${(tip - 12) * y}` }),
-    made("path", { class: "arrow-head", d: `M${tip * x} ${tip * y}L${side(1)}L${side(-1)}Z` }),
+    drawn("path", { class: "arrow", d: `M${tail * x} ${tail * y}L${(tip - 12) * x} ${(tip - 12) * y}` }),
+    drawn("path", { class: "arrow-head", d: `M${tip * x} ${tip * y}L${side(1)}L${side(-1)}Z` }),
     text(-24 * x, -24 * y, newtons(radial), "force"),
   );
 }
@@ -176,16 +176,8 @@ function sector(from, to, low, high) {
   return `M${point(from, low)}L${point(from, high)}${out}L${point(to, low)}${back}Z`;
 }
 
-export function made(name, attributes) {
-  const element = document.createElementNS(SPACE, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  return element;
-}
-
 export function text(x, y, words, style) {
-  const element = made("text", { x: x.toFixed(1), y: y.toFixed(1), class: style });
-  element.textContent = words;
-  return element;
+  return drawn("text", { x: x.toFixed(1), y: y.toFixed(1), class: style }, [words]);
 }
 
 function set(element, name, value) {

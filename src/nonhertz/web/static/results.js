@@ -152,6 +152,28 @@ function spoken({ key, warnings }) {
   return `${pressure}, approach ${spelled(1e3 * key.approach, "µm")}, half-width ${amount(key.max_half_width, "mm")}${warned}`;
 }
 
+/**
+ * Dim the last good result, which is not that of what is edited.
+ * @param {boolean} known whether there is one
+ * @param {string} [why]
+ */
+export function outdate(known, why = "") {
+  byId("results").classList.add("outdated");
+  byId("state").textContent = known ? "last good result" : "no result yet";
+  byId("round-trip").textContent = why;
+}
+
+/** Announce mistakes. @param {import("./types.js").Mistake[]} mistakes */
+export function sayMistakes(mistakes) {
+  sayLater(`${mistakes.length} mistake${mistakes.length === 1 ? "" : "s"}: ${mistakes[0]?.sentence ?? ""}`);
+}
+
+/** Write what the page shows into its head and the title of the window. @param {string} title */
+export function entitle(title) {
+  byId("case-title").textContent = byId("case-title").title = title;
+  document.title = title ? `${title} – nonhertz` : "nonhertz";
+}
+
 /** Announce something to screen readers once editing pauses: not every answer of a drag. @param {string} words */
 export function sayLater(words) {
   window.clearTimeout(speaking);

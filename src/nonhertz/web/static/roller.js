@@ -13,6 +13,7 @@ import {
   fromZero,
   head,
   line,
+  ofPressure,
   pinnedKey,
   pinnedLine,
   reading,
@@ -29,8 +30,6 @@ const KEY = /** @type {[string, string][]} */ ([
   ["first", "inner ring"],
   ["second dashed", "outer ring"],
 ]);
-// Where the pressure has no limit, the axis ends at this multiple of the largest pressure away from sharp ends.
-const BEYOND = 1.6;
 // The relief is drawn up to this multiple of what it is at the ends of the contact.
 const [AT_ENDS, SHALLOWEST] = [1.3, 1]; // -, um
 
@@ -67,9 +66,8 @@ function drawPressure(pressed, roller, span) {
   const contacts = contactsOf(pressed, roller);
   const largest = Math.max(0, ...contacts.map(([, { max_pressure }]) => max_pressure));
   const cut = contacts.some(([, { unlimited }]) => unlimited);
-  const top = cut ? /** @type {[number, number]} */ ([0, BEYOND * largest]) : fromZero([[largest]], 1.18);
-  const clamped = (values) => values.map((value) => (value === null ? null : Math.min(value, 2 * top[1])));
-  head(host, "Pressure on the centre line", KEY, cut ? "axis cut: no limit at an end" : "by strips");
+  const { top, clamped, remark } = ofPressure(largest, cut, [[largest]]);
+  head(host, "Pressure on the centre line", KEY, remark || "by strips");
   draw(
     host,
     {

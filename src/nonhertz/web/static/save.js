@@ -1,8 +1,8 @@
 // A figure as a file: SVG as it is drawn, or PNG at twice the size, with heading and legend, in the colours of the page.
 
-import { element } from "./elements.js";
+import { drawn } from "./elements.js";
+import { hand } from "./files.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 const SCALE = 2; // pixels of a PNG per pixel of the page
 const TOP = 26; // pixels for heading and legend
 /** What of the page's styles has to be written into a drawing that stands alone. */
@@ -24,11 +24,11 @@ export async function save(host, kind) {
 /** A drawing as an SVG file; null if nothing is drawn. @param {HTMLElement} host */
 export function standing(host) {
   // A colour scale is a drawing of its own above the figure's.
-  const drawn = /** @type {SVGSVGElement[]} */ ([...host.querySelectorAll(".drawing svg")]);
-  if (!drawn.length) return null;
-  const width = Math.max(...drawn.map((each) => sizeOf(each, "width")));
+  const parts = /** @type {SVGSVGElement[]} */ ([...host.querySelectorAll(".drawing svg")]);
+  if (!parts.length) return null;
+  const width = Math.max(...parts.map((each) => sizeOf(each, "width")));
   let height = TOP;
-  const copies = drawn.map((each) => {
+  const copies = parts.map((each) => {
     const copy = /** @type {SVGSVGElement} */ (each.cloneNode(true));
     dress(each, copy);
     for (const aside of copy.querySelectorAll("style")) aside.remove();
@@ -36,17 +36,9 @@ export function standing(host) {
     height += sizeOf(each, "height");
     return copy;
   });
-  const whole = document.createElementNS(SVG, "svg");
-  whole.setAttribute("width", String(width));
-  whole.setAttribute("height", String(height));
-  whole.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  const style = getComputedStyle(host);
-  const ground = document.createElementNS(SVG, "rect");
-  ground.setAttribute("width", "100%");
-  ground.setAttribute("height", "100%");
-  ground.setAttribute("fill", style.backgroundColor);
-  whole.append(ground, ...captions(host, width), ...copies);
-  return new XMLSerializer().serializeToString(whole);
+  const ground = drawn("rect", { width: "100%", height: "100%", fill: getComputedStyle(host).backgroundColor });
+  const frame = { width, height, viewBox: `0 0 ${width} ${height}` };
+  return new XMLSerializer().serializeToString(drawn("svg", frame, [ground, ...captions(host, width), ...copies]));
 }
 
 /** @param {SVGSVGElement} drawing @param {"width" | "height"} side */
@@ -70,11 +62,10 @@ function captions(host, width) {
 }
 
 function written(x, words, part, anchor) {
-  const text = document.createElementNS(SVG, "text");
   const style = getComputedStyle(part);
   const attributes = {
-    x: String(x),
-    y: "17",
+    x,
+    y: 17,
     "font-family": style.fontFamily,
     "font-size": style.fontSize,
     "font-weight": style.fontWeight,
@@ -82,31 +73,26 @@ function written(x, words, part, anchor) {
     "text-anchor": anchor,
     fill: style.color,
   };
-  for (const [name, value] of Object.entries(attributes)) text.setAttribute(name, value);
-  text.textContent = words;
-  return text;
+  return drawn("text", attributes, [words]);
 }
 
 /** The swatch of a legend as a line. */
 function bar(x, swatch) {
-  const line = document.createElementNS(SVG, "line");
   const style = getComputedStyle(swatch);
-  const attributes = { x1: x, x2: x + 22, y1: 13, y2: 13, stroke: style.borderTopColor, "stroke-width": 2 };
-  for (const [name, value] of Object.entries(attributes)) line.setAttribute(name, String(value));
-  if (style.borderTopStyle === "dashed") line.setAttribute("stroke-dasharray", "5 3");
-  if (style.borderTopStyle === "dotted") line.setAttribute("stroke-dasharray", "2 3");
-  return line;
+  const dashes = { dashed: "5 3", dotted: "2 3" }[style.borderTopStyle] ?? "none";
+  const stroke = { stroke: style.borderTopColor, "stroke-width": 2, "stroke-dasharray": dashes };
+  return drawn("line", { x1: x, x2: x + 22, y1: 13, y2: 13, ...stroke });
 }
 
-/** Write styles that come from the page into a copy, element by element. @param {Element} drawn @param {Element} copy */
-function dress(drawn, copy) {
-  const style = getComputedStyle(drawn);
+/** Write styles that come from the page into a copy, element by element. @param {Element} part @param {Element} copy */
+function dress(part, copy) {
+  const style = getComputedStyle(part);
   for (const name of STYLES) {
     const value = style.getPropertyValue(name);
     if (value) /** @type {SVGElement} */ (copy).style.setProperty(name, value);
     copy.removeAttribute(name);
   }
-  for (const [place, child] of [...drawn.children].entries()) dress(child, copy.children[place]);
+  for (const [place, child] of [...part.children].entries()) dress(child, copy.children[place]);
 }
 
 /** @param {Blob} drawing @returns {Promise<Blob>} */
@@ -126,11 +112,4 @@ async function painted(drawing) {
   } finally {
     URL.revokeObjectURL(address);
   }
-}
-
-/** @param {Blob} content @param {string} name */
-function hand(content, name) {
-  const address = URL.createObjectURL(content);
-  element("a", { href: address, download: name }).click();
-  window.setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }

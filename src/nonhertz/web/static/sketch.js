@@ -1,8 +1,8 @@
 // Both bodies at scale, across the contact and along it, so that one sees what is pressed on what; what is changed is
 // marked.
 
-import { byId } from "./elements.js";
-import { made, text } from "./polar.js";
+import { byId, drawn } from "./elements.js";
+import { text } from "./polar.js";
 import { amount } from "./units.js";
 
 const [WIDTH, HEIGHT, ACROSS] = [330, 132, 120]; // pixels, the last of the view across the contact
@@ -38,23 +38,23 @@ export class Sketch {
     const length = Math.min(...lengths, 1e4);
     const scale = Math.min((HEIGHT - 8) / ((ABOVE + BELOW) * size), (WIDTH - ACROSS - 28) / length);
     const ground = 4 + Math.max(ABOVE * size * scale, HEIGHT - 8 - BELOW * size * scale); // pixels down to the contact
-    const svg = made("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": words(pairs) });
+    const svg = drawn("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": words(pairs) });
     const middle = [ACROSS / 2, (ACROSS + WIDTH) / 2];
     for (const [name, body] of pairs) {
       const shapes = [across(name, body, scale), alongside(name, body, scale)].map((shape, view) => {
-        const window = made("svg", { x: view ? ACROSS : 0, y: 0, width: view ? WIDTH - ACROSS : ACROSS, height: HEIGHT });
+        const window = drawn("svg", { x: view ? ACROSS : 0, y: 0, width: view ? WIDTH - ACROSS : ACROSS, height: HEIGHT });
         shape.setAttribute("transform", `translate(${middle[view] - (view ? ACROSS : 0)} ${ground})`);
         window.append(shape);
         return window;
       });
       const label = text(ACROSS - 2, name === "a" ? ground - 8 : ground + 14, name, "name");
-      const group = made("g", { class: this.changed.startsWith(`body.${name}`) ? `body ${name} changed` : `body ${name}` });
+      const group = drawn("g", { class: this.changed.startsWith(`body.${name}`) ? `body ${name} changed` : `body ${name}` });
       group.append(...shapes, label);
       svg.append(group);
     }
     const tip = ground - Math.min(sizeOf(bodies.a, size) * scale, ground - 18) - 2;
     const arrow = `M${middle[1]} ${Math.max(0, tip - 16)}V${tip}m-4 -6l4 6l4 -6`;
-    svg.append(made("path", { d: arrow, class: this.changed.startsWith("load") ? "load changed" : "load" }));
+    svg.append(drawn("path", { d: arrow, class: this.changed.startsWith("load") ? "load changed" : "load" }));
     this.host.replaceChildren(svg);
   }
 }
@@ -67,20 +67,20 @@ function sizeOf({ curvature }, size) {
 /** A body in the plane across the contact, whose point is the origin. @param {"a" | "b"} name @param {Seen} body */
 function across(name, { curvature }, scale) {
   const up = name === "a" ? -1 : 1; // pixels go down
-  if (!curvature) return made("path", { d: `M${-FAR} 0H${FAR}V${up * FAR}H${-FAR}Z` });
+  if (!curvature) return drawn("path", { d: `M${-FAR} 0H${FAR}V${up * FAR}H${-FAR}Z` });
   const radius = scale / Math.abs(curvature);
   const side = curvature > 0 ? up : -up;
   const circle = `M0 0A${radius} ${radius} 0 0 1 0 ${side * 2 * radius}A${radius} ${radius} 0 0 1 0 0Z`;
   // Around a hollow there is material everywhere else on this side.
   const around = curvature > 0 ? "" : `M${-FAR} ${-up * FAR}H${FAR}V${up * FAR}H${-FAR}Z`;
-  return made("path", { d: around + circle, "fill-rule": "evenodd" });
+  return drawn("path", { d: around + circle, "fill-rule": "evenodd" });
 }
 
 /** The same from the side. @param {"a" | "b"} name @param {Seen} body */
 function alongside(name, { curvature, interval }, scale) {
   const [low, high] = interval.map((end, place) => (end === null ? (place ? FAR : -FAR) : end * scale));
   const depth = (name === "a" ? -1 : 1) * (curvature > 0 ? (2 * scale) / curvature : FAR);
-  return made("path", { d: `M${low} 0H${high}V${depth}H${low}Z` });
+  return drawn("path", { d: `M${low} 0H${high}V${depth}H${low}Z` });
 }
 
 /** @param {["a" | "b", Seen][]} pairs */

@@ -4,7 +4,7 @@ import { figure, whenResized } from "./chart.js";
 import { byId } from "./elements.js";
 import { drawFigures } from "./figures.js";
 import { showMistakes } from "./mistakes.js";
-import { keyNumbers, sayLater, writeKeyNumbers, writeWords } from "./results.js";
+import { entitle, keyNumbers, outdate, sayMistakes, writeKeyNumbers, writeWords } from "./results.js";
 import { drawStress } from "./stress.js";
 import { Tilt } from "./tilt.js";
 
@@ -33,7 +33,7 @@ export class View {
     this.profiles = answer.profiles;
     // Stresses of the previous case stay, dimmed, until those of this one arrive.
     this.latest = { document, answer, stressed: this.latest?.stressed ?? null };
-    this.name(answer.title);
+    entitle(answer.title);
     this.drawResult();
     writeWords(answer);
   }
@@ -45,20 +45,16 @@ export class View {
    */
   refuse(document, refusal) {
     showMistakes(refusal.mistakes);
-    if (!this.latest) this.name(typeof document.title === "string" ? document.title : "");
+    if (!this.latest) entitle(typeof document.title === "string" ? document.title : "");
     this.outdate("");
     this.profiles = refusal.profiles;
     this.drawProfiles(this.profiles);
-    sayLater(
-      `${refusal.mistakes.length === 1 ? "1 mistake" : `${refusal.mistakes.length} mistakes`}: ${refusal.mistakes[0]?.sentence ?? ""}`,
-    );
+    sayMistakes(refusal.mistakes);
   }
 
   /** Dim the last good result, which is not that of the case. @param {string} why */
   outdate(why) {
-    this.results.classList.add("outdated");
-    byId("state").textContent = this.latest ? "last good result" : "no result yet";
-    byId("round-trip").textContent = why;
+    outdate(Boolean(this.latest), why);
   }
 
   /** Another case is begun: the last one is taken away. */
@@ -91,12 +87,6 @@ export class View {
     // What was solved for a link has its stresses in the answer itself.
     this.pinned = result && { stressed: result.answer.section ? result.answer : null, ...result };
     this.redraw();
-  }
-
-  name(title) {
-    byId("case-title").textContent = title;
-    byId("case-title").title = title;
-    document.title = title ? `${title} – nonhertz` : "nonhertz";
   }
 
   drawResult() {
