@@ -10,7 +10,7 @@ from __future__ import annotations
 import enum
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -133,11 +133,13 @@ def _of_contact(found: CaseResults) -> Iterator[Assumption]:
     for each in found.strengths:
         largest = each.largest.von_mises
         told = [check for check in each.checks if check.name in {"yield", "bore", "core"}]
+        verdicts = {check.verdict for check in told}
+        known = Verdict.OPEN if StrengthVerdict.UNKNOWN in verdicts else Verdict.HOLDS
         yield Assumption(
             f"Linear elastic below the surface of body {each.body}",
             "von Mises stress below the yield strength",
             f"{mpa(largest.max)} {largest.site}z = {mm(largest.z):3}",
-            _of_strength({check.verdict for check in told}),
+            Verdict.NOT_MET if StrengthVerdict.OVER in verdicts else known,
             " ".join(check.sentence for check in told),
         )
 
@@ -159,23 +161,18 @@ def _of_bearing(found: BearingResults) -> Iterator[Assumption]:
         strained_if(tilt > MOST_TILT),
         _angles(solution.bearing.rows[0].bearing),
     )
-    contacts = loaded_contacts(solution) if solution.method == "strips" else {}
-    if contacts:
-        yield from _of_contacts(contacts)
-        yield from _whole_rollers(solution)
     if solution.method != "strips":
         yield from _of_slices(solution)
+    elif solution.distinct_contacts:
+        # At each ring the most loaded first; equal ones once.
+        contacts: dict[str, list[Solution]] = {}
+        for each in sorted(solution.distinct_contacts, key=lambda each: (each.ring, -each.solved.load)):
+            contacts.setdefault(RINGS[each.ring], []).append(each.solved)
+        yield from _of_contacts(contacts)
+        yield from _whole_rollers(solution)
     yield from _ribs(solution)
     yield from _shapes(solution)
     yield from _NEGLECTED
-
-
-def loaded_contacts(solution: BearingSolution) -> Contacts:
-    """Return the loaded contacts at each ring, the most loaded first; equal ones once."""
-    found: dict[str, list[Solution]] = {}
-    for each in sorted(solution.distinct_contacts, key=lambda each: (each.ring, -each.solved.load)):
-        found.setdefault(RINGS[each.ring], []).append(each.solved)
-    return found
 
 
 def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
@@ -184,7 +181,10 @@ def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
     corner = any(each.peaks_at_corner for each in every)
     yield from _valid(contacts)
     yield _ends(every)
-    bends = max(sum(low < y < high for y in each.contact.bends) for each in every for low, high in [_span(each)])
+    bends = max(
+        sum(each.contact_y[0][0] < y < each.contact_y[-1][1] for y in each.contact.bends if each.contact_y)
+        for each in every
+    )
     yield Assumption(
         "Smooth along y",
         "no corner of the profile bears the largest pressure",
@@ -211,11 +211,6 @@ def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
         f"p0 = {mpa(pressure)}{where}",
         remark=f"The yield strength must be above {mpa(pressure / FLOW_BEGINS):4}.",
     )
-
-
-def _span(solution: Solution) -> tuple[float, float]:
-    pieces = solution.contact_y or ((0.0, 0.0),)
-    return pieces[0][0], pieces[-1][1]
 
 
 def _valid(contacts: Contacts) -> Iterator[Assumption]:
@@ -272,12 +267,6 @@ def _fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumpt
         return Assumption(name, criterion, "unknown")
     number = about(error) if error > NO_ERROR else "none"
     return Assumption(name, criterion, number, strained_if(error > NOTABLE))
-
-
-def _of_strength(found: Iterable[StrengthVerdict]) -> Verdict:
-    if StrengthVerdict.OVER in found:
-        return Verdict.NOT_MET
-    return Verdict.OPEN if StrengthVerdict.UNKNOWN in found else Verdict.HOLDS
 
 
 def strained_if(strained: bool) -> Verdict:

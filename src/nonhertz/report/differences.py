@@ -56,12 +56,9 @@ def basis(places: Iterable[str]) -> list[str]:
 def results(found: Sequence[Results]) -> list[Compared]:
     """Return the results of all cases or bearings, with differences from the first; what none has is left out."""
     contacts = [each for each in found if isinstance(each, CaseResults)]
-    bearings = [each for each in found if isinstance(each, BearingResults)]
-    return _of_contacts(contacts) if contacts else _of_bearings(bearings)
-
-
-def _of_contacts(found: Sequence[CaseResults]) -> list[Compared]:
-    solutions = [each.solution for each in found]
+    if not contacts:
+        return _of_bearings([each for each in found if isinstance(each, BearingResults)])
+    solutions = [each.solution for each in contacts]
     rows = [
         compared(quantity.label, quantity.amount(*(float(quantity.clean(each)) for each in solutions)))
         for quantity in map(QUANTITIES.__getitem__, _COMPARED)
@@ -69,9 +66,9 @@ def _of_contacts(found: Sequence[CaseResults]) -> list[Compared]:
     for at, end in enumerate(("low", "high")):
         cells = [Cell(*end_words(each.edge_pressure[at], each)) for each in solutions]
         rows.insert(1 + at, (f"pressure at the {end} end", *cells))
-    if all(each.stress for each in found):
+    if all(each.stress for each in contacts):
         for name, key in _STRESSES.items():
-            largest = [getattr(each.stress[0], key).max for each in found if each.stress]
+            largest = [getattr(each.stress[0], key).max for each in contacts if each.stress]
             rows.append(compared(f"largest {name} in body a", mpa(*largest)))
     return rows
 

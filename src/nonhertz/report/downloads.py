@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import PurePosixPath
+from typing import NamedTuple
 
 from nonhertz.files.bearing_results import comparison_files
 from nonhertz.files.lives import as_object as lives_as_object
@@ -27,19 +27,8 @@ _WORDS = {
 }
 
 
-@dataclass(frozen=True)
-class Download:
-    """A file embedded in the page.
-
-    Attributes
-    ----------
-    name : str
-        The name it is saved under.
-    what : str
-        What it holds, in words.
-    content : bytes
-        The file itself.
-    """
+class Download(NamedTuple):
+    """A file embedded in the page: the name it is saved under, what it holds in words, and the file itself."""
 
     name: str
     what: str
@@ -55,12 +44,10 @@ class Download:
 def downloads(found: Results) -> list[Download]:
     """Return the file of a case or a bearing, the files that it names, and all results."""
     case = found.case
-    what = "bearing file" if isinstance(found, BearingResults) else "case file"
-    named = (
-        (name, f"named by the {what}; put it where {name} is from there", content)
-        for name, content in case.attachments.items()
-    )
-    files = [(case.file_name, f"the {what}, as it was solved", case.text.encode()), *named]
+    what = f"{case.kind} file"
+    files = [(case.file_name, f"the {what}, as it was solved", case.text.encode())]
+    for name, content in case.attachments.items():
+        files.append((name, f"named by the {what}; put it where {name} is from there", content))
     stem = PurePosixPath(case.file_name).stem
     files += [(f"{stem}-{name}", _WORDS[name], text.encode()) for name, text in _texts(found) if name in _WORDS]
     return [Download(PurePosixPath(name.replace("\\", "/")).name, words, content) for name, words, content in files]
@@ -68,10 +55,11 @@ def downloads(found: Results) -> list[Download]:
 
 def _texts(found: Results) -> Iterator[tuple[str, str]]:
     """Yield names and texts of the files that commands write."""
+    if found.solution is None:
+        return
     if isinstance(found, BearingResults):
-        if found.solution is not None:
-            yield from Result(found.case, found.solution, (found.life, found.reason)).texts().items()
-        if found.solution is not None and found.slices is not None:
+        yield from Result(found.case, found.solution, (found.life, found.reason)).texts().items()
+        if found.slices is not None:
             yield from comparison_files(found.solution, found.slices, found.case.title).items()
         return
     yield from Result(found.case, found.solution).texts().items()

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import functools
 import platform
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib import metadata, resources
+from importlib import metadata
 from itertools import count
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import quote
 
 from nonhertz import __version__
@@ -23,7 +22,6 @@ from nonhertz.report.results import Results
 from nonhertz.show.sections import Block, Picture, Row, Section, shown_columns
 
 if TYPE_CHECKING:
-    from jinja2 import Environment
     from markupsafe import Markup
 
 #: Identifies a report; it is near the beginning of the file.
@@ -97,25 +95,24 @@ class Words(NamedTuple):
 
 def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: Sequence[Part]) -> str:
     """Return the text of a page, which begins with a sentence on what was solved."""
-    page = (
-        _environment()
-        .get_template("report.html")
-        .render(
-            title=title,
-            mark=_safe(MARK),
-            style=_safe(resources.files("nonhertz.report").joinpath("templates", "style.css").read_text("utf-8")),
-            words=words,
-            stated=chosen().stated,
-            block=block,
-            opening=opening,
-            parts=parts,
-            kind_of=lambda block: type(block).__name__,
-            numbers=count(1),  # of figures, in the order of the page
-            drawn=_drawn,
-            columns=shown_columns,
-            versions={"nonhertz": __version__, "Python": platform.python_version()}
-            | {name: metadata.version(name) for name in _PACKAGES},
-        )
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    options: dict[str, Any] = {"autoescape": True, "trim_blocks": True, "lstrip_blocks": True}
+    environment = Environment(loader=PackageLoader("nonhertz.report"), undefined=StrictUndefined, **options)
+    environment.filters |= {"linked": linked, "drawn": _drawn}
+    page = environment.get_template("report.html").render(
+        title=title,
+        mark=MARK,
+        words=words,
+        stated=chosen().stated,
+        block=block,
+        opening=opening,
+        parts=parts,
+        kind_of=lambda block: type(block).__name__,
+        numbers=count(1),  # of figures, in the order of the page
+        columns=shown_columns,
+        versions={"nonhertz": __version__, "Python": platform.python_version()}
+        | {name: metadata.version(name) for name in _PACKAGES},
     )
     return page.strip() + "\n"
 
@@ -140,25 +137,3 @@ def linked(text: str) -> Markup:
         shown += Markup('<a href="{}" rel="noreferrer">{}</a>').format(address, found[0])
         at = found.end()
     return shown + escape(text[at:])
-
-
-@functools.cache
-def _environment() -> Environment:
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("nonhertz.report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["linked"] = linked
-    return environment
-
-
-def _safe(text: str) -> Markup:
-    """Return trusted text as HTML that is not escaped."""
-    from markupsafe import Markup
-
-    return Markup(text)

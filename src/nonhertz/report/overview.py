@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, amount, given, mm, mpa, mrad, newton, newton_mm, um
-from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, TaperedRollerBearing
 from nonhertz.bearing.section import RINGS
 from nonhertz.errors import joined
 from nonhertz.files.bearingfile import BearingCase
@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 SAMPLES = 401  # points on the interval in which both bodies can touch
 FARTHEST = 1e3  # mm; cuts an unbounded interval
-NEAR_ENDS = 0.9  # of what can touch
+NEAR_ENDS = 0.9  # of what can touch: at the very end some bodies have no relief
 PARTS = ("roller", *RINGS)
 #: Names of the rows of summaries that are looked for first.
 FIRST: Final = frozenset(
@@ -137,11 +137,6 @@ def _relief(body: Body, y: Array) -> str:
     return f"{um(*ends, between=' and '):3}" if np.any(ends != 0.0) else ""
 
 
-def _near_ends(row: RollerBearing) -> Array:
-    """Return where reliefs are shown [mm]: at the very end some have none."""
-    return NEAR_ENDS * np.array(row.contacts[0].interval)
-
-
 def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
     row = case.bearing.rows[0].bearing
     between = row.pitch * math.sin(math.pi / row.rollers) - row.roller_diameter
@@ -160,9 +155,10 @@ def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
         if rib is not None:
             radii = mm(rib.radius_around, rib.radius_along, between=" and ")
             yield f"combined radii on the ribs, {ring} ring, around and along the flank", f"{radii:4}"
-    where = mm(*_near_ends(row), between=" and ")
+    y = NEAR_ENDS * np.array(row.contacts[0].interval)
+    where = mm(*y, between=" and ")
     for name in PARTS:
-        relief = _relief(getattr(row, name), _near_ends(row))
+        relief = _relief(getattr(row, name), y)
         if relief:
             yield f"relief of the {name}{' ring' * (name in RINGS)} at y = {where:.4g}", relief
     if row.roller_density is not None:

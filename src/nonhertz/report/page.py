@@ -198,9 +198,7 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
                 measured = measured_in(content, values, file)
                 rows = measured_shown.rows(measured)
                 caption = f"From the measured points of {file} to the profile, step by step."
-                picture = Picture(
-                    measured_figure(measured), caption, " ".join(words for _, words, _ in measured_shown.rows(measured))
-                )
+                picture = Picture(measured_figure(measured), caption, " ".join(words for _, words, _ in rows))
                 yield Section(f"What was done to {file}, {place}.profile[{number}]", [summary(rows), picture])
 
 

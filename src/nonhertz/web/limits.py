@@ -46,11 +46,16 @@ WAITING_REQUESTS: Final = 8
 
 _ELSEWHERE = "use the command line for more"
 _BODIES: Final = (("body", "a"), ("body", "b"), *((name,) for name in OF_BEARINGS[1:]))
+#: The largest numbers, and the longest lists with what they are lists of.
 _BOUNDS: Final[Mapping[Place, int]] = {
     ("solver", "strips"): STRIPS,
     ("bearing", "rollers"): ROLLERS,
     **dict.fromkeys((("solver", "laminae"), ("life", "laminae")), LAMINAE),
     **{(*body, "images"): IMAGES for body in _BODIES},
+}
+_LISTS: Final[Mapping[Place, tuple[int, str]]] = {
+    ("life", "spectrum"): (SPECTRUM, "rows"),
+    **{(*body, "profile"): (PROFILES, "profiles") for body in _BODIES},
 }
 
 
@@ -82,23 +87,13 @@ def too_slow(document: dict[str, Any]) -> list[InputError]:
 
 def too_long(document: dict[str, Any]) -> list[InputError]:
     """Return where a document has more entries than a form can show."""
-    values = dict(walk(document))
-    kinds: dict[type[Any], tuple[int, str]] = {dict: (KEYS, "keys"), list: (POINTS, "entries")}
-    found = [
-        _too_long(place, each, *kinds[type(each)])
-        for place, each in values.items()
-        if type(each) in kinds and len(each) > kinds[type(each)][0]
-    ]
-    lists = {(*body, "profile"): (PROFILES, "profiles") for body in _BODIES} | {
-        ("life", "spectrum"): (SPECTRUM, "rows")
-    }
-    for place, (most, what) in lists.items():
-        entries = values.get(place)
-        if isinstance(entries, list) and most < len(entries) <= POINTS:
-            found.append(_too_long(place, entries, most, what))
+    found = []
+    for place, each in walk(document):
+        most, what = (KEYS, "keys") if isinstance(each, dict) else (POINTS, "entries")
+        if isinstance(each, list) and len(each) <= POINTS:
+            most, what = _LISTS.get(place, (POINTS, what))
+        if isinstance(each, dict | list) and len(each) > most:
+            # The whole document has no name to begin the sentence with.
+            path, condition = path_of(place or ("case",)), f"have at most {most} {what} on the page"
+            found.append(InputError(path, each, condition, _ELSEWHERE))
     return found
-
-
-def _too_long(place: Place, value: Any, most: int, what: str) -> InputError:
-    # The whole document has no name to begin the sentence with.
-    return InputError(path_of(place or ("case",)), value, f"have at most {most} {what} on the page", _ELSEWHERE)

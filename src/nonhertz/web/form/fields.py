@@ -98,7 +98,7 @@ class FormGroup:
 
     Attributes
     ----------
-    path, legend, help : str
+    path, label, help : str
         As for a `FormField`.
     members : tuple
         Fields and groups.
@@ -115,7 +115,7 @@ class FormGroup:
     """
 
     path: str
-    legend: str
+    label: str
     members: tuple[FormField | FormGroup, ...]
     help: str = ""
     folded: tuple[FormField | FormGroup, ...] = ()
@@ -123,11 +123,6 @@ class FormGroup:
     removable: bool = False
     additions: tuple[Option, ...] = ()
     optional: bool = False
-
-    @property
-    def label(self) -> str:
-        """The legend."""
-        return self.legend
 
     @property
     def fields(self) -> Iterator[FormField]:

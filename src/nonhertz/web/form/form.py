@@ -152,8 +152,8 @@ class _Maker:
         made = replace(self.group(table, held, place, legend, there=there), optional=optional)
         if not optional or not table.required:
             return made
-        options = (Option("none", "none", [(path, None)]), Option("given", "given", [(path, self._new(table, legend))]))
-        shape = _switch(path, legend, options, "given" if there else "none")
+        choices: dict[str, Edits] = {"none": [(path, None)], "given": [(path, self._new(table, legend))]}
+        shape = _switch(path, legend, "given" if there else "none", choices)
         return replace(made, members=(shape, *made.members)) if there else shape
 
     def _kinds(
@@ -263,11 +263,9 @@ class _Maker:
             simple = value[name][len(value[name]) // 2]
         elif name in several and value is not ABSENT:
             several[name] = [value] * len(several[name])
-        options = (
-            Option("value", "name" if isinstance(simple, str) else "one number", [(path, simple)]),
-            Option("table", " and ".join(several), [(path, several)]),
-        )
-        shape = _switch(path, f"{label_of(place)} by", options, "table" if tabular else "value")
+        words = "name" if isinstance(simple, str) else "one number", " and ".join(several)
+        choices: dict[str, Edits] = {words[0]: [(path, simple)], words[1]: [(path, several)]}
+        shape = _switch(path, f"{label_of(place)} by", words[tabular], choices)
         if tabular:
             inner = self.group(replace(table, meaning=text_of(key.each)), value, place, label_of(place))
             return replace(inner, members=(shape, *inner.members))
@@ -288,11 +286,8 @@ class _Maker:
             if each.single is None
             else (each.names[each.single], " and ".join(each.names))
         )
-        options = (
-            Option("value", words[0], [(path, first)]),
-            Option("pair", words[1], [(path, value if is_pair else both)]),
-        )
-        shape = _switch(path, "given", options, "pair" if is_pair else "value")
+        choices: dict[str, Edits] = {words[0]: [(path, first)], words[1]: [(path, value if is_pair else both)]}
+        shape = _switch(path, "given", words[is_pair], choices)
         if not is_pair:
             return FormGroup(path, label_of(place), (shape, made))
         found = found and replace(found, low=-found.high)
@@ -313,16 +308,15 @@ class _Maker:
             paths = {name: path_of((*place, name)) for name in pair}
             sizes = self.sizes if "drop" in pair else {}
             starts = {name: sizes.get(name, self._start(name, table.keys[name])) for name in pair}
-            options = tuple(
-                Option(
-                    name,
-                    name.replace("_", " "),
-                    [(paths[name], starts[name]), *((paths[other], None) for other in pair if other != name)],
-                )
+            choices: dict[str, Edits] = {
+                name.replace("_", " "): [
+                    (paths[name], starts[name]),
+                    *((paths[each], None) for each in pair if each != name),
+                ]
                 for name in pair
-            )
-            chosen = next((name for name in pair if name in given), pair[0])
-            yield _switch(path_of(place), " or ".join(option.label for option in options), options, chosen)
+            }
+            chosen = next((name for name in pair if name in given), pair[0]).replace("_", " ")
+            yield _switch(path_of(place), " or ".join(choices), chosen, choices)
 
 
 @cache
@@ -394,6 +388,7 @@ def _unchosen(table: Table, given: dict[str, Any]) -> set[str]:
     return aside
 
 
-def _switch(path: str, label: str, options: tuple[Option, ...], chosen: str) -> FormField:
-    """Return a choice that is not a key of the document."""
+def _switch(path: str, label: str, chosen: str, choices: Mapping[str, Edits]) -> FormField:
+    """Return a choice that is not a key of the document: words, and what changes where they are chosen."""
+    options = tuple(Option(words, words, edits) for words, edits in choices.items())
     return FormField(path, label, "switch", chosen, options=options, structural=True)

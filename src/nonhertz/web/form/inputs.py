@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
 from dataclasses import MISSING, replace
@@ -96,20 +97,14 @@ def _with_units(made: FormField, value: Any, name: str) -> FormField:
     if text_in(made.kind, value) is None and value is not ABSENT:
         return made
     text, word, units = units_of(made.unit, name, None if value is ABSENT else value)
-    if _is_number(made.default) and word != made.unit:
-        made = replace(made, default=f"{amount(float(made.default), made.unit):g}")
+    with contextlib.suppress(ValueError):  # a word
+        if word != made.unit and float(made.default):
+            made = replace(made, default=f"{amount(float(made.default), made.unit):g}")
     made = replace(made, units=units, word=word)
     if text is None:
         return made
     stands_for = "" if value == (float(text) if word == made.unit else f"{text} {word}") else json.dumps(value)
     return replace(made, value=text, stands_for=stands_for)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        return float(text) != 0.0
-    except ValueError:
-        return False
 
 
 def _slider(made: FormField, value: Any, found: Range | None) -> Range | None:

@@ -31,6 +31,7 @@ MOST_PRESSURE: Final = 3500.0
 _USUAL: Final = 0.3  # of the largest load: some 1900 MPa
 _AXIAL: Final = 0.25  # of the radial load, what ribs bear
 _DECADES: Final = 1e-3  # of the largest load, down to which a slider goes
+_RELIEFS: Final = ("amplitude", "drop", "zm")
 _MOST_DROP: Final = 0.01  # of the length: corners begin with a gentle slope
 _WITHIN: Final = 0.48  # of the length: some profiles have no end at the end of the body
 _TIGHT, _LOOSE = 1e-3, 3e-3  # of the pitch diameter: beyond the clearance groups of catalogues
@@ -210,7 +211,7 @@ def _of_contact(contact: Contact) -> dict[str, Range]:
         "tilt": _around(2.0 * usual / length),
         "moment": _around(_USUAL * most * length / 6.0),  # at one end there is then no load
         **dict.fromkeys(("position", "shift", "centre"), _around(half)),
-        **_of_relief(length),
+        **dict.fromkeys(_RELIEFS, _upwards(_MOST_DROP * length, 0.1)),
     }
 
 
@@ -240,7 +241,7 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range | None]:
         **_of_seat("shaft", row.inner, 0.5, 0.8, 0.95),
         **_of_seat("housing", row.outer, 1.05, 1.2, 1.6),
         "speed": Range(0.01 * _stop(_FASTEST / pitch), _stop(_FASTEST / pitch), "linear", 0.0),
-        **_of_relief(length),
+        **dict.fromkeys(_RELIEFS, _upwards(_MOST_DROP * length, 0.1)),
     }
     # A bearing has no sliders for what it does not bear, and none for diameters that have to fit each other.
     unborne = [name for name in ("radial", "axial", "moment") if not _bears(rows, name)]
@@ -262,11 +263,6 @@ def _bears(rows: RollerBearing | Paired, name: str) -> bool:
     except InputError:
         return False
     return True
-
-
-def _of_relief(length: float) -> dict[str, Range]:
-    """Return the ranges of what makes the relief of a body of a length [mm]."""
-    return dict.fromkeys(("amplitude", "drop", "zm"), _upwards(_MOST_DROP * length, 0.1))
 
 
 def _most_load(contact: Contact) -> float:

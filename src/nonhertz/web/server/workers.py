@@ -7,11 +7,11 @@ the server answers in time whatever the request.
 
 from __future__ import annotations
 
+import asyncio
 import multiprocessing
 import pickle
 import signal
 import time
-from collections import deque
 from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any, Final
@@ -133,10 +133,9 @@ class Workers:
         self.ready = anyio.Event()
         self._patience = waiting
         self._missing, self._warm_up, self.eager = count, warm_up, eager
-        self._idle: deque[Worker] = deque()
-        self._count_idle = anyio.Semaphore(0)
+        self._idle: asyncio.Queue[Worker] = asyncio.Queue()
         self._limiter = anyio.CapacityLimiter(2 * count + 1)
-        self._long = anyio.CapacityLimiter(1)
+        self._apart = anyio.Lock()
         self._living: set[Worker] = set()
         self._waiting = 0
         self._tasks: TaskGroup | None = None
@@ -178,28 +177,24 @@ class Workers:
             value = await self._in_thread(worker.do, job, arguments, seconds)
         except BaseException as error:
             if isinstance(error, FailedError) and not isinstance(error, EndedError):
-                self._put_back(worker)
+                self._idle.put_nowait(worker)
             else:  # a late answer would be taken for that of the next job
                 self._replace(worker)
             raise
-        self._put_back(worker)
+        self._idle.put_nowait(worker)
         return value
 
     async def run_apart(self, job: Job, *arguments: Any, seconds: float) -> Any:
         """Return what a long job returns, run in a process started for it; raise as `run` does."""
-        try:
-            self._long.acquire_on_behalf_of_nowait(job)
-        except (anyio.WouldBlock, RuntimeError):
-            raise HTTPException(503, "Another report or picture is being made: try again when it is done.") from None
-        try:
+        if self._apart.locked():
+            raise HTTPException(503, "Another report or picture is being made: try again when it is done.")
+        async with self._apart:
             worker = await self._in_thread(Worker)
             self._living.add(worker)
             try:
                 return await self._in_thread(worker.do, job, arguments, seconds)
             finally:
                 self._end(worker)
-        finally:
-            self._long.release_on_behalf_of(job)
 
     async def _free(self) -> Worker:
         """Return an idle process."""
@@ -213,8 +208,7 @@ class Workers:
                     await self.ready.wait()
             with anyio.fail_after(self._patience):
                 while True:
-                    await self._count_idle.acquire()
-                    worker = self._idle.popleft()
+                    worker = await self._idle.get()
                     if worker.alive:
                         return worker
                     self._replace(worker)  # killed from outside while idle
@@ -223,10 +217,6 @@ class Workers:
             raise HTTPException(503, _BUSY) from None
         finally:
             self._waiting -= 1
-
-    def _put_back(self, worker: Worker) -> None:
-        self._idle.append(worker)
-        self._count_idle.release()
 
     def _replace(self, worker: Worker) -> None:
         self._end(worker)
@@ -238,7 +228,7 @@ class Workers:
         for _ in range(count):
             while (worker := await self._started()) is None:
                 await anyio.sleep(_PAUSE)
-            self._put_back(worker)
+            self._idle.put_nowait(worker)
             self.ready.set()
 
     async def _started(self) -> Worker | None:

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.files.bearing_document import PARTS
@@ -91,18 +90,14 @@ def _key_numbers(solution: BearingSolution, life: BearingLife | None) -> dict[st
 def _rows(solution: BearingSolution) -> list[dict[str, Any]]:
     """Return for every row which rollers are its own, how long they are, and the relief that they have with a ring."""
     found = []
-    for number, row in enumerate(solution.bearing.rows):
-        these = solution.rollers_of(number)
-        relief = {ring: _relief(row.bearing, ring) for ring in RINGS}
-        length = row.bearing.roller_length
-        found.append({"first": these.start, "count": these.stop - these.start, "length": length, "relief": relief})
+    for row in solution.bearing.rows:
+        length, count = row.bearing.roller_length, row.rollers.stop - row.rollers.start
+        relief = {}
+        for ring, contact in zip(RINGS, row.bearing.contacts, strict=True):
+            ends = max(-0.5 * length, contact.interval[0]), min(0.5 * length, contact.interval[1])
+            relief[ring] = relief_between(*ends, contact.separation_at)
+        found.append({"first": row.rollers.start, "count": count, "length": length, "relief": relief})
     return found
-
-
-def _relief(row: RollerBearing, ring: str) -> dict[str, Any]:
-    contact = row.contacts[RINGS.index(ring)]
-    half = 0.5 * row.roller_length
-    return relief_between(max(-half, contact.interval[0]), min(half, contact.interval[1]), contact.separation_at)
 
 
 def _lines(contact: Solution | None) -> dict[str, Any] | None:
