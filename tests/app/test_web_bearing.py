@@ -351,7 +351,7 @@ def test_a_contact_is_a_case_of_the_other_page():
 
 def test_what_was_solved_last_is_not_solved_again(monkeypatch):
     first = answer(FEW, "strips")
-    monkeypatch.setattr(jobs, "_newly_loaded", None)
+    monkeypatch.setattr(BearingCase, "solve", None)
     assert json.loads(jobs.contact(FEW, 0, "inner"))["ok"]
     monkeypatch.undo()
     other = changed(FEW, "load", {"radial": 10000.0})

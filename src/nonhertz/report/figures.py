@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from nonhertz.amounts import mm, mpa
-from nonhertz.plot import bearing_figures, dent_figure, figures, life_figure, stress_figures
+from nonhertz.plot import bearing_figures, dent_figure, life_figure, stress_figures
 from nonhertz.plot.overlay import all_pressed, compared_bearings, compared_contacts
+from nonhertz.plot.sheets import contact_figures
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.show.sections import Picture, Row
 
@@ -19,24 +20,39 @@ _OF_BEARING = {
 _SHARP = " Where the pressure has no limit the axis is cut, with exponent and strength beside it."
 
 
-def of_solution(found: CaseResults, numbers: Iterable[Row]) -> dict[str, Picture]:
-    """Return pressure, footprint and profile, by these names, with the numbers that are looked for first."""
-    solution = found.solution
-    captions = {
-        "pressure": "Pressure on the centre line and half-width along the contact."
-        + (_SHARP if solution.singular_ends else ""),
-        "footprint": "Contact area, coloured by its pressure"
-        + (" (the dotted line is the half-width)." if solution.element.name == "parabolic" else "."),
-        "profile": "Distance of both surfaces on the centre line before and after loading.",
-    }
+def belonging(found: Results, numbers: Iterable[Row]) -> dict[str, list[Picture]]:
+    """Return the figures of a result by the title of their section, empty for the one before all.
+
+    The numbers that are looked for first describe them.
+    """
     words = f"{found.case.title}: {in_words(numbers)}"
-    return {name: Picture(drawn, captions[name], words) for name, drawn in figures(solution).items()}
+    if isinstance(found, BearingResults):
+        captions, figures = _OF_BEARING, {} if found.solution is None else bearing_figures(found.solution)
+    else:
+        parabolic = found.solution.element.name == "parabolic"
+        captions, figures = (
+            {
+                "pressure": "Pressure on the centre line and half-width along the contact."
+                + (_SHARP if found.solution.singular_ends else ""),
+                "footprint": "Contact area, coloured by its pressure"
+                + (" (the dotted line is the half-width)." if parabolic else "."),
+                "profile": "Distance of both surfaces on the centre line before and after loading.",
+            },
+            contact_figures(found.solution),
+        )
+    drawn = [Picture(figure, captions[name], words) for name, figure in figures.items()]
+    more = (
+        {}
+        if isinstance(found, BearingResults)
+        else {"Stress below the surface": _of_stress(found), "Life": _of_lives(found)}
+    )
+    return {"": drawn[:1], "Results": drawn[1:]} | {title: [*pictures] for title, pictures in more.items()}
 
 
-def of_stress(found: CaseResults) -> list[Picture]:
-    """Return both planes below the surface; none if stress was not requested."""
+def _of_stress(found: CaseResults) -> Iterator[Picture]:
+    """Yield both planes below the surface; none if stress was not requested."""
     if found.stress is None:
-        return []
+        return
     overall, section = found.stress
     captions = {
         "axial-plane": f"Von Mises stress in body {overall.body} below the centre line, along the contact.",
@@ -45,12 +61,11 @@ def of_stress(found: CaseResults) -> list[Picture]:
     }
     largest = overall.von_mises
     at = f"{largest.site}x = {mm(largest.x):.3g}, y = {mm(largest.y):.3g}, z = {mm(largest.z):.3g}"
-    words = f"The largest is {mpa(largest.max):.5g} {at}."
-    drawn = stress_figures(found.solution, overall, section)
-    return [Picture(figure, captions[name], words) for name, figure in drawn.items()]
+    for name, figure in stress_figures(found.solution, overall, section).items():
+        yield Picture(figure, captions[name], f"The largest is {mpa(largest.max):.5g} {at}.")
 
 
-def of_lives(found: CaseResults) -> Iterator[Picture]:
+def _of_lives(found: CaseResults) -> Iterator[Picture]:
     """Yield the damage along the bodies, and the surroundings of a dent that is rolled over if there is one."""
     assessed = found.lives
     if assessed is None:
@@ -63,14 +78,6 @@ def of_lives(found: CaseResults) -> Iterator[Picture]:
         caption = "The largest stress around the dent while it is rolled over, and where it adds damage."
         words = "; ".join(f"{name}: life {life:.3g}" for name, life in assessed.dent_lives.items())
         yield Picture(dent_figure(assessed.dent, assessed.judging_dents), caption, words)
-
-
-def of_bearing(found: BearingResults, numbers: Iterable[Row]) -> list[Picture]:
-    """Return loads, and pressure, most loaded roller and displacement as far as there are any."""
-    if found.solution is None:
-        return []
-    words = f"{found.case.title}: {in_words(numbers)}"
-    return [Picture(drawn, _OF_BEARING[name], words) for name, drawn in bearing_figures(found.solution).items()]
 
 
 def of_all(found: Sequence[Results]) -> list[Picture]:

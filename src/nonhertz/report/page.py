@@ -28,7 +28,7 @@ from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.lives import RATIO
-from nonhertz.show.sections import Block, Cell, Picture, Row, Said, Section, Table, rows_of_summaries, summary
+from nonhertz.show.sections import Block, Cell, Picture, Said, Section, Table, rows_of_summaries, summary
 
 _OF_CONTACT = Words(
     "case",
@@ -107,7 +107,9 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
         only = found[0]
         shown = _shown(only)
         numbers = first_numbers(only, rows_of_summaries(shown))
-        part = Part(only, [*_with_figures(only, shown, numbers), *_given(only, words)], numbers=numbers)
+        drawn = figures.belonging(only, numbers)
+        with_figures = [Section(title, [*blocks, *drawn.get(title, [])]) for title, blocks in shown]
+        part = Part(only, [Section("", drawn[""]), *with_figures, *_given(only, words)], numbers=numbers)
         return laid_out(only.case.title, words, head, opening(only), [part])
     parts = [Part(None, _compared(found, words))]
     for number, each in enumerate(found, start=1):
@@ -128,24 +130,6 @@ def _shown(found: Results) -> list[Section]:
     if found.stress is not None:
         sections += stresses.sections(found.solution, *found.stress, found.strengths)
     return sections + (life_shown.sections(found.lives) if found.lives else [])
-
-
-def _with_figures(found: Results, sections: Sequence[Section], numbers: Sequence[Row]) -> Iterator[Section]:
-    """Yield sections with the figures that belong there; the first figure comes before all."""
-    if isinstance(found, BearingResults):
-        drawn = figures.of_bearing(found, numbers)
-        belonging: dict[str, list[Picture]] = {"": drawn[:1], "Results": drawn[1:]}
-    else:
-        of_contact = figures.of_solution(found, numbers)
-        belonging = {
-            "": [of_contact["pressure"]],
-            "Results": [of_contact["footprint"], of_contact["profile"]],
-            "Stress below the surface": figures.of_stress(found),
-            "Life": [*figures.of_lives(found)],
-        }
-    yield Section("", belonging.pop(""))
-    for title, blocks in sections:
-        yield Section(title, [*blocks, *belonging.get(title, [])])
 
 
 def _given(found: Results, words: Words) -> list[Section]:

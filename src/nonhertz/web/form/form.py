@@ -332,43 +332,42 @@ def _of_numbers(tables: tuple[Table, ...]) -> list[Table]:
     return [table for table in tables if UNREAD not in table.required]
 
 
-def _usual_depth(given: dict[str, Any], body: Table) -> str:
-    """Return the depth of a body that gives none; nothing where it has mistakes."""
-    plain = {name: value for name, value in given.items() if name not in ("depth", "profile", "chamfer")}
+def _read(given: dict[str, Any], table: Table) -> Body | None:
+    """Return the body of a table; None where it has mistakes."""
     try:
-        return read(Body, plain, likely=body.likely).behind.word
+        return read(Body, given, likely=table.likely)
     except InputError:
-        return ""
+        return None
 
 
-def _sizes(given: dict[str, Any], body: Table) -> dict[str, float]:
+def _usual_depth(given: dict[str, Any], table: Table) -> str:
+    """Return the depth of a body that gives none; nothing where it has mistakes."""
+    body = _read({name: value for name, value in given.items() if name not in ("depth", "profile", "chamfer")}, table)
+    return body.behind.word if body else ""
+
+
+def _sizes(given: dict[str, Any], table: Table) -> dict[str, float]:
     """Return drop and parameters of a body's profile, where it has a single one that is neither moved nor stretched."""
     tables = profile_tables(given) if isinstance(given.get("profile"), list | dict) else []
     if len(tables) != 1 or not isinstance(tables[0], dict) or {"at", *COMMON} & set(tables[0]):
         return {}
-    try:
-        made = read(Body, given, likely=body.likely)
-    except InputError:
+    body = _read(given, table)
+    end = body.land[1] - body.position if body else math.inf
+    if body is None or body.profile.catalogue_entry is None or not math.isfinite(end):
         return {}
-    entry, end = made.profile.catalogue_entry, made.land[1] - made.position
-    if entry is None or not math.isfinite(end):
-        return {}
-    drop = float(made.profile.relief(end) - made.profile.relief(0.0))
-    values = {name: value for name, value in entry[1].items() if isinstance(value, float)} | {"drop": drop}
+    drop = float(body.profile.relief(end) - body.profile.relief(0.0))
+    parameters = body.profile.catalogue_entry[1]
+    values = {name: value for name, value in parameters.items() if isinstance(value, float)} | {"drop": drop}
     return {name: float(f"{value:.4g}") for name, value in values.items() if math.isfinite(value) and value}
 
 
-def _can_be_moved(given: dict[str, Any], body: Table) -> bool:
+def _can_be_moved(given: dict[str, Any], table: Table) -> bool:
     """Return whether the profiles of a body leave room to be moved: beside corners, a bounded one leaves none."""
     if not {"corner_radius", "chamfer"} & set(given) or not isinstance(given.get("profile"), list | dict):
         return True
     shift = _NOTICEABLE * size_of("length", given.get("length"))
     moved = [each | {"shift": shift} if isinstance(each, dict) else each for each in profile_tables(given)]
-    try:
-        read(Body, given | {"profile": moved}, likely=body.likely)
-    except InputError:
-        return False
-    return True
+    return _read(given | {"profile": moved}, table) is not None
 
 
 def _unchosen(table: Table, given: dict[str, Any]) -> set[str]:

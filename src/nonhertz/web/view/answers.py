@@ -25,7 +25,7 @@ from nonhertz.result.solution import EdgeKind, Solution
 from nonhertz.show.summary import summary_rows
 from nonhertz.study.quantities import LIFE_MODEL, life_of
 from nonhertz.verdict import of_contact
-from nonhertz.web.view.replies import numbers, verdict_seen
+from nonhertz.web.view.replies import verdict_seen
 
 Array = NDArray[np.float64]
 
@@ -108,7 +108,7 @@ def relief_between(low: float, high: float, relief: Callable[[Array], Array]) ->
     y = np.clip(0.5 * (low + high) + 0.5 * (high - low) * spread, low, high)
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        return {"y": numbers(y), "relief_um": numbers(1e3 * relief(y))}
+        return {"y": plain(y), "relief_um": plain(1e3 * relief(y))}
 
 
 def lines(solution: Solution) -> dict[str, list[float | None]]:
@@ -146,7 +146,7 @@ def _footprint(solution: Solution) -> dict[str, Any]:
     columns: dict[str, list[float | None]] = {"y": [], "half_width": [], "pressure": []}
     for piece in pieces:
         for name, column in columns.items():
-            column += [*([None] if column else []), *numbers(getattr(piece, name))]
+            column += [*([None] if column else []), *plain(getattr(piece, name))]
     return columns
 
 
@@ -154,7 +154,7 @@ def _gap(solution: Solution) -> dict[str, Any]:
     before, after = distances(solution)
     drawn = np.isfinite(before).any()
     limits = drawn_range(before, after) if drawn else None
-    return {"y": numbers(solution.y), "before": numbers(before), "after": numbers(after), "range": plain(limits)}
+    return {"y": plain(solution.y), "before": plain(before), "after": plain(after), "range": plain(limits)}
 
 
 def drawable(bodies: Any) -> dict[str, Any]:

@@ -20,7 +20,7 @@ from nonhertz.show.bearing import most_loaded, sections
 from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import findings_of, of_bearing
 from nonhertz.web.view.answers import lines, profiles, relief_between
-from nonhertz.web.view.replies import numbers, verdict_seen
+from nonhertz.web.view.replies import verdict_seen
 
 Array = NDArray[np.float64]
 
@@ -54,10 +54,10 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "key": _key_numbers(solution, life),
         "rows": _rows(solution),
         "profiles": profiles({part: getattr(solution.bearing.rows[0].bearing, part) for part in PARTS}),
-        "angle": numbers(solution.angle),
-        "load": numbers(solution.load),
-        "rib_load": numbers(solution.rib_load),
-        "force": numbers(solution.force),
+        "angle": plain(solution.angle),
+        "load": plain(solution.load),
+        "rib_load": plain(solution.rib_load),
+        "force": plain(solution.force),
         "most": most_loaded(solution),
         "contacts": contacts,
         "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
@@ -127,8 +127,8 @@ def _steps(edges: Array, loads: Array) -> dict[str, Any]:
     pressed = np.concatenate([[False], loads > 0.0, [False]])
     starts, stops = (np.flatnonzero(found) for found in (pressed[1:] & ~pressed[:-1], pressed[:-1] & ~pressed[1:]))
     return {
-        "y": numbers(np.repeat(edges, 2)),
-        "line_load": [0.0, *numbers(np.repeat(loads, 2)), 0.0],
+        "y": plain(np.repeat(edges, 2)),
+        "line_load": [0.0, *plain(np.repeat(loads, 2)), 0.0],
         "touching": [[float(edges[low]), float(edges[high])] for low, high in zip(starts, stops, strict=True)],
     }
 

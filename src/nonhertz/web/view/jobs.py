@@ -90,23 +90,18 @@ def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCas
     """
     key = json.dumps([case.document, method or case.solver.method])
     if key not in _LATEST:
-        found = _newly_loaded(case, method)
+        try:
+            solution = case.solve(method)
+            if solution.method == "strips":
+                solution.max_pressure  # noqa: B018  (solves the contacts, each of which may be refused)
+        except InputError as error:
+            raise placed(error) from None
+        if solution.method == "slices" and case.life.edge_stress == "pressure":
+            # They have no pressures: without the word, life is that of the standard's edges.
+            case = replace(case, life=replace(case.life, edge_stress=None))
         _LATEST.clear()
-        _LATEST[key] = found
+        _LATEST[key] = case, solution
     return _LATEST[key]
-
-
-def _newly_loaded(case: BearingCase, method: Method | None) -> tuple[BearingCase, BearingSolution]:
-    try:
-        solution = case.solve(method)
-        if solution.method == "strips":
-            solution.max_pressure  # noqa: B018  (solves the contacts, each of which may be refused)
-    except InputError as error:
-        raise placed(error) from None
-    if solution.method == "slices" and case.life.edge_stress == "pressure":
-        # They have no pressures: without the word, life is that of the standard's edges.
-        case = replace(case, life=replace(case.life, edge_stress=None))
-    return case, solution
 
 
 @job

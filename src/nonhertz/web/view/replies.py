@@ -10,11 +10,9 @@ from collections.abc import Callable, Iterable
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 from starlette.responses import Response
 
 from nonhertz.errors import CaseError, ConvergenceError, InputError
-from nonhertz.files.results import plain
 from nonhertz.verdict import Verdict
 
 First = TypeVar("First")
@@ -60,11 +58,6 @@ def job(make: Callable[Concatenate[First, More], Any]) -> Callable[Concatenate[F
 def as_bytes(value: Any) -> bytes:
     """Return JSON without blanks; raise for a non-finite number, which would be a bug."""
     return json.dumps(value, allow_nan=False, separators=(",", ":")).encode()
-
-
-def numbers(values: NDArray[np.float64]) -> Any:
-    """Return an array as lists, with null for non-finite numbers: a faster `nonhertz.files.results.plain`."""
-    return values.tolist() if np.isfinite(values).all() else plain(values)
 
 
 def reply(value: Any, status: int = 200, headers: dict[str, str] | None = None) -> Response:

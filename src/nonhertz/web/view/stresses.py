@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
+from nonhertz.files.results import plain
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.strength import assess
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
-from nonhertz.web.view.replies import numbers
 
 Array = NDArray[np.float64]
 
@@ -89,7 +89,7 @@ def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:
     y = np.linspace(along[0], along[-1], ALONG)
     z = _levels(solution.max_half_width)
     field = _with_numbers(axial_plane(solution, y, z, body=body, threads=1))
-    return {"y": numbers(field.y[:, 0]), "z": numbers(field.z[0]), "von_mises": numbers(_short(field.von_mises.T))}
+    return {"y": plain(field.y[:, 0]), "z": plain(field.z[0]), "von_mises": plain(_short(field.von_mises.T))}
 
 
 def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -102,9 +102,9 @@ def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[s
     largest = _largest(solution, field, body)
     section = {
         "y": station,
-        "x": numbers(np.concatenate([-x[:0:-1], x])),
-        "z": numbers(field.z[0]),
-        "von_mises": numbers(_short(both.T)),
+        "x": plain(np.concatenate([-x[:0:-1], x])),
+        "z": plain(field.z[0]),
+        "von_mises": plain(_short(both.T)),
     }
     return section, _worst(largest, body)
 

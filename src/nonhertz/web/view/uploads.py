@@ -26,7 +26,6 @@ MOST_POINTS: Final = 300
 """Of the profile; more would affect no result, and the whole case is sent with every request."""
 DRAWN_POINTS: Final = 600
 _NANOMETRES: Final = 6  # decimals of a mm
-_STARTED: Final = {"kind": "tabulated"}
 
 
 @job
@@ -42,12 +41,16 @@ def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> dict[s
     options : dict
         Keys of a profile of kind "measured", as text.
     """
-    values, mistakes = _read_options(options)
+    values, mistakes = {}, []
+    for option, text in options.items():
+        try:
+            values[option] = checked(option, _value(text))
+        except InputError as error:
+            mistakes.append((_path(option), str(error)))
     if mistakes:
         return broken(mistakes)
     try:
-        measured = measured_in(content, values, name, _averaged)
-        return _answer(measured, values.get("interpolation"))
+        return _answer(measured_in(content, values, name, _averaged), values.get("interpolation"))
     except InputError as error:
         return broken([(_path(error.field), str(error))])
 
@@ -68,16 +71,6 @@ def _averaged(trace: Trace) -> Trace:
     return Trace(y, height, trace.gaps, name=trace.name, notes=(*trace.notes, note))
 
 
-def _read_options(options: dict[str, str]) -> tuple[dict[str, Any], list[tuple[str, str]]]:
-    values, mistakes = {}, []
-    for name, text in options.items():
-        try:
-            values[name] = checked(name, _value(text))
-        except InputError as error:
-            mistakes.append((_path(name), str(error)))
-    return values, mistakes
-
-
 def _value(text: str) -> Any:
     """Return the value of a query parameter: true, false, a number, or the text itself."""
     try:
@@ -92,13 +85,18 @@ def _path(field: str) -> str:
 
 
 def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str, Any]:
-    states = measured.states
+    found = measured.roughness
     profile = _short(measured).profile(interpolation)
     assert isinstance(profile, Tabulated)
     return {
         "ok": True,
         "name": measured.trace.name,
-        "table": _table(profile),
+        "table": {
+            "kind": "tabulated",
+            "y": [round(y, _NANOMETRES) for y in profile.y],
+            "relief": [round(relief, _NANOMETRES + 2) for relief in profile.values],
+            "interpolation": profile.interpolation,
+        },
         "steps": [
             {
                 "name": after.name,
@@ -107,10 +105,13 @@ def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str
                 "after": _drawn(after.y, after.height),
                 "floor_um": _floor(after),
             }
-            for before, after in itertools.pairwise(states)
+            for before, after in itertools.pairwise(measured.states)
         ],
         "notes": list(measured.trace.notes),
-        "roughness": _roughness_rows(measured),
+        "roughness": [
+            *([name, f"{um(value):3}", ""] for name, value in (("Ra", found.ra), ("Rq", found.rq), ("Rz", found.rz))),
+            ["cutoff", f"{mm(found.cutoff):3}", f"{found.sections} sections"],
+        ],
         "warnings": list(measured.warnings),
     }
 
@@ -123,14 +124,6 @@ def _short(measured: Measured) -> Measured:
     whole = measured.without("thin") if thinned else measured
     # Corners keep points of their own, and so does the land beside them.
     return whole.thinned(max(MOST_POINTS - positions(whole.points).size, FEWEST_POINTS))
-
-
-def _table(profile: Tabulated) -> dict[str, Any]:
-    points = {
-        "y": [round(y, _NANOMETRES) for y in profile.y],
-        "relief": [round(relief, _NANOMETRES + 2) for relief in profile.values],
-    }
-    return _STARTED | points | {"interpolation": profile.interpolation}
 
 
 def _floor(state: StepResult) -> float | None:
@@ -149,12 +142,3 @@ def _drawn(y: Array, height: Array) -> dict[str, Any]:
         chosen = np.array(sorted(set().union(*kept)))
         y, height = y[chosen], height[chosen]
     return {"y": np.round(y, _NANOMETRES).tolist(), "height_um": np.round(1e3 * height, 4).tolist()}
-
-
-def _roughness_rows(measured: Measured) -> list[list[str]]:
-    found = measured.roughness
-    rows = {"Ra": found.ra, "Rq": found.rq, "Rz": found.rz}
-    return [
-        *([name, f"{um(value):3}", ""] for name, value in rows.items()),
-        ["cutoff", f"{mm(found.cutoff):3}", f"{found.sections} sections"],
-    ]
