@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from nonhertz.amounts import mm, mpa
-from nonhertz.plot import bearing_figures, dent_figure, life_figure, stress_figures
+from nonhertz.plot import dent_figure, figures, life_figure, stress_figures
 from nonhertz.plot.overlay import all_pressed, compared_bearings, compared_contacts
-from nonhertz.plot.sheets import contact_figures
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.show.sections import Picture, Row
 
@@ -26,27 +25,21 @@ def belonging(found: Results, numbers: Iterable[Row]) -> dict[str, list[Picture]
     The numbers that are looked for first describe them.
     """
     words = f"{found.case.title}: {in_words(numbers)}"
-    if isinstance(found, BearingResults):
-        captions, figures = _OF_BEARING, {} if found.solution is None else bearing_figures(found.solution)
-    else:
+    captions = _OF_BEARING
+    more: dict[str, list[Picture]] = {}
+    if isinstance(found, CaseResults):
         parabolic = found.solution.element.name == "parabolic"
-        captions, figures = (
-            {
-                "pressure": "Pressure on the centre line and half-width along the contact."
-                + (_SHARP if found.solution.singular_ends else ""),
-                "footprint": "Contact area, coloured by its pressure"
-                + (" (the dotted line is the half-width)." if parabolic else "."),
-                "profile": "Distance of both surfaces on the centre line before and after loading.",
-            },
-            contact_figures(found.solution),
-        )
-    drawn = [Picture(figure, captions[name], words) for name, figure in figures.items()]
-    more = (
-        {}
-        if isinstance(found, BearingResults)
-        else {"Stress below the surface": _of_stress(found), "Life": _of_lives(found)}
-    )
-    return {"": drawn[:1], "Results": drawn[1:]} | {title: [*pictures] for title, pictures in more.items()}
+        captions = {
+            "pressure": "Pressure on the centre line and half-width along the contact."
+            + (_SHARP if found.solution.singular_ends else ""),
+            "footprint": "Contact area, coloured by its pressure"
+            + (" (the dotted line is the half-width)." if parabolic else "."),
+            "profile": "Distance of both surfaces on the centre line before and after loading.",
+        }
+        more = {"Stress below the surface": [*_of_stress(found)], "Life": [*_of_lives(found)]}
+    finished = {} if found.solution is None else figures(found.solution)
+    drawn = [Picture(figure, captions[name], words) for name, figure in finished.items()]
+    return {"": drawn[:1], "Results": drawn[1:]} | more
 
 
 def _of_stress(found: CaseResults) -> Iterator[Picture]:

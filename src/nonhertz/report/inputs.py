@@ -7,12 +7,12 @@ base units, those that a profile takes from its body too. A case and a bearing a
 from __future__ import annotations
 
 import inspect
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from nonhertz.amounts import amount, given, mpa
-from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -103,20 +103,28 @@ class InputGroup:
 def inputs(case: Case | BearingCase) -> list[InputGroup]:
     """Return all inputs of a case, or of a bearing, grouped by the headings of its file."""
     written, made = dict(_flat(case.document)), dict(_flat(case.own_document))
-    row = case.bearing.rows[0].bearing if isinstance(case, BearingCase) else None
-    bodies = (
-        {f"body.{name}": getattr(case.contact, name) for name in BODIES}
-        if isinstance(case, Case)
-        else {name: getattr(row, name) for name in PARTS}
-    )
+    # What is shown where a file says nothing, and of bodies in its place.
+    said: dict[str, dict[str, Any]] = {}
+    if isinstance(case, Case):
+        bodies: dict[str, Body] = {f"body.{name}": getattr(case.contact, name) for name in BODIES}
+        said["load"] = {} if {"tilt", "moment"} & set(made["load"]) else {"tilt": 0.0}
+    else:
+        row = case.bearing.rows[0].bearing
+        bodies = {name: getattr(row, name) for name in PARTS}
+        guessed = getattr(row, "rib", "") is None and bool(row.rib_contacts)
+        said["bearing"] = {"pitch_diameter": row.pitch} | ({"rib": "a guess"} if guessed else {})
+    for place, body in bodies.items():
+        said[place] = {"material": body.material} | ({} if body.depth is not None else {"depth": body.behind.shown})
     groups = []
     for place, title in _TITLES.items():
         if place in made:
-            own, table = written.get(place, {}), _table_at(table_of(case.contents), place)
-            said = _of_body(bodies[place]) if place in bodies else _of_row(row) if place == "bearing" and row else {}
-            if place == "load" and isinstance(case, Case) and not {"tilt", "moment"} & set(made[place]):
-                said = {"tilt": 0.0}
-            rows = [*_kind(place, table, own, made[place]), *_entries(place, table, own, made[place], said)]
+            own, table = written.get(place, {}), table_of(case.contents)
+            for name in place.split("."):
+                table = table.keys[name].tables[0]
+            rows = [*_entries(place, table, own, made[place], said.get(place, {}))]
+            if table.kinds:
+                word = own.get("kind", made[place]["kind"] if made[place].get("kind") != "body" else "any body")
+                rows.insert(0, Entry(f"{place}.kind", word, "", "what it is", "kind" not in own))
             profiles = _profiles(place, own, made[place].get("profile", [])) if place in bodies else ()
             groups.append(InputGroup(title, (*rows, *profiles)))
     return [group for group in groups if group.entries]
@@ -126,30 +134,6 @@ def _flat(document: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
     """Yield the tables of a document by their places."""
     for name, table in document.items():
         yield from ((f"{name}.{part}", each) for part, each in table.items()) if name == "body" else [(name, table)]
-
-
-def _table_at(table: Table, place: str) -> Table:
-    for name in place.split("."):
-        table = table.keys[name].tables[0]
-    return table
-
-
-def _of_body(body: Body) -> dict[str, Any]:
-    """Return what is shown of a body in place of what a file has."""
-    depth = {} if body.depth is not None else {"depth": body.behind.shown}
-    return {"material": body.material} | depth
-
-
-def _of_row(row: RollerBearing) -> dict[str, Any]:
-    """Return what is shown of a bearing where its file says nothing."""
-    guessed = getattr(row, "rib", "") is None and bool(row.rib_contacts)
-    return {"pitch_diameter": row.pitch} | ({"rib": "a guess"} if guessed else {})
-
-
-def _kind(place: str, table: Table, own: Mapping[str, Any], made: Mapping[str, Any]) -> Iterator[Entry]:
-    if table.kinds:
-        word = own.get("kind", made["kind"] if made.get("kind") != "body" else "any body")
-        yield Entry(f"{place}.kind", word, "", "what it is", "kind" not in own)
 
 
 def _entries(
@@ -171,7 +155,8 @@ def _entries(
 
 def _entry(place: str, value: Any, key: Key, own: Mapping[str, Any], more: str = "") -> Entry:
     name = place.rpartition(".")[2]
-    written = _as_written(own, name)
+    # As the file has it, if that is text with a unit, recognised by its digits.
+    written = str(own.get(name)) if isinstance(own.get(name), str) and re.search(r"\d", own[name]) else ""
     text, unit = _with_unit(value, key, small=name in MICROMETRES or "um" in written)
     # What a file says, unless that is what is shown.
     unlike = "" if written.replace("um", "µm") == f"{text} {unit}" else written
@@ -247,13 +232,11 @@ def shown(value: Any, key: Key | None = None) -> str:
         keys = {name: each for table in (key.tables if key else ()) for name, each in table.keys.items()}
         cells = ((name, " ".join(_with_unit(entry, keys.get(name))).rstrip()) for name, entry in value.items())
         return ", ".join(f"{name} = {cell}" for name, cell in cells)
-    return _sequence(value, key) if isinstance(value, list | tuple) else str(value)
-
-
-def _sequence(values: Sequence[Any], key: Key | None = None) -> str:
-    if len(values) > LONGEST_LIST:
-        return f"{len(values)} values, {shown(values[0], key)} to {shown(values[-1], key)}"
-    return ", ".join(shown(value, key) for value in values)
+    if not isinstance(value, list | tuple):
+        return str(value)
+    long = len(value) > LONGEST_LIST
+    words = [shown(each, key) for each in ((value[0], value[-1]) if long else value)]
+    return f"{len(value)} values, {' to '.join(words)}" if long else ", ".join(words)
 
 
 def _material(material: Material) -> str:
@@ -265,9 +248,3 @@ def _material(material: Material) -> str:
         if (value := getattr(material, field)) is not None
     ]
     return f"{name} ({', '.join(constants)})" if name else ", ".join(constants)
-
-
-def _as_written(table: Mapping[str, Any], name: str) -> str:
-    """Return a quantity as written in the case file if it is text with a unit, recognised by its digits."""
-    value = table.get(name)
-    return value if isinstance(value, str) and any(letter.isdigit() for letter in value) else ""

@@ -17,7 +17,7 @@ from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warni
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import OverrolledDent
-from nonhertz.findings import Finding, finding
+from nonhertz.findings import finding
 from nonhertz.life import Model, VolumeModel, overrolled, solve_spectrum
 from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName
@@ -96,7 +96,18 @@ def largest_stresses(
     announce("cross-section")
     y = overall.von_mises.y if station is None else station
     section = extremes(solution, y, body=body)
-    return overall, replace(section, findings=(*section.findings, *_near_sharp_ends(solution, y)))
+    near = [
+        finding(
+            "section-near-an-end",
+            "The cross-section at y = {y:.5g} is within a half-width of {end}, towards which the stress has no limit: "
+            "its largest values depend on the strips.",
+            y=mm(y),
+            end=ends_in_words([end]),
+        )
+        for end in solution.singular_ends
+        if abs(y - end.y) < np.interp(y, solution.y, solution.half_width)
+    ]
+    return overall, replace(section, findings=(*section.findings, *near))
 
 
 def bears_something(body: Body) -> bool:
@@ -124,22 +135,6 @@ def strengths(solution: Solution, overall: Extremes, announce: Announce = in_sil
         announce(f"body {other}")
         found.append(assess(solution, body=other))
     return tuple(found)
-
-
-def _near_sharp_ends(solution: Solution, y: float) -> list[Finding]:
-    """Return each singular end within a half-width."""
-    half_width = float(np.interp(y, solution.y, solution.half_width))
-    return [
-        finding(
-            "section-near-an-end",
-            "The cross-section at y = {y:.5g} is within a half-width of {end}, towards which the stress has no limit: "
-            "its largest values depend on the strips.",
-            y=mm(y),
-            end=ends_in_words([end]),
-        )
-        for end in solution.singular_ends
-        if abs(y - end.y) < half_width
-    ]
 
 
 def models_for(

@@ -41,7 +41,8 @@ def summary_rows(solution: Solution, given: Collection[str] = ()) -> list[Row]:
         "max_half_width": "away from singular ends" if solution.singular_ends else "",
     } | dict.fromkeys(given, "given")
     rows = [("status", solution.status.label, "")]
-    for name, quantity in sorted(QUANTITIES.items(), key=lambda each: _place(each[0])):
+    for name in (*_FIRST, *(name for name in QUANTITIES if name not in _FIRST)):
+        quantity = QUANTITIES[name]
         if name in _ROWS:
             rows += _ROWS[name](solution)
         elif told or name != "penetration":
@@ -51,10 +52,6 @@ def summary_rows(solution: Solution, given: Collection[str] = ()) -> list[Row]:
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
     rows.append(("Newton steps", str(solution.iterations), ""))
     return rows
-
-
-def _place(name: str) -> int:
-    return _FIRST.index(name) if name in _FIRST else len(_FIRST)
 
 
 def overview_table(attempts: Sequence[Attempt]) -> Table:

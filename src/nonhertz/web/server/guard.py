@@ -85,16 +85,12 @@ class Guard:
         origins = headers.getlist("origin")
         if any(origin.lower() not in self.origins for origin in origins):
             return "The page answers no requests from other pages."
-        sites = headers.getlist("sec-fetch-site")
-        if any(site not in _OWN_SITES for site in sites) and not _opens_the_page(scope, headers):
+        # To follow a link to a page is as harmless as to type its address.
+        navigates = headers.get("sec-fetch-mode") == "navigate" and headers.get("sec-fetch-dest") == "document"
+        opens = scope["method"] == "GET" and scope["path"] in PAGES and navigates
+        if not opens and any(site not in _OWN_SITES for site in headers.getlist("sec-fetch-site")):
             return "The page answers no requests from other pages."
         return None
-
-
-def _opens_the_page(scope: Scope, headers: Headers) -> bool:
-    """Return whether a link to the page was followed, which is as harmless as typing its address."""
-    navigates = headers.get("sec-fetch-mode") == "navigate" and headers.get("sec-fetch-dest") == "document"
-    return bool(scope["method"] == "GET" and scope["path"] in PAGES and navigates)
 
 
 def _with_headers(send: Send) -> Send:

@@ -56,9 +56,13 @@ def json_object(text: bytes) -> dict[str, Any]:
         If it is not JSON, not an object, repeats a key, holds a malformed number, or is nested too deeply.
     """
     try:
-        value = json.loads(text.decode("utf-8"), parse_constant=_no_number, object_pairs_hook=_no_key_twice)
+        value = json.loads(text.decode("utf-8"), object_pairs_hook=_no_key_twice)
+        # Neither NaN and infinity nor lone surrogates, which JSON can escape but no text can hold.
+        json.dumps(value, allow_nan=False, ensure_ascii=False).encode()
     except RecursionError:
         raise HTTPException(400, "The JSON is nested too deeply.") from None
+    except UnicodeEncodeError:
+        raise HTTPException(400, "The request must hold whole characters only.") from None
     except ValueError as error:  # not UTF-8, not JSON, or a number with thousands of digits
         reason = str(error).partition("\n")[0][:120].rstrip(".")
         raise HTTPException(400, f"The request must be JSON ({reason}).") from None
@@ -66,15 +70,7 @@ def json_object(text: bytes) -> dict[str, Any]:
         raise HTTPException(400, "The request must be a JSON object.")
     if deeper(value, NESTING):
         raise HTTPException(400, "The JSON is nested too deeply.")
-    try:  # lone surrogates, which JSON can escape but no text can hold
-        json.dumps(value, ensure_ascii=False).encode()
-    except UnicodeEncodeError:
-        raise HTTPException(400, "The request must hold whole characters only.") from None
     return value
-
-
-def _no_number(name: str) -> Any:
-    raise ValueError(f"{name} is not a number")
 
 
 def _no_key_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, NamedTuple
 
 from starlette.exceptions import HTTPException
 
@@ -23,19 +23,8 @@ from nonhertz.web.view import jobs
 from nonhertz.web.view.curves import curve
 
 
-@dataclass(frozen=True)
-class Wish:
-    """Something that a request may say.
-
-    Attributes
-    ----------
-    fits : callable
-        Whether a value is accepted.
-    sentence : str
-        What is wrong with any other.
-    usual : object
-        The value of a request that says nothing.
-    """
+class Wish(NamedTuple):
+    """Something that a request may say: what is accepted, what is wrong with all else, and what nothing stands for."""
 
     fits: Callable[[Any], bool]
     sentence: str
