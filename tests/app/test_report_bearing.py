@@ -135,6 +135,7 @@ def test_strips_are_compared_with_slices_for_bearings_alone(folder, run):
     assert main(["report", "few.toml", "--compare"]) == 0
     text = Path("few-report.html").read_text(encoding="utf-8")
     assert "Strips beside slices" in text
+    assert text.count("</b> Loads of all rollers around the") == 1, "a figure stands in one section"
     assert {"few-comparison.json", "few-comparison.csv"} <= set(Page(text).files())
 
 

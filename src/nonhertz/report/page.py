@@ -108,8 +108,9 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
         shown = _shown(only)
         numbers = first_numbers(only, rows_of_summaries(shown))
         drawn = figures.belonging(only, numbers)
+        first = Section("", drawn.pop(""))
         with_figures = [Section(title, [*blocks, *drawn.get(title, [])]) for title, blocks in shown]
-        part = Part(only, [Section("", drawn[""]), *with_figures, *_given(only, words)], numbers=numbers)
+        part = Part(only, [first, *with_figures, *_given(only, words)], numbers=numbers)
         return laid_out(only.case.title, words, head, opening(only), [part])
     parts = [Part(None, _compared(found, words))]
     for number, each in enumerate(found, start=1):

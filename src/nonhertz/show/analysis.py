@@ -16,7 +16,6 @@ from nonhertz.amounts import mm
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.lives import Assessment
-from nonhertz.files.sections import OverrolledDent
 from nonhertz.findings import finding
 from nonhertz.life import Model, VolumeModel, overrolled, solve_spectrum
 from nonhertz.life import assess as assess_life
@@ -178,19 +177,14 @@ def assessed(
                 announce=_announcer(announce, body, len(spectrum)),
             )
         found = Assessment(case.title, case.life.rollers, spectrum, lives, notes)
-        if case.life.dent is not None:
-            announce("dent")
-            found = _dented(found, case.life.dent)
-    return found
-
-
-def _dented(found: Assessment, given: OverrolledDent) -> Assessment:
-    """Return lives with those of dents, of which the case says what is given, or a note that no model has any."""
-    if not any(isinstance(life.model, VolumeModel) for life in found.lives["b"]):
-        return replace(found, notes=(*found.notes, "The dent is left out: it needs a model of the stressed volume."))
-    rolled = overrolled(found.spectrum[0][0], given.dent, body=given.body)
-    found = replace(found, dent=rolled, dents=given.number)
-    _ = found.dent_lives  # refused here, where errors name keys of the file
+        dent = case.life.dent
+        if dent is None:
+            return found
+        announce("dent")
+        if not any(isinstance(life.model, VolumeModel) for life in found.lives["b"]):
+            return replace(found, notes=(*notes, "The dent is left out: it needs a model of the stressed volume."))
+        found = replace(found, dent=overrolled(spectrum[0][0], dent.dent, body=dent.body), dents=dent.number)
+        _ = found.dent_lives  # refused here, where errors name keys of the file
     return found
 
 

@@ -78,7 +78,9 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     """Return name, value and remark of ratings, safety and lives; why there are none, if there are none."""
     if found is None:
         return [("life", "none", reason)]
-    rating = found.rating
+    rating, hours = found.rating, ""
+    if speed and math.isfinite(found.modified_life):
+        hours = f"{digits(found.modified_life * 1e6 / (60.0 * speed), 4)} hours at {given(float(speed))} 1/min"
     safety = "none" if math.isnan(found.static_safety) else "no load"
     if math.isfinite(found.static_safety):
         safety = f"S0 = {digits(found.static_safety, 3)}"
@@ -96,7 +98,7 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
         ("static safety", safety, ""),
         ("life L10", of_life(found.basic_life, _REVOLUTIONS), "ISO 281, of bearing steel"),
         ("L10r", of_life(found.reference_life, _REVOLUTIONS), found.no_reference or "laminae of ISO/TS 16281"),
-        ("modified life", of_life(found.modified_life, _REVOLUTIONS), _hours(found.modified_life, speed)),
+        ("modified life", of_life(found.modified_life, _REVOLUTIONS), hours),
         _factors_row(found),
     ]
 
@@ -336,12 +338,6 @@ def _row_numbers(bearing: RollerBearing | Paired) -> Iterator[str]:
 
 def _degrees(angle: float) -> str:
     return f"{math.degrees(angle):.1f}"
-
-
-def _hours(millions: float, speed: float | None) -> str:
-    if not speed or not math.isfinite(millions):
-        return ""
-    return f"{digits(millions * 1e6 / (60.0 * speed), 4)} hours at {given(float(speed))} 1/min"
 
 
 def _factors_row(found: BearingLife) -> Row:

@@ -15,17 +15,18 @@ COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "differ
 
 def sections(found: Comparison) -> list[Section]:
     """Return what is shown of a comparison: results side by side, run times, and where the methods differ."""
-    return [Section("", [Table(_rows(found), COLUMNS, (0,)), Said(_sentences(found))])]
-
-
-def _rows(found: Comparison) -> list[tuple[str, ...]]:
-    """Return name, value on the plane grid, and value and difference for both strip elements, for each quantity."""
+    seconds, (across, along) = found.seconds, found.patch.cells
+    semi, parabolic = (f"{each.strips} strips" for each in found.strips)
+    times = [
+        f"{1e3 * each:.3g} ms" if each < 0.9995 else f"{each:.3g} s"
+        for each in (seconds.patch, seconds.semi_elliptic, seconds.parabolic)
+    ]
     rows = [_row(each) for each in found.quantities]
-    seconds = found.seconds
-    times = [_time(each) for each in (seconds.patch, seconds.semi_elliptic, seconds.parabolic)]
-    across, along = found.patch.cells
-    sizes = [f"{across} x {along} cells", *(f"{each.strips} strips" for each in found.strips)]
-    return [*rows, ("size", sizes[0], sizes[1], "", sizes[2], ""), ("time", times[0], times[1], "", times[2], "")]
+    rows += [
+        ("size", f"{across} x {along} cells", semi, "", parabolic, ""),
+        ("time", times[0], times[1], "", times[2], ""),
+    ]
+    return [Section("", [Table(rows, COLUMNS, (0,)), Said(_sentences(found))])]
 
 
 def _sentences(found: Comparison) -> list[str]:
@@ -60,10 +61,6 @@ def _difference(value: float, each: ComparedQuantity) -> str:
     if each.absolute:
         return f"{'+' * (value > 0.0)}{amount(value, each.unit):.2g}" if value else "0"
     return percent(value) or "0"
-
-
-def _time(seconds: float) -> str:
-    return f"{1e3 * seconds:.3g} ms" if seconds < 0.9995 else f"{seconds:.3g} s"
 
 
 def _sentence(each: Stretch) -> str:

@@ -14,8 +14,12 @@ _FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
 
 def sections(measured: Measured, fits: Sequence[ProfileFit] = ()) -> list[Section]:
     """Return what is shown of a measured profile and of profiles fitted to it, best first."""
-    blocks = [Said(measured.trace.notes), summary(rows(measured)), Table(_fit_rows(fits), _FITTED, (0, 1))]
-    return [Section("", blocks)]
+    fitted = []
+    for fit in fits:
+        names = [*fit.parameters, *(["shift"] if "shift" in fit.standard_errors else [])]
+        residuals = f"{um(fit.rms):.3g}", f"{um(fit.largest):.3g}", f"{fit.penalised - fits[0].penalised:.1f}"
+        fitted.append((fit.kind, ", ".join(_parameter(fit, name) for name in names), *residuals))
+    return [Section("", [Said(measured.trace.notes), summary(rows(measured)), Table(fitted, _FITTED, (0, 1))])]
 
 
 def rows(measured: Measured) -> list[Row]:
@@ -39,24 +43,6 @@ def _relief(measured: Measured) -> str:
         return f"{words}."
     ends = " and ".join(f"{um(float(highest - points.height[k])):.4g} at {mm(points.y[k]):.5g}" for k in (0, -1))
     return f"{words}, where the land ends; {ends}, where the profile ends."
-
-
-def _fit_rows(fits: Sequence[ProfileFit]) -> list[tuple[str, ...]]:
-    """Return kind, parameters with their standard errors, and residuals of each fit, best first."""
-    return [
-        (
-            fit.kind,
-            ", ".join(
-                _parameter(fit, name)
-                for name in (*fit.parameters, "shift")
-                if name in fit.parameters or name in fit.standard_errors
-            ),
-            f"{um(fit.rms):.3g}",
-            f"{um(fit.largest):.3g}",
-            f"{fit.penalised - fits[0].penalised:.1f}",
-        )
-        for fit in fits
-    ]
 
 
 def _parameter(fit: ProfileFit, name: str) -> str:

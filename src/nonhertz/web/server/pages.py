@@ -67,22 +67,23 @@ class Page:
         # Where strips are waited for at every rest of a slider, the process is ready for them; else it is started late.
         ready = kind.patient is kind.quick
         self.patient = Workers(min(workers, 1) if ready else 1, kind.patient, waiting=ANSWER_SECONDS, eager=ready)
+        self.processes = (self.quick, self.patient)
 
     def start(self, tasks: TaskGroup, *, at_once: bool) -> None:
         """Start the processes, at once or when the page is opened."""
-        for each in (self.quick, self.patient):
+        for each in self.processes:
             each.start(tasks, at_once=at_once and each.eager)
 
     def end(self) -> None:
         """Kill all processes."""
-        self.quick.end()
-        self.patient.end()
+        for each in self.processes:
+            each.end()
 
     async def page(self, request: Request) -> Response:
         """Answer with the page."""
-        self.quick.wake()
-        if self.patient.eager:
-            self.patient.wake()
+        for each in self.processes:
+            if each.eager:
+                each.wake()
         limits = {"upload_bytes": UPLOAD_BYTES, "document_bytes": DOCUMENT_BYTES, "strips": STRIPS}
         start = {"document": self.document, "text": self.text, "version": __version__, "limits": limits}
         whole = self.templates.get_template(f"{self.kind.name}.html").render(
@@ -143,7 +144,7 @@ class Page:
 
     async def status(self, request: Request) -> Response:
         """Answer whether the processes are ready, and whether one of them compiles the solver."""
-        compiling = self.quick.compiling or self.patient.compiling
+        compiling = any(each.compiling for each in self.processes)
         return reply({"ready": self.quick.ready.is_set(), "compiling": compiling})
 
     def routes(self) -> list[Route]:

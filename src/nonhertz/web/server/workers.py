@@ -225,26 +225,22 @@ class Workers:
             self.wake()
 
     async def _add(self, count: int) -> None:
-        for _ in range(count):
-            while (worker := await self._started()) is None:
+        """Start so many processes, each once the one before is ready; one that is not is tried again."""
+        while count:
+            worker: Worker | None = None
+            try:
+                worker = await self._in_thread(Worker, self._warm_up)
+                self._living.add(worker)
+                if self._warm_up is not None:
+                    await self._in_thread(worker.wait, WARM_UP_SECONDS)
+            except (OSError, TooSlowError, FailedError):  # out of memory, at the limit of processes, or dead by now
+                if worker is not None:
+                    self._end(worker)
                 await anyio.sleep(_PAUSE)
+                continue
             self._idle.put_nowait(worker)
             self.ready.set()
-
-    async def _started(self) -> Worker | None:
-        """Return a process that is ready, None if it could not be started or died while warming up."""
-        try:
-            worker: Worker = await self._in_thread(Worker, self._warm_up)
-        except OSError:  # out of memory, or at the limit of processes
-            return None
-        self._living.add(worker)
-        try:
-            if self._warm_up is not None:
-                await self._in_thread(worker.wait, WARM_UP_SECONDS)
-        except (TooSlowError, FailedError):
-            self._end(worker)
-            return None
-        return worker
+            count -= 1
 
     async def _in_thread(self, function: Callable[..., Any], *arguments: Any) -> Any:
         return await anyio.to_thread.run_sync(function, *arguments, abandon_on_cancel=True, limiter=self._limiter)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final
 
 import numpy as np
@@ -58,7 +58,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "summary": summary_rows(solution, case.prescribed.keywords),
         "warnings": solution.warnings,
         "line": lines(solution),
-        "footprint": _footprint(solution),
+        "footprint": _in_a_row(plain([*map(vars, outlines(solution))]), ("y", "half_width", "pressure")),
         "gap": _gap(solution),
         "life": None if complaint or not solution.contact_y else _life(case, solution),
         "profiles": profiles({"a": case.contact.a, "b": case.contact.b}),
@@ -117,11 +117,18 @@ def lines(solution: Solution) -> dict[str, list[float | None]]:
     They are zero where the surfaces separate: a strip beyond has its zero at its centre, up to half a strip away.
     """
     names = {"line_load": "line_load", "pressure": "centre_pressure", "half_width": "half_width"}
-    found: dict[str, list[float | None]] = {name: [] for name in ("y", *names)}
+    pieces = []
     for low, high in solution.contact_y:
         inside = (solution.y >= low) & (solution.y <= high) & (solution.line_load > 0.0)
         piece = {"y": [low, *solution.y[inside].tolist(), high]}
-        piece |= {name: [0.0, *plain(getattr(solution, of)[inside]), 0.0] for name, of in names.items()}
+        pieces.append(piece | {name: [0.0, *plain(getattr(solution, of)[inside]), 0.0] for name, of in names.items()})
+    return _in_a_row(pieces, ("y", *names))
+
+
+def _in_a_row(pieces: Iterable[Mapping[str, Any]], names: Iterable[str]) -> dict[str, list[float | None]]:
+    """Return the columns of pieces one after the other; a null separates them."""
+    found: dict[str, list[float | None]] = {name: [] for name in names}
+    for piece in pieces:
         for name, column in found.items():
             column += [*([None] if column else []), *piece[name]]
     return found
@@ -138,16 +145,6 @@ def _span(solution: Solution) -> list[float]:
     """Return the range of y that is drawn: where the bodies can touch, else where there are strips."""
     found = zip(solution.contact.interval, solution.edges[[0, -1]].tolist(), strict=True)
     return [end if math.isfinite(end) else edge for end, edge in found]
-
-
-def _footprint(solution: Solution) -> dict[str, Any]:
-    """Return the outline of the contact's upper half; a null separates pieces."""
-    pieces = outlines(solution)
-    columns: dict[str, list[float | None]] = {"y": [], "half_width": [], "pressure": []}
-    for piece in pieces:
-        for name, column in columns.items():
-            column += [*([None] if column else []), *plain(getattr(piece, name))]
-    return columns
 
 
 def _gap(solution: Solution) -> dict[str, Any]:
