@@ -110,7 +110,7 @@ def test_stress_is_that_of_the_search(body):
     searched = extremes(solution, section["y"], body=body).von_mises
     told = found["stress"]["von_mises"]
     # A net of five between neighbours: a quarter of a mesh off a maximum that is flat.
-    assert_allclose(told["value"], searched.max, rtol=2e-3)
+    assert_allclose(told["max"], searched.max, rtol=2e-3)
     assert_allclose(told["z"], searched.z, rtol=0.1)
     # A drawing is rounded to a hundred-thousandth of the largest, and its net misses the largest by a hundredth.
     assert_allclose(np.max(section["von_mises"]), searched.max, rtol=1e-2)
@@ -125,7 +125,7 @@ def test_what_a_body_bears_is_said_as_everywhere():
     found = [(each["sentence"], each["verdict"]) for each in answer["checks"]]
     assert found == [(check.sentence, check.verdict) for check in strength.checks]
     assert {verdict for _, verdict in found} >= {"fine", "over"}
-    assert answer["stress"]["von_mises"]["value"] == strength.largest.von_mises.max
+    assert answer["stress"]["von_mises"]["max"] == strength.largest.von_mises.max
 
 
 def test_stress_that_takes_too_long_is_left_out_with_a_sentence():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,7 +64,11 @@ def first_numbers(found: Results, rows: Iterable[Row]) -> list[Row]:
 def opening(found: Results) -> str:
     """Return one sentence on what was solved."""
     prescribed = found.case.prescribed.keywords
-    acting = [_acting(name, prescribed[name]) for name in _PRESCRIBED if name in prescribed and prescribed[name] != 0.0]
+    acting = [
+        f"{words} {kind(*np.atleast_1d(prescribed[name]).tolist(), between=' and '):.5g}"
+        for name, (words, kind) in _PRESCRIBED.items()
+        if name in prescribed and prescribed[name] != 0.0
+    ]
     under = f"under {joined(acting)}" if acting else "without a load"
     if isinstance(found, CaseResults):
         a, b = _body(found.solution.contact.a, "a"), _body(found.solution.contact.b, "b")
@@ -77,12 +81,6 @@ def opening(found: Results) -> str:
     speed = f" at {given(float(prescribed['speed']))} 1/min" if prescribed.get("speed") else ""
     circle = f"on a pitch circle of {mm(row.pitch):.5g}"
     return f"{what}, {row.rollers} rollers of {size}{each} {circle}, {under}{speed}."
-
-
-def _acting(name: str, value: Any) -> str:
-    words, kind = _PRESCRIBED[name]
-    values = value if hasattr(value, "__iter__") else (value,)
-    return f"{words} {kind(*values, between=' and '):.5g}"
 
 
 def _body(body: Body, letter: str) -> str:

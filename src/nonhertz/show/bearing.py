@@ -118,11 +118,11 @@ def roller_table(solution: BearingSolution) -> Table:
     )
     loads_in_words = in_column((load * solution.load).flat)
     rows = []
-    for j, row in enumerate(_row_numbers(solution.bearing)):
+    for j, roller in enumerate(_rollers(solution)):
         carries = carrying(solution)[j]
         rows.append(
             (
-                str(j), row, _degrees(solution.angle[j]), *loads_in_words[2 * j : 2 * j + 2],
+                *roller, *loads_in_words[2 * j : 2 * j + 2],
                 *(digits(1e3 * tilt, 4) if carries else "" for tilt in _tilts(solution)[j]),
                 *(digits(pressure * p, 4) if p > 0.0 else "" for p in pressures[j]),
                 digits(rib * ribs[j], 4) if ribbed else "",
@@ -147,8 +147,8 @@ def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
     of_ring = (f"strips [{unit}]", f"slices [{unit}]", "difference")
     heads = "roller", "row", "angle [deg]", f"inner: {of_ring[0]}", *of_ring[1:], f"outer: {of_ring[0]}", *of_ring[1:]
     rows = []
-    for j, row in enumerate(_row_numbers(strips.bearing)):
-        cells = [str(j), row, _degrees(strips.angle[j])]
+    for j, roller in enumerate(_rollers(strips)):
+        cells = [*roller]
         for one, other in zip(strips.load[j], slices.load[j], strict=True):
             change = percent((other - one) / most) if most > 0.0 and one != other else ""
             cells += [digits(factor * one), digits(factor * other), change]
@@ -330,10 +330,12 @@ def _method_rows(solution: BearingSolution) -> list[Row]:
     return [*rows, *((f"  {ring} ring", getattr(bearing, ring).model, "") for ring in RINGS)]
 
 
-def _row_numbers(bearing: RollerBearing | Paired) -> Iterator[str]:
-    """Yield for every roller the number of its row, counted from 1; blank where there is only one."""
-    for number, row in enumerate(bearing.rows, start=1):
-        yield from [str(number) if len(bearing.rows) > 1 else ""] * row.bearing.rollers
+def _rollers(solution: BearingSolution) -> Iterator[tuple[str, str, str]]:
+    """Yield number, row and angle of every roller; rows are counted from 1, and blank where there is only one."""
+    several = len(solution.bearing.rows) > 1
+    for number, row in enumerate(solution.bearing.rows, start=1):
+        for j in range(row.rollers.start, row.rollers.stop):
+            yield str(j), str(number) if several else "", _degrees(solution.angle[j])
 
 
 def _degrees(angle: float) -> str:

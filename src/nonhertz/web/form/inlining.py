@@ -23,20 +23,16 @@ def inlined(case: Held) -> tuple[dict[str, Any], tuple[str, ...]]:
         drawn = [table if table["kind"] == "straight" else next(written) for table in tables]
         for number, table in enumerate(tables):
             if "file" in table:
-                tables[number], kept = _thinned(drawn[number])
-                what = f"the {len(drawn[number]['y'])} points of {table['file']}"
+                points, kept = drawn[number], ""
+                count = len(points["y"])
+                every = -(-count // POINTS)
+                if every > 1:
+                    chosen = sorted({*range(0, count, every), count - 1})
+                    points = points | {name: [points[name][point] for point in chosen] for name in ("y", "relief")}
+                    kept = f", of which every {every}{ {2: 'nd', 3: 'rd'}.get(every, 'th') } is kept"
+                what = f"the {count} points of {table['file']}"
                 notes.append(f"{place}.profile[{number + 1}]: the page holds {what} itself{kept}.")
+                tables[number] = points
         if any("file" in table for table in profile_tables(body)):
             document = Parameter("", (*place.split("."), "profile"), None).put(document, tables)
     return document, tuple(notes)
-
-
-def _thinned(table: dict[str, Any]) -> tuple[dict[str, Any], str]:
-    """Return a table with no more points than the page accepts, and words on which are kept."""
-    last = len(table["y"]) - 1
-    every = -(-(last + 1) // POINTS)
-    if every == 1:
-        return table, ""
-    kept = sorted({*range(0, last + 1, every), last})
-    points = {name: [table[name][point] for point in kept] for name in ("y", "relief")}
-    return table | points, f", of which every {every}{ {2: 'nd', 3: 'rd'}.get(every, 'th') } is kept"

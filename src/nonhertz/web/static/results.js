@@ -50,9 +50,9 @@ export function keyNumbers(answer, stress) {
     stress
       ? {
           name: "von Mises stress",
-          ...parts(stress.von_mises.value, "MPa"),
+          ...parts(stress.von_mises.max, "MPa"),
           where: `body ${stress.body}, ${place(stress)}`,
-          number: stress.von_mises.value,
+          number: stress.von_mises.max,
         }
       : { name: "von Mises stress", value: "–", unit: "", where: "not shown", number: null },
     life(answer.life, key.load),

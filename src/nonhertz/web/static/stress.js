@@ -28,7 +28,7 @@ export function drawStress(answer, unit, fine) {
   const scale = unit === "p0" ? 1 / (answer.key.max_pressure || 1) : read("MPa")[1];
   const label = unit === "p0" ? "von Mises stress / largest p₀" : `von Mises stress [${named("MPa")}]`;
   // One scale for both, up to the largest stress away from singular ends.
-  const top = scale * Math.max(largestAlong(answer), answer.stress.von_mises.value) || 1;
+  const top = scale * Math.max(largestAlong(answer), answer.stress.von_mises.max) || 1;
   const shared = { label, scale, top, net: fine ? FINE : QUICK };
   drawAlong(answer, shared);
   drawAcross(answer, shared);
@@ -44,7 +44,7 @@ function drawAlong(answer, { label, scale, top, net }) {
     host,
     resampled(y, z, values, scale, net),
     { top, label, height: HEIGHT, along: "y", place: [found.y, found.z] },
-    `Von Mises stress along the contact in body ${answer.body}: largest ${amount(found.value, "MPa")} at y = ${amount(found.y, "mm")}, ${amount(found.z, "mm")} deep.`,
+    `Von Mises stress along the contact in body ${answer.body}: largest ${amount(found.max, "MPa")} at y = ${amount(found.y, "mm")}, ${amount(found.z, "mm")} deep.`,
   );
 }
 
@@ -59,7 +59,7 @@ function drawAcross(answer, { label, scale, top, net }) {
     host,
     resampled(x, z, values, scale, net),
     { top, label, height, along: "x", place: [found.x, found.z] },
-    `Von Mises stress across the contact in body ${answer.body} at y = ${amount(y, "mm")}: largest ${amount(found.value, "MPa")}, ${amount(found.z, "mm")} deep.`,
+    `Von Mises stress across the contact in body ${answer.body} at y = ${amount(y, "mm")}: largest ${amount(found.max, "MPa")}, ${amount(found.z, "mm")} deep.`,
   );
 }
 

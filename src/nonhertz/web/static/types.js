@@ -24,7 +24,7 @@
  *   body?: "a" | "b",
  *   axial?: {y: number[], z: number[], von_mises: (number | null)[][]},
  *   section?: {y: number, x: number[], z: number[], von_mises: (number | null)[][]},
- *   stress?: {body: string, von_mises: {value: number, x: number, y: number, z: number, at_bore: boolean}, searched?: boolean},
+ *   stress?: {body: string, von_mises: {max: number, x: number, y: number, z: number, at_bore: boolean}, searched?: boolean},
  * }} Answer
  * @typedef {{ok: false, mistakes: Mistake[], profiles?: Profiles}} Refusal
  * @typedef {{document: object, answer: Answer}} Pinned

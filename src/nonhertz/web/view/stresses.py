@@ -53,7 +53,8 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
         with ThreadPoolExecutor(1) as beside:
             axial = beside.submit(_axial, solution, body)
             section, largest = _section(solution, solution.max_pressure_y, body)
-            return {"section": section, "axial": axial.result(), "stress": largest}
+            worst = {"body": body, "von_mises": vars(largest)}
+            return {"section": section, "axial": axial.result(), "stress": worst}
     except (InputError, ArithmeticError):
         return {"stress_note": _NO_NUMBERS}
 
@@ -62,8 +63,7 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     """Return whether a body bears it, in the sentences of `nonhertz.strength`, with its largest stress and plane.
 
     That is the largest von Mises stress, and the plane across the contact where it is. There are none where none can be
-    found. Unlike the planes above, this searches the whole
-    body, which takes seconds.
+    found. Unlike the planes above, this searches the whole body, which takes seconds.
 
     Parameters
     ----------
@@ -81,7 +81,8 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     if not np.isfinite(worst.max):
         return {"checks": []}
     checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
-    return {"checks": checks, "stress": _worst(worst, body) | {"searched": True}, "section": section}
+    largest = {"body": body, "von_mises": vars(worst), "searched": True}
+    return {"checks": checks, "stress": largest, "section": section}
 
 
 def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:
@@ -92,7 +93,7 @@ def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:
     return {"y": plain(field.y[:, 0]), "z": plain(field.z[0]), "von_mises": plain(_short(field.von_mises.T))}
 
 
-def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[str, Any], dict[str, Any]]:
+def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[str, Any], Extreme]:
     """Return the plane across the contact, and the largest von Mises stress in it."""
     half_width = float(across_at(solution, np.array([station]))[1][0])
     x = WIDEST * half_width * np.linspace(0.0, 1.0, ACROSS)
@@ -106,14 +107,7 @@ def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[s
         "z": plain(field.z[0]),
         "von_mises": plain(_short(both.T)),
     }
-    return section, _worst(largest, body)
-
-
-def _worst(found: Extreme, body: BodyName) -> dict[str, Any]:
-    return {
-        "body": body,
-        "von_mises": {"value": found.max, "x": found.x, "y": found.y, "z": found.z, "at_bore": found.at_bore},
-    }
+    return section, largest
 
 
 def _with_numbers(field: Field) -> Field:
