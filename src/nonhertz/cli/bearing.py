@@ -8,11 +8,10 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import AsJson, Changes, named_as, refuse_unwritable_out, saved, written
+from nonhertz.cli.options import NONE, AsJson, Changes, named_as, refuse_unwritable_out, saved, written
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
-from nonhertz.files.changes import changes_in
 from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
 from nonhertz.show.bearing import compared_sections, sections
@@ -23,7 +22,7 @@ def bearing(
     file: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     compare: Annotated[bool, Parameter(negative="")] = False,
     contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
     out: Path | None = None,
@@ -47,7 +46,7 @@ def bearing(
     if contact is not None and (compare or as_json or out is not None):
         remedy = "send the case file that it prints to a file with >"
         raise InputError("--contact", contact, "be given without --compare, --json and --out", remedy)
-    case = read_bearing(file, changes_in(changes))
+    case = read_bearing(file, changes)
     refuse_unwritable_out(out)
     if compare:
         return _compared(case, out)

@@ -10,17 +10,15 @@ from typing import Any
 
 import numpy as np
 
+from nonhertz import BearingCase, Case, CaseError, ConvergenceError, InputError, Plan
 from nonhertz.amounts import given, mm, mpa
 from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.cli import BAD_INPUT, FINE
-from nonhertz.cli.options import Changes
-from nonhertz.errors import CaseError, ConvergenceError, InputError, joined
-from nonhertz.files.bearingfile import BearingCase
-from nonhertz.files.casefile import Case
-from nonhertz.files.changes import changes_in
+from nonhertz.cli.options import NONE, Changes
+from nonhertz.errors import joined
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.keys import unit_of
-from nonhertz.files.planfile import DESIGN, Plan, case_or_bearing_in, design_in
+from nonhertz.files.planfile import DESIGN, case_or_bearing_in, design_in
 from nonhertz.files.writing import document_of
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.fields import Input
@@ -38,7 +36,7 @@ DEEP = 0.01  # of the diameter
 FAST = 3e6
 
 
-def check(file: Path, /, *more: Path, changes: Changes = ()) -> int:
+def check(file: Path, /, *more: Path, changes: Changes = NONE) -> int:
     """List all mistakes in case files, bearing files or plans.
 
     Parameters
@@ -48,7 +46,7 @@ def check(file: Path, /, *more: Path, changes: Changes = ()) -> int:
     more : tuple of Path
         More files.
     """
-    mistaken = [path for path in (file, *more) if not _is_fine(path, changes_in(changes), named=bool(more))]
+    mistaken = [path for path in (file, *more) if not _is_fine(path, changes, named=bool(more))]
     return BAD_INPUT if mistaken else FINE
 
 

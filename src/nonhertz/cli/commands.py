@@ -30,38 +30,41 @@ from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import AsJson, UnitsRead
 from nonhertz.errors import ConvergenceError, InputError
 
-#: Commands by the group that they stand in. A command is a module, and a function in it of the same name unless another
-#: is named below.
+#: Commands by the group that they stand in, and what each may be called with. A command is a module, and a function in
+#: it of the same name unless another is named below.
 GROUPS = {
-    "Start": ("new", "check", "materials", "schema", "serve"),
-    "Solve": ("solve", "bearing", "stress", "life", "report"),
-    "Study": ("sweep", "tolerance", "design"),
-    "Exchange": ("profile", "map", "nodes"),
-    "Verify": ("compare", "verify", "warm"),
+    "Start": {
+        "new": "new roller.toml, nonhertz new --bearing nu206.toml, nonhertz new --template needle needle.toml",
+        "check": "check roller.toml plan.toml",
+        "materials": "materials 100Cr6",
+        "schema": "schema case --out nonhertz-case.schema.json",
+        "serve": "serve roller.toml",
+    },
+    "Solve": {
+        "solve": "solve roller.toml --out results --set load.load=5kN load.tilt=1mrad",
+        "bearing": "bearing nu206.toml --out results",
+        "stress": "stress roller.toml --body b",
+        "life": "life new.toml --compare old.toml",
+        "report": 'report roller.toml --life --author "M. Muster"',
+    },
+    "Study": {
+        "sweep": "sweep roller.toml --over load.load=5kN:40kN:8 load.tilt=0,0.5mrad",
+        "tolerance": "tolerance roller.toml --over 'load.load=normal(nominal,1kN)'",
+        "design": "design plan.toml --front 9",
+    },
+    "Exchange": {
+        "profile": "profile trace.txt --height-unit um --fit best --out profile",
+        "map": "map roller.toml --load 0:20kN --tilt -1mrad:1mrad --out k.npz",
+        "nodes": "nodes roller.toml surface.csv",
+    },
+    "Verify": {
+        "compare": "compare roller.toml --cells 64 256",
+        "verify": "verify --only hertz-ellipse bearings",
+        "warm": "warm",
+    },
 }
-COMMANDS = tuple(itertools.chain.from_iterable(GROUPS.values()))
-#: What a command may be called with.
-EXAMPLES = {
-    "new": "new roller.toml, nonhertz new --bearing nu206.toml, nonhertz new --template needle needle.toml",
-    "check": "check roller.toml plan.toml",
-    "materials": "materials 100Cr6",
-    "schema": "schema case --out nonhertz-case.schema.json",
-    "serve": "serve roller.toml",
-    "solve": "solve roller.toml --out results --set load.load=5kN load.tilt=1mrad",
-    "bearing": "bearing nu206.toml --out results",
-    "stress": "stress roller.toml --body b",
-    "life": "life new.toml --compare old.toml",
-    "report": 'report roller.toml --life --author "M. Muster"',
-    "sweep": "sweep roller.toml --over load.load=5kN:40kN:8 load.tilt=0,0.5mrad",
-    "tolerance": "tolerance roller.toml --over 'load.load=normal(nominal,1kN)'",
-    "design": "design plan.toml --front 9",
-    "profile": "profile trace.txt --height-unit um --fit best --out profile",
-    "map": "map roller.toml --load 0:20kN --tilt -1mrad:1mrad --out k.npz",
-    "nodes": "nodes roller.toml surface.csv",
-    "compare": "compare roller.toml --cells 64 256",
-    "verify": "verify --only hertz-ellipse bearings",
-    "warm": "warm",
-}
+EXAMPLES = {name: example for commands in GROUPS.values() for name, example in commands.items()}
+COMMANDS = tuple(EXAMPLES)
 _FUNCTIONS = {"map": "contact_map", "sweep": "sweep_plan", "tolerance": "study_tolerance"}
 _EXIT_CODES = "Exit codes: 0 success, 1 not converged or not verified, 2 bad input, 3 internal error."
 _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
@@ -88,16 +91,12 @@ def _application() -> App:
         print_error=False,
         suppress_keyboard_interrupt=False,
     )
-    for title, names in GROUPS.items():
+    for title, commands in GROUPS.items():
         group = Group.create_ordered(title)
-        for place, name in enumerate(names):
-            found.command(
-                _command(name, _FUNCTIONS.get(name, name)),
-                name=name,
-                group=group,
-                sort_key=place,
-                help_epilogue=f"Example: nonhertz {EXAMPLES[name]}\n\n{_EXIT_CODES}",
-            )
+        for place, (name, example) in enumerate(commands.items()):
+            after = f"Example: nonhertz {example}\n\n{_EXIT_CODES}"
+            command = _command(name, _FUNCTIONS.get(name, name))
+            found.command(command, name=name, group=group, sort_key=place, help_epilogue=after)
     help_too = Group.create_ordered("Help")
     for flag in ("--help", "--version"):
         found[flag].group = help_too
@@ -119,6 +118,10 @@ def _command(name: str, function: str) -> Callable[..., Answer | int | None]:
     @functools.wraps(scope[function])
     def imported(*args: Any, **kwargs: Any) -> Answer | int | None:
         mine = {key: value for key, value in kwargs.items() if key in own or key not in added}
+        if "changes" in mine:
+            from nonhertz.files.changes import changes_in
+
+            mine["changes"] = changes_in(mine["changes"])
         found: Answer | int | None = getattr(importlib.import_module(f"nonhertz.cli.{name}"), function)(*args, **mine)
         return found
 

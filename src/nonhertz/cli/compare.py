@@ -10,11 +10,10 @@ from cyclopts import Parameter
 from nonhertz import comparison as methods
 from nonhertz import plot
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, refuse_unwritable_out, written
+from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, written
 from nonhertz.cli.printing import Progress
 from nonhertz.errors import InputError
 from nonhertz.files.casefile import placed, read_case
-from nonhertz.files.changes import changes_in
 from nonhertz.files.comparisons import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.show.comparison import sections
@@ -27,7 +26,7 @@ def compare(
     case: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     out: Path | None = None,
     cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
 ) -> Answer:
@@ -45,7 +44,7 @@ def compare(
     cells : tuple of int
         Cells of the plane grid, ACROSS and ALONG; 128 512 if left out.
     """
-    read = read_case(case, changes_in(changes))
+    read = read_case(case, changes)
     refuse_unwritable_out(out)
     given: dict[str, Any] = {"strips": read.solver.strips, "accuracy": read.solver.accuracy}
     try:

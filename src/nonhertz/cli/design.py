@@ -10,13 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from nonhertz import Case, InputError
 from nonhertz.amounts import of_dimension
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, Workers, named_after, named_as, written
+from nonhertz.cli.options import NONE, Changes, Workers, named_after, named_as, written
 from nonhertz.cli.printing import bar
-from nonhertz.errors import InputError
-from nonhertz.files.casefile import Case
-from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
@@ -38,7 +36,7 @@ def design(
     plan: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     starts: int | None = None,
     front: int | None = None,
     out: Path | None = None,
@@ -62,7 +60,7 @@ def design(
     """
     directory = named_after(plan, "-design", out)
     refuse_unwritable(directory)
-    case, given = read_design(plan, changes_in(changes))
+    case, given = read_design(plan, changes)
     given |= {} if starts is None else {"starts": starts}
     if front is not None:
         return _front(case, given, front, workers, directory)

@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from nonhertz import ConvergenceError, InputError, read_case
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, Words, refuse_unwritable_out, written
+from nonhertz.cli.options import NONE, Changes, Words, refuse_unwritable_out, written
 from nonhertz.cli.printing import Progress
-from nonhertz.errors import ConvergenceError, InputError
-from nonhertz.files.casefile import read_case
-from nonhertz.files.changes import changes_in
 from nonhertz.files.held import named
 from nonhertz.files.lives import Assessment, as_object, files
 from nonhertz.files.results import key_by_key
@@ -34,7 +32,7 @@ def life(
     case: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     model: Words = (),
     compared: Annotated[Path | None, Parameter(name="--compare")] = None,
     out: Path | None = None,
@@ -59,10 +57,10 @@ def life(
     for name in model:
         if name not in MODELS:
             raise InputError("--model", name, "be a fatigue model", f"choose from {', '.join(MODELS)}")
-    cases = [read_case(case, changes_in(changes))]
+    cases = [read_case(case, changes)]
     if compared is not None:
         with named(compared):
-            cases.append(read_case(compared, changes_in(changes)))
+            cases.append(read_case(compared, changes))
     refuse_unwritable_out(out)
     models, notes = models_for(cases[0], model, cases[1:])
     found: list[Assessment] = []

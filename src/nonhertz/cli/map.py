@@ -10,15 +10,13 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
+from nonhertz import ContactMap, InputError, read_case
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, named_as, refuse_unwritable_out
+from nonhertz.cli.options import NONE, Changes, named_as, refuse_unwritable_out
 from nonhertz.cli.printing import Progress
-from nonhertz.errors import InputError
-from nonhertz.files.casefile import read_case
-from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import write_files
 from nonhertz.files.spreads import number_in, range_in
-from nonhertz.maps import ContactMap, MapPoint
+from nonhertz.maps import MapPoint
 from nonhertz.maps import contact_map as map_of
 from nonhertz.maps.value import ROWS, TILTS
 from nonhertz.show.maps import sections
@@ -32,7 +30,7 @@ def contact_map(
     case: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     approach: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
     load: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
     tilt: Annotated[str | None, Parameter(allow_leading_hyphen=True)] = None,
@@ -61,7 +59,7 @@ def contact_map(
         The file to write: .csv for a table, .npz for the map itself, which nonhertz.ContactMap.read reads. An
         existing file is replaced.
     """
-    read = read_case(case, changes_in(changes))
+    read = read_case(case, changes)
     given = {name: word for name, word in (("approach", approach), ("load", load)) if word is not None}
     if len(given) != 1:
         raise InputError("--load", load, "be given where --approach is not, and only there", "write --load 0:20kN")

@@ -44,12 +44,6 @@ def _row(each: Listed, factor: float) -> tuple[str, ...]:
     def stress(value: float | None) -> str:
         return "" if value is None else given(factor * value)
 
-    return (
-        f"  {', '.join((each.name, *each.others))}",
-        stress(material.modulus),
-        given(material.poisson),
-        stress(material.yield_strength),
-        stress(material.core_yield_strength),
-        material.hardness or "",
-        stress(material.pressure_limit),
-    )
+    strengths = stress(material.yield_strength), stress(material.core_yield_strength), material.hardness or ""
+    name = f"  {', '.join((each.name, *each.others))}"
+    return name, stress(material.modulus), given(material.poisson), *strengths, stress(material.pressure_limit)

@@ -6,17 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
+from nonhertz import InputError, Solution, read_case
 from nonhertz.amounts import mpa, newton
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, named_after
-from nonhertz.errors import InputError
-from nonhertz.files.casefile import read_case
-from nonhertz.files.changes import changes_in
+from nonhertz.cli.options import NONE, Changes, named_after
 from nonhertz.files.folder import refuse_unwritable, write_files
 from nonhertz.files.nodes import as_object, as_table, read_nodes
 from nonhertz.files.results import key_by_key
 from nonhertz.result.nodes import NodalLoads
-from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import solved
 from nonhertz.show.sections import Said, Section
 from nonhertz.verdict import of_contact
@@ -29,7 +26,7 @@ def nodes(
     nodes: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     out: Path | None = None,
 ) -> Answer:
     """Find pressures and forces of a case at the nodes of a finite element mesh.
@@ -48,7 +45,7 @@ def nodes(
     path = named_after(nodes, "-pressure.csv", out)
     if path.suffix.lower() != ".csv" or path.is_dir() or path.resolve() == nodes.resolve():
         raise InputError("--out", str(path), "be a .csv file, and not that of the nodes", "choose another name")
-    read = read_case(case, changes_in(changes))
+    read = read_case(case, changes)
     mesh = read_nodes(nodes)
     refuse_unwritable(path.parent)
     solution = solved(read)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Group, Parameter
 
@@ -20,17 +21,22 @@ if TYPE_CHECKING:
 #: The options that most commands have, below those of their own.
 _COMMON = Group("Common", sort_key=9)
 
-Changes = Annotated[
-    tuple[str, ...],
-    Parameter(
-        name="--set",
-        negative="",
-        show_default=False,
-        allow_leading_hyphen=True,
-        group=_COMMON,
-        help="Values in place of those in the file: load.load=5kN body.a.profile.drop=12um. KEY= removes a key.",
-    ),
-]
+# The words of this option are read before a command is called.
+if TYPE_CHECKING:
+    Changes = Mapping[str, Any]
+else:
+    Changes = Annotated[
+        tuple[str, ...],
+        Parameter(
+            name="--set",
+            negative="",
+            show_default=False,
+            allow_leading_hyphen=True,
+            group=_COMMON,
+            help="Values in place of those in the file: load.load=5kN body.a.profile.drop=12um. KEY= removes a key.",
+        ),
+    ]
+NONE: Changes = MappingProxyType({})
 UnitsRead = Annotated[
     Literal["si", "us"],
     Parameter(

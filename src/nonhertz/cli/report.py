@@ -10,11 +10,10 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from nonhertz.cli import FINE, NOT_CONVERGED
-from nonhertz.cli.options import Changes, UnitsRead, named_as
+from nonhertz.cli.options import NONE, Changes, UnitsRead, named_as
 from nonhertz.cli.printing import Progress, print_written
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
-from nonhertz.files.changes import changes_in
 from nonhertz.files.folder import refuse_unwritable, write_files
 from nonhertz.files.planfile import read_any
 from nonhertz.files.title_block import TitleBlock
@@ -27,7 +26,7 @@ _NEAR = 2000  # characters at the beginning of a report, which include its mark
 
 def report(
     *cases: Path,
-    changes: Changes = (),
+    changes: Changes = NONE,
     out: Path | None = None,
     life: bool | None = None,
     stress: bool = True,
@@ -69,9 +68,8 @@ def report(
     with named_as(project="--project", author="--author", date="--date"):
         block = TitleBlock(project=project, author=author, date=date)
     path = _target(out, cases)
-    set_to = changes_in(changes)
     with without_accuracy_warnings():  # which the report shows
-        read = of_each(cases, lambda path: path, lambda path: read_any(path, set_to))
+        read = of_each(cases, lambda path: path, lambda path: read_any(path, changes))
     with named_as(cases="CASE"):
         first = of_one_kind(read)[0]
     if compare and isinstance(first, Case):

@@ -7,14 +7,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from nonhertz import CaseError, Result, read_case
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, refuse_unwritable_out, saved
-from nonhertz.errors import CaseError
-from nonhertz.files.casefile import read_case
-from nonhertz.files.changes import changes_in
+from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, saved
 from nonhertz.files.folder import write_files
-from nonhertz.files.resultfile import Result
 from nonhertz.files.several import HEAD, Attempt, folders, objects, rows
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer, write_workbook
 from nonhertz.result.tables import csv_text
@@ -31,7 +28,7 @@ def solve(
     case: Path,
     /,
     *more: Path,
-    changes: Changes = (),
+    changes: Changes = NONE,
     out: Path | None = None,
 ) -> Answer:
     """Solve cases and print a summary, or a table of several.
@@ -47,8 +44,8 @@ def solve(
         folder in it, beside the table of all, cases.csv. A file .xlsx or .csv for the table alone.
     """
     if more or (out is not None and _is_table(out)):
-        return _several((case, *more), changes_in(changes), out)
-    read = read_case(case, changes_in(changes))
+        return _several((case, *more), changes, out)
+    read = read_case(case, changes)
     solution, complaint = attempted(read)
     found = Result(read, solution)
     shown = sections(solution, read.prescribed.keywords)

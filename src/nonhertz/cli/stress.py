@@ -6,13 +6,11 @@ import functools
 import math
 from pathlib import Path
 
+from nonhertz import InputError, read_case
 from nonhertz.amounts import mm
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, refuse_unwritable_out, written
+from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, written
 from nonhertz.cli.printing import Progress
-from nonhertz.errors import InputError
-from nonhertz.files.casefile import read_case
-from nonhertz.files.changes import changes_in
 from nonhertz.files.results import key_by_key
 from nonhertz.files.stresses import all_findings, as_object, files
 from nonhertz.model.body import BODIES
@@ -30,7 +28,7 @@ def stress(
     case: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     station: float | None = None,
     body: str = "a",
     out: Path | None = None,
@@ -56,7 +54,7 @@ def stress(
     if station is not None and not math.isfinite(station):
         raise InputError("--station", station, "be finite", "give a position along the contact in mm")
     name = BODIES[BODIES.index(body)]
-    read = read_case(case, changes_in(changes))
+    read = read_case(case, changes)
     refuse_unwritable_out(out)
     solution = solved(read)
     low, high = getattr(solution.contact, name).faces

@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
+from nonhertz.cli.options import NONE, Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
 from nonhertz.cli.printing import Update, bar
 from nonhertz.errors import InputError
-from nonhertz.files.changes import changes_in
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.planfile import Plan, case_or_bearing_in
 from nonhertz.files.workbooks import refuse_missing_writer
@@ -25,7 +24,7 @@ def sweep_plan(
     plan: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     over: Words = (),
     quantities: Words = (),
     out: Path | None = None,
@@ -53,7 +52,7 @@ def sweep_plan(
     """
     if excel:
         refuse_missing_writer()
-    asked = planned(plan, over, quantities, "over", changes_in(changes))
+    asked = planned(plan, over, quantities, "over", changes)
     directory = named_after(plan, "-sweep", out)
     with bar("rows") as update, named_as(threads="--workers", over="--over"):
         found = sweep(asked, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
+from nonhertz.cli.options import NONE, Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
 from nonhertz.cli.printing import bar
 from nonhertz.cli.sweep import as_text, of_rows, planned
-from nonhertz.files.changes import changes_in
 from nonhertz.files.results import plain
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import tolerance_sections
@@ -21,7 +20,7 @@ def study_tolerance(
     plan: Path,
     /,
     *,
-    changes: Changes = (),
+    changes: Changes = NONE,
     over: Words = (),
     quantities: Words = (),
     samples: int | None = None,
@@ -54,7 +53,7 @@ def study_tolerance(
     """
     if excel:
         refuse_missing_writer()
-    asked = planned(plan, over, quantities, "tolerance", changes_in(changes))
+    asked = planned(plan, over, quantities, "tolerance", changes)
     directory = named_after(plan, "-tolerance", out)
     options = {"threads": "--workers", "count": "--samples", "seed": "--seed", "over": "--over"}
     with bar("rows") as update, named_as(**options):
