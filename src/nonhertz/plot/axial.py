@@ -68,7 +68,11 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
         return
     for side in (-1.0, 1.0):
         here = [(end, name) for end, name in drawn if side * (end - middle) > 0.0]
-        for where, name in _merged(here, side, 0.03 * (high - low)):
+        if len(here) == 2 and here[1][0] - here[0][0] < 0.03 * (high - low):
+            # So close together that two names would overlap.
+            (first, one), (last, other) = here
+            here = [(first if side < 0.0 else last, f"{one}, {other}")]
+        for where, name in here:
             at, aligned = (float(length(where)), 0.5), _side(side > 0.0)
             note(ax, name, at, aligned, 3.0, across=True, rotation=90.0, va="center", color=FAINT_INK)
 
@@ -128,14 +132,6 @@ def mark_unlimited(solutions: Sequence[Solution], ax: Axes, colours: Sequence[st
 
 def _side(to_the_right: bool) -> Alignment:
     return "left" if to_the_right else "right"
-
-
-def _merged(ends: list[tuple[float, str]], side: float, near: float) -> list[tuple[float, str]]:
-    """Return one combined name for ends so close together that two names would overlap."""
-    if len(ends) == 2 and ends[1][0] - ends[0][0] < near:
-        (low, first), (high, second) = ends
-        return [(low if side < 0.0 else high, f"{first}, {second}")]
-    return ends
 
 
 def conditions(solution: Solution) -> str:

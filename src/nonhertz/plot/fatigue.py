@@ -181,13 +181,9 @@ def _draw(life: Life, ax: Axes, *, compared: bool = False) -> tuple[Artist, str]
         drawn = ax.stairs(density, edges, baseline=None, color=colour, linewidth=THIN, zorder=2.5)
     else:
         (drawn,) = ax.plot(y, density, color=colour, linewidth=LINE, linestyle=dashes, zorder=3.0)
-    return drawn, f"{life.model.name}{', other case' * compared}: {_life(life)}"
-
-
-def _life(life: Life) -> str:
-    if np.isnan(life.relative_life):
-        return "no ideal life" if np.isnan(life.reference) else "no damage"
-    return f"life {number(life.relative_life, 3)}" if np.isfinite(life.relative_life) else "no damage"
+    words = f"life {number(life.relative_life, 3)}" if np.isfinite(life.relative_life) else "no damage"
+    words = "no ideal life" if np.isnan(life.relative_life) and np.isnan(life.reference) else words
+    return drawn, f"{life.model.name}{', other case' * compared}: {words}"
 
 
 def _scale(lives: Sequence[Life], ax: Axes) -> None:

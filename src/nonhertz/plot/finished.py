@@ -22,15 +22,14 @@ from nonhertz.plot.contact_area import draw_colour_bar, footprint
 from nonhertz.plot.sheets import (
     BAR_ROOM,
     HIGHEST_PANEL,
-    HIGHEST_STRETCHED,
     LEFT,
     MARGIN,
-    STRETCHES,
     WIDTH,
     bar_beside,
     panel,
     sheet,
     stacked,
+    stretch_of,
 )
 from nonhertz.plot.style import SMALL_SIZE, sheet_style
 from nonhertz.result.solution import Solution
@@ -89,16 +88,14 @@ def figures(result: Solution | BearingSolution, title: str = "") -> dict[str, Fi
     if isinstance(result, BearingSolution):
         return bearing_figures(result, title)
     with sheet_style():
-        return {
-            name: _footprint(result, title) if drawing is footprint else _alone(drawing, result, title)
-            for name, drawing in OF_CONTACTS.items()
-        }
-
-
-def _alone(drawing: Callable[..., Any], solution: Solution, title: str) -> Figure:
-    figure, (axes,) = stacked([HEAD], [HEIGHT], title, right=RIGHT)
-    drawing(solution, axes)
-    return figure
+        found = {}
+        for name, drawing in OF_CONTACTS.items():
+            if drawing is footprint:
+                found[name] = _footprint(result, title)
+            else:
+                found[name], (axes,) = stacked([HEAD], [HEIGHT], title, right=RIGHT)
+                drawing(result, axes)
+        return found
 
 
 def _footprint(solution: Solution, title: str) -> Figure:
@@ -109,7 +106,7 @@ def _footprint(solution: Solution, title: str) -> Figure:
     """
     low, high = axial_range(solution)
     natural = (WIDTH - LEFT - BAR_ROOM) * 2.3 * float(solution.element_half_width.max()) / (high - low)
-    stretch = max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
+    stretch = stretch_of(natural)
     heights = [min(max(natural, LOWEST_PANEL), HIGHEST_PANEL)]
     if stretch >= 2.0 and solution.contact_y:
         heights.append(stretch * natural)

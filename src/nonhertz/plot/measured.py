@@ -170,7 +170,11 @@ def _draw_relief(every: Iterator[Axes], measured: Measured, fit: ProfileFit | No
         axes.set_ylim(-ROOM * most, max((1.0 + 3.0 * ROOM) * most, 1e-6 * ruler.factor))
     axes.invert_yaxis()
     if fit is not None:
-        words += " " + _draw_fit(axes, land.y, fit, ruler)
+        style: dict[str, Any] = {"color": FIRST, "linewidth": LINE, "linestyle": (0, (4, 2)), "zorder": 1.5}
+        axes.plot(measure("mm")(land.y), ruler(fit.relief(land.y)), **style)
+        named = ", ".join(f"{name} {amount(value, fit.unit_of(name)):.5g}" for name, value in fit.parameters.items())
+        name = f"{fit.kind}, {named}" if named else fit.kind
+        words += f" Dashed: {name}. Residual to the rough points: {um(fit.rms):.2g} root mean square."
     _tidy(axes, ruler.label("Relief"))
     lowest = axes
     if fit is not None:
@@ -184,13 +188,6 @@ def _draw_relief(every: Iterator[Axes], measured: Measured, fit: ProfileFit | No
         lowest.set_xlim(axes.get_xlim())
     _head(axes, words)
     lowest.set_xlabel(measure("mm").label("Axial position $y$"))
-
-
-def _draw_fit(axes: Axes, y: Array, fit: ProfileFit, ruler: Measure) -> str:
-    axes.plot(measure("mm")(y), ruler(fit.relief(y)), color=FIRST, linewidth=LINE, linestyle=(0, (4, 2)), zorder=1.5)
-    named = ", ".join(f"{name} {amount(value, fit.unit_of(name)):.5g}" for name, value in fit.parameters.items())
-    name = f"{fit.kind}, {named}" if named else fit.kind
-    return f"Dashed: {name}. Residual to the rough points: {um(fit.rms):.2g} root mean square."
 
 
 def _head(axes: Axes, words: str, letters: int = LETTERS) -> None:

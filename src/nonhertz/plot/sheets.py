@@ -26,6 +26,13 @@ STRETCHES = tuple(step * decade for decade in (1, 10, 100, 1000) for step in (1,
 PNG_DPI = 220
 
 
+def stretch_of(natural: float) -> float:
+    """Return by how much a panel of that height [inch] is drawn higher; less than 1 if it would be too high."""
+    if natural > HIGHEST_PANEL:
+        return 1.0 / min((step for step in STRETCHES if natural / step <= HIGHEST_PANEL), default=STRETCHES[-1])
+    return max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
+
+
 def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
     """Write a figure as ``stem``.svg and ``stem``.png and return both paths.
 

@@ -11,7 +11,7 @@ from nonhertz.amounts import mm, mpa
 from nonhertz.plot.axes import OWN, ROUND, Array, Axes, Figure, drawing, key_above, measure
 from nonhertz.plot.axial import body_ends, conditions, number, place, written
 from nonhertz.plot.contact_area import colour_limit
-from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, HIGHEST_STRETCHED, LEFT, STRETCHES, WIDTH, bar_beside, stacked
+from nonhertz.plot.sheets import BAR_ROOM, LEFT, WIDTH, bar_beside, stacked, stretch_of
 from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section
@@ -192,11 +192,7 @@ def stress_figures(
         low, high = _framed(solution, along)
         width = WIDTH - LEFT - BAR_ROOM
         natural = width * float(along.z.max()) / (high - low)
-        # Less than 1 if the panel would be too high.
-        if natural > HIGHEST_PANEL:
-            stretch = 1.0 / min((step for step in STRETCHES if natural / step <= HIGHEST_PANEL), default=STRETCHES[-1])
-        else:
-            stretch = max((step for step in STRETCHES if step * natural <= HIGHEST_STRETCHED), default=1.0)
+        stretch = stretch_of(natural)
         axial, (axes,) = stacked([HEAD], [stretch * natural], title, right=BAR_ROOM)
         station, bar = section.von_mises.y, bar_beside(axes)
         axial_stress(solution, along, overall, axes, station=station, stretch=stretch, bar=bar)

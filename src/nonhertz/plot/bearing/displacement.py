@@ -130,7 +130,6 @@ def _speed(solution: BearingSolution) -> float:
 
 
 def _one(solution: BearingSolution, given: dict[str, Any], how: dict[str, Any]) -> BearingSolution | None:
-
     with without_accuracy_warnings():
         try:
             return solve(solution.bearing, **given, **how)
