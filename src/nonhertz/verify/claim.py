@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import NonhertzError
 
 if TYPE_CHECKING:
+    from nonhertz.model.contact import Contact
     from nonhertz.patch.solution import PatchSolution
     from nonhertz.result.solution import Solution
 
@@ -174,6 +175,16 @@ class Evidence:
             within = tolerance[place] if isinstance(tolerance, Sequence) else tolerance
             by, of = None if expected is None else expected[place], unit if isinstance(unit, str) else unit[place]
             yield self.claim(quantity, operator.itemgetter(place), within, of, expected=by, absolute=absolute, why=why)
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A contact and what is prescribed; ``sharp`` if it reaches sharp ends."""
+
+    name: str
+    contact: Contact
+    given: dict[str, Any]
+    sharp: bool = False
 
 
 @dataclass(frozen=True)

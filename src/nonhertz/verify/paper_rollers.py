@@ -90,11 +90,6 @@ def _hertz() -> LineContact:
     return line_contact(line_load=line_load, radius=1.0 / curvature, compliance=2.0 * STEEL.compliance)
 
 
-def _asymmetry(solution: Solution) -> float:
-    pressure = solution.centre_pressure
-    return float(np.max(np.abs(pressure - pressure[::-1]))) / solution.max_pressure
-
-
 def _stand_in() -> Iterator[Claim]:
     """Yield laws, what the other element finds, and what a tilt does."""
     of = Evidence("stand-in", "Hertz's line contact under the line load there", stand_in)
@@ -104,8 +99,11 @@ def _stand_in() -> Iterator[Claim]:
         expected=LOAD, source="equilibrium",
     )  # fmt: skip
     yield of.claim("moment", "moment", 1e-6, "N mm", source="symmetry")
-    asymmetry = "largest difference of p(y) and p(-y), of the greatest pressure"
-    yield of.claim(asymmetry, _asymmetry, 1e-9, source="symmetry")
+    yield of.claim(
+        "largest difference of p(y) and p(-y), of the greatest pressure",
+        lambda found: np.max(np.abs(found.centre_pressure - found.centre_pressure[::-1])) / found.max_pressure, 1e-9,
+        source="symmetry",
+    )  # fmt: skip
     yield of.claim(
         "half-width in the middle", in_middle("half_width"), 5e-4, "mm", expected=lambda: _hertz().half_width, why=why
     )
@@ -230,19 +228,17 @@ def compression() -> Iterator[Claim]:
         yield from _in_plane_strain(NEEDLE, load)
 
 
-def _ordered(pair: Pair, load: float) -> int:
-    none, plane, diameter = (on_strips(pair, load, depth).approach for depth in DEPTHS)
-    return (none > diameter) + (diameter > plane)
-
-
 def _by_formulas(pair: Pair, load: float) -> Iterator[Claim]:
     of = Evidence(
         f"{pair.name}, {1e-3 * load:g} kN", "the nearer the stiffer",
         functools.partial(on_strips, pair, load, "plane-strain"),
     )  # fmt: skip
-    yield of.claim(
-        "depths in the order none > one diameter > plane strain", lambda _: _ordered(pair, load), 0.0, expected=2.0
-    )
+
+    def ordered(_: Solution) -> int:
+        none, plane, diameter = (on_strips(pair, load, depth).approach for depth in DEPTHS)
+        return (none > diameter) + (diameter > plane)
+
+    yield of.claim("depths in the order none > one diameter > plane strain", ordered, 0.0, expected=2.0)
     for source, formula in (("Palmgren", pair.palmgren), ("ISO/TS 16281, half", pair.iso)):
         yield of.claim(
             "compression, depth of plane strain", lambda found: 1e3 * found.approach, None, "um",

@@ -85,10 +85,10 @@ def claims() -> Iterator[Claim]:
             why="images sixteen or more away are replaced by line loads: 1e-6 of p0",
         )  # fmt: skip
     yield from _landmarks("line", LINE, _below_line)
-    x = "line: how far from the middle that is, over b"
-    yield Claim(
-        x, _LANDMARK, _ORTHOGONAL_X, lambda: line(0.3).extremes.orthogonal_shear.x / line(0.3).hertz.half_width, _DEPTH
-    )
+    yield Evidence("line", _LANDMARK, lambda: line(0.3)).claim(
+        "how far from the middle that is, over b", lambda of: of.extremes.orthogonal_shear.x / of.hertz.half_width,
+        _DEPTH, expected=_ORTHOGONAL_X,
+    )  # fmt: skip
     for poisson, known in _VON_MISES.items():
         found = functools.partial(_below_line, poisson=poisson)
         yield from _landmarks(f"line, nu {poisson:g}", {"von_mises": known}, found)

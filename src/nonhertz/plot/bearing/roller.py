@@ -27,13 +27,7 @@ AT_ENDS, DEEP = 1.3, 0.2
 
 
 def _most_loaded(solution: BearingSolution) -> tuple[int, int, float, list[tuple[str, Solution]]]:
-    """Return the number of the most loaded roller, its row, half its length, and its contacts by ring.
-
-    Raises
-    ------
-    InputError
-        If no roller is loaded, or the bearing was solved by slices.
-    """
+    """Return the number of the most loaded roller, its row, half its length, and its contacts by ring."""
     roller = int(solution.load.max(axis=1).argmax())
     both = [(ring, solution.contact(roller, ring)) for ring in RINGS]
     contacts = [(ring, contact) for ring, contact in both if contact is not None]
