@@ -30,28 +30,20 @@ BACKING: dict[str, Any] = {"facecolor": "white", "alpha": 0.85, "edgecolor": "no
 
 SIZE, SMALL_SIZE, TITLE_SIZE = 8.5, 7.5, 10.0
 
-# DejaVu Sans comes with matplotlib: a figure looks the same on every machine. Letters become outlines in SVG
-# for the same reason. The salt makes the identifiers in an SVG file, random by default, a function of its
-# content.
+# What is other than matplotlib's own settings. DejaVu Sans comes with matplotlib: a figure looks the same on every
+# machine. Letters become outlines in SVG for the same reason. The salt makes the identifiers in an SVG file, random by
+# default, a function of its content.
 SETTINGS: Any = {
     "font.family": "DejaVu Sans",
     "font.size": SIZE,
-    "mathtext.fontset": "dejavusans",
     "axes.labelsize": SIZE,
     "axes.titlesize": SIZE,
-    "axes.titleweight": "normal",
     "axes.linewidth": 0.6,
     "axes.edgecolor": INK,
     "axes.labelcolor": INK,
-    "axes.facecolor": "white",
-    "axes.grid": False,
-    "axes.unicode_minus": True,
     "text.color": INK,
-    "text.usetex": False,
     "xtick.labelsize": SIZE,
     "ytick.labelsize": SIZE,
-    "xtick.direction": "out",
-    "ytick.direction": "out",
     "xtick.color": INK,
     "ytick.color": INK,
     "xtick.major.width": 0.6,
@@ -60,10 +52,6 @@ SETTINGS: Any = {
     "ytick.major.size": 3.0,
     "legend.fontsize": SMALL_SIZE,
     "legend.frameon": False,
-    "figure.facecolor": "white",
-    "figure.dpi": 100.0,
-    "savefig.facecolor": "white",
-    "savefig.bbox": None,
     "svg.fonttype": "path",
     "svg.hashsalt": "nonhertz",
 }
@@ -75,8 +63,8 @@ _LOCK = threading.RLock()
 
 @contextmanager
 def sheet_style() -> Iterator[None]:
-    """Draw the body of a ``with`` statement in the style of the finished sheets, then put everything back."""
-    import matplotlib as mpl
+    """Draw the body of a ``with`` statement in the style of the sheets, whatever is set, then put all back."""
+    from matplotlib import style
 
-    with _LOCK, mpl.rc_context(SETTINGS):
+    with _LOCK, style.context(["default", SETTINGS]):
         yield
