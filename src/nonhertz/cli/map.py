@@ -16,7 +16,6 @@ from nonhertz.cli.options import NONE, Changes, named_as, refuse_unwritable_out
 from nonhertz.cli.printing import Progress
 from nonhertz.files.folder import write_files
 from nonhertz.files.spreads import number_in, range_in
-from nonhertz.maps import MapPoint
 from nonhertz.maps import contact_map as map_of
 from nonhertz.maps.value import ROWS, TILTS
 from nonhertz.show.maps import sections
@@ -85,15 +84,12 @@ def contact_map(
         )  # fmt: skip
     for each in caught:
         warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
-    made = () if out is None else _written(out, found, found.grid(rows or ROWS, tilts or TILTS))
+    made: tuple[Path, ...] = ()
+    if out is not None and out.suffix.lower() == ".csv":
+        made = write_files(out.parent, {out.name: found.csv(found.grid(rows or ROWS, tilts or TILTS))})
+    elif out is not None:
+        made = write_files(out.parent, {}, lambda folder: found.save(folder / out.name))
     return Answer(read.title, sections(found), lambda: _as_json(found, read.title), written=made)
-
-
-def _written(path: Path, found: ContactMap, table: MapPoint) -> tuple[Path, ...]:
-    """Write a map, or a table of it, and return the file."""
-    if path.suffix.lower() == ".csv":
-        return write_files(path.parent, {path.name: found.csv(table)})
-    return write_files(path.parent, {}, lambda folder: found.save(folder / path.name))
 
 
 def _as_json(found: ContactMap, title: str) -> str:

@@ -150,7 +150,8 @@ class Comparison:
 
     def __repr__(self) -> str:
         across, along = self.patch.cells
-        said = [f"plane grid of {across} x {along} cells; {' and '.join(_counted(each) for each in self.strips)}"]
+        strips = [f"{each.strips} {each.element.name} strips" for each in self.strips]
+        said = [f"plane grid of {across} x {along} cells; {' and '.join(strips)}"]
         for each in map(self.quantity, ("approach", "load", "maximum pressure")):
             if any(map(percent, each.differences)):  # of what was given there is none
                 differences = zip(self.strips, map(percent, each.differences), strict=True)
@@ -223,10 +224,6 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
     compared = (expected > 0.0) & ((found > 0.0) | _well_inside(patch, solution.y))
     relative[compared] = found[compared] / expected[compared] - 1.0
     return relative
-
-
-def _counted(solution: Solution) -> str:
-    return f"{solution.strips} {solution.element.name} strips"
 
 
 def _stretches(solution: Solution, relative: Array) -> Iterator[Stretch]:

@@ -16,6 +16,7 @@ from nonhertz.plot.style import SMALL_SIZE, sheet_style
 # matplotlib is imported only when something is drawn.
 if TYPE_CHECKING:
     from matplotlib import artist, axes, figure
+    from matplotlib.legend import Legend
 
     Artist = artist.Artist
     Axes = axes.Axes
@@ -110,12 +111,12 @@ def key_above(
     *,
     columns: int,
     **options: Any,
-) -> None:
+) -> Legend:
     """Put the legend above the axes, where it cannot cover a curve: of these artists, else of those with a label."""
     given: dict[str, Any] = {"handles": handles, "labels": labels} if handles is not None else {}
     usual: dict[str, Any] = {"borderaxespad": 0.2, "borderpad": 0.2, "handlelength": 2.4, "columnspacing": 1.6}
     place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": columns}
-    ax.legend(**given, **place, frameon=False, fontsize=SMALL_SIZE, **usual | options)
+    return ax.legend(**given, **place, frameon=False, fontsize=SMALL_SIZE, **usual | options)
 
 
 def note(

@@ -79,9 +79,9 @@ def pressure(solution: Solution, ax: Axes = OWN) -> Axes:
 
     along(ax, span)
     singular = bool(solution.singular_ends)
-    ax.set_ylim(0.0, _top(stress.factor * solution.max_pressure, 1.0 / BEYOND if singular else PRESSURE_SHARE))
+    ax.set_ylim(0.0, stress.factor * solution.max_pressure / (1.0 / BEYOND if singular else PRESSURE_SHARE) or 1.0)
     share = CUT_HALF_WIDTH_SHARE if singular else HALF_WIDTH_SHARE
-    right.set_ylim(0.0, _top(length.factor * float(solution.half_width.max()), share))
+    right.set_ylim(0.0, length.factor * float(solution.half_width.max()) / share or 1.0)
     ax.set_ylabel(stress.label("Centre-line pressure $p_0$"), color=FIRST)
     right.set_ylabel(length.label("Half-width $b$"), color=SECOND)
     ax.spines["top"].set_visible(False)
@@ -93,10 +93,6 @@ def pressure(solution: Solution, ax: Axes = OWN) -> Axes:
         _mark_singular(solution, ax, edge)
     _mark_contact(solution, ax, span)
     return ax
-
-
-def _top(largest: float, share: float) -> float:
-    return largest / share if largest > 0.0 else 1.0
 
 
 def _mark_maximum(solution: Solution, ax: Axes, span: tuple[float, float]) -> None:

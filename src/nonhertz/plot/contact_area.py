@@ -44,12 +44,15 @@ def footprint(solution: Solution, ax: Axes = OWN, *, stretch: float = 1.0, colou
     length, stress = measure("mm"), measure("MPa")
     reach = length.factor * 1.15 * float(solution.element_half_width.max()) or 1.0
     draw_body_ends(solution, ax, named=False)
+    angle = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ACROSS)[:, None]
     for piece in pieces:
+        # With x = a sin(angle), the root of 1 - x^2/a^2 is the cosine.
+        pressure = np.cos(angle) ** (2 if _parabolic(solution) else 1) * piece.pressure
+        x = np.sin(angle) * piece.half_width
         # Thousands of small polygons in an SVG file would show seams, so the pressure is rasterised.
-        y, x, pressure = _field(solution, piece)
         ax.pcolormesh(
-            length(y), length(x), stress(pressure), shading="gouraud", cmap=COLOUR_MAP, vmin=0.0,
-            vmax=stress.factor * colour_limit(solution), rasterized=True, zorder=1.0,
+            length(np.broadcast_to(piece.y, x.shape)), length(x), stress(pressure), shading="gouraud", cmap=COLOUR_MAP,
+            vmin=0.0, vmax=stress.factor * colour_limit(solution), rasterized=True, zorder=1.0,
         )  # fmt: skip
         ax.plot(*(length(each) for each in piece.closed()), color=INK, linewidth=THIN, solid_joinstyle="round")
         if _parabolic(solution):
@@ -141,15 +144,6 @@ def outlines(solution: Solution) -> list[Outline]:
         across = (np.concatenate([[cut[0] * of[0]], of, [cut[1] * of[-1]]]) for of in (half_width, pressure))
         pieces.append(Outline(np.concatenate([[low], y, [high]]), *across))
     return pieces
-
-
-def _field(solution: Solution, piece: Outline) -> tuple[Array, Array, Array]:
-    """Return y, x [mm] and the pressure [MPa] on a grid that fits the piece, shape (ACROSS, points)."""
-    angle = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ACROSS)[:, None]
-    # x = a sin(angle), and so sqrt(1 - x^2/a^2) is the cosine.
-    shape = np.cos(angle) ** (2 if _parabolic(solution) else 1)
-    y = np.broadcast_to(piece.y, (ACROSS, piece.y.size))
-    return y, np.sin(angle) * piece.half_width, shape * piece.pressure
 
 
 def _parabolic(solution: Solution) -> bool:

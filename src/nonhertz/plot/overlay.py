@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from nonhertz.bearing import BearingSolution
-from nonhertz.plot.axes import Axes, Figure, Measure, along, measure, open_frame
+from nonhertz.plot.axes import Axes, Figure, Measure, along, key_above, measure, open_frame
 from nonhertz.plot.axial import axial_range, mark_land_ends, mark_unlimited
 from nonhertz.plot.sheets import stacked
-from nonhertz.plot.style import FAINT_INK, HAIR, LINE, PALETTE, SMALL_SIZE, sheet_style
+from nonhertz.plot.style import FAINT_INK, HAIR, LINE, PALETTE, sheet_style
 from nonhertz.result.solution import Solution
 
 HIGH, LOW, BETWEEN, ROW = 2.3, 1.5, 0.25, 0.17  # inches; the last is a line of the legend
@@ -113,10 +113,7 @@ def lines_of(count: int) -> list[tuple[str, Any]]:
 def _legend(axes: Axes, handles: Sequence[Any], labels: Sequence[str]) -> None:
     """Put the legend above the axes, one line per case: it must not cover a curve, and names may be long."""
     numbers = [str(number) for number in range(1, len(labels) + 1)]
-    drawn = axes.legend(
-        handles, numbers, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=1, borderaxespad=0.2,
-        borderpad=0.2, labelspacing=0.25, handlelength=3.2, frameon=False, fontsize=SMALL_SIZE,
-    )  # fmt: skip
+    drawn = key_above(axes, handles, numbers, columns=1, labelspacing=0.25, handlelength=3.2)
     for text, number, label in zip(drawn.get_texts(), numbers, labels, strict=True):
         # A file's name: a dollar sign must not start mathtext, nor a leading underscore hide the entry.
         text.set_parse_math(False)

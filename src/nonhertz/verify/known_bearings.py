@@ -15,10 +15,10 @@ from nonhertz.bearing import CylindricalRollerBearing, TaperedRollerBearing
 from nonhertz.model.profile import Profile, iso_logarithmic, straight
 from nonhertz.verify.claim import Array
 
-#: Q_max Z / F_r and F_a / (F_r tan alpha) of half a load zone, of very many rollers without clearance, as published;
-#: and integrated anew for an exponent of the contacts: those of 1.1 are the published ones.
+#: Q_max Z / F_r and F_a / (F_r tan alpha) of half a load zone, of very many rollers without clearance, as published for
+#: contacts with an exponent of 1.1; the other exponent is that of slices.
 STRIBECK, SJOVALL = 4.08, 1.260
-SPREADS = ((1.1, STRIBECK, SJOVALL), (10.0 / 9.0, 4.085, 1.258))
+EXPONENTS = (1.1, 10.0 / 9.0)
 
 
 def zone_integral(power: float, *, weighted: bool) -> float:
