@@ -72,10 +72,12 @@ def design(
 
 
 def _texts(found: Design, out: Path) -> dict[str, str]:
-    """Return the optimised case, its profile and all numbers, by file name."""
+    """Return the optimised case, the relief of both bodies together after and before, and all numbers, by file name."""
+    rows = np.column_stack(found.relief).tolist()
+    cells = ([f"{y:.9g}", *("" if math.isnan(each) else f"{each:.9f}" for each in rest)] for y, *rest in rows)
     return {
         "case.toml": as_toml(found.case.document_in(out) | {"title": f"{found.was.title}, designed"}),
-        "profile.csv": _profile(found),
+        "profile.csv": csv_text(["y [mm]", "relief [mm]", "relief before [mm]"], cells),
         "design.json": _as_json(found, ()) + "\n",
     }
 
@@ -101,13 +103,6 @@ def _as_json(found: Design, files: Sequence[Path]) -> str:
         "units": found.units | {"value": "MPa" if found.goal == "pressure" else ""},
     }
     return json.dumps(content, indent=2, allow_nan=False)
-
-
-def _profile(found: Design) -> str:
-    """Return the relief of both bodies together as CSV, after and before."""
-    rows = np.column_stack(found.relief).tolist()
-    cells = ([f"{y:.9g}", *("" if math.isnan(each) else f"{each:.9f}" for each in rest)] for y, *rest in rows)
-    return csv_text(["y [mm]", "relief [mm]", "relief before [mm]"], cells)
 
 
 # A front

@@ -58,10 +58,6 @@ def _stress() -> None:
     nh.subsurface.stress(nh.solve(hollow, load=5e3, strips=5), 0.0, 0.0, 0.1)
 
 
-def _life() -> None:
-    nh.life.assess(nh.solve(_contact(), load=5e3, strips=11))
-
-
 def _plane_grid() -> None:
     solution = nh.patch.solve(_contact(), load=5e3, cells=(12, 16))
     nh.subsurface.stress(solution, 0.0, 0.0, 0.1, body="b", displacement=True)
@@ -82,10 +78,10 @@ def _bearing() -> None:
     nh.bearing.solve(row, radial=2e3)
 
 
-PARTS: dict[str, Callable[[], None]] = {
+PARTS: dict[str, Callable[[], object]] = {
     "strips": _solve,
     "stress": _stress,
-    "life": _life,
+    "life": lambda: nh.life.assess(nh.solve(_contact(), load=5e3, strips=11)),
     "plane grid": _plane_grid,
     "map": _map,
     "bearing": _bearing,

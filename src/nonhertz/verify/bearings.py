@@ -9,7 +9,7 @@ import functools
 import math
 import operator
 from collections.abc import Callable, Iterator
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -194,14 +194,12 @@ def _ratings() -> Iterator[Claim]:
         names, (1e-3, 1e-3, 1e-3, 1e-3, 1e-4, 4e-4, 2e-4, 7e-5), ("kN", "kN", "kN", "kN", "kN", "mm^2/s", "", ""),
         expected=(14.16, 24.20, 0.803, 1.373, 7.317, 16.18, 3.413, 0.8174),
     )  # fmt: skip
-    of = Evidence("HR30306J", "catalogue", lambda: rating(bearing))
-    for name, what in (("C by the formula of ISO 281", "dynamic"), ("C_0 by the formula of ISO 76", "static")):
-        kilo = functools.partial(_thousandth, what=what)
-        yield of.claim(name, kilo, None, "kN", expected=kilo(given))
-
-
-def _thousandth(of: Any, what: str) -> float:
-    return float(1e-3 * getattr(of, what))
+    formulas, capacities = (
+        ("C by the formula of ISO 281", "C_0 by the formula of ISO 76"),
+        (given.dynamic, given.static),
+    )
+    of = Evidence("HR30306J", "catalogue", lambda: (1e-3 * rating(bearing).dynamic, 1e-3 * rating(bearing).static))
+    yield from of.each(formulas, None, "kN", expected=[1e-3 * each for each in capacities])
 
 
 def _life_factors(kappa: float) -> list[float]:
