@@ -7,6 +7,7 @@ ORDERS ?= 1 2 3 4 5
 MUTANTS ?=
 SPHINX ?=
 WORKERS ?= auto
+MARKS ?= slow
 ENGINE ?= chromium
 VENV := .venv
 BIN := $(VENV)/bin
@@ -27,7 +28,7 @@ test: $(READY)
 
 # The tests that take seconds each, which `make test` leaves out.
 test-slow: $(READY)
-	$(BIN)/python -m pytest -n auto --dist loadfile -m slow
+	$(BIN)/python -m pytest -n auto --dist loadfile -m "$(MARKS)"
 
 # The same tests in other orders, one for each number.
 test-orders: $(READY)
