@@ -149,16 +149,6 @@ def test_the_convention_says_what_ends_and_what_is_freed(a, b, convention):
     assert any(f"({convention})" in sentence for sentence in solution.warnings) is singular
 
 
-def test_a_contact_that_is_short_at_the_end_gives_no_strength():
-    # A tilted roller bears on a corner: strips within half a half-width of the end are out of contact.
-    solution = solved(nh.Body(diameter=2000, length=20, side_faces="none"), nh.Plate(), load=100, tilt=3e-3, strips=200)
-    edge = solution.edge_pressure[1]
-    near = solution.y > 10.0 - 0.5 * solution.half_width[-1]
-    assert np.any(solution.line_load[near] == 0.0)
-    assert edge.kind is nh.EdgeKind.SINGULAR
-    assert edge.strength is None or edge.strength > 0.0
-
-
 # Corners of the profile
 
 

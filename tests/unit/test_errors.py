@@ -30,28 +30,11 @@ def test_values_are_shown_as_people_write_them(value, said):
     assert str(nh.InputError("x", value, "be right", "mend it")) == f"{said} must be right: mend it."
 
 
-def test_an_option_without_a_value_is_named_alone():
-    said = [str(nh.InputError("--plan", value, "be left out", "leave it out")) for value in (True, None, 1)]
-    assert said == ["--plan must be left out: leave it out."] * 2 + ["--plan = 1 must be left out: leave it out."]
-
-
-def test_within_names_the_place():
-    error = nh.InputError("length", -5.0, "be positive", "give it in mm").within("body.a")
-    assert isinstance(error, nh.InputError)
-    assert str(error) == "body.a.length = -5.0 must be positive: give it in mm."
-
-
 def test_long_values_are_cut():
     text = str(nh.InputError("y", list(range(1000)), "ascend", "sort the points"))
     assert text.startswith("y = [0, 1, 2,")
     assert text.endswith("... must ascend: sort the points.")
     assert len(text) < 110
-
-
-def test_a_case_error_lists_every_mistake():
-    error = CaseError(mistake for mistake in ("First.", "Second."))
-    assert error.mistakes == ("First.", "Second.")
-    assert str(error) == "First.\nSecond."
 
 
 @pytest.mark.parametrize(
