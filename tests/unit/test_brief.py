@@ -34,6 +34,14 @@ def test_a_solution_is_printed_in_ten_lines_at_most(solved):
     assert "both ends run out" in repr(solved)
 
 
+def test_maxima_that_mirror_each_other_are_two_places_and_neighbours_one():
+    sharp = quietly(nh.solve, nh.Contact(nh.Roller(diameter=20, length=20), nh.Ring(diameter=80)), load=20e3)
+    low, high = re.search(r"maximum pressure \S+ MPa at y = (\S+) and (\S+) mm, away from", repr(sharp)).groups()
+    assert float(low) == -float(high) == pytest.approx(-abs(sharp.max_pressure_y), abs=1e-3)
+    even = quietly(nh.solve, CONTACT, load=5e3, strips=20)
+    assert re.search(r"maximum pressure \S+ MPa at y = \S+ mm", repr(even))
+
+
 def test_notebooks_see_the_pressure_drawn(solved):
     page = solved._repr_html_()
     points = re.search(r'points="([^"]*)"', page)[1].split()

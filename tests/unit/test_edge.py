@@ -7,6 +7,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
+from nonhertz.result.ends import away_from_ends
 from nonhertz.result.maximum import counted
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
@@ -32,7 +33,7 @@ def test_a_contact_that_ends_inside_the_bodies_runs_out():
 
 
 def test_a_tilted_contact_has_ends_of_two_kinds():
-    solution = solved(roller(profile=CROWN), nh.Plate(), tilt=1.5e-3)
+    solution = solved(roller(profile=CROWN), nh.Plate(), tilt=3e-3)
     low, high = solution.edge_pressure
     assert (low.kind, high.kind) == (nh.EdgeKind.RUN_OUT, nh.EdgeKind.SINGULAR)
     assert low.y > -10.0
@@ -40,6 +41,10 @@ def test_a_tilted_contact_has_ends_of_two_kinds():
     assert high.strip_width == pytest.approx(solution.strip_width[-1], rel=1e-12)
     assert high.pressure == pytest.approx(solution.centre_pressure[-1], rel=1e-12)
     assert not high.converges
+    width = np.interp(solution.max_pressure_y, solution.y, solution.half_width)
+    assert 10.0 - solution.max_pressure_y == pytest.approx(width, rel=1e-9)  # as near that end as counts
+    places = np.array([-10.0, 10.0 - 2.0 * width, 10.0 - 0.5 * width])
+    assert away_from_ends(solution, places).tolist() == [True, True, False]
 
 
 @pytest.mark.parametrize(

@@ -66,7 +66,7 @@ def test_it_is_what_contacts_solved_anew_differ_by(crowned, holding):
     quantities = [*NAMES, *MEASURES]
     gradients = [crowned.gradient(each, holding=holding) for each in quantities]
     sizes = np.maximum([abs(each.value) for each in gradients], 1e-300)
-    for path in PATHS[:2] if holding != HOLDING[0] else PATHS:
+    for path in [*PATHS[:2], PATHS[-1]] if holding != HOLDING[0] else PATHS:
         change, at = by_path(CROWNED, path)
         expected = differenced(crowned, quantities, holding, change, at)
         found = np.array([each.by(path) for each in gradients])
