@@ -461,6 +461,8 @@ def test_methods_and_addresses(client):
     refused(client.get("/nothing/"), 404)
     refused(client.post("/download/passwd", json={"document": {}}), 404)
     assert client.options("/solve").status_code == 405
+    typed = client.get("/bearings", headers={"accept": "text/html,application/xhtml+xml"})
+    assert (typed.status_code, typed.text) == (404, "There is nothing at this address.")
 
 
 @pytest.mark.slow

@@ -26,7 +26,7 @@ from nonhertz.comparison.value import NOTABLE
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.checks import LEAST_DEPTH, ValidityCheck, checks
 from nonhertz.result.ends import leaves_stress
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.result.validity import ROUND_IT
 from nonhertz.show.bearing import most_loaded
 from nonhertz.strength import Verdict as StrengthVerdict
@@ -240,20 +240,20 @@ def _ends(contacts: Sequence[Solution]) -> Assumption:
         for contact, edge in every
     ]
     verdict = max((each for each, _ in judged), key=[*Verdict].index, default=Verdict.HOLDS)
-    kinds = Counter(edge.kind.label.replace("-", " ") for _, edge in every)
-    words = [f"{number} {kind}" for kind, number in kinds.most_common()]
+    kinds = [edge.kind.label.replace("-", " ") for _, edge in every]
+    words = [
+        f"{kind} at y = {mm(edge.y):.5g}" + (f", {edge.law}" if edge.law else "")
+        for kind, (_, edge) in zip(kinds, every, strict=True)
+    ]
+    if len(contacts) > 1:
+        words = [f"ends: {', '.join(f'{number} {kind}' for kind, number in Counter(kinds).most_common())}"]
     return Assumption(
         "Contact ends inside the bodies",
         "pressure falls to zero before a body ends",
-        "; ".join([_end(edge) for _, edge in every] if len(contacts) == 1 else [f"ends: {', '.join(words)}"]),
+        "; ".join(words),
         verdict,
         " ".join(dict.fromkeys(remark for each, remark in judged if each is verdict)),
     )
-
-
-def _end(edge: EdgePressure) -> str:
-    kind = edge.kind.label.replace("-", " ")
-    return f"{kind} at y = {mm(edge.y):.5g}" + (f", {edge.law}" if edge.law else "")
 
 
 def _fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumption:

@@ -142,10 +142,9 @@ def of_one_kind(cases: Sequence[Case | BearingCase]) -> Sequence[Case | BearingC
     InputError
         If there are contacts and bearings.
     """
-    contacts = [case for case in cases if isinstance(case, Case)]
-    bearings = [case for case in cases if isinstance(case, BearingCase)]
-    if contacts and bearings:
-        both = f"{contacts[0].path} and {bearings[0].path}"
+    first = {case.kind: case.path for case in reversed(cases)}
+    if len(first) > 1:
+        both = f"{first['case']} and {first['bearing']}"
         remedy = "make a report of each kind, with 'nonhertz report' twice"
         raise InputError("cases", both, "be all case files or all bearing files", remedy)
     return cases

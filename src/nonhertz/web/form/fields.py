@@ -10,11 +10,10 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from nonhertz.web.form.ranges import Range
-from nonhertz.web.form.units import Unit
+from nonhertz.web.form.units import Unit, in_figures
 
 Edits = list[tuple[str, Any]]
 
-_LONGEST_WHOLE: Final = 1e9
 _MOST_BITS: Final = 1023
 _PLAIN_NUMBER: Final = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
@@ -153,9 +152,7 @@ def number_or_words(value: Any) -> str | None:
     if isinstance(value, bool):
         return None
     if isinstance(value, int | float):
-        if not is_number(value):
-            return None
-        return str(int(value)) if value == int(value) and abs(value) < _LONGEST_WHOLE else json.dumps(value)
+        return in_figures(value) if is_number(value) else None
     fits = isinstance(value, str) and value and value == value.strip() and "\n" not in value
     return value if fits and not _PLAIN_NUMBER.fullmatch(value) else None
 

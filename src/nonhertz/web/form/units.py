@@ -27,6 +27,7 @@ SLOPE: Final = "um/mm"
 _LARGE: Final = {"N": (1e3, "kN"), "MPa": (1e4, "GPa"), "N mm": (1e4, "N m")}
 _SMALL_ANGLE: Final = 0.05
 _FIGURES: Final = 12
+_LONGEST_WHOLE: Final = 1e9
 _FEWER: Final = 6  # of one that was given in other units
 _LINEAR: Final = 1e-3  # relative: the angle of a slope is not proportional to it, which a slider takes for granted
 
@@ -94,8 +95,9 @@ def units_of(base: str, name: str, value: Any) -> tuple[str | None, str, tuple[U
         value = in_unit(name, value, base)
     there = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
     word, factor = _read(_usual(base, name, abs(value) if there else 0.0))
-    text = _shown(float(value) / known[word], _FIGURES if factor == 1.0 else _FEWER) if there else None
-    return text, word, units
+    # Without the digits that dividing by a unit adds.
+    figures = _FIGURES if factor == 1.0 else _FEWER
+    return in_figures(float(f"{float(value) / known[word]:.{figures}g}")) if there else None, word, units
 
 
 def _read(word: str) -> tuple[str, float]:
@@ -114,7 +116,6 @@ def _usual(base: str, name: str, size: float) -> str:
     return word if size >= from_ else base
 
 
-def _shown(number: float, figures: int) -> str:
-    """Return a number without the digits that dividing by a unit has added."""
-    rounded = float(f"{number:.{figures}g}")
-    return str(int(rounded)) if rounded == int(rounded) and abs(rounded) < 1e9 else repr(rounded)
+def in_figures(number: float) -> str:
+    """Return a number as a field has it, whole ones without a decimal point."""
+    return str(int(number)) if number == int(number) and abs(number) < _LONGEST_WHOLE else repr(number)

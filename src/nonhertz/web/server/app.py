@@ -13,7 +13,7 @@ from markupsafe import Markup
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
-from starlette.responses import Response
+from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
@@ -106,7 +106,10 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
 
 async def _refused(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
-    return refusal(error.status_code, _SENTENCES.get(error.detail, error.detail))
+    sentence = _SENTENCES.get(error.detail, error.detail)
+    if "text/html" in request.headers.get("accept", ""):  # an address that somebody has typed
+        return PlainTextResponse(sentence, error.status_code)
+    return refusal(error.status_code, sentence)
 
 
 async def _ended(request: Request, error: Exception) -> Response:

@@ -177,29 +177,28 @@ async def while_awaited(
     grace : float
         For how long a job that nobody waits for may go on [s]: to start another process costs more than most answers.
     """
-    until = time.monotonic() + grace
-    outcome: list[bytes | Exception] = []
-    async with anyio.create_task_group() as tasks:
+    made: bytes | None = None
+    failure: Exception | None = None
 
-        async def attempt() -> None:
-            try:
-                outcome.append(await work())
-            except TooSlowError:
-                sentence = f"This takes longer than the page waits: use 'nonhertz {command}'."
-                outcome.append(Refusal(as_bytes(broken([("", sentence)]) | {"slow": True})))
-            except Exception as error:  # noqa: BLE001  (raised below, not as one of a group)
-                outcome.append(error)
-            tasks.cancel_scope.cancel()
-
-        tasks.start_soon(attempt)
+    async def watch() -> None:
+        until = time.monotonic() + grace
         while not await request.is_disconnected() or time.monotonic() < until:
             await anyio.sleep(_LISTENING)
         tasks.cancel_scope.cancel()
-    for found in outcome:
-        if isinstance(found, Exception):
-            raise found
-        return found
-    return None
+
+    async with anyio.create_task_group() as tasks:
+        tasks.start_soon(watch)
+        try:
+            made = await work()
+        except TooSlowError:
+            sentence = f"This takes longer than the page waits: use 'nonhertz {command}'."
+            made = Refusal(as_bytes(broken([("", sentence)]) | {"slow": True}))
+        except Exception as error:  # noqa: BLE001  (raised below, not as one of a group)
+            failure = error
+        tasks.cancel_scope.cancel()
+    if failure is not None:
+        raise failure
+    return made
 
 
 async def _asked(request: Request) -> dict[str, Any]:

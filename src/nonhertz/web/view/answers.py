@@ -61,7 +61,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "footprint": _in_a_row(plain([*map(vars, outlines(solution))]), ("y", "half_width", "pressure")),
         "gap": _gap(solution),
         "life": None if complaint or not solution.contact_y else _life(case, solution),
-        "profiles": profiles({"a": case.contact.a, "b": case.contact.b}),
+        "profiles": {"a": relief_of(case.contact.a), "b": relief_of(case.contact.b)},
         "bodies": {"a": _seen(case.contact.a), "b": _seen(case.contact.b)},
         "interval": plain(case.contact.interval),
         "span": _span(solution),
@@ -90,12 +90,8 @@ def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
     return {name: plain(value) for name, value in found.items()} | {"body": life.body, "ends_counted": counted}
 
 
-def profiles(bodies: dict[str, Body]) -> dict[str, Any]:
-    """Return the relief of bodies by name, over the length on which each can touch."""
-    return {name: _relief(body) for name, body in bodies.items()}
-
-
-def _relief(body: Body) -> dict[str, Any]:
+def relief_of(body: Body) -> dict[str, Any]:
+    """Return the relief of a body over the length on which it can touch."""
     low, high = body.interval
     low = low if math.isfinite(low) else min(body.position, high) - FAR
     high = high if math.isfinite(high) else max(body.position, low) + FAR
@@ -159,7 +155,7 @@ def drawable(bodies: Any) -> dict[str, Any]:
     made = {}
     for name in ("a", "b"):
         try:
-            made[name] = _relief(read(Body, bodies.get(name), surroundings({"body": bodies}, None)))
+            made[name] = relief_of(read(Body, bodies.get(name), surroundings({"body": bodies}, None)))
         except (AttributeError, InputError, ValueError):
             continue
     return made

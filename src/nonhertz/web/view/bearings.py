@@ -19,7 +19,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import most_loaded, sections
 from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import findings_of, of_bearing
-from nonhertz.web.view.answers import lines, profiles, relief_between
+from nonhertz.web.view.answers import lines, relief_between, relief_of
 from nonhertz.web.view.replies import verdict_seen
 
 Array = NDArray[np.float64]
@@ -53,7 +53,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "method": solution.method,
         "key": _key_numbers(solution, life),
         "rows": _rows(solution),
-        "profiles": profiles({part: getattr(solution.bearing.rows[0].bearing, part) for part in PARTS}),
+        "profiles": {part: relief_of(getattr(solution.bearing.rows[0].bearing, part)) for part in PARTS},
         "angle": plain(solution.angle),
         "load": plain(solution.load),
         "rib_load": plain(solution.rib_load),
