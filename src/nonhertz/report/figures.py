@@ -24,7 +24,7 @@ def belonging(found: Results, numbers: Iterable[Row]) -> dict[str, list[Picture]
 
     The numbers that are looked for first describe them.
     """
-    words = f"{found.case.title}: {in_words(numbers)}"
+    words = f"{found.case.title}: {'; '.join(' '.join(filter(None, row)) for row in numbers)}"
     captions = _OF_BEARING
     more: dict[str, list[Picture]] = {}
     if isinstance(found, CaseResults):
@@ -87,8 +87,3 @@ def of_all(found: Sequence[Results]) -> list[Picture]:
     )
     contacts = {each.label: each.solution for each in found if isinstance(each, CaseResults)}
     return [Picture(compared_contacts(contacts), caption, words)] if contacts else []
-
-
-def in_words(numbers: Iterable[Row]) -> str:
-    """Return numbers as the description of a figure, for those who do not see it."""
-    return "; ".join(" ".join(filter(None, row)) for row in numbers)

@@ -129,12 +129,6 @@ def _span(values: Array, unit: str) -> str:
 # Of bearings alone
 
 
-def _relief(body: Body, y: Array) -> str:
-    """Return the relief of a body near the ends of what can touch, without arcs of barrels; nothing if it has none."""
-    ends = body.relief(y)
-    return f"{um(*ends, between=' and '):3}" if np.any(ends != 0.0) else ""
-
-
 def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
     row = case.bearing.rows[0].bearing
     between = row.pitch * math.sin(math.pi / row.rollers) - row.roller_diameter
@@ -156,9 +150,10 @@ def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
     y = NEAR_ENDS * np.array(row.contacts[0].interval)
     where = mm(*y, between=" and ")
     for name in PARTS:
-        relief = _relief(getattr(row, name), y)
-        if relief:
-            yield f"relief of the {name}{' ring' * (name in RINGS)} at y = {where:.4g}", relief
+        relief = getattr(row, name).relief(y)  # without arcs of barrels
+        if np.any(relief != 0.0):
+            named = f"relief of the {name}{' ring' * (name in RINGS)} at y = {where:.4g}"
+            yield named, f"{um(*relief, between=' and '):3}"
     if row.roller_density is not None:
         yield "mass of a roller", f"{amount(1e6 * row.inertia.mass, 'g'):.4g}"
 

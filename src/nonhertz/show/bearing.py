@@ -325,9 +325,11 @@ def _method_rows(solution: BearingSolution) -> list[Row]:
     if solution.method != "strips":
         return [("method", "slices", "independent ones of ISO/TS 16281, two equal contacts in series")]
     bearing = solution.bearing.rows[0].bearing
-    rows = [("method", "strips", "semi-elliptic, on automatic grids")]
-    rows.append(("  roller", bearing.roller.model, ""))
-    return [*rows, *((f"  {ring} ring", getattr(bearing, ring).model, "") for ring in RINGS)]
+    return [
+        ("method", "strips", "semi-elliptic, on automatic grids"),
+        ("  roller", bearing.roller.model, ""),
+        *((f"  {ring} ring", getattr(bearing, ring).model, "") for ring in RINGS),
+    ]
 
 
 def _rollers(solution: BearingSolution) -> Iterator[tuple[str, str, str]]:

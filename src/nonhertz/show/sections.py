@@ -123,9 +123,5 @@ def rows_of_summaries(sections: Iterable[Section]) -> list[Row]:
 
 def shown_columns(table: Table) -> list[int]:
     """Return the columns that are not blank throughout."""
-    return [at for at in range(max(map(len, table.rows), default=0)) if any(_at(row, at) for row in table.rows)]
-
-
-def _at(row: Sequence[str | Cell], at: int) -> bool:
-    cell = row[at] if at < len(row) else ""
-    return bool("".join(cell))
+    most = max(map(len, table.rows), default=0)
+    return [at for at in range(most) if any("".join(row[at]) for row in table.rows if at < len(row))]

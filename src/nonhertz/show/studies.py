@@ -96,13 +96,16 @@ def _counted(sweep: Sweep) -> str:
 
 
 def _varied(sweep: Sweep) -> Iterator[Row]:
-    """Yield path, what it runs over, and how many values that are."""
+    """Yield path, what it runs over as a plan has it in units that people read, and how many values those are."""
     for path, spread in sweep.plan.spreads.items():
         unit = sweep.unit(path)
         if isinstance(spread, Distribution):
             written = sweep.plan.over[path]
-            words = written if isinstance(written, str) else in_words(spread, unit)
-            yield path, words, f"{sweep.shape[-1]} samples"
+            if not isinstance(written, str):
+                numbers = ", ".join(f"{of_dimension([number], unit):g}" for number in spread.numbers)
+                limits = "" if spread.within is None else f" within {of_dimension(spread.within, unit, ' : '):g}"
+                written = f"{spread.kind}({numbers}){limits}"
+            yield path, written, f"{sweep.shape[-1]} samples"
         else:
             yield path, _ends(spread, unit), f"{len(spread)} values" if len(spread) > 1 else "1 value"
 
@@ -157,13 +160,6 @@ def _failures(sweep: Sweep) -> list[str]:
     ]
     rest = sweep.failed - sum(times for _, times, _ in reasons)
     return [*shown, f"{rest} more rows for other reasons."] if rest else shown
-
-
-def in_words(distribution: Distribution, unit: str) -> str:
-    """Return a distribution as it is written in a plan, with its numbers in the units in which people write them."""
-    numbers = ", ".join(f"{of_dimension([number], unit):g}" for number in distribution.numbers)
-    limits = "" if distribution.within is None else f" within {of_dimension(distribution.within, unit, ' : '):g}"
-    return f"{distribution.kind}({numbers}){limits}"
 
 
 def _ends(spread: Spread, unit: str) -> str:

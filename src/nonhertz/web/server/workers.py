@@ -8,6 +8,7 @@ the server answers in time whatever the request.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import multiprocessing
 import pickle
 import signal
@@ -272,7 +273,5 @@ def _answer(connection: Connection, job: Job, arguments: tuple[Any, ...]) -> Non
         sent = True, job(*arguments)
     except Exception as error:  # noqa: BLE001  (top level: the server reports it in a sentence)
         sent = False, f"{type(error).__name__}: {error}"
-    try:
+    with contextlib.suppress(OSError):
         connection.send_bytes(pickle.dumps(sent))
-    except OSError:
-        return
