@@ -94,8 +94,8 @@ class BearingCase(HeldCase):
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""
-        given = {"load": self.prescribed, "fit": self.fit, "life": self.life, "report": self.title_block}
-        found = document_of(given, defaults=False) | {"solver": document_of(self.solver)}
+        given = {"load": self.prescribed, "fit": self.fit, "report": self.title_block}
+        found = document_of(given, defaults=False) | document_of({"solver": self.solver, "life": self.life})
         return bearing_sections(self.bearing) | {name: each for name, each in found.items() if each or name == "load"}
 
     @property
