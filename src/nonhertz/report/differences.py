@@ -13,7 +13,6 @@ from nonhertz.report.inputs import InputGroup
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.show.bearing import clean
-from nonhertz.show.lives import without_ratio
 from nonhertz.show.sections import Cell
 from nonhertz.show.summary import end_words
 
@@ -105,13 +104,6 @@ def lives(found: Sequence[CaseResults]) -> list[Compared]:
                 cells.append(Cell(own, f"× {digits(ratio, 4)}" if compares else ""))
             rows.append((f"{life.model.name}, body {body}", *cells))
     return rows
-
-
-def remarks_on_lives(found: Sequence[CaseResults]) -> list[str]:
-    """Return why some lives are not compared."""
-    first = found[0].lives
-    remarks = [without_ratio(each.lives, first) for each in found[1:] if each.lives and first]
-    return list(dict.fromkeys(words for each in remarks for words in each))
 
 
 # The largest pressure comes first; its position and the coupling stiffnesses are left out.

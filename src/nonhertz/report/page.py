@@ -15,7 +15,7 @@ from nonhertz.files.title_block import TitleBlock
 from nonhertz.plot import measured_figure
 from nonhertz.report import figures
 from nonhertz.report.assumptions import NO_INPUT, assumptions
-from nonhertz.report.differences import basis, differing_inputs, lives, remarks_on_lives, results
+from nonhertz.report.differences import basis, differing_inputs, lives, results
 from nonhertz.report.downloads import downloads
 from nonhertz.report.inputs import Entry, InputGroup, inputs
 from nonhertz.report.layout import Files, Part, Words, laid_out
@@ -27,7 +27,7 @@ from nonhertz.show import lives as life_shown
 from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
-from nonhertz.show.lives import RATIO
+from nonhertz.show.lives import RATIO, without_ratio
 from nonhertz.show.sections import Block, Cell, Picture, Said, Section, Table, rows_of_summaries, summary
 
 _OF_CONTACT = Words(
@@ -208,7 +208,9 @@ def _compared(found: Sequence[Results], words: Words) -> list[Section]:
     contacts = [each for each in found if isinstance(each, CaseResults)]
     shown = lives(contacts) if contacts else []
     if shown:
-        notes = ["The factor after × is the ratio to the life of the first case.", RATIO, *remarks_on_lives(contacts)]
+        first, *others = (each.lives for each in contacts)
+        without = (words for each in others if first and each for words in without_ratio(each, first))
+        notes = ["The factor after × is the ratio to the life of the first case.", RATIO, *dict.fromkeys(without)]
         sections.append(Section("Lives", [_beside("Life relative to the ideal one", labels, shown), Said(notes)]))
     return [*sections, Section("Inputs that are the same", [Table(same, layout="inputs")] if same else [])]
 

@@ -67,14 +67,13 @@ class Range:
     def as_read(self, unit: str) -> Range:
         """Return the range, of a quantity in a unit, with ends that are round in the one in which it is read."""
         factor = chosen().of(unit)[1]
-        low, high = (_two_figures(end * factor) / factor for end in (self.low, self.high))
-        return self if factor == 1.0 else Range(low, high, self.scale, self.start)
-
-
-def _two_figures(value: float) -> float:
-    """Return the first two figures of a number."""
-    power = 10.0 ** (math.floor(math.log10(abs(value))) - 1) if value else 1.0
-    return math.trunc(round(value / power, 9)) * power
+        if factor == 1.0:
+            return self
+        ends = []
+        for end in (factor * self.low, factor * self.high):  # to two figures
+            power = 10.0 ** (math.floor(math.log10(abs(end))) - 1) if end else 1.0
+            ends.append(math.trunc(round(end / power, 9)) * power / factor)
+        return Range(ends[0], ends[1], self.scale, self.start)
 
 
 LENGTH: Final = Range(0.5, 500.0, "log", 20.0)
