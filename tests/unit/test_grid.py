@@ -360,12 +360,13 @@ def test_a_grid_cut_from_an_end_next_to_the_middle_does_not_depend_on_the_unit_o
     np.testing.assert_allclose(edges(1024.0) / 1024.0, edges(1.0), rtol=1e-6, atol=1e-9)
 
 
-def test_a_summit_between_samples_is_looked_at_and_where_there_is_no_body_none_is():
+@pytest.mark.parametrize("summit", [3.2, 3.25])  # apart at 3.0 and 3.5, as deep in both for the second
+def test_a_summit_between_samples_is_looked_at_and_where_there_is_no_body_none_is(summit):
     y = np.linspace(0.0, 10.0, 21)
-    depth = 1e-3 - (y - 3.2) ** 2  # apart at 3.0 and 3.5
+    depth = 1e-3 - (y - summit) ** 2
     depth[y > 6.0] = -np.inf
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        np.testing.assert_allclose(overlaps.summits_of(y, depth), [3.2], rtol=1e-12, atol=0.0)
+        np.testing.assert_allclose(overlaps.summits_of(y, depth), [summit], rtol=1e-12, atol=0.0)
         assert overlaps.summits_of(y, depth - 2e-3).size == 0
         assert overlaps.summits_of(y, np.full(21, -np.inf)).size == 0
