@@ -131,6 +131,7 @@ def test_too_few_or_too_many_strips_are_refused(strips):
     ("edges", "condition"),
     [
         ([0.0], "be a row of 2 to 2001 edges"),
+        (np.linspace(-10.0, 10.0, 2002), "be a row of 2 to 2001 edges"),
         ([[-1.0, 0.0], [1.0, 2.0]], "be a row of 2 to 2001 edges"),
         ([-1.0, -2.0, 0.0, 1.0], "be ascending and finite"),
         ([-1.0, 0.0, 0.0, 1.0], "be ascending and finite"),
