@@ -152,6 +152,22 @@ def test_a_share_of_the_load_is_no_solution():
     assert not np.any(many.converged)
 
 
+class Broken(nh.profile.Straight):
+    """A profile of the user's own with a fault."""
+
+    def relief(self, y):
+        raise ZeroDivisionError("of the user's own")
+
+
+@pytest.mark.parametrize("strips", [None, 11], ids=str)
+def test_a_case_that_raises_does_not_take_the_others_with_it(strips):
+    good = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000)), nh.Plate())
+    bad = nh.Contact(nh.Roller(diameter=20, length=20, profile=Broken()), nh.Plate())
+    many = nh.solve_many([good, bad, good], load=1e3, strips=strips)
+    assert many.converged.tolist() == [True, False, True]
+    assert isinstance(many.failures[1], ZeroDivisionError)
+
+
 @pytest.mark.filterwarnings("ignore:The accuracy of:nonhertz.AccuracyWarning")
 def test_of_two_solutions_the_one_that_the_bodies_can_stay_in_is_found():
     # 4.5 times as wide as long: on the first grid the loop ends in an unsymmetric state of negative stiffness.

@@ -57,6 +57,14 @@ def test_a_single_strip_has_no_estimate():
     assert solution.error_estimate.load == 0.0
 
 
+def test_a_grid_can_be_given_to_another_solve():
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000)), nh.Plate())
+    first = nh.solve(contact, load=5e3)
+    second = nh.solve(contact, load=5e3, strips=first.edges)
+    assert np.array_equal(second.edges, first.edges)
+    np.testing.assert_allclose(second.approach, first.approach, rtol=1e-11, atol=0.0)
+
+
 @pytest.mark.parametrize(("strips", "starts", "way_out"), [(399, 4, "another number"), (1600, 1, "fewer strips")])
 def test_very_many_strips_are_not_tried_for_hours(monkeypatch, strips, starts, way_out):
     tried = []
