@@ -11,6 +11,8 @@ import pytest
 import nonhertz as nh
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution
+from nonhertz.show.sections import Table
+from nonhertz.show.studies import tolerance_sections
 from nonhertz.study.pictures import tolerance_figures
 from nonhertz.study.store import FILE
 from nonhertz.study.tolerances import quantile, sobol_indices
@@ -142,6 +144,16 @@ def test_rows_that_fail_are_left_out_of_quantiles_and_indices(tmp_path):
 def test_values_in_place_of_a_distribution_are_refused():
     with pytest.raises(nh.InputError, match="must be a distribution"):
         nh.tolerance(CASE, over={"load.load": "10 kN, 20 kN"})
+
+
+def test_warnings_are_counted_in_whole_numbers():
+    sharp = nh.Case(
+        nh.Contact(nh.Roller(diameter=20, length=20, depth="none"), nh.Plate()), {"load": 20e3}, {"strips": 31}
+    )
+    found = nh.tolerance(sharp, over={"load.load": "uniform(19 kN, 21 kN)"}, samples=8, workers=1)
+    blocks = [block for section in tolerance_sections(found) for block in section.blocks]
+    rows = {row[0]: row[1] for block in blocks if isinstance(block, Table) for row in block.rows}
+    assert rows["warnings"] == "2"
 
 
 @pytest.mark.slow

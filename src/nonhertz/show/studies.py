@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.amounts import amount, digits, error_words, mpa, of_dimension, um
+from nonhertz.amounts import amount, digits, error_words, given, mpa, of_dimension, um
 from nonhertz.files.spreads import Distribution, Spread
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.sections import Block, Row, Said, Section, Table, summary
@@ -137,7 +137,7 @@ def _alike(sweep: Sweep, spread: Sequence[Quantity]) -> list[Row]:
         elif quantity.name == "error" and error_words(largest):
             rows.append(("approach or load", error_words(largest), "at most"))
         elif largest > 0.0:
-            rows.append((quantity.label, digits(largest), "at most; a sweep over the same samples says which"))
+            rows.append((quantity.label, given(largest), "at most; a sweep over the same samples says which"))
     return rows
 
 
