@@ -393,5 +393,5 @@ def _merged(y: Array, more: Array) -> Array:
     """Return positions and those of the corners, without any so close to those that a spline would swing."""
     nearest = np.abs(y[:, np.newaxis] - more).min(axis=1, initial=math.inf)
     # Not half, which rounding would make more or less of where both are multiples of one step.
-    least = 0.49 * np.min(np.diff(np.sort(more)), initial=y[1] - y[0])
-    return np.union1d(y[nearest > least], more)
+    least = 0.49 * float(np.min(np.diff(np.sort(more)), initial=math.inf))
+    return np.union1d(y[nearest > min(least, y[1] - y[0])], more)
