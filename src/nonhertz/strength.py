@@ -3,7 +3,9 @@
 `assess` compares a solution with what the material of a body bears (`nonhertz.Material`): the largest pressure with its
 limit, the largest equivalent stress of the actual field below the surface with the yield strength, in a hardened case
 and in the core below it, and the depth of the case with the depths of the largest shear stresses. Each comparison is
-one `Check` with one sentence; where a strength is not known, or the stress has no limit, it says so.
+one `Check` with one sentence; where a strength is not known, or the stress has no limit, it says so. `judge` answers
+the same questions without a search, which takes seconds, where the pressure is far enough from that at which Hertz's
+contacts begin to yield.
 
 The solution is elastic and knows neither friction nor residual stress: a ratio above 1 says that yielding begins, not
 how far it goes, nor what a compressive residual stress in a case would carry.
@@ -11,6 +13,7 @@ how far it goes, nor what a compressive residual stress in a case would carry.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -18,25 +21,32 @@ from enum import StrEnum
 from typing import Any, Final, Unpack
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.amounts import digits, given, mm, mpa
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import one_of
 from nonhertz.model.body import Body, BodyName
+from nonhertz.model.materials import name_of
 from nonhertz.result.ends import ends_in_words, outermost
-from nonhertz.result.solution import ReadOnly, Solved
+from nonhertz.result.solution import EdgeKind, ReadOnly, Solution, Solved
 from nonhertz.subsurface import Extreme, Extremes, extremes
 from nonhertz.subsurface.evaluation import Within, refuse_options
 from nonhertz.subsurface.inside import Inside, checked_solution
 from nonhertz.subsurface.search import clear_of_ends
 
-__all__ = ["CRITERIA", "Check", "Strength", "Verdict", "assess"]
+__all__ = ["CRITERIA", "Check", "Strength", "Verdict", "assess", "judge", "onset_of_yield"]
 
 #: Criteria of yielding: what the equivalent stress of each is called.
 CRITERIA: Final = {"von-mises": "von Mises stress", "tresca": "Tresca stress (twice the maximum shear stress)"}
 
 EQUAL = 1e-6  # relative: half-widths that differ by less are one
+#: How far a pressure has to be from that at which a Hertzian contact begins to yield, for the field not to be searched.
+CLEAR: Final = 1.1
+_DEEPEST_SHEAR: Final = 0.786  # half-widths below a line contact: the maximum shear stress; Johnson 1985, section 4.2
+#: Places on the axis below a Hertzian contact, over its radius or half-width, at which stress is looked at.
+_BELOW: Final = np.linspace(0.0, 20.0, 20001)
 
 
 class Verdict(StrEnum):
@@ -61,12 +71,15 @@ class Check(ReadOnly):
         What acts over what is borne [-], above 1 where it is too much; NaN where it is not known.
     finding : Finding
         All of it.
+    unasked : bool
+        Whether it is not known since the material lacks the number to compare with.
     """
 
     name: str
     verdict: Verdict
     ratio: float
     finding: Finding
+    unasked: bool = False
 
     @property
     def sentence(self) -> str:
@@ -205,7 +218,7 @@ def assess(
         if core is None and body.case_depth < Inside.of(solution, name).extent.thickness(solution.y).max():
             core = extremes(solution, depths=below, **options)
     inside = Inside.of(solution, name)
-    asked = _Question(name, body, criterion, _Limit.of(solution), bool(inside.findings))
+    asked = _Question(f"body {name}", body, criterion, _Limit.of(solution), bool(inside.findings))
     below_contact = []
     if body.case_depth is not None:
         # Not at a bore, which no case of the surface reaches.
@@ -221,6 +234,84 @@ def assess(
         *asked.of_case(below_contact),
     )
     return Strength(name, criterion, checks, largest, core, largest.findings)
+
+
+@functools.lru_cache(maxsize=64)
+def judge(
+    solution: Solution, *, body: BodyName, search: bool = True, called: str = "", where: str = ""
+) -> tuple[Check, ...]:
+    """Return the checks of `assess` that the material allows, by the largest pressure alone where that decides.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact with something in contact.
+    body : {"a", "b"}
+        Which body.
+    search : bool
+        Whether the stress below the surface is searched where the pressure does not decide, which takes seconds; the
+        question is left open otherwise.
+    called, where : str
+        What sentences call the body, such as ``"the inner ring"``, and where they say that the pressure is; if left
+        out, ``"body a"`` and nothing.
+
+    Returns
+    -------
+    tuple of Check
+        Empty where nothing is known of what the body bears.
+
+    Notes
+    -----
+    By von Mises, whose stress every contact has somewhere between those of a circle and a line: below the pressure at
+    which a point contact begins to yield a body does not, above that of a line contact it does, see `onset_of_yield`,
+    both by a margin of 10 %. A case and the core below it are judged likewise by Hertz's line contact, which reaches
+    deepest. Bodies with a bore, and contacts whose pressure does not run out at their ends, have stresses of another
+    kind, which are searched.
+    """
+    part = solution.contact.a if body == "a" else solution.contact.b
+    asked = _Question(called or f"body {body}", part, "von-mises", _Limit.of(solution), stepped=False, where=where)
+    pressure = () if part.material.pressure_limit is None else (asked.pressure(solution.max_pressure),)
+    if part.material.yield_strength is None and part.case_depth is None:
+        return pressure
+    by_pressure = tuple(asked.without_search(solution))
+    if all(check.verdict is not Verdict.UNKNOWN for check in by_pressure) or not search:
+        return (*pressure, *by_pressure)
+    checks = assess(solution, body=body).checks
+    return tuple(check for check in checks if check.name != "pressure" or pressure)
+
+
+@functools.cache
+def onset_of_yield(poisson: float) -> tuple[float, float]:
+    """Return the largest pressure over the yield strength at which circular and line contacts begin to yield [-].
+
+    By the criterion of von Mises on the axis below the largest pressure, where it is reached first: 1.61 and 1.79 for
+    a Poisson's ratio of 0.3.
+
+    Parameters
+    ----------
+    poisson : float
+        Poisson's ratio of the body [-].
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, Eqs. (3.45) and (4.45).
+
+    Examples
+    --------
+    >>> [round(each, 2) for each in onset_of_yield(0.3)]
+    [1.61, 1.79]
+    """
+    return tuple(1.0 / float(stress.max()) for stress in _on_axis(poisson))  # type: ignore[return-value]
+
+
+def _on_axis(poisson: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the von Mises stress over the largest pressure below a circle and a line, at `_BELOW`."""
+    z, root = _BELOW, np.hypot(1.0, _BELOW)
+    circle = np.abs(1.5 / root**2 - (1.0 + poisson) * (1.0 - z * np.arctan2(1.0, z)))
+    across, normal = 2.0 * z - (root + z**2 / root), -1.0 / root
+    along = poisson * (across + normal)
+    line = np.sqrt(((across - normal) ** 2 + (normal - along) ** 2 + (along - across) ** 2) / 2.0)
+    return circle, line
 
 
 @dataclass(frozen=True)
@@ -257,34 +348,70 @@ class _Limit:
 class _Question:
     """What is asked of a body."""
 
-    name: BodyName
+    name: str
     body: Body
     criterion: str
     limit: _Limit
     stepped: bool
+    where: str = ""
 
     def pressure(self, found: float) -> Check:
         """Return the check of the largest pressure [MPa]."""
         allowed = self.body.material.pressure_limit
         if allowed is None:
-            words = "Static safety is not known: the material of body {body} has no pressure_limit."
-            return _unknown("pressure", words, body=self.name)
+            words = f"Static safety is not known: the material of {self.name} has no pressure_limit."
+            return _unknown("pressure", words, unasked=True)
         ratio = found / allowed
-        safety = f"static safety {digits(ratio**-2.0, 3)}"
+        safety = f"static safety S0 = {digits(ratio**-2.0, 3)}"
+        limit = f"the limit of {name_of(self.body.material) or self.name}, {{allowed:g}},"
         if self.limit:
-            what = "The largest pressure of {pressure}"
-            return _known("pressure", ratio, what, allowed, "limit", safety, pressure=mpa(found))
+            what = f"The largest pressure{self.where} of {{pressure}}"
+            return _known("pressure", ratio, what, allowed, limit, safety, pressure=mpa(found))
         towards = "he pressure grows without limit towards {ends}"
         if ratio <= 1.0 or not self.limit.away:
             return _unknown("pressure", f"Static safety is not known: t{towards}.", ends=self.limit.towards)
         numbers = {"ends": self.limit.towards, "pressure": mpa(found)}
         what = f"T{towards}; more than a half-width away {{pressure}}"
-        return _known("pressure", ratio, what, allowed, "limit", safety, **numbers)
+        return _known("pressure", ratio, what, allowed, limit, safety, **numbers)
+
+    def without_search(self, solution: Solution) -> Iterator[Check]:
+        """Yield what the largest pressure says of yielding and of a case: not known where only a search can tell."""
+        material, depth = self.body.material, self.body.case_depth
+        pressure, wide = solution.max_pressure, solution.max_half_width
+        point, line = onset_of_yield(material.poisson)
+        usual = self.body.bore is None and all(end.kind is EdgeKind.RUN_OUT for end in solution.edge_pressure)
+        numbers = {"pressure": mpa(pressure)}
+        if material.yield_strength is not None:
+            what = f"{'the case of ' * (depth is not None)}{self.name}"
+            low, high = point * material.yield_strength, line * material.yield_strength
+            if self.body.bore is None and not solution.peaks_at_corner and pressure >= CLEAR * high:
+                words = f"{_begin(what)} yields: the largest pressure of {{pressure}} exceeds {{onset:4}}, "
+                words += f"{line:.3g} times its yield strength, at which a line contact begins to yield."
+                yield Check("yield", Verdict.OVER, pressure / high, finding("yield", words, onset=mpa(high), **numbers))
+            elif usual and CLEAR * pressure <= low:
+                words = f"{_begin(what)} does not yield: the largest pressure of {{pressure}} is below {{onset:4}}, "
+                words += f"{point:.3g} times its yield strength, at which a point contact begins to yield."
+                yield Check("yield", Verdict.FINE, pressure / low, finding("yield", words, onset=mpa(low), **numbers))
+            else:
+                yield _unknown("yield", f"Whether {what} yields is decided by a search for its largest stress.")
+        if depth is None:
+            return
+        core = material.core_yield_strength
+        stress = pressure * _on_axis(material.poisson)[1][np.minimum(depth / wide, 10.0) <= _BELOW].max()
+        if not (usual and (core is None or CLEAR * stress <= core) and CLEAR * _DEEPEST_SHEAR * wide <= depth):
+            yield _unknown("core", f"Whether case and core of {self.name} bear it is decided by a search.")
+            return
+        if core is not None:
+            words = f"The core of {self.name} does not yield: no more than {{stress:3}} reach it, of {{core:g}}."
+            yield Check("core", Verdict.FINE, stress / core, finding("core", words, stress=mpa(stress), core=mpa(core)))
+        words = f"The case of {self.name}, {{depth:g}} deep, reaches below the largest shear stresses."
+        ratio = _DEEPEST_SHEAR * wide / depth
+        yield Check("case depth", Verdict.FINE, ratio, finding("case depth", words, depth=mm(depth)))
 
     def yields(self, case: Extremes) -> Check:
         """Return the check of the yield strength, of a hardened body in its case."""
         hardened = self.body.case_depth is not None
-        what = f"the case of body {self.name}" if hardened else f"body {self.name}"
+        what = f"the case of {self.name}" if hardened else self.name
         return self._against("yield", what, self._equivalent(case), "yield_strength")
 
     def of_bore(self, bore: Extreme | None) -> Iterator[Check]:
@@ -292,19 +419,19 @@ class _Question:
         strength = "yield_strength" if self.body.case_depth is None else "core_yield_strength"
         if bore is not None and getattr(self.body.material, strength) is not None:
             where = replace(self, criterion="von-mises", limit=_Limit(None, away=True))
-            yield where._against("bore", f"the bore of body {self.name}", bore, strength)
+            yield where._against("bore", f"the bore of {self.name}", bore, strength)
 
     def of_core(self, core: Extremes | None) -> Iterator[Check]:
         """Yield the check of the core, if the body or its material has one."""
-        what = f"the core of body {self.name}"
+        what = f"the core of {self.name}"
         if core is not None:
             yield self._against("core", what, self._equivalent(core), "core_yield_strength")
         elif self.body.material.core_yield_strength is not None and self.body.case_depth is None:
-            yield _unknown("core", f"Whether {what} yields is not known: the body has no case_depth.")
+            yield _unknown("core", f"Whether {what} yields is not known: the body has no case_depth.", unasked=True)
 
     def of_case(self, largest: list[Extremes]) -> Iterator[Check]:
         """Yield the check of how deep the case is, if there is one: below the deepest of the largest shear stresses."""
-        name, depth, case = "case depth", self.body.case_depth, f"the case of body {self.name}"
+        name, depth, case = "case depth", self.body.case_depth, f"the case of {self.name}"
         if depth is None:
             return
         if not self.limit:
@@ -334,28 +461,28 @@ class _Question:
         open_question = f"Whether {what} yields is not known"
         stress = CRITERIA[self.criterion]
         found_there = f"{{stress}} {found.site}y = {{y:3}} and z = {{z:3}}"
-        numbers = {"ends": self.limit.towards, "stress": mpa(found.max), "y": mm(found.y), "z": mm(found.z)}
+        numbers: dict[str, Any] = {"ends": self.limit.towards, "stress": mpa(found.max)}
+        numbers |= {"y": mm(found.y), "z": mm(found.z)}
         towards = "the stress grows without limit towards {ends}"
         if allowed is None:
             known = f"; its largest {stress} is {found_there}" if self.limit else ""
-            return _unknown(name, f"{open_question}: the material has no {strength}{known}.", **numbers)
+            return _unknown(name, f"{open_question}: the material has no {strength}{known}.", unasked=True, **numbers)
         ratio = found.max / allowed
         if self.stepped and ratio <= 1.0:
             return _unknown(name, f"{open_question}: the bending of the wall between steps of its bore is not known.")
         if self.limit:
             answer = "does not yield" if ratio <= 1.0 else "yields"
             words = f"{_begin(what)} {answer}: its largest {stress}, {found_there},"
-            return _known(name, ratio, words, allowed, "yield strength", **numbers)
+            return _known(name, ratio, words, allowed, "the yield strength of {allowed:g}", **numbers)
         if ratio <= 1.0 or not self.limit.away:
             return _unknown(name, f"{open_question}: {towards}.", **numbers)
         words = f"{_begin(what)} yields: {towards}; more than a half-width away the largest {stress}, {found_there},"
-        return _known(name, ratio, words, allowed, "yield strength", **numbers)
+        return _known(name, ratio, words, allowed, "the yield strength of {allowed:g}", **numbers)
 
 
 def _known(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "", /, **numbers: Any) -> Check:
-    borne = f"the {noun} of {{allowed:g}}"
     percent = given(100.0 * (ratio if ratio <= 1.0 else ratio - 1.0), 3)
-    compared = f"is {percent} % of {borne}" if ratio <= 1.0 else f"exceeds {borne} by {percent} %"
+    compared = f"is {percent} % of {noun.rstrip(',')}" if ratio <= 1.0 else f"exceeds {noun} by {percent} %"
     words = f"{what} {compared}{f': {then}' if then else ''}."
     return Check(name, _verdict(ratio), ratio, finding(name, words, allowed=mpa(allowed), **numbers))
 
@@ -371,8 +498,8 @@ def _widest(solution: Solved) -> float:
     return float(places[np.abs(places - 0.5 * np.sum(outermost(solution))).argmin()])
 
 
-def _unknown(name: str, words: str, /, **numbers: Any) -> Check:
-    return Check(name, Verdict.UNKNOWN, math.nan, finding(name, words, **numbers))
+def _unknown(name: str, words: str, /, *, unasked: bool = False, **numbers: Any) -> Check:
+    return Check(name, Verdict.UNKNOWN, math.nan, finding(name, words, **numbers), unasked)
 
 
 def _begin(text: str) -> str:
