@@ -19,7 +19,7 @@ from pathlib import Path
 
 from nonhertz.errors import CaseError, InputError, Interrupted
 
-FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL = range(4)
+FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL, NOT_MET, NOT_JUDGED, STRAINED = range(7)
 NOT_VERIFIED = NOT_KEPT = NOT_CONVERGED
 # As a shell reports a program ended by a signal.
 INTERRUPTED, BROKEN_PIPE = 130, 141
@@ -51,7 +51,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     -------
     int
         Exit code: 0 success, 1 not converged or not verified, 2 bad input, 3 internal error or output that cannot be
-        written, 130 interrupted, 141 broken pipe.
+        written, 130 interrupted, 141 broken pipe; with ``--judge`` 4 a limit is exceeded, 5 none is known, 6 the model
+        is strained.
     """
     _fill_closed_streams()
     # Figures are drawn to files, whatever backend, even a misspelled one, is set for other programs.

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nonhertz.cli import FINE
+from nonhertz.cli import FINE, NOT_JUDGED, NOT_MET, STRAINED
 
 if TYPE_CHECKING:
     from nonhertz.show.sections import Section
@@ -29,8 +29,8 @@ class Answer:
     code: int = FINE
     wide: int | None = 120  # where there is no terminal; None for what COLUMNS says, or else 80
 
-    def printed(self, *, as_json: bool) -> int:
-        """Print it, and return the exit code."""
+    def printed(self, *, as_json: bool, judge: bool = False) -> int:
+        """Print it, and return the exit code, that of the verdict if it is asked for and nothing else went wrong."""
         if as_json:
             print(self.json())
         else:
@@ -40,4 +40,12 @@ class Answer:
         if self.complaints:
             sys.stdout.flush()
             print(*self.complaints, sep="\n", file=sys.stderr)
-        return self.code
+        return self._code_of_verdict if judge and self.code == FINE else self.code
+
+    @property
+    def _code_of_verdict(self) -> int:
+        from nonhertz.verdict import Level
+
+        level = Level.NOT_JUDGED if self.verdict is None else self.verdict.level
+        exceeded = dict.fromkeys((Level.NOT_MET, Level.UNLIMITED), NOT_MET)
+        return (exceeded | {Level.NOT_JUDGED: NOT_JUDGED, Level.STRAINED: STRAINED}).get(level, FINE)

@@ -27,7 +27,7 @@ from nonhertz import __version__
 from nonhertz.amounts import choose_units
 from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import AsJson, UnitsRead
+from nonhertz.cli.options import AsJson, Judge, UnitsRead
 from nonhertz.errors import ConvergenceError, InputError
 
 #: Commands by the group that they stand in, and what each may be called with. A command is a module, and a function in
@@ -75,7 +75,7 @@ _OF_SIGNATURES = {"__future__", "cyclopts", "nonhertz.cli.answer", "nonhertz.cli
 # What every command has whose result is an `Answer`.
 _OF_ANSWERS = {
     name: inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
-    for name, default, annotation in (("units", "si", UnitsRead), ("as_json", False, AsJson))
+    for name, default, annotation in (("units", "si", UnitsRead), ("as_json", False, AsJson), ("judge", False, Judge))
 }
 
 
@@ -173,7 +173,7 @@ def _run(words: Sequence[str]) -> int:
         print(error, file=sys.stderr)
         return NOT_CONVERGED
     if isinstance(found, Answer):
-        return found.printed(as_json=given.get("as_json", False))
+        return found.printed(as_json=given.get("as_json", False), judge=given.get("judge", False))
     return found if isinstance(found, int) else FINE
 
 

@@ -51,6 +51,16 @@ AsJson = Annotated[
         name="--json", negative="", show_default=False, group=_COMMON, help="Print one JSON object with all numbers."
     ),
 ]
+Judge = Annotated[
+    bool,
+    Parameter(
+        name="--judge",
+        negative="",
+        show_default=False,
+        group=_COMMON,
+        help="End with 4 where a limit is exceeded, 5 where none is known, 6 where the model is strained.",
+    ),
+]
 Excel = Annotated[
     bool,
     Parameter(name="--excel", negative="", help="Write the rows as rows.xlsx, too, with the inputs on a second sheet."),
