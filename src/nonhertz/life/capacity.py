@@ -35,7 +35,7 @@ from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, positive, whole
 from nonhertz.inputs.fields import Flag, Input, Quantity, Word, described, together
-from nonhertz.model.body import BODIES, Body, BodyName, Ring, Roller, TabulatedDiameter
+from nonhertz.model.body import BODIES, Body, BodyName, Plate, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import is_steel
 
@@ -229,6 +229,15 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
     name = rings[0] if len(rings) == 1 else max(others, key=lambda each: (diameters[each] < 0.0, abs(diameters[each])))
     roller = bodies["b" if name == "a" else "a"]
     return _raceway(name, diameters[name], roller, contact.land, contact_angle or 0.0)
+
+
+def of_rolling_bearing(contact: Contact) -> bool:
+    """Return whether both bodies are parts of a rolling bearing: rollers, rings or washers of bearing steel.
+
+    Of a wheel on a rail or of gear teeth, neither the life of ISO 281 nor its ratio to that of an ideal profile means
+    anything.
+    """
+    return all(isinstance(body, Roller | Ring | Plate) and is_steel(body.material) for body in (contact.a, contact.b))
 
 
 def _why_unrated(contact: Contact, tapered: bool) -> str:

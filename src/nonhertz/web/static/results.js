@@ -55,7 +55,7 @@ export function keyNumbers(answer, stress) {
           number: stress.von_mises.max,
         }
       : { name: "von Mises stress", value: "–", unit: "", where: "not shown", number: null },
-    life(answer.life, key.load),
+    ...(answer.life ? [life(answer.life, key.load)] : []),
   ];
 }
 
@@ -66,10 +66,10 @@ function place({ von_mises: { y, z, at_bore }, searched }) {
 
 /**
  * The life by laminae: in revolutions where there is a rating, else over that of an even pressure under the same load,
- * which rises where the load does and so compares under the same load alone.
+ * which rises where the load does and so compares under the same load alone. There is none but of a rolling bearing.
  */
 function life(found, load) {
-  if (!found || found.relative_life === null) return { name: "Life", value: "–", unit: "", where: "not known", number: null };
+  if (found.relative_life === null) return { name: "Life", value: "–", unit: "", where: "not known", number: null };
   const model = `ISO/TS 16281, body ${found.body}${found.ends_counted ? "" : ", sharp ends not counted"}`;
   if (found.million_revolutions === null)
     return { name: "Life", value: digits(found.relative_life, 3), unit: "× ideal profile", where: model, number: found.relative_life, under: load };
