@@ -1,40 +1,53 @@
-"""Whether a contact, a bearing or several of them bear their loads: one word, and what decides it."""
+"""Whether a contact, a bearing or several of them bear their loads: one word, and what decides it.
+
+Judged is by what is known of each material: its limit of the pressure, and its yield strength. Where neither is known,
+nothing is said to be met.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import loaded, mpa
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.clearance import OperatingClearance
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.errors import joined
 from nonhertz.findings import Finding, finding
-from nonhertz.model.contact import Contact
+from nonhertz.model.body import BODIES
+from nonhertz.model.material import STEEL, Material
+from nonhertz.model.materials import name_of
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
-from nonhertz.strength import Strength
+from nonhertz.strength import Check, Strength, judge
 from nonhertz.strength import Verdict as OfStrength
 
-STATIC_LIMIT: Final = 4000.0
-"""Pressure [MPa] under which a roller at rest dents bearing steel by 1/10000 of its diameter: ISO 76."""
-_PRESSURE: Final = "pressure-limit"
+#: What is said where a check is passed.
+_PASSED: Final = {
+    "pressure": "static pressure below its limit",
+    **dict.fromkeys(("yield", "bore", "core"), "no yielding"),
+    "case depth": "case deep enough",
+    "static-safety": "static safety S0 of at least 1",
+}
 #: What is said of ends and corners has a line of its own; all else that is found strains the model.
 _OF_ENDS: Final = ("sharp-end", "corner-end", "corner-peak")
+_MOST_MATERIALS: Final = 12  # in one study; the worst row of each is solved once more
 
 
 class Level(Enum):
     """How a verdict ends, from the best to the worst."""
 
-    MET = "limits met"
+    MET = "below limits"
     STRAINED = "model strained"
+    NOT_JUDGED = "not judged"
     UNLIMITED = "pressure unbounded"
     NOT_MET = "limits not met"
 
@@ -56,28 +69,28 @@ class Verdict:
         What decides it, the worst first.
     where : str
         Of several, what it is the verdict on, such as ``"under 20 kN"``; empty if there is only one.
+    severity : tuple of two float
+        The largest ratio of what acts to what is borne [-] and the largest pressure [MPa], by which verdicts that end
+        alike are ordered.
     """
 
     level: Level
     findings: tuple[Finding, ...]
     where: str = ""
+    severity: tuple[float, float] = (0.0, 0.0)
 
     @property
     def words(self) -> str:
-        """How it ends, as the beginning of what people read."""
+        """How it ends, as the beginning of what people read: where nothing is exceeded, what was judged."""
+        passed = dict.fromkeys(_PASSED[each.kind] for each in self.findings if each.kind in _PASSED)
+        ends = ", ".join(passed) if self.level is Level.MET else self.level.value
         among = ("; worst " if self.level is Level.MET else " ") if self.where else ""
-        return f"{self.level.value.capitalize()}{among}{self.where}."
+        return f"{ends[:1].upper()}{ends[1:]}{among}{self.where}."
 
     @property
     def sentence(self) -> str:
         """What decides it first."""
         return str(self.findings[0]) if self.findings else ""
-
-    @property
-    def share(self) -> float:
-        """The largest pressure over its limit, as far as it is known."""
-        numbers = (dict(each.numbers) for each in self.findings if each.kind == _PRESSURE)
-        return max((each["pressure"].values[0] / each["limit"].values[0] for each in numbers), default=0.0)
 
     def as_object(self) -> dict[str, Any]:
         """Return it for programs."""
@@ -93,7 +106,7 @@ def given_verdict(found: Verdict | None) -> dict[str, Any] | None:
     return None if found is None else found.as_object()
 
 
-def of_contact(solution: Solution, strengths: Iterable[Strength] = ()) -> Verdict | None:
+def of_contact(solution: Solution, strengths: Iterable[Strength] = (), *, search: bool = True) -> Verdict | None:
     """Return the verdict on a contact; None where nothing touches.
 
     Parameters
@@ -101,26 +114,30 @@ def of_contact(solution: Solution, strengths: Iterable[Strength] = ()) -> Verdic
     solution : Solution
         The solved contact.
     strengths : iterable of Strength
-        What `nonhertz.strength.assess` found of the bodies, if it was asked.
+        What `nonhertz.strength.assess` found of the bodies, if it was asked; others are judged here.
+    search : bool
+        Whether stress is searched where the pressure does not decide whether a body yields, which takes seconds.
     """
     if not solution.contact_y:
         return None
-    found = [_pressed(solution.max_pressure, *_limit(solution.contact))]
-    if solution.singular_ends or solution.peaks_at_corner:
-        found.append((Level.UNLIMITED, _without_limit(solution)))
-    found += [
-        (Level.NOT_MET, check.finding)
-        for each in strengths
-        for check in each.checks
-        if check.verdict is OfStrength.OVER
-    ]
-    return _worst([*found, *_strained(solution.findings)])
+    at_hand = {each.body: each.checks for each in strengths}
+    bodies = dict(zip(BODIES, (solution.contact.a, solution.contact.b), strict=True))
+    checks = [check for name in BODIES for check in at_hand.get(name) or judge(solution, body=name, search=search)]
+    return _worst(
+        [
+            *_judged(checks),
+            *_unknown({f"body {name}": body.material for name, body in bodies.items()}),
+            *_unlimited(solution),
+            *_strained(solution.findings),
+        ],
+        checks,
+        solution.max_pressure,
+    )
 
 
 def of_loads(solved: Iterable[tuple[Solution, Any]]) -> Verdict | None:
     """Return the worst verdict on a contact under several loads; of pairs, each with something else such as a share."""
-    pairs = [*solved]
-    return worst_of({f"under {loaded(each.load, each.tilt)}": of_contact(each) for each, _ in pairs})
+    return worst_of({f"under {loaded(each.load, each.tilt)}": of_contact(each) for each, _ in solved})
 
 
 def worst_of(found: Mapping[str, Verdict | None]) -> Verdict | None:
@@ -133,7 +150,7 @@ def worst_of(found: Mapping[str, Verdict | None]) -> Verdict | None:
     'Model strained in b.toml under 5 kN.'
     """
     given = {where: each for where, each in found.items() if each is not None}
-    worst = max(given, key=lambda where: (given[where].level.rank, given[where].share), default=None)
+    worst = max(given, key=lambda where: (given[where].level.rank, given[where].severity), default=None)
     if worst is None:
         return None
     found_worst = given[worst]
@@ -141,35 +158,61 @@ def worst_of(found: Mapping[str, Verdict | None]) -> Verdict | None:
 
 
 def of_rows(
-    pressures: ArrayLike, contact: Contact | None, warned: ArrayLike = (), what: str = "rows"
+    pressures: ArrayLike,
+    judged: Callable[[int], Verdict | None],
+    materials: Sequence[Hashable] = (),
+    warned: ArrayLike = (),
+    what: str = "row",
 ) -> Verdict | None:
-    """Return the verdict on the rows of a study, of which the largest pressures are known.
+    """Return the verdict on the rows of a study: that on the row with the largest pressure.
 
     Parameters
     ----------
     pressures : array_like
         The largest pressure of each row [MPa], nan where it has failed.
-    contact : Contact or None
-        The bodies, for their limits; None for bearings.
+    judged : callable
+        Returns the verdict on a row by its number.
+    materials : sequence of hashable
+        Of each row, the values of materials that are varied, if any are: each has a limit of its own.
     warned : array_like
         How many warnings each row has, if that is known.
     what : str
-        What the rows are called.
+        What a row is called.
     """
-    known = np.asarray(pressures, dtype=float)
-    known = known[np.isfinite(known)]
-    if not known.size:
+    known = np.asarray(pressures, dtype=float).ravel()
+    solved = np.flatnonzero(np.isfinite(known)).tolist()
+    largest: dict[Hashable, int] = {}
+    for row in sorted(solved, key=known.__getitem__):
+        largest[materials[row] if materials else None] = row
+    if not largest:
         return None
-    limit, body = (STATIC_LIMIT, "") if contact is None else _limit(contact)
-    over = np.count_nonzero(known > limit)
-    verb = "exceeds" if over == 1 else "exceed"
-    among = f"; {over} of {known.size} {what} {verb} it" if over and known.size > 1 else ""
-    found = [_pressed(float(known.max()), limit, body, f" of all {what}", among)]
-    strained = np.count_nonzero(np.asarray(warned, dtype=float) > 0.0)
+    if len(largest) > _MOST_MATERIALS:
+        words = "The rows have {count} materials: vary no more than {most} for a verdict on all."
+        many = finding("many-materials", words, count=len(largest), most=_MOST_MATERIALS)
+        return Verdict(Level.NOT_JUDGED, (many,))
+    worst = worst_of({f"in {what} {row}": judged(row) for row in largest.values()})
+    strained = int(np.count_nonzero(np.asarray(warned, dtype=float) > 0.0))
+    if worst is None or len(solved) == 1:
+        return worst
+    found = [(worst.level, each) for each in worst.findings]
+    if len(largest) == 1:
+        worst = replace(worst, where=f"in {what} {largest.popitem()[1]}")
+        found += _beyond(known[solved], worst, f"{what}s")
     if strained:
-        words = "{strained} of {rows} " + what + " have warnings: solve one of them to read which."
-        found.append((Level.STRAINED, finding("rows-warned", words, strained=strained, rows=known.size)))
-    return _worst(found)
+        words = f"{{strained}} of {{rows}} {what}s have warnings: solve one of them to read which."
+        found.append((Level.STRAINED, finding("rows-warned", words, strained=strained, rows=len(solved))))
+    level = max((level for level, _ in found), key=lambda level: level.rank)
+    return replace(worst, level=level, findings=tuple(each for _, each in found))
+
+
+def _beyond(pressures: NDArray[np.float64], worst: Verdict, what: str) -> Iterator[tuple[Level, Finding]]:
+    """Yield how many rows exceed the limit of the pressure that the worst does."""
+    for each in worst.findings:
+        limit = dict(each.numbers).get("allowed") if each.kind == "pressure" else None
+        if limit is not None and (over := int(np.count_nonzero(pressures > limit.values[0]))):
+            words = "{over} of {rows} " + f"{what} exceed{'s' if over == 1 else ''} {{limit:g}}."
+            yield Level.NOT_MET, finding("rows-beyond", words, over=over, rows=len(pressures), limit=limit)
+            return
 
 
 def of_bearing(
@@ -187,18 +230,20 @@ def of_bearing(
         What is left of its clearance, if its fits are known.
     """
     found = [] if clearance is None else list(_loosened(clearance))
-    if solution.method == "strips" and solution.load.any():
-        pressure = solution.max_pressure
-        j, k = np.unravel_index(int(np.argmax(pressure)), pressure.shape)
-        where = f" between {solution.place_of(int(j))} and the {RINGS[k]} ring"
-        found.append(_pressed(float(pressure[j, k]), STATIC_LIMIT, where=where))
+    checks = list(_of_contacts(solution)) if solution.method == "strips" and solution.load.any() else []
+    found += _judged(checks)
     if life is not None and math.isfinite(life.static_safety):
         enough = life.static_safety >= 1.0
         words = "The static safety S0 is {safety:.3g}" + (", at least 1." if enough else ", below 1.")
         found.append(
             (Level.MET if enough else Level.NOT_MET, finding("static-safety", words, safety=life.static_safety))
         )
-    return _worst([*found, *_strained(findings_of(solution, life))]) if found else None
+    if not found and not solution.load.any():
+        return None
+    row = solution.bearing.rows[0].bearing
+    parts = {"the rollers": row.roller, **{f"the {ring} ring": getattr(row, ring) for ring in RINGS}}
+    found += _unknown({name: part.material for name, part in parts.items()})
+    return _worst([*found, *_strained(findings_of(solution, life))], checks) if found else None
 
 
 def findings_of(solution: BearingSolution, life: BearingLife | None) -> tuple[Finding, ...]:
@@ -213,37 +258,53 @@ def _loosened(clearance: OperatingClearance) -> Iterator[tuple[Level, Finding]]:
             yield Level.NOT_MET, finding("loosened-fit", words, ring=ring, seat=seat, mounted=mpa(fit.mounted_pressure))
 
 
-def _limit(contact: Contact) -> tuple[float, str]:
-    """Return the lowest limit of the pressure and the body that has it; that of bearing steel if none is known."""
-    bodies = {"a": contact.a, "b": contact.b}
-    known = {name: each.material.pressure_limit for name, each in bodies.items()}
-    limits = {name: limit for name, limit in known.items() if limit is not None}
-    body = min(limits, key=lambda name: limits[name], default="")
-    return limits.get(body, STATIC_LIMIT), body
+def _of_contacts(solution: BearingSolution) -> Iterator[Check]:
+    """Yield the checks of the contact with the largest pressure at each ring."""
+    for k, ring in enumerate(RINGS):
+        roller = int(np.argmax(solution.max_pressure[:, k]))
+        contact = solution.contact(roller, ring)
+        if contact is not None:
+            where = f" between {solution.place_of(roller)} and the {ring} ring"
+            for body, called in zip(BODIES, ("the rollers", f"the {ring} ring"), strict=True):
+                yield from judge(contact, body=body, called=called, where=where)
 
 
-def _pressed(pressure: float, limit: float, body: str = "", where: str = "", more: str = "") -> tuple[Level, Finding]:
-    """Return how the largest pressure stands against its limit: that of a body, or of bearing steel."""
-    whose = f"the limit of body {body}" if body else "that of bearing steel at rest (ISO 76)"
-    over = pressure > limit
-    words = (
-        f"The largest pressure{where}, {{pressure:4}}, {'exceeds' if over else 'is below'} {{limit:g}}, {whose}{more}."
-    )
-    found = finding(_PRESSURE, words, pressure=mpa(pressure), limit=mpa(limit))
-    return (Level.NOT_MET if over else Level.MET), found
+def _judged(checks: Iterable[Check]) -> Iterator[tuple[Level, Finding]]:
+    """Yield each comparison that the material allows, those with equal words once, the largest ratio first."""
+    levels = {OfStrength.FINE: Level.MET, OfStrength.OVER: Level.NOT_MET, OfStrength.UNKNOWN: Level.NOT_JUDGED}
+    asked = [each for each in checks if not each.unasked]
+    ordered = sorted(asked, key=lambda check: -check.ratio if math.isfinite(check.ratio) else 0.0)
+    yield from {str(each.finding): (levels[each.verdict], each.finding) for each in ordered}.values()
 
 
-def _without_limit(solution: Solution) -> Finding:
+def _unknown(materials: Mapping[str, Material]) -> Iterator[tuple[Level, Finding]]:
+    """Yield each material of which neither a limit of the pressure nor a yield strength is known, with its parts."""
+    parts: dict[Material, list[str]] = {}
+    for part, material in materials.items():
+        if material.pressure_limit is None and material.yield_strength is None:
+            parts.setdefault(material, []).append(part)
+    for material, of in parts.items():
+        name = f"{name_of(material)} ".lstrip() + ("of no particular grade " if material == STEEL else "")
+        what = f"of {name}({joined(of)})" if name else f"of the material of {joined(of)}"
+        grade = "name its grade, such as 100Cr6, or " if material == STEEL else ""
+        words = f"No limit is known {what}: {grade}give its yield_strength or pressure_limit."
+        yield Level.NOT_JUDGED, finding("no-limit-known", words)
+
+
+def _unlimited(solution: Solution) -> Iterator[tuple[Level, Finding]]:
     if solution.singular_ends:
         words = "The pressure grows without limit towards {ends}."
-        return finding("no-limit", words, ends=ends_in_words(solution.singular_ends))
-    return finding("no-limit", "The pressure grows without limit at a corner of the profile, where it is largest.")
+        yield Level.UNLIMITED, finding("no-limit", words, ends=ends_in_words(solution.singular_ends))
+    elif solution.peaks_at_corner:
+        words = "The pressure grows without limit at a corner of the profile, where it is largest."
+        yield Level.UNLIMITED, finding("no-limit", words)
 
 
 def _strained(found: Iterable[Finding]) -> Iterator[tuple[Level, Finding]]:
     return ((Level.STRAINED, each) for each in found if each.kind not in _OF_ENDS)
 
 
-def _worst(found: Sequence[tuple[Level, Finding]]) -> Verdict:
+def _worst(found: Sequence[tuple[Level, Finding]], checks: Iterable[Check], pressure: float = 0.0) -> Verdict:
     ordered = sorted(found, key=lambda each: -each[0].rank)
-    return Verdict(ordered[0][0], tuple(each for _, each in ordered))
+    ratio = max((check.ratio for check in checks if math.isfinite(check.ratio)), default=0.0)
+    return Verdict(ordered[0][0], tuple(each for _, each in ordered), severity=(ratio, pressure))

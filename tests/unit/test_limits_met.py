@@ -1,4 +1,4 @@
-"""The verdict on several contacts at once: loads of a life, rows of a study, cases of one command, a design."""
+"""The verdict: judged by what is known of each material; on loads of a life, rows of a study, cases of a command."""
 
 import math
 
@@ -11,10 +11,10 @@ from nonhertz.verdict import Level, of_contact, of_loads, of_rows, worst_of
 CROWN = nh.profile.crown(radius=1000)
 
 
-def pressed(load, limit=None, **given):
-    steel = nh.Material(207e3, 0.3, pressure_limit=limit)
-    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=CROWN, material=steel), nh.Plate(), **given)
-    return nh.solve(contact, load=load)
+def pressed(load, limit=4000.0, **known):
+    steel = nh.Material(207e3, 0.3, pressure_limit=limit, **known)
+    roller = nh.Roller(diameter=20, length=20, profile=CROWN, material=steel)
+    return nh.solve(nh.Contact(roller, nh.Plate(material=steel)), load=load)
 
 
 def test_the_worst_load_decides_and_is_named():
@@ -28,28 +28,35 @@ def test_the_worst_load_decides_and_is_named():
 
 def test_of_limits_that_are_met_the_nearest_is_named():
     found = worst_of({"in a": of_contact(pressed(5e3)), "in b": of_contact(pressed(20e3)), "in c": None})
-    assert found.words == "Limits met; worst in b."
+    assert found.words == "Static pressure below its limit; worst in b."
     assert worst_of({"in c": None}) is None
 
 
 def test_rows_are_counted_above_the_limit():
-    contact = pressed(5e3, 2500.0).contact
-    found = of_rows([2000.0, 2600.0, math.nan, 2700.0], contact, [0.0, 0.0, math.nan, 2.0])
-    assert found.level is Level.NOT_MET
-    assert found.sentence == (
-        "The largest pressure of all rows, 2700 MPa, exceeds 2500 MPa, the limit of body a; 2 of 3 rows exceed it."
-    )
-    assert str(found.findings[1]).startswith("1 of 3 rows have warnings")
-    assert of_rows([2000.0], None).sentence.endswith("is below 4000 MPa, that of bearing steel at rest (ISO 76).")
-    assert of_rows([math.nan], None) is None
+    loads, pressures = {1: 30e3, 3: 40e3}, [2000.0, 2600.0, math.nan, 2700.0]
+    judged = {row: of_contact(pressed(load, 2500.0)) for row, load in loads.items()}
+    found = of_rows(pressures, judged.get, warned=[0.0, 0.0, math.nan, 2.0])
+    assert (found.level, found.words) == (Level.NOT_MET, "Limits not met in row 3.")
+    assert found.findings[0] == judged[3].findings[0]
+    assert [str(each) for each in found.findings[-2:]] == [
+        "2 of 3 rows exceed 2500 MPa.",
+        "1 of 3 rows have warnings: solve one of them to read which.",
+    ]
+    assert of_rows([math.nan], judged.get) is None
+
+
+def test_of_rows_with_several_materials_the_worst_of_each_is_judged():
+    judged = [of_contact(pressed(20e3, limit)) for limit in (4000.0, 1000.0)]
+    assert of_rows([2300.0, 2300.0], judged.__getitem__, ["100Cr6", "soft"]).words == "Limits not met in row 1."
+    assert of_rows(range(1, 14), judged.__getitem__, range(13)).level is Level.NOT_JUDGED
 
 
 def test_a_sweep_has_that_of_its_rows_and_none_without_pressures():
-    case = nh.Case(pressed(5e3).contact, {"load": 20e3}, {})
-    over = {"load.load": [20e3, 200e3]}
+    case = nh.Case(pressed(5e3, 3000.0).contact, {"load": 20e3}, {})
+    over = {"load.load": [20e3, 90e3]}
     found = nh.sweep(case, over=over)
     assert found.verdict.level is Level.NOT_MET
-    assert "1 of 2 rows exceeds it" in found.verdict.sentence
+    assert "1 of 2 rows exceeds 3000 MPa." in map(str, found.verdict.findings)
     assert nh.sweep(case, over=over, quantities=("approach",)).verdict is None
 
 

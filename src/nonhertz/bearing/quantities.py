@@ -15,6 +15,7 @@ from typing import Final, Protocol
 import numpy as np
 
 from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.clearance import OperatingClearance
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import NonhertzError
@@ -26,6 +27,10 @@ LIVES: Final = ("10^6 revolutions", "million revolutions")
 
 class Rated(Protocol):
     """A bearing with what is known of its life, such as a `BearingCase`."""
+
+    @property
+    def operating_clearance(self) -> OperatingClearance | None:
+        """What is left of its clearance; None if its fits are not known."""
 
     def assess(self, solution: BearingSolution) -> BearingLife:
         """Return how long it lasts; refuse if it has no rating."""
@@ -50,12 +55,18 @@ class SolvedBearing:
         return self.case.assess(self.solution)
 
     @property
+    def life_or_none(self) -> BearingLife | None:
+        """How long it lasts; None if such a bearing has no rating."""
+        try:
+            return self.life
+        except NonhertzError:
+            return None
+
+    @property
     def findings(self) -> tuple[Finding, ...]:
         """What is found about the bearing, and about its life if it has one."""
-        try:
-            return *self.solution.findings, *self.life.findings
-        except NonhertzError:
-            return self.solution.findings
+        life = self.life_or_none
+        return self.solution.findings if life is None else (*self.solution.findings, *life.findings)
 
 
 def _quantities() -> Iterator[Quantity]:

@@ -27,6 +27,7 @@ _TOGETHER, _GLUE = (
 )
 Update = Callable[..., None]
 _VERDICTS = {"pass": "green", "FAIL": "bold red", "shown": "cyan"}
+_LEVELS = {Level.MET: "green", Level.NOT_JUDGED: "bright_black", Level.NOT_MET: "bold red"}
 _STYLES = {"head": "bold", "warning": "yellow"}
 
 
@@ -52,8 +53,7 @@ def print_result(
     if title:
         console.print(Text(title, style="bold"))
     if verdict is not None:
-        colour = {Level.MET: "green", Level.NOT_MET: "bold red"}.get(verdict.level, "yellow")
-        say(f"{verdict.words} {verdict.sentence}", colour)
+        say(f"{verdict.words} {verdict.sentence}", _LEVELS.get(verdict.level, "yellow"))
     for number, blocks in enumerate(_grouped(sections)):
         if number:
             console.print()

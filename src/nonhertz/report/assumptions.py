@@ -30,11 +30,9 @@ from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.result.validity import ROUND_IT
 from nonhertz.show.bearing import most_loaded
 from nonhertz.strength import Verdict as StrengthVerdict
+from nonhertz.strength import onset_of_yield
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
-# Pressure p0 of a line contact over the yield strength at the onset of yield below the surface, by Tresca's criterion:
-# K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1.
-FLOW_BEGINS = 1.67
 NO_ERROR = 1e-12  # relative: rounding
 # A load that turns with a tilted ring by 1 %, the difference that counts in comparisons.
 MOST_TILT = NOTABLE
@@ -205,11 +203,12 @@ def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
     yield Assumption("Pressure across", "has the shape of the strips' element", element.name, remark=remark)
     pressure = max(each.max_pressure for each in every)
     where = " away from singular ends" if any(each.singular_ends for each in every) else ""
+    least = min(onset_of_yield(body.material.poisson)[1] for body in (every[0].contact.a, every[0].contact.b))
     yield Assumption(
         "Linear elastic bodies",
-        f"p0 below {FLOW_BEGINS:g} times the yield strength (line contact, Tresca; Johnson 1985, section 6.1)",
+        f"p0 below {least:.3g} times the yield strength (line contact, von Mises; Johnson 1985, section 6.1)",
         f"p0 = {mpa(pressure)}{where}",
-        remark=f"The yield strength must be above {mpa(pressure / FLOW_BEGINS):4}.",
+        remark=f"The yield strength must be above {mpa(pressure / least):4}.",
     )
 
 

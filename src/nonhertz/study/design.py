@@ -165,8 +165,7 @@ class Design(HasFindings):
     @cached_property
     def verdict(self) -> Verdict | None:
         """The verdict on the optimised case under its loads: the worst of all."""
-        with without_accuracy_warnings():
-            return of_loads((_solved(self.case, each), each.share) for each in self.loads)
+        return _verdict(self.case, self.loads)
 
     @cached_property
     def relief(self) -> tuple[Array, Array, Array]:
@@ -189,6 +188,8 @@ class Front(HasFindings):
         The largest pressures under both groups [MPa].
     cases : tuple of Case
         The cases of the points.
+    loads : tuple of LoadCase
+        The loads of both groups.
     units : dict
         The units of the paths.
     findings : tuple of Finding
@@ -199,13 +200,14 @@ class Front(HasFindings):
     first: tuple[float, ...]
     second: tuple[float, ...]
     cases: tuple[Case, ...]
+    loads: tuple[LoadCase, ...]
     units: dict[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict | None:
-        """Whether all points bear their loads, by their largest pressures."""
-        return of_rows(np.maximum(self.first, self.second), self.cases[0].contact, what="points")
+        """Whether all points bear their loads: the verdict on the one with the largest pressure."""
+        return of_rows(np.maximum(self.first, self.second), lambda k: _verdict(self.cases[k], self.loads), what="point")
 
 
 def best(
@@ -358,12 +360,17 @@ def front(
     ]
     values, largest, others, cases = (tuple(column) for column in zip(*rows, strict=True))
     at_bounds = _at_bounds(asked, [_shares(asked, each) for each in values], ends[0].units)
-    return Front(values, largest, others, cases, ends[0].units, tuple(at_bounds))
+    return Front(values, largest, others, cases, every, ends[0].units, tuple(at_bounds))
 
 
 def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
     with without_accuracy_warnings():
         return max(_solved(case, each).max_pressure for each in loads)
+
+
+def _verdict(case: Case, loads: Sequence[LoadCase]) -> Verdict | None:
+    with without_accuracy_warnings():
+        return of_loads((_solved(case, each), each.share) for each in loads)
 
 
 def _solved(case: Case, load: LoadCase) -> Solution:

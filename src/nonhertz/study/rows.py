@@ -29,6 +29,7 @@ from nonhertz.solver.many import solve_in_silence
 from nonhertz.solver.one import problem_of
 from nonhertz.strip.levels import bounded
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
+from nonhertz.verdict import Verdict, of_bearing, of_contact
 
 Values = Mapping[str, Any]
 
@@ -128,14 +129,20 @@ class Work:
             )  # fmt: skip
         return rows
 
+    def verdict(self, values: Values) -> Verdict | None:
+        """Return the verdict on a row, which is solved once more; None if it fails."""
+        with without_accuracy_warnings(), self._template_and_files() as template:
+            try:
+                solved = _solved(template, values)
+            except NonhertzError:
+                return None
+            if isinstance(solved, SolvedContact):
+                return of_contact(solved.solution)
+            return of_bearing(solved.solution, solved.life_or_none, solved.case.operating_clearance)
+
     def _alone(self, template: Template, values: Values) -> Row:
         try:
-            case = template.case(values)
-            if isinstance(case, BearingCase):
-                solved: SolvedBearing | SolvedContact = SolvedBearing(case, case.solve(interpolated=True))
-            else:
-                case = replace(case, contact=replace(case.contact, interpolated=True))
-                solved = SolvedContact(case, case.solve())
+            solved = _solved(template, values)
         except NonhertzError as error:
             return self._failed(error)
         return Row(tuple(number_of(quantity, solved) for quantity in self.quantities))
@@ -175,6 +182,15 @@ class Work:
                     Path(folder, name).parent.mkdir(parents=True, exist_ok=True)
                     Path(folder, name).write_bytes(content)
             yield replace(self.template, path=Path(folder, self.template.path.name))
+
+
+def _solved(template: Template, values: Values) -> SolvedBearing | SolvedContact:
+    """Return a row solved alone; raises what reading and solving do."""
+    case = template.case(values)
+    if isinstance(case, BearingCase):
+        return SolvedBearing(case, case.solve(interpolated=True))
+    case = replace(case, contact=replace(case.contact, interpolated=True))
+    return SolvedContact(case, case.solve())
 
 
 def _prescribed(case: Case, values: Values) -> Prescription:

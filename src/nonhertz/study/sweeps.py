@@ -83,6 +83,7 @@ class Sweep:
         self.plan, self.paths, self.quantities = plan, points.paths, quantities
         self.shape = points.shape
         self._points, self._store = points, store
+        self._verdicts: dict[int, Verdict | None] = {}
 
     def __len__(self) -> int:
         return len(self._points)
@@ -119,15 +120,23 @@ class Sweep:
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether the rows bear their loads, by their largest pressures.
+        """Whether the rows bear their loads: the verdict on the one with the largest pressure, solved once more.
 
-        None if these are not among the numbers of a row, or materials and with them their limits are varied.
+        Of rows with other materials, on the worst of each. None if rows are missing, or have no largest pressure.
         """
         held = {quantity.name for quantity in self.quantities}
-        if "max_pressure" not in held or any(".material" in path for path in self.paths):
+        if "max_pressure" not in held or not self.complete:
             return None
-        contact = self.plan.case.contact if isinstance(self.plan.case, Case) else None
-        return of_rows(self["max_pressure"], contact, self["warnings"] if "warnings" in held else ())
+        varied = [self._store.column(path).tolist() for path in self.paths if ".material" in path]
+        warned = self._store.column("warnings") if "warnings" in held else ()
+        pressures = self._store.column("max_pressure")
+        return of_rows(pressures, self._verdict_on, list(zip(*varied, strict=True)), warned)
+
+    def _verdict_on(self, row: int) -> Verdict | None:
+        if row not in self._verdicts:
+            values = dict(zip(self.paths, self._points.values([row])[0], strict=True))
+            self._verdicts[row] = _work(self.plan, self.quantities).verdict(values)
+        return self._verdicts[row]
 
     @property
     def failures(self) -> dict[int, str]:

@@ -4,7 +4,7 @@ import { figure, whenResized } from "./chart.js";
 import { byId } from "./elements.js";
 import { drawFigures } from "./figures.js";
 import { showMistakes } from "./mistakes.js";
-import { entitle, keyNumbers, outdate, sayMistakes, writeKeyNumbers, writeWords } from "./results.js";
+import { entitle, keyNumbers, outdate, sayMistakes, writeKeyNumbers, writeVerdict, writeWords } from "./results.js";
 import { drawStress } from "./stress.js";
 import { Tilt } from "./tilt.js";
 
@@ -74,9 +74,14 @@ export class View {
     this.writeKeys();
   }
 
-  /** Show the largest stress of the whole body, and the plane through it. @param {any} found without if there is none */
-  searched({ stress, section }) {
+  /**
+   * Show the largest stress of the whole body, the plane through it, and the verdict that it decides.
+   * @param {any} found without if there is none
+   */
+  searched({ stress, section, verdict }) {
     if (!this.latest?.stressed || !stress) return;
+    this.latest.answer.verdict = verdict;
+    writeVerdict(verdict);
     this.latest.stressed = { ...this.latest.stressed, stress, section };
     this.drawStress();
     this.writeKeys();

@@ -15,6 +15,7 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.reading import read
 from nonhertz.files.results import plain
 from nonhertz.files.sections import surroundings
+from nonhertz.life.capacity import of_rolling_bearing
 from nonhertz.model.body import Body
 from nonhertz.plot.axial import land_end_peaks
 from nonhertz.plot.centre_line import distances, drawn_range
@@ -54,7 +55,8 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         # The numbers by which cases are compared, all their digits but those of rounding alone.
         "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()}
         | {"largest": where_largest(solution, 3)},
-        "verdict": verdict_seen(None if complaint else of_contact(solution)),
+        # Where the pressure does not decide, the search when the slider rests does: it takes seconds.
+        "verdict": verdict_seen(None if complaint else of_contact(solution, search=False)),
         "summary": summary_rows(solution, case.prescribed.keywords),
         "warnings": solution.warnings,
         "line": lines(solution),
@@ -78,8 +80,10 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
 def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
     """Return how long the contact lasts under its load by laminae, which take half a millisecond; None if unknown.
 
-    Of the body that has a raceway, else of body a.
+    Of the body that has a raceway, else of body a. None, too, where the bodies are not parts of a rolling bearing.
     """
+    if not of_rolling_bearing(case.contact):
+        return None
     try:
         life = life_of(case, solution, LIFE_MODEL)
     except NonhertzError:

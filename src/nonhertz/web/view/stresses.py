@@ -16,6 +16,8 @@ from nonhertz.strength import assess
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
+from nonhertz.verdict import of_contact
+from nonhertz.web.view.replies import verdict_seen
 
 Array = NDArray[np.float64]
 
@@ -62,8 +64,9 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
 def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     """Return whether a body bears it, in the sentences of `nonhertz.strength`, with its largest stress and plane.
 
-    That is the largest von Mises stress, and the plane across the contact where it is. There are none where none can be
-    found. Unlike the planes above, this searches the whole body, which takes seconds.
+    With the verdict on the contact, of which the search may decide what the pressure leaves open. The largest stress is
+    that of von Mises, and the plane the one across the contact where it is. There are none where none can be found.
+    Unlike the planes above, this searches the whole body, which takes seconds.
 
     Parameters
     ----------
@@ -82,7 +85,8 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
         return {"checks": []}
     checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
     largest = {"body": body, "von_mises": vars(worst), "searched": True}
-    return {"checks": checks, "stress": largest, "section": section}
+    verdict = verdict_seen(of_contact(solution, (found,)))
+    return {"checks": checks, "stress": largest, "section": section, "verdict": verdict}
 
 
 def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:
