@@ -96,7 +96,7 @@ def test_the_tabulated_profile_gives_what_its_formula_gives(tmp_path):
             return make.relief(np.asarray(y, dtype=float))
 
     example = case("tabulated-profile")
-    roller = nh.Roller(diameter=16, length=24, profile=Formula())
+    roller = nh.Roller(diameter=16, length=24, profile=Formula(), material=example.contact.a.material)
     assert replace(example.contact.a, profile=roller.profile) == roller
     direct = nh.solve(nh.Contact(roller, example.contact.b), **example.prescribed.keywords)
     # Points are rounded to 10 nm, 3e-4 of the approach at each point and far less in the mean.
