@@ -241,7 +241,7 @@ def of_bearing(
     if not found and not solution.load.any():
         return None
     row = solution.bearing.rows[0].bearing
-    parts = {"the rollers": row.roller, **{f"the {ring} ring": getattr(row, ring) for ring in RINGS}}
+    parts = {"the roller": row.roller, **{f"the {ring} ring": getattr(row, ring) for ring in RINGS}}
     found += _unknown({name: part.material for name, part in parts.items()})
     return _worst([*found, *_strained(findings_of(solution, life))], checks) if found else None
 
@@ -265,7 +265,7 @@ def _of_contacts(solution: BearingSolution) -> Iterator[Check]:
         contact = solution.contact(roller, ring)
         if contact is not None:
             where = f" between {solution.place_of(roller)} and the {ring} ring"
-            for body, called in zip(BODIES, ("the rollers", f"the {ring} ring"), strict=True):
+            for body, called in zip(BODIES, ("the roller", f"the {ring} ring"), strict=True):
                 yield from judge(contact, body=body, called=called, where=where)
 
 

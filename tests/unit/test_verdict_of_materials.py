@@ -158,7 +158,7 @@ def test_a_bearing_is_judged_by_its_own_materials():
     assert of_bearing(bearing("100Cr6", "100Cr6"), None, None).level is Level.MET
     hybrid = of_bearing(bearing("silicon-nitride", "100Cr6"), None, None)
     assert hybrid.level is Level.NOT_JUDGED
-    assert hybrid.sentence.startswith("No limit is known of silicon-nitride (the rollers): ")
+    assert hybrid.sentence.startswith("No limit is known of silicon-nitride (the roller): ")
     assert any("the limit of 100Cr6" in str(each) for each in hybrid.findings)
     assert of_bearing(bearing("100Cr6", "EN-AW-6082-T6"), None, None).level is Level.NOT_MET
     assert of_bearing(bearing("steel", "steel"), None, None).level is Level.NOT_JUDGED
