@@ -59,6 +59,9 @@ def test_the_ends_of_a_distribution_are_its_limits_where_it_has_any():
         (LOAD, "normal(1 kN)", "must have 2 numbers"),
         (LOAD, "normal(1 kN, 0)", "must have a standard deviation above zero"),
         (LOAD, "uniform(2 kN, 1 kN)", "must have numbers that ascend"),
+        (LOAD, "2 kN +- 0", "must have numbers that ascend"),
+        (LOAD, "normal(2 kN +- 5 um)", "must have a unit of force"),
+        (LOAD, "+- 1 N", "must stand for a number that the case gives"),
         (LOAD, "triangular(1 kN, 5 kN, 3 kN)", "must have numbers that ascend"),
         (LOAD, "normal(1 kN, 1 N) within 2 kN : 3 kN", "hold part of the distribution"),
         (LOAD, "uniform(1 kN, 2 kN) within 1 kN : 3 kN", "have limits that stand beside a normal distribution"),
@@ -77,6 +80,36 @@ def test_what_is_no_spread_is_refused_in_one_sentence(parameter, given, what):
 def test_nominal_is_what_the_case_has():
     found = spread_in(DIAMETER, "normal(nominal, 5 um) within 19.99 mm : 20.01 mm", DOCUMENT)
     assert found == Distribution("normal", (20.0, 0.005), (19.99, 20.01))
+
+
+@pytest.mark.parametrize(
+    ("given", "kind", "numbers"),
+    [
+        ("uniform(nominal +- 5 um)", "uniform", (19.995, 20.005)),
+        ("normal(20.1 mm +- 6 um)", "normal", (20.1, 0.002)),  # limits at three standard deviations
+        ("triangular(nominal ± 5 um)", "triangular", (19.995, 20.0, 20.005)),
+        ("+- 5 um", "uniform", (19.995, 20.005)),
+        ("nominal +/- 5e-3mm", "uniform", (19.995, 20.005)),
+        ("uniform(nominal 0 -13 um)", "uniform", (19.987, 20.0)),  # h6
+        ("normal(20 mm +15 um +2 um)", "normal", (20.0085, 0.013 / 6.0)),  # k6
+        ("20 mm -1e-2 mm +2e-2 mm", "uniform", (19.99, 20.02)),
+    ],
+)
+def test_limits_of_a_drawing_are_a_distribution(given, kind, numbers):
+    found = spread_in(DIAMETER, given, DOCUMENT)
+    assert found.kind == kind
+    assert found.numbers == pytest.approx(numbers, rel=1e-12)
+
+
+def test_of_a_normal_distribution_one_in_370_lies_beyond_the_limits_of_a_drawing():
+    found = spread_in(DIAMETER, "normal(nominal +- 5 um)", DOCUMENT)
+    np.testing.assert_allclose(found.quantile([0.00134990, 0.99865010]), [19.995, 20.005], rtol=1e-9)
+
+
+def test_lists_and_ranges_of_negative_numbers_are_no_deviations():
+    tilt = Parameter("load.tilt", ("load", "tilt"), "rad")
+    assert spread_in(tilt, "-2 mrad, -1 mrad", {}) == (-2e-3, -1e-3)
+    assert spread_in(tilt, "-2 mrad : -1 mrad : 2", {}) == (-2e-3, -1e-3)
 
 
 @pytest.mark.parametrize(

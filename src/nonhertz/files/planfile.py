@@ -364,7 +364,7 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
         "title": f"title = {json.dumps(case.title, ensure_ascii=False)}",
         "case": f"case = {json.dumps(name, ensure_ascii=False)}",
         '"load.load"': f'"{load}" = "{around_load} : 8"',
-        '"body.a.diameter"': f'"{diameter}" = "normal(nominal, 5 um)"'
+        '"body.a.diameter"': f'"{diameter}" = "normal(nominal +- 15 um)"'
         if diameter
         else f'"{load}" = "uniform({around_load.replace(" :", ",")})"',
         "loads": None,

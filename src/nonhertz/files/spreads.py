@@ -7,6 +7,9 @@ In a file and on the command line each is a text or a list:
     "uniform(10 um, 20 um)"     lowest, highest
     "triangular(0, 2 um, 9 um)" lowest, likeliest, highest
     "normal(80 mm, 5 um)"       mean, standard deviation; perhaps "... within 79.99 mm : 80.01 mm"
+    "normal(80 mm +- 15 um)"    between the limits of a drawing: normal with these at three standard deviations
+    "uniform(80 mm 0 -30 um)"   the same with an upper and a lower deviation; also triangular, likeliest in the middle
+    "+- 15 um"                  uniform about the nominal value
 
 In a distribution the word ``nominal`` stands for the value that the case has.
 """
@@ -42,6 +45,10 @@ DISTRIBUTIONS = {
 }
 _CALL = re.compile(r"\s*([a-z]+)\s*\(([^()]*)\)\s*(?:within\s+(.*))?", re.DOTALL)
 _NOMINAL = "nominal"
+_DEVIATION = r"0|[+-](?:[^-+:,]|e[-+])+"
+_DEVIATIONS = re.compile(rf"\s*(?:(?P<about>.*?)\s+)?(?P<one>{_DEVIATION})\s+(?P<other>{_DEVIATION})")
+_PLUS_MINUS = re.compile(r"(?P<about>.*?)(?:\+-|\+/-|±)(?P<size>[^:,]+)")
+AT_LIMITS = 3.0  # standard deviations at which a normal distribution has the limits of a drawing
 _SHARE_REMEDY = "give shares of all values"
 MOST_VALUES = 10_000
 FARTHEST = 6.0  # standard deviations at which a normal distribution is tried: one sample in 10^9 is beyond
@@ -172,7 +179,8 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
     if isinstance(given, np.ndarray):
         given = given.tolist()
     if isinstance(given, str):
-        called = _CALL.fullmatch(given)
+        bare = parameter.unit is not None and (_PLUS_MINUS.fullmatch(given) or _DEVIATIONS.fullmatch(given))
+        called = _CALL.fullmatch(f"uniform({given})" if bare and "(" not in given else given)
         if called is not None:
             return _distribution(parameter, given, called, document)
         if ":" in given and parameter.unit is not None:
@@ -328,16 +336,37 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
         raise InputError(parameter.path, text, f"be one of {', '.join(DISTRIBUTIONS)}", "choose one of them")
     names = DISTRIBUTIONS[kind]
     parts = inside.split(",")
-    if len(parts) != len(names):
-        remedy = f"write {kind}({', '.join(names)})"
+    if (limits_of_drawing := _limits(parameter, inside, document)) is not None:
+        low, high = limits_of_drawing
+        middle, half = 0.5 * (low + high), 0.5 * (high - low)
+        numbers_by_kind = {"normal": (middle, half / AT_LIMITS), "uniform": (low, high)}
+        given_numbers = numbers_by_kind.get(kind, (low, middle, high))
+    elif len(parts) != len(names):
+        remedy = f"write {kind}({', '.join(names)}), or {kind}(nominal +- tolerance)"
         raise InputError(parameter.path, text, f"have {len(names)} numbers", remedy)
-    given_numbers = tuple(_number(parameter, part, document) for part in parts)
+    else:
+        given_numbers = tuple(_number(parameter, part, document) for part in parts)
     within = None if limits is None else range_in(parameter.path, limits, parameter.unit, _example(parameter))[:2]
     try:
         return Distribution(kind, given_numbers, within)
     except InputError as error:
         named = {"numbers": "have numbers that", "within": "have limits that"}.get(error.field, f"have a {error.field}")
         raise InputError(parameter.path, text, f"{named} {error.condition.removeprefix('be ')}", error.remedy) from None
+
+
+def _limits(parameter: Parameter, text: str, document: Mapping[str, Any]) -> tuple[float, float] | None:
+    """Return the limits of a text such as ``"80 mm +- 5 um"`` or ``"80 mm +12 um +1 um"``; None if it has none."""
+    assert parameter.unit is not None
+    if about := _PLUS_MINUS.fullmatch(text):
+        size = number_in(parameter.path, about["size"], parameter.unit)
+        deviations = [-size, size]
+    elif about := _DEVIATIONS.fullmatch(text):
+        words = (about[name].replace("+", "", 1) for name in ("one", "other"))
+        deviations = sorted(number_in(parameter.path, word, parameter.unit) for word in words)
+    else:
+        return None
+    centre = _number(parameter, (about["about"] or "").strip() or _NOMINAL, document)
+    return centre + deviations[0], centre + deviations[1]
 
 
 def _number(parameter: Parameter, text: str, document: Mapping[str, Any]) -> float:
