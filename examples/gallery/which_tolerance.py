@@ -44,7 +44,9 @@ for each in quantiles:
 
 indices = found.indices("max_pressure")
 for each in indices:
-    print(f"{each.path:22} alone {each.first:5.2f} +- {each.first_error:.2f}, in total {each.total:5.2f}")
+    print(
+        f"{each.path:22} alone {each.first:4.2f} ({each.first_low:.2f} to {each.first_high:.2f}), in total {each.total:4.2f}"
+    )
 print("tighten first:", found.tightened_first["max_pressure"])
 
 with sheet_style():
@@ -55,7 +57,7 @@ with sheet_style():
         label="Largest pressure [MPa]",
         quantiles={each.share: (each.low, each.high) for each in quantiles if np.isfinite(each.low + each.high)},
     )
-    first, total, errors = (
-        np.array([getattr(each, name) for each in indices]) for name in ("first", "total", "first_error")
-    )
-    tornado([each.path for each in indices], first, total, figure.add_subplot(1, 2, 2), errors=(errors, 0 * errors))
+    names = ("first", "total", "first_low", "first_high", "total_low", "total_high")
+    first, total, *ends = np.array([[getattr(each, name) for name in names] for each in indices]).T
+    intervals = (ends[:2], ends[2:])
+    tornado([each.path for each in indices], first, total, figure.add_subplot(1, 2, 2), intervals=intervals)

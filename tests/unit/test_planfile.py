@@ -91,7 +91,7 @@ def test_the_plan_of_the_reference_is_one(tmp_path):
     path = tmp_path / "plan.toml"
     path.write_text(reference.partition("```toml\n")[2].partition("```")[0], encoding="utf-8")
     assert read_plan(path).spreads["load.tilt"] == (0.0, 0.5e-3, 1e-3)
-    assert len(read_plan(path, "tolerance").spreads) == 3
+    assert len(read_plan(path, "tolerance").spreads) == 4
     assert read_design(path)[1]["goal"] == "life"
 
 

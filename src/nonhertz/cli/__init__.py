@@ -26,7 +26,7 @@ INTERRUPTED, BROKEN_PIPE = 130, 141
 _OUT_OF_CALLBACK = 0.02  # s; where this was too early, the next repetition is not
 
 _EXTRAS = {
-    **dict.fromkeys(("SALib", "cyclopts", "jinja2", "matplotlib", "pint", "rich", "tomli_w", "x3pio"), "cli"),
+    **dict.fromkeys(("cyclopts", "jinja2", "matplotlib", "pint", "rich", "tomli_w", "x3pio"), "cli"),
     **dict.fromkeys(("anyio", "starlette", "uvicorn"), "web"),
     "distributed": "cluster",
     "openpyxl": "data",

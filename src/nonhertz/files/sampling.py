@@ -86,7 +86,7 @@ class Sampling(Input):
         return blocks * (dimensions + 2) if self.method == SALTELLI else self.count
 
     def _in_blocks(self, dimensions: int) -> NDArray[np.float64]:
-        """Return Saltelli's arrangement, block after block, as SALib expects it."""
+        """Return Saltelli's arrangement, block after block."""
         pairs = Sampling(self.blocks(dimensions), "sobol", self.seed).shares(2 * dimensions)
         first, second = pairs[:, :dimensions], pairs[:, dimensions:]
         found = np.repeat(first[:, None, :], dimensions + 2, axis=1)

@@ -131,29 +131,27 @@ def tornado(
     total: ArrayLike,
     ax: Axes = OWN,
     *,
-    errors: tuple[ArrayLike, ArrayLike] | None = None,
+    intervals: tuple[ArrayLike, ArrayLike] | None = None,
 ) -> Axes:
     """Draw Sobol's indices as bars, the first name on top: the first index inside the total one.
-
-    They are shares of the variance: an estimate from few samples that is below 0 or above 1 is drawn there.
 
     Parameters
     ----------
     names : sequence of str
         The parameters.
     first, total : array_like, shape (n,)
-        Their indices.
-    errors : pair of array_like, shape (n,), optional
-        Half the widths of the intervals of both.
+        Their indices, from 0 to 1.
+    intervals : pair of array_like, shape (2, n), optional
+        Of both, the lower and the upper ends of the intervals in which they lie.
     """
     places = -np.arange(len(names), dtype=float)
     line: dict[str, Any] = {"fmt": "none", "capsize": 2.0, "linewidth": THIN}
-    first, total = (np.clip(np.asarray(each, dtype=float), 0.0, 1.0) for each in (first, total))
+    first, total = np.asarray(first, dtype=float), np.asarray(total, dtype=float)
     ax.barh(places, total, height=0.62, color=PALE, edgecolor=FAINT_INK, linewidth=HAIR, label="total")
     ax.barh(places, first, height=0.34, color=FIRST, label="alone")
-    if errors is not None:
-        ax.errorbar(first, places, xerr=np.asarray(errors[0]), ecolor=INK, **line)
-        ax.errorbar(total, places + 0.24, xerr=np.asarray(errors[1]), ecolor=FAINT_INK, **line)
+    for values, ends, place, ink in zip((first, total), intervals or (), (0.0, 0.24), (INK, FAINT_INK), strict=False):
+        xerr = np.abs(np.asarray(ends, dtype=float) - values)
+        ax.errorbar(values, places + place, xerr=xerr, ecolor=ink, **line)
     ax.set_yticks(places, list(names))
     ax.set_xlabel("Share of the variance")
     ax.set_xlim(0.0, 1.0)

@@ -87,11 +87,11 @@ def _samples(
 
 
 def _indices(quantity: Quantity, indices: Sequence[Index]) -> Callable[[Axes], object]:
-    columns = np.array([(each.first, each.total, each.first_error, each.total_error) for each in indices]).T
-    first, total, *errors = columns
+    ends = [[each.first_low, each.first_high, each.total_low, each.total_high] for each in indices]
+    first, total, limits = [each.first for each in indices], [each.total for each in indices], np.array(ends).T
 
     def draw(ax: Axes) -> None:
-        tornado([in_words(each.path) for each in indices], first, total, ax, errors=(errors[0], errors[1]))
+        tornado([in_words(each.path) for each in indices], first, total, ax, intervals=(limits[:2], limits[2:]))
         ax.set_title(_capital(quantity.label), loc="left")
 
     return draw
