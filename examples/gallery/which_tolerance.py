@@ -44,10 +44,9 @@ for each in quantiles:
 
 indices = found.indices("max_pressure")
 for each in indices:
-    print(
-        f"{each.path:22} alone {each.first:4.2f} ({each.first_low:.2f} to {each.first_high:.2f}), in total {each.total:4.2f}"
-    )
-print("tighten first:", found.tightened_first["max_pressure"])
+    certain = f"({each.first_low:.2f} to {each.first_high:.2f})"
+    print(f"{each.path:22} alone {each.first:4.2f} {certain}, in total {each.total:4.2f}")
+print("tighten first:", *found.tightened_first["max_pressure"])
 
 with sheet_style():
     figure = Figure(figsize=(6.7, 2.7), layout="constrained")

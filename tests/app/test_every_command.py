@@ -82,7 +82,7 @@ REFUSED = [
         "sweep case.toml --over load.laod=1kN:2kN:3",
         "--over load.laod = 'load.laod' must be an input of the file",
     ),
-    ("sweep case.toml --over load.load", "--over = 'load.load' must have an equals sign between path and"),
+    ("sweep case.toml --over load.load", "--over = 'load.load' must have an equals sign between name and"),
     ("sweep case.toml --over load.load=5", "--over load.load = '5' must have a unit: append a unit, such as 5N."),
     ("sweep case.toml --over load.load=1kN,2kN --quantities presure", "the nearest is"),
     ("sweep case.toml", "--over must vary something: say what a path of the case runs over, such as"),

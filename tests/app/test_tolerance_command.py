@@ -35,12 +35,39 @@ def test_a_plan_is_studied(folder, capsys, run):
     title, verdict, rows, *_ = out.splitlines()
     assert (title, verdict[:26], rows) == ("plan", "Pressure unbounded in row ", "80 rows; 40 independent samples")
     assert "normal(nominal, 1 kN)" in out
-    assert "tighten this first" in out
+    assert "load.load" in out
+    assert "operating load" in out
     names = {path.name for path in (folder / "plan-tolerance").iterdir()}
     drawn = {f"{name}.{kind}" for name in ("distribution", "indices", "profiles") for kind in ("svg", "png")}
     assert names == drawn | {"rows.sqlite3", "rows.csv", "rows.parquet", "tolerance.json"}
     kept = json.loads((folder / "plan-tolerance" / "tolerance.json").read_text(encoding="utf-8"))
     assert kept["independent_samples"] == 40
     assert next(each["path"] for each in kept["indices"]["max_pressure"]) == "load.load"
+    assert "load" not in kept["indices"]
     # Too few samples for the interval of 1 %: there is no infinity in JSON.
     assert kept["quantiles"]["max_pressure"][0]["low"] is None
+
+
+def test_limits_are_stated_with_their_share_and_cpk(folder, run):
+    with (folder / "plan.toml").open("a", encoding="utf-8") as plan:
+        plan.write('[limits]\nload = "at most 20 kN"\n')
+    found = run("tolerance", "plan.toml", "--workers", "1", "--out", "rows", "--json").json
+    (limit,) = found["limits"]
+    assert (limit["quantity"], limit["kind"], limit["limit"], limit["samples"]) == ("load", "at most", 20e3, 40)
+    assert abs(limit["beyond"] - 20) <= 4  # half of a normal distribution about its limit
+    assert abs(limit["cpk"]) < 0.05
+    assert found["verdict"]["level"] == "not-met"
+    said = run("tolerance", "plan.toml", "--workers", "1", "--out", "other", "--limits", "load=at least 15 kN").out
+    assert "load   at least 15 kN     0 %" in said
+    assert "Limits not met" not in said
+
+
+def test_mistakes_of_limits_are_named(folder, run):
+    for word, what in (("load", "--limits = 'load' must have an equals sign"), ("lod=at most 5 kN", "limits.lod = ")):
+        assert what in run("tolerance", "plan.toml", "--limits", word, code=2).err
+    with (folder / "plan.toml").open("a", encoding="utf-8") as plan:
+        plan.write('[limits]\nlod = "at most 20 kN"\n')
+    assert (
+        "limits.lod = 'at most 20 kN' must be a limit of a quantity: the nearest is 'load'"
+        in run("check", "plan.toml", code=2).out
+    )

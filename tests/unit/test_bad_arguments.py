@@ -174,7 +174,7 @@ ASKED = {
 RESULTS = {
     "strength.Check", "strength.Strength", "strength.Verdict", "study.Measure",
     "Comparison", "ContactMap", "Portion", "study.Progress", "study.Sweep", "study.Tolerance",
-    "study.Index", "study.Quantile", "study.Gradient", "study.Partials",
+    "study.Index", "study.Quantile", "study.Capability", "study.Gradient", "study.Partials",
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",
     "hertz.LineContact", "hertz.PointContact",

@@ -9,8 +9,10 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.files.free_forms import FreeForm, free_form_in
+from nonhertz.result.quantities import QUANTITIES
 from nonhertz.study.design import begins_of, best, checked, front
-from nonhertz.study.objective import Variable, refuse_unlimited
+from nonhertz.study.limits import limits_in
+from nonhertz.study.objective import Variable
 from nonhertz.study.pictures import design_figures, front_figure
 from nonhertz.study.search import _Searching
 
@@ -291,6 +293,6 @@ def test_a_wide_range_is_searched_in_its_logarithm():
 
 
 def test_limits_are_read_with_their_units():
-    most, least = refuse_unlimited({"approach": "at most 30 um", "load_by_approach": "at least 5e5"})
+    most, least = limits_in({"approach": "at most 30 um", "load_by_approach": "at least 5e5"}, QUANTITIES)
     assert (most.most, most.least) == (0.03, None)
     assert (least.most, least.least) == (None, 5e5)

@@ -13,9 +13,11 @@ from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution
 from nonhertz.show.sections import Table
 from nonhertz.show.studies import tolerance_sections
+from nonhertz.study.limits import Limit, capabilities
 from nonhertz.study.pictures import tolerance_figures
 from nonhertz.study.store import FILE
 from nonhertz.study.tolerances import quantile, sobol_indices
+from nonhertz.verdict import Level
 
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000), side_faces="none", depth="none")
 PLATE = nh.Plate(side_faces="none", depth="none")
@@ -70,10 +72,10 @@ def test_indices_and_their_intervals_stay_between_0_and_1_where_one_parameter_do
         blocks = drawn(lambda x: 5.0 + x[:, 1], [Distribution("normal", (0.0, 1.0))] * 3, count, seed)
         first, *others = sobol_indices(("a", "b", "c"), blocks)
         assert (first.path, first.first) == ("b", 1.0)
-        assert 0.0 < first.total_low <= first.total <= first.total_high <= 1.0
+        assert (first.first_low, first.first_high, first.total, first.total_high) == (1.0, 1.0, 1.0, 1.0)
         for each in others:
             assert each.total == 0.0
-            assert 0.0 == each.first_low <= each.first <= each.first_high < 1.0
+            assert (each.first, each.first_low, each.first_high, each.total_high) == (0.0, 0.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("share", [0.01, 0.5, 0.99])
@@ -129,7 +131,9 @@ def test_a_tolerance_study_ranks_what_matters():
     found = nh.tolerance(CASE, over=over, samples=400, seed=3, quantities=("max_pressure", "load"))
     assert [each.path for each in found.indices("max_pressure")] == ["load.load", "body.a.diameter"]
     assert found.indices("max_pressure")[0].total == pytest.approx(1.0, abs=0.15)
-    assert found.tightened_first["max_pressure"] == "load.load"
+    # A load is no tolerance, and the diameter has no share worth tightening; nor is the load a result.
+    assert found.tightened_first == {}
+    assert [each.name for each in found.results] == ["max_pressure"]
     bars = tolerance_figures(found)["indices"].axes[0]
     assert [text.get_text() for text in bars.get_yticklabels()] == ["Load", "Body a, diameter"]
     assert bars.get_xlim() == (0.0, 1.0)
@@ -138,6 +142,76 @@ def test_a_tolerance_study_ranks_what_matters():
     assert middle.low <= 20e3 <= middle.high
     assert high.low <= 20e3 + 2.326e3
     assert "1 %, 50 % and 99 %" in repr(found)
+
+
+def test_what_the_case_gives_and_places_are_no_results_and_a_load_is_no_tolerance():
+    over = {"load.load": "normal(20 kN, 1 kN)", "load.tilt": "0 +- 0.1 mrad", "body.a.profile.radius": "+- 1500 mm"}
+    found = nh.tolerance(CASE, over=over, samples=100, workers=1)
+    names = [each.name for each in found.results]
+    assert names == ["approach", "moment", "max_pressure", "max_half_width", "contact_length"]
+    assert set(found.tightened_first) <= set(names)
+    assert found.tightened_first["max_pressure"][0] == "body.a.profile.radius"
+    assert found.tightened_first["moment"] == ("load.tilt",)
+    blocks = [block for section in tolerance_sections(found) for block in section.blocks]
+    tables = [block for block in blocks if isinstance(block, Table)]
+    assert [each.heads[0] for each in tables if "in total" in each.heads] == ["variance of maximum pressure"]
+    remarks = {row[0]: row[3] for each in tables if "in total" in each.heads for row in each.rows}
+    assert remarks["load.load"] == "operating load"
+    assert remarks["body.a.profile.radius"] in {"tighten this first", "tighten one of these first"}
+    assert sum(len(each.rows) for each in tables) < 12
+
+
+@pytest.mark.parametrize(("limit", "sign"), [(2.0, 1.0), (-1.0, 1.0), (1.0, -1.0)])
+def test_the_share_beyond_a_limit_and_cpk_of_a_normal_distribution(limit, sign):
+    bound = Limit("load", most=limit) if sign > 0.0 else Limit("load", least=limit)
+    true = 0.5 * math.erfc(sign * limit / math.sqrt(2.0))
+    generator, held = np.random.default_rng(4), 0
+    for _ in range(200):
+        (found,) = capabilities(bound, generator.standard_normal(400))
+        assert found.share == found.beyond / found.samples
+        # Of the mean, whose standard error is 1/20, and of the deviation: four of them together, in units of 3 sigma.
+        assert found.cpk == pytest.approx(sign * limit / 3.0, abs=4.0 * math.hypot(0.05, limit * 0.05 / 2**0.5) / 3.0)
+        held += found.low <= true <= found.high
+    assert held >= 182  # of 190 that 95 % would be: 2.6 standard deviations fewer
+
+
+def test_the_interval_of_a_share_is_that_of_clopper_and_pearson():
+    values = np.r_[np.zeros(99), 5.0, np.nan]
+    (some,) = capabilities(Limit("load", most=4.0), values)
+    assert (some.samples, some.beyond) == (100, 1)
+    assert (some.low, some.high) == pytest.approx((1.0 - 0.975 ** (1.0 / 100.0), 0.0544594), rel=1e-5)
+    (none,) = capabilities(Limit("load", most=6.0), values)
+    assert (none.share, none.low, none.high) == (0.0, 0.0, pytest.approx(1.0 - 0.025 ** (1.0 / 100.0)))
+    (alike,) = capabilities(Limit("load", least=1.0), np.zeros(5))
+    assert (alike.share, alike.cpk) == (1.0, -math.inf)
+    assert capabilities(Limit("load", least=1.0), np.full(5, np.nan)) == []
+
+
+def test_limits_are_counted_of_what_is_drawn():
+    over, limits = {"load.load": "normal(nominal, 1 kN)"}, {"load": "at most 21.5 kN", "relative_life": "at least 0.1"}
+    found = nh.tolerance(CASE, over=over, samples=600, quantities=("load",), limits=limits, workers=1)
+    load, life = found.capabilities
+    assert load.share == pytest.approx(0.0668072, abs=0.01)  # of a normal distribution beyond 1.5 sigma
+    assert load.low <= 0.0668072 <= load.high
+    assert load.cpk == pytest.approx(0.5, abs=0.02)
+    assert load.normal_share == pytest.approx(0.0668072, abs=0.005)
+    assert (life.quantity, life.beyond) == ("relative_life", 0)
+    assert found.verdict.level is Level.NOT_MET
+    assert found.verdict.sentence == f"Of 400 samples {load.beyond} are beyond the limit of the load, at most 21.5 kN."
+
+
+@pytest.mark.parametrize(
+    ("limits", "what"),
+    [
+        ({"max_presure": "at most 3 GPa"}, "limits.max_presure.* the nearest is 'max_pressure'"),
+        ({"max_pressure": "3 GPa"}, "begin with 'at most' or 'at least'"),
+        ({"max_pressure": "at most 3 mm"}, "must have a unit of stress"),
+        (["max_pressure"], "limits = .* must be a dictionary"),
+    ],
+)
+def test_limits_that_cannot_be_read_are_refused(limits, what):
+    with pytest.raises(nh.InputError, match=what):
+        nh.tolerance(CASE, over={"load.load": "+- 1 kN"}, samples=8, limits=limits)
 
 
 def test_rows_that_fail_are_left_out_of_quantiles_and_indices(tmp_path):

@@ -27,6 +27,7 @@ from nonhertz.show.analysis import attempted
 from nonhertz.study.design import checked as checked_design
 from nonhertz.study.points import Points
 from nonhertz.study.quantities import chosen
+from nonhertz.study.tolerances import checked_limits
 
 METAL = 40e3  # MPa, the modulus above which bodies are metals
 BEYOND_METALS = 5000.0  # MPa
@@ -127,6 +128,7 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
         plan = Plan.of(document, path, changes=changes, table=table)
         try:
             chosen(plan.quantities, bearing=plan.template.is_bearing)
+            checked_limits(plan)
             if table in document:
                 rows = f" of {len(Points.of(plan))} rows" if table == "over" else ""
                 said.append(f"{what}{rows} over {', '.join(plan.over)}")

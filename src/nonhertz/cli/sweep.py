@@ -86,7 +86,7 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
     else:
         plan = Plan.of(document, file, text, changes, table)
     try:
-        return plan.changed(over=dict(map(_path_and_values, over)) or None, quantities=tuple(quantities) or None)
+        return plan.changed(over=dict(map(path_and_value, over)) or None, quantities=tuple(quantities) or None)
     except InputError as error:
         option = "--quantities" if error.field == "quantities" else f"--over {error.field}".rstrip()
         raise InputError(option, error.value, error.condition, error.remedy) from None
@@ -112,9 +112,15 @@ def as_text(sweep: Sweep, files: Sequence[Path], **more: Any) -> str:
     return json.dumps(content, indent=2, allow_nan=False)
 
 
-def _path_and_values(word: str) -> tuple[str, str]:
+def path_and_value(word: str, example: str = "--over load.load=5kN:40kN:8", option: str = "") -> tuple[str, str]:
+    """Return what stands before and behind the equals sign of a word of an option.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
     path, equals, values = word.partition("=")
     if not equals or not path.strip():
-        remedy = "write path and values, such as --over load.load=5kN:40kN:8"
-        raise InputError("", word, "have an equals sign between path and values", remedy)
+        raise InputError(option, word, "have an equals sign between name and values", f"write both, such as {example}")
     return path.strip(), values.strip()

@@ -8,12 +8,13 @@ from pathlib import Path
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
 from nonhertz.cli.printing import bar
-from nonhertz.cli.sweep import as_text, of_rows, planned
+from nonhertz.cli.sweep import as_text, of_rows, path_and_value, planned
 from nonhertz.files.results import plain
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import tolerance_sections
 from nonhertz.study.pictures import tolerance_figures
 from nonhertz.study.tolerances import Tolerance, tolerance
+from nonhertz.verdict import given_verdict
 
 
 def study_tolerance(
@@ -23,6 +24,7 @@ def study_tolerance(
     changes: Changes = NONE,
     over: Words = (),
     quantities: Words = (),
+    limits: Words = (),
     samples: int | None = None,
     seed: int | None = None,
     out: Path | None = None,
@@ -43,6 +45,9 @@ def study_tolerance(
         times.
     quantities : tuple of str
         Names of the numbers that matter, such as max_pressure life; by default the usual ones.
+    limits : tuple of str
+        A quantity and what it is to stay within, such as 'max_pressure=at most 3800 MPa': the share beyond and Cpk are
+        printed; may be given several times. In place of those of the plan.
     samples : int
         How many rows at most, 10000 if neither this nor the plan says it.
     seed : int
@@ -55,10 +60,11 @@ def study_tolerance(
         refuse_missing_writer()
     asked = planned(plan, over, quantities, "tolerance", changes)
     directory = named_after(plan, "-tolerance", out)
+    bounds = dict(path_and_value(word, "max_pressure='at most 3800 MPa'", "--limits") for word in limits) or None
     options = {"threads": "--workers", "count": "--samples", "seed": "--seed", "over": "--over"}
     with bar("rows") as update, named_as(**options):
         found = tolerance(
-            asked, samples=samples, seed=seed, out=directory, workers=workers, scheduler=scheduler,
+            asked, samples=samples, seed=seed, limits=bounds, out=directory, workers=workers, scheduler=scheduler,
             announce=of_rows(update),
         )  # fmt: skip
 
@@ -68,7 +74,7 @@ def study_tolerance(
 
     made = found.sweep.save(directory, draw, excel=excel)
     title, shown = found.sweep.plan.title, tolerance_sections(found)
-    return Answer(title, shown, lambda: _as_json(found, made), verdict=found.sweep.verdict, written=made)
+    return Answer(title, shown, lambda: _as_json(found, made), verdict=found.verdict, written=made)
 
 
 def _as_json(found: Tolerance, files: Sequence[Path]) -> str:
@@ -77,7 +83,10 @@ def _as_json(found: Tolerance, files: Sequence[Path]) -> str:
     return as_text(
         found.sweep,
         files,
+        verdict=given_verdict(found.verdict),
         independent_samples=found.independent.size,
         quantiles={name: [plain(vars(one)) for one in found.quantiles(name)] for name in names},
-        indices={name: [vars(one) for one in found.indices(name)] for name in names},
+        limits=[{**plain(vars(each)), "samples": each.samples, "beyond": each.beyond} for each in found.capabilities],
+        indices={each.name: [vars(one) for one in found.indices(each.name)] for each in found.results},
+        tightened_first={name: list(paths) for name, paths in found.tightened_first.items()},
     )

@@ -144,6 +144,10 @@ class PlanDocument(Input):
     samples: Annotated[Sampling, Part("how samples are drawn from distributions", Sampling, "give a table")] = (
         Sampling()
     )
+    limits: Annotated[
+        Mapping[str, Any],
+        _by_paths("of a tolerance study: what results stay within, such as max_pressure = 'at most 3800 MPa'"),
+    ] = field(default_factory=dict)
     quantities: Annotated[
         Any, Custom("the numbers that a row holds; the usual ones if left out", _as_given, _TEXTS)
     ] = ()

@@ -125,6 +125,8 @@ class Plan(Held):
         How samples are drawn.
     quantities : tuple of str
         Names of the numbers that a row holds; the usual ones if empty.
+    limits : mapping
+        What quantities are to stay within in a tolerance study, such as ``{"max_pressure": "at most 3800 MPa"}``.
     title, path, origin
         As of `Held`; the title of the case if there is none.
 
@@ -150,6 +152,7 @@ class Plan(Held):
     over: Mapping[str, Any] = field(default_factory=dict)
     samples: Sampling = field(default_factory=Sampling)
     quantities: tuple[str, ...] = ()
+    limits: Mapping[str, Any] = field(default_factory=dict)
     path: Path = field(default=Path("plan.toml"), compare=False, kw_only=True)
 
     kind: ClassVar = "plan"
@@ -160,6 +163,8 @@ class Plan(Held):
             raise InputError("case", self.case, "be a case or a bearing case", remedy)
         if not isinstance(self.over, Mapping) or not all(isinstance(path, str) for path in self.over):
             raise InputError("over", self.over, "be a dictionary", "map paths to what they run over")
+        if not isinstance(self.limits, Mapping) or not all(isinstance(name, str) for name in self.limits):
+            raise InputError("limits", self.limits, "be a dictionary", "map quantities to 'at most 3800 MPa', say")
         remedy = "give a list of names, such as ['max_pressure']"
         names = tuple(listed("quantities", self.quantities, "be names", remedy))
         if not all(isinstance(each, str) for each in names):
@@ -222,7 +227,7 @@ class Plan(Held):
                     mistakes.append(InputError(here, given, error.condition, error.remedy))
         try:
             title = found.title or legible(path.stem)
-            plan = Plan(case, {}, found.samples, found.quantities, title=title, path=path)
+            plan = Plan(case, {}, found.samples, found.quantities, found.limits, title=title, path=path)
         except InputError as error:
             mistakes.append(error)
         if mistakes:
@@ -231,7 +236,7 @@ class Plan(Held):
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""
-        parts = {"over": self.over, "samples": self.samples, "quantities": self.quantities}
+        parts = {"over": self.over, "samples": self.samples, "quantities": self.quantities, "limits": self.limits}
         rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}
         return {"case": seen_from(self.path.parent, self.case.path).as_posix()} | rest
 
@@ -245,6 +250,7 @@ class Plan(Held):
         over: Mapping[str, Any] | None = None,
         samples: Sampling | None = None,
         quantities: tuple[str, ...] | None = None,
+        limits: Mapping[str, Any] | None = None,
     ) -> Plan:
         """Return the plan with other parts; those that are None stay.
 
@@ -253,7 +259,7 @@ class Plan(Held):
         InputError
             As the class does.
         """
-        given = {"over": over, "samples": samples, "quantities": quantities}
+        given = {"over": over, "samples": samples, "quantities": quantities, "limits": limits}
         changes: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
         return replace(self, **changes) if changes else self
 

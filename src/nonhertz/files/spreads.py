@@ -376,6 +376,8 @@ def _number(parameter: Parameter, text: str, document: Mapping[str, Any]) -> flo
     value = parameter.value_in(document)
     number = in_unit(parameter.path, value, parameter.unit) if value is not None else None
     if not isinstance(number, float):
-        remedy = "give the number itself"
+        remedy = (
+            "give the number itself, such as '0 +- 0.1 mrad'" if parameter.unit == "rad" else "give the number itself"
+        )
         raise InputError(parameter.path, text.strip(), "stand for a number that the case gives", remedy)
     return number

@@ -14,10 +14,7 @@ from nonhertz.result.quantities import Quantity
 from nonhertz.show.sections import Block, Row, Said, Section, Table, summary
 from nonhertz.study.design import Design
 from nonhertz.study.sweeps import Sweep
-from nonhertz.study.tolerances import Tolerance
-
-_SAME = 1e-9  # relative: numbers that differ by less are one number
-_HOW_GOOD = ("error", "warnings")  # of a row, which are not what comes out of it
+from nonhertz.study.tolerances import Tolerance, is_operating_load
 
 
 def sweep_sections(sweep: Sweep) -> list[Section]:
@@ -36,21 +33,23 @@ def sweep_sections(sweep: Sweep) -> list[Section]:
 def tolerance_sections(found: Tolerance) -> list[Section]:
     """Return what is shown of a tolerance study: what is distributed, quantiles, what matters, and why rows failed."""
     sweep = found.sweep
-    # Those that are asked for by name, or else the results that are not the same in all rows.
-    spread = [
-        quantity
+    shown = [quantity for quantity, _ in _numbers(sweep) if quantity in found.main]
+    others = [
+        quantity.label
         for quantity, (low, high) in _numbers(sweep)
-        if quantity.name in sweep.plan.quantities
-        or (high - low > _SAME * max(abs(low), abs(high)) and quantity.name not in _HOW_GOOD)
+        if quantity not in found.main and quantity in found.results and low < high
     ]
     tables = [
         Table([row[:2] for row in _varied(sweep)]),
-        _quantiles(found, spread),
-        Table(_alike(sweep, spread)),
-        *_indices(found, spread),
+        _quantiles(found, shown),
+        _capabilities(found),
+        *_indices(found, [quantity for quantity in shown if quantity in found.results]),
+        Table(list(_strained(sweep))),
     ]
     blocks: list[list[Block]] = [[each] for each in tables if each.rows]
     words: Block = Said([f"{_counted(sweep)}; {found.independent.size} independent samples"])
+    if others:
+        blocks.append([Said([f"In tolerance.json, too: {', '.join(others)}."])])
     blocks[-1:] = [[*blocks[-1], Said(_failures(sweep), "warning")]]
     return [Section("", each) for each in [[words], *blocks]]
 
@@ -125,31 +124,45 @@ def _quantiles(found: Tolerance, spread: Sequence[Quantity]) -> Table:
     return Table(rows, ("", "share", "below", "", "95 % certain between"), (0, 3, 4))
 
 
-def _alike(sweep: Sweep, spread: Sequence[Quantity]) -> list[Row]:
-    """Return the results that are the same in all rows, and how far the rows are to be trusted."""
-    rows = []
-    for quantity, extremes in _numbers(sweep):
-        largest = max(extremes)
-        if quantity in spread:
-            continue
-        if quantity.name not in _HOW_GOOD:
-            rows.append((quantity.label, str(quantity.amount(largest)), "in all rows"))
-        elif quantity.name == "error" and error_words(largest):
-            rows.append(("approach or load", error_words(largest), "at most"))
-        elif largest > 0.0:
-            rows.append((quantity.label, given(largest), "at most; a sweep over the same samples says which"))
-    return rows
+def _capabilities(found: Tolerance) -> Table:
+    """Return a row for every limit: the share beyond it with its interval, Cpk, and the share if it were normal."""
+    labels, rows = {quantity.name: quantity for quantity in found.main}, []
+    for each in found.capabilities:
+        quantity = labels[each.quantity]
+        share, low, high, normal = (
+            f"{given(100.0 * number, 2)} %" for number in (each.share, each.low, each.high, each.normal_share)
+        )
+        limit = f"{each.kind} {quantity.amount(each.limit):g}"
+        rows.append((quantity.label, limit, share, f"{low} to {high}", f"{each.cpk:.2f}", normal))
+    return Table(rows, ("limit", "", "beyond", "95 % certain between", "Cpk", "beyond if normal"), (0, 1, 3))
 
 
-def _indices(found: Tolerance, spread: Sequence[Quantity]) -> Iterator[Table]:
-    """Yield for every quantity that varies what its variance is due to, most important first."""
-    for quantity in spread:
+def _strained(sweep: Sweep) -> Iterator[Row]:
+    """Yield how far the rows are to be trusted."""
+    for quantity, (_, largest) in _numbers(sweep):
+        if quantity.name == "error" and error_words(largest):
+            yield "approach or load", error_words(largest), "at most"
+        elif quantity.name == "warnings" and largest > 0.0:
+            yield quantity.label, given(largest), "at most; a sweep over the same samples says which"
+
+
+def _indices(found: Tolerance, results: Sequence[Quantity]) -> Iterator[Table]:
+    """Yield for every result what its variance is due to, most important first, and which tolerance to tighten."""
+    for quantity in results:
+        first = found.tightened_first.get(quantity.name, ())
+        mark = "tighten this first" if len(first) == 1 else "tighten one of these first"
         rows: list[tuple[str, ...]] = []
         for each in found.indices(quantity.name):
-            shares = ((each.first, each.first_error), (each.total, each.total_error))
-            alone, total = (f"{100.0 * share:.1f} +- {100.0 * error:.1f} %" for share, error in shares)
-            rows.append((each.path, alone, total, "" if rows else "tighten this first"))
-        yield Table(rows, (quantity.label, "alone", "in total", ""), (0, 3))
+            alone, total = (
+                f"{100.0 * share:.0f} % ({100.0 * low:.0f} to {100.0 * high:.0f})"
+                for share, low, high in (
+                    (each.first, each.first_low, each.first_high),
+                    (each.total, each.total_low, each.total_high),
+                )
+            )
+            remark = "operating load" if is_operating_load(each.path) else mark if each.path in first else ""
+            rows.append((each.path, alone, total, remark))
+        yield Table(rows, (f"variance of {quantity.label}", "alone", "in total", ""), (0, 3))
 
 
 def _failures(sweep: Sweep) -> list[str]:

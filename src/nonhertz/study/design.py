@@ -27,19 +27,11 @@ from nonhertz.inputs.checks import callback, one_of, thread_count, whole
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import checked_cases, refuse_other_than_whole
 from nonhertz.result.brief import plain_text
+from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.study.objective import (
-    GOALS,
-    LIFE,
-    PRESSURE,
-    Judged,
-    Limit,
-    Task,
-    Variable,
-    point_or_none,
-    refuse_unlimited,
-)
+from nonhertz.study.limits import Limit, limits_in
+from nonhertz.study.objective import GOALS, LIFE, PRESSURE, Judged, Task, Variable, point_or_none
 from nonhertz.study.search import Search, searched
 from nonhertz.study.workers import LostError, Workers
 from nonhertz.verdict import Verdict, of_loads, of_rows
@@ -452,7 +444,7 @@ def checked(
         _loads(case, plan.get("loads")),
         chosen,
         fatigue,
-        refuse_unlimited(_mapping("where", plan.get("where", {}))),
+        limits_in(_mapping("where", plan.get("where", {})), QUANTITIES),
     )
     return task, whole("starts", plan.get("starts", STARTS), 1, MOST_STARTS, "give the number of searches")
 

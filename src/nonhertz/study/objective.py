@@ -8,7 +8,7 @@ the variable changes of the relief under every strip.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
+from nonhertz.errors import NonhertzError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import FreeForm, half_length
 from nonhertz.files.paths import drops_first
@@ -30,6 +30,7 @@ from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.solver.many import solve_in_silence
 from nonhertz.solver.one import is_automatic
+from nonhertz.study.limits import Limit
 from nonhertz.study.lives import damage
 
 Array = NDArray[np.float64]
@@ -70,30 +71,6 @@ class Variable:
         if self.logarithmic:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
-
-
-@dataclass(frozen=True)
-class Limit:
-    """What a quantity must be under every load.
-
-    Attributes
-    ----------
-    name : str
-        The quantity of a solution.
-    most : float or None
-        At most this, in its base unit.
-    least : float or None
-        At least this.
-    """
-
-    name: str
-    most: float | None = None
-    least: float | None = None
-
-    @property
-    def sides(self) -> list[tuple[float, float]]:
-        """The bounds that there are, each with the sign of what goes beyond it."""
-        return [(sign, bound) for sign, bound in ((-1.0, self.most), (1.0, self.least)) if bound is not None]
 
 
 @dataclass(frozen=True)
@@ -315,36 +292,3 @@ def point_or_none(task: Task, x: Array, accuracy: float | None = None) -> Judged
         return task.at(x, accuracy)
     except NonhertzError:
         return None
-
-
-def refuse_unlimited(limits: Mapping[str, Any]) -> tuple[Limit, ...]:
-    """Return limits of texts such as ``"at most 30 um"``, by quantity.
-
-    Raises
-    ------
-    InputError
-        If there is no such quantity, or the text is not a limit.
-    """
-    from nonhertz.files.spreads import number_in
-    from nonhertz.inputs.fields import nearest
-
-    found = []
-    for name, given in limits.items():
-        if name not in QUANTITIES:
-            match = nearest(str(name), QUANTITIES)
-            remedy = f"the nearest is '{match}'" if match else f"choose from {', '.join(QUANTITIES)}"
-            raise InputError(str(name), given, "be a limit of a quantity", remedy)
-        if isinstance(given, Limit):
-            found.append(given)
-            continue
-        kind = next((word for word in ("at most", "at least") if str(given).strip().startswith(word)), None)
-        if kind is None:
-            remedy = "write 'at most 30 um' or 'at least 500000', say"
-            raise InputError(str(name), given, "begin with 'at most' or 'at least'", remedy)
-        unit = QUANTITIES[name].unit
-        unit = unit if unit in {"mm", "N", "MPa", "rad", "N mm"} else ""
-        number = number_in(str(name), str(given).strip().removeprefix(kind), unit)
-        if number == 0.0:
-            raise InputError(str(name), given, "not be zero", "give a number that a margin can be taken of")
-        found.append(Limit(name, most=number) if kind == "at most" else Limit(name, least=number))
-    return tuple(found)

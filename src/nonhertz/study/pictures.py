@@ -57,11 +57,11 @@ def sweep_figures(sweep: Sweep) -> dict[str, Figure]:
 def tolerance_figures(found: Tolerance) -> dict[str, Figure]:
     """Return figures of a tolerance study by name: how results are distributed, what matters, the band of profiles."""
     sweep = found.sweep
-    shown = [each for each in _pictured(sweep) if sweep.extremes(each.name) is not None][:PANELS]
+    shown = [each for each in found.main if sweep.extremes(each.name) is not None][:PANELS]
     if not shown or len(sweep) > MOST_DRAWN:
         return {}
     figures = {"distribution": panels([_distribution(found, each) for each in shown], sweep.plan.title)}
-    indices = [(each, found.indices(each.name)) for each in shown]
+    indices = [(each, found.indices(each.name)) for each in shown if each in found.results]
     bars = [_indices(each, of_each) for each, of_each in indices if of_each]
     if bars:
         figures["indices"] = panels(bars, sweep.plan.title)
@@ -278,9 +278,7 @@ def _pictured(sweep: Sweep) -> tuple[Quantity, ...]:
     """Return the quantities that are drawn: those asked for by name, or the main ones that are not given."""
     if sweep.plan.quantities:
         return sweep.quantities
-    given_ones = {path.partition(".")[2] for path in sweep.paths if path.startswith("load.")}
-    given_ones |= set(sweep.plan.template.document.get("load", {}))
-    return tuple(each for each in sweep.quantities if each.name in _PICTURED - given_ones)
+    return tuple(each for each in sweep.quantities if each.name in _PICTURED - sweep.given)
 
 
 def _drawing(sweep: Sweep) -> Callable[[Quantity, Axes], object] | None:

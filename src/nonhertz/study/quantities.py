@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 from nonhertz.bearing.quantities import LIVES, SolvedBearing
 from nonhertz.bearing.quantities import QUANTITIES as OF_BEARING
@@ -92,6 +91,11 @@ USUAL_OF_BEARING = (
 )
 
 
+def known(*, bearing: bool) -> Mapping[str, Quantity]:
+    """Return all numbers that a row can hold, by name."""
+    return OF_BEARING if bearing else OF_CONTACT
+
+
 def chosen(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
     """Return quantities by name, the usual ones if there are no names.
 
@@ -100,11 +104,11 @@ def chosen(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
     InputError
         If there is no such quantity; the nearest is named.
     """
-    known: Mapping[str, Any] = OF_BEARING if bearing else OF_CONTACT
+    every = known(bearing=bearing)
     asked = tuple(dict.fromkeys(names)) or (USUAL_OF_BEARING if bearing else USUAL_OF_CONTACT)
     for name in asked:
-        if name not in known:
-            match = nearest(name, known)
-            remedy = f"the nearest is '{match}'" if match else f"choose from {', '.join(known)}"
+        if name not in every:
+            match = nearest(name, every)
+            remedy = f"the nearest is '{match}'" if match else f"choose from {', '.join(every)}"
             raise InputError("quantities", name, "be numbers that a row can hold", remedy)
-    return tuple(known[name] for name in asked)
+    return tuple(every[name] for name in asked)

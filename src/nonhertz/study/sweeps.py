@@ -119,6 +119,13 @@ class Sweep:
         return column.reshape(self.shape) if self.complete else column
 
     @property
+    def given(self) -> frozenset[str]:
+        """Names of what the case or the plan gives of the load, such as load and tilt: they are no results."""
+        varied = {path.partition(".")[2] for path in self.paths if path.startswith("load.")}
+        found = varied.union(self.plan.template.document.get("load", {}))
+        return frozenset(found if "moment" in found else found | {"tilt"})
+
+    @property
     def verdict(self) -> Verdict | None:
         """Whether the rows bear their loads: the verdict on the one with the largest pressure, solved once more.
 

@@ -7,10 +7,10 @@ samples; samples that fill space evenly, as these do, have smaller errors.
 
 The first index of a parameter is the share of the variance that would be gone if the parameter were fixed; its total
 index is the share that would be left if all others were. They are estimated from correlations: of results that share
-the one parameter, and of results that share all others. The estimate with the smallest asymptotic variance (Janon et
-al.) is never above 1 where the product estimates of Saltelli et al. scatter to either side. What scatter puts below 0,
-or a total above 1, is set to that bound, which the true index does not cross. Intervals, again of 95 %, are percentiles
-of resampled blocks within the same bounds.
+the one parameter, and of results that share all others. That of smallest asymptotic variance (Janon et al.) cannot
+exceed 1, as the products of Saltelli et al. do. Small first indices scatter more for it, but none is below 0 or above
+its total in truth: estimates and intervals are cut off there. Intervals are percentiles of resampled blocks, again of
+95 %.
 
 References
 ----------
@@ -18,7 +18,7 @@ A. Saltelli et al., Variance based sensitivity analysis of model output, Compute
 259-270, doi:10.1016/j.cpc.2009.09.018, for the arrangement.
 
 A. Janon et al., Asymptotic normality and efficiency of two Sobol index estimators, ESAIM: Probability and Statistics
-18 (2014) 342-364, doi:10.1051/ps/2013040, equation (6).
+18 (2014) 342-364, doi:10.1051/ps/2013040.
 
 H. A. David, H. N. Nagaraja, Order Statistics, 3rd ed., Wiley 2003, section 7.1, for the intervals of quantiles.
 """
@@ -41,16 +41,24 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.planfile import Plan
 from nonhertz.files.sampling import SALTELLI, Sampling
 from nonhertz.files.spreads import Distribution
+from nonhertz.findings import finding
 from nonhertz.inputs.checks import numbers
 from nonhertz.result.brief import plain_text
+from nonhertz.result.quantities import Quantity
+from nonhertz.study.limits import CERTAINTY, Capability, Limit, capabilities, limits_in
+from nonhertz.study.quantities import chosen, known
 from nonhertz.study.sweeps import Progress, Sweep, planned, sweep
+from nonhertz.verdict import Level, Verdict
 
 Array = NDArray[np.float64]
 
-CERTAINTY = 0.95
 SHARES = (0.01, 0.5, 0.99)
 FEWEST_BLOCKS = 8  # of indices: fewer cannot be resampled
 SEED, RESAMPLED = 1, 400  # of resampling
+#: What a study is made for where it names no quantities: pressure and life.
+MAIN = ("max_pressure", "life", "relative_life", "basic_life", "reference_life", "modified_life", "static_safety")
+_NO_RESULTS = {"error", "warnings", "max_pressure_y"}  # how good a row is, and a place: nobody tightens for those
+WORTH_TIGHTENING = 0.02  # of the variance, in total: a smaller share is not felt
 
 
 @dataclass(frozen=True)
@@ -104,14 +112,23 @@ class Tolerance:
     ----------
     sweep : Sweep
         The samples and their rows.
+    limits : tuple of Limit
+        What quantities are to stay within.
+    main : tuple of Quantity
+        The results that matter: those named by the plan and those with a limit; without names pressures and lives, or
+        all if rows have none.
     """
 
-    def __init__(self, sweep: Sweep) -> None:
-        self.sweep = sweep
+    def __init__(self, sweep: Sweep, limits: tuple[Limit, ...] = (), names: Sequence[str] = ()) -> None:
+        self.sweep, self.limits = sweep, limits
+        main = {*(names or MAIN), *(limit.name for limit in limits)}
+        known_ones = (each for each in sweep.quantities if names or sweep.extremes(each.name) is not None)
+        self.main = tuple(each for each in known_ones if each.name in main) or self.results
+        self._indices: dict[str, tuple[Index, ...]] = {}
 
     def __repr__(self) -> str:
         said = [f"{len(self.sweep)} rows of {self.sweep.plan.title!r}"]
-        for quantity in self.sweep.quantities:
+        for quantity in self.main:
             quantiles = (each.value for each in self.quantiles(quantity.name))
             said.append(f"{quantity.label} {quantity.amount(*quantiles)}")
         said[0] += f"; 1 %, 50 % and 99 % of {self.independent.size} samples:" if len(said) > 1 else ""
@@ -158,6 +175,30 @@ class Tolerance:
         values = self.samples(name)
         return tuple(quantile(values[np.isfinite(values)], share) for share in found.tolist())
 
+    @property
+    def results(self) -> tuple[Quantity, ...]:
+        """The quantities for which tolerances are ranked: not what the case gives, such as a tilt, nor places."""
+        return tuple(each for each in self.sweep.quantities if each.name not in self.sweep.given | _NO_RESULTS)
+
+    @cached_property
+    def capabilities(self) -> tuple[Capability, ...]:
+        """How the independent samples stand against the limits."""
+        return tuple(each for limit in self.limits for each in capabilities(limit, self.samples(limit.name)))
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """Whether all samples stay within the limits, and the rows bear their loads."""
+        beyond, of_rows = [], self.sweep.verdict
+        for each in self.capabilities:
+            if each.beyond:
+                quantity = known(bearing=self.sweep.plan.template.is_bearing)[each.quantity]
+                words = "Of {samples} samples {beyond} are beyond the limit of the {label}, {kind} {limit:.6g}."
+                numbers = {"samples": each.samples, "beyond": each.beyond, "limit": quantity.amount(each.limit)}
+                beyond.append(finding("beyond-limit", words, label=quantity.label, kind=each.kind, **numbers))
+        if not beyond:
+            return of_rows
+        return Verdict(Level.NOT_MET, (*beyond, *(of_rows.findings if of_rows else ())))
+
     def indices(self, name: str) -> tuple[Index, ...]:
         """Return how much of a quantity's variance is due to each parameter, the largest total first.
 
@@ -168,18 +209,39 @@ class Tolerance:
         KeyError
             If the rows have no such quantity.
         """
-        per_block = len(self.sweep.paths) + 2
-        blocks = np.asarray(self.sweep[name], dtype=float).reshape(-1, per_block)
-        blocks = blocks[np.all(np.isfinite(blocks), axis=1)]
-        if len(blocks) < FEWEST_BLOCKS or np.ptp(blocks) <= 1e-12 * np.abs(blocks).max():
-            return ()
-        return sobol_indices(self.sweep.paths, blocks - blocks.mean())
+        if not isinstance(name, str) or name not in self._indices:
+            per_block = len(self.sweep.paths) + 2
+            blocks = np.asarray(self.sweep[name], dtype=float).reshape(-1, per_block)
+            blocks = blocks[np.all(np.isfinite(blocks), axis=1)]
+            varies = len(blocks) >= FEWEST_BLOCKS and np.ptp(blocks) > 1e-12 * np.abs(blocks).max()
+            self._indices[name] = sobol_indices(self.sweep.paths, blocks - blocks.mean()) if varies else ()
+        return self._indices[name]
 
     @cached_property
-    def tightened_first(self) -> Mapping[str, str]:
-        """For each quantity, the parameter whose tolerance to tighten first: that of the largest total index."""
-        found = {quantity.name: self.indices(quantity.name) for quantity in self.sweep.quantities}
-        return {name: indices[0].path for name, indices in found.items() if indices}
+    def tightened_first(self) -> Mapping[str, tuple[str, ...]]:
+        """For each result, the parameters whose tolerances to tighten first; results without any are left out.
+
+        That of the largest total index, and those that cannot be told from it: whose intervals reach its estimate.
+        Loads are no tolerances, and what has less than 2 % of the variance is not worth tightening.
+        """
+        found = {}
+        for quantity in self.results:
+            ranked = [each for each in self.indices(quantity.name) if not is_operating_load(each.path)]
+            if ranked and ranked[0].total >= WORTH_TIGHTENING:
+                found[quantity.name] = tuple(each.path for each in ranked if each.total_high >= ranked[0].total)
+        return found
+
+
+def is_operating_load(path: str) -> bool:
+    """Return whether a path is of what a machine does to its bodies, which no drawing limits; a tilt is limited.
+
+    Examples
+    --------
+    >>> is_operating_load("load.radial"), is_operating_load("load.tilt"), is_operating_load("body.a.diameter")
+    (True, False, False)
+    """
+    section, _, name = path.partition(".")
+    return section == "load" and not name.startswith("tilt")
 
 
 def quantile(values: Array, share: float) -> Quantile:
@@ -217,10 +279,14 @@ def sobol_indices(paths: Sequence[str], blocks: Array) -> tuple[Index, ...]:
     draws = np.random.default_rng(SEED).integers(len(blocks), size=(RESAMPLED, len(blocks)))
     beyond = 0.5 * (1.0 - CERTAINTY)
     ends = np.quantile([_first_and_total(blocks[draw]) for draw in draws], (beyond, 1.0 - beyond), axis=0)
-    (first, total), (first_low, total_low), (first_high, total_high) = np.clip(
-        [_first_and_total(blocks), *ends], 0.0, 1.0
-    ).tolist()
-    columns = zip(paths, first, first_low, first_high, total, total_low, total_high, strict=True)
+    first, total = np.clip([_first_and_total(blocks), *ends], 0.0, 1.0).transpose(1, 0, 2)
+    # A first index is no larger than its total: where they cross, the one with the narrower interval counts.
+    better = np.where(np.ptp(first[1:], axis=0) < np.ptp(total[1:], axis=0), first[0], total[0])
+    first[0], total[0] = np.where(first[0] > total[0], better, [first[0], total[0]])
+    first[2], total[1] = np.minimum(first[2], total[2]), np.maximum(total[1], first[1])
+    for each in (first, total):
+        each[1], each[2] = np.minimum(each[1], each[0]), np.maximum(each[2], each[0])
+    columns = zip(paths, *first.tolist(), *total.tolist(), strict=True)
     return tuple(sorted((Index(*column) for column in columns), key=lambda index: -index.total))
 
 
@@ -244,6 +310,7 @@ def tolerance(
     samples: int | None = None,
     seed: int | None = None,
     quantities: tuple[str, ...] | None = None,
+    limits: Mapping[str, Any] | None = None,
     out: str | Path | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
@@ -262,6 +329,9 @@ def tolerance(
         the plan, 10,000 if it does not say.
     seed : int, optional
         The same seed draws the same samples.
+    limits : mapping, optional
+        What quantities are to stay within, such as ``{"max_pressure": "at most 3800 MPa"}``; those of the plan if left
+        out. They become quantities of the rows.
     quantities, out, workers, scheduler, announce
         As in `nonhertz.sweep`.
 
@@ -286,7 +356,7 @@ def tolerance(
     >>> found.indices("max_pressure")[0].path
     'load.load'
     """
-    asked = planned(plan, over, None, quantities, "tolerance")
+    asked = planned(plan, over, None, quantities, "tolerance").changed(limits=limits)
     if not asked.spreads:
         remedy = "say how a path of the case is distributed, such as 'load.load=normal(nominal,1kN)'"
         raise InputError("over", {}, "vary something", remedy)
@@ -297,6 +367,22 @@ def tolerance(
     drawn = Sampling(
         asked.samples.count if samples is None else samples, SALTELLI, asked.samples.seed if seed is None else seed
     )
-    return Tolerance(
-        sweep(asked.changed(samples=drawn), out=out, workers=workers, scheduler=scheduler, announce=announce)
-    )
+    names, bounds = asked.quantities, checked_limits(asked)
+    usual = [each.name for each in chosen(names, bearing=asked.template.is_bearing)]
+    rows = tuple(dict.fromkeys([*usual, *(limit.name for limit in bounds)]))
+    asked = asked.changed(samples=drawn, quantities=rows)
+    return Tolerance(sweep(asked, out=out, workers=workers, scheduler=scheduler, announce=announce), bounds, names)
+
+
+def checked_limits(plan: Plan) -> tuple[Limit, ...]:
+    """Return the limits of a plan.
+
+    Raises
+    ------
+    InputError
+        If there is no such quantity, or a text is not a limit.
+    """
+    try:
+        return limits_in(plan.limits, known(bearing=plan.template.is_bearing))
+    except InputError as error:
+        raise error.within("limits") from None
