@@ -12,6 +12,9 @@ from pathlib import Path
 import pytest
 from crowned_roller import CASE
 
+from nonhertz.cli.sweep import of_rows
+from nonhertz.study.sweeps import Progress, _seconds_per_row
+
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
@@ -41,6 +44,32 @@ def test_a_plan_is_checked_and_swept(folder, run):
     assert (found["rows"], found["failed"], found["over"]) == (5, 0, ["load.load"])
     assert found["extremes"]["approach"][0] < found["extremes"]["approach"][1]
     assert (folder / "found" / "sweep.svg").exists()
+
+
+def test_how_long_the_rows_take_is_said_first_and_where_they_continue(capsys):
+    announce = of_rows(None)
+    announce(Progress(done=0, total=10_000, found=0, seconds=236.0))
+    announce(Progress(done=5495, total=10_000, found=5495, seconds=9.0))
+    announce(Progress(done=0, total=12, found=0, seconds=None))
+    announce(Progress(done=6000, total=10_000, found=5495))
+    announce(Progress(done=12, total=12, found=12))
+    first, second, third = capsys.readouterr().err.splitlines()
+    assert (first, second) == ("10000 rows, about 4 minutes", "continuing from 5495 of 10000 rows")
+    assert third == "all 12 rows were there"
+
+
+def test_the_time_of_rows_is_that_of_one_times_their_number(monkeypatch):
+    """A clock that only solving moves: 20 ms a row, the first of them 3 s."""
+    now, solved = [0.0], []
+
+    def solve(portion):
+        now[0] += 0.02 * len(portion[2]) + (0.0 if solved else 3.0)
+        solved.append(len(portion[2]))
+
+    monkeypatch.setattr("nonhertz.study.sweeps.time.perf_counter", lambda: now[0])
+    rows = list(range(100))
+    assert _seconds_per_row(solve, (0, rows, [(float(row),) for row in rows])) == pytest.approx(0.02)
+    assert solved == [1, 1, 2, 4, 8, 16]
 
 
 def test_json_is_ascii_and_comes_through_a_pipe_of_any_encoding(folder, run):

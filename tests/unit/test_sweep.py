@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import pickle
 import sqlite3
 import subprocess
 import sys
@@ -118,6 +119,12 @@ load = "5 kN"
     assert here == there
 
 
+def test_rows_that_were_solved_here_can_still_be_sent_to_other_processes():
+    work = Work(Plan(CASE).template, {}, ("approach", "error"))
+    here = work.rows(["load.load"], [(6e3,)])
+    assert pickle.loads(pickle.dumps(work)).rows(["load.load"], [(6e3,)]) == here
+
+
 def test_samples_are_drawn_together(tmp_path):
     over = {"body.a.diameter": "normal(20 mm, 10 um)", "load.load": "uniform(10 kN, 20 kN)", "load.tilt": [0.0, 1e-4]}
     found = nh.sweep(CASE, over=over, samples=Sampling(8, "sobol", 1), quantities=("max_pressure",), out=tmp_path)
@@ -136,13 +143,16 @@ def test_a_sweep_goes_on_where_it_was_stopped(tmp_path):
             raise KeyboardInterrupt
 
     over = {"load.load": np.linspace(5e3, 20e3, 130)}
-    with pytest.raises(nh.Interrupted, match="Stopped after 6 of 130 rows, which are kept") as caught:
+    with pytest.raises(nh.Interrupted, match="Stopped after 3 of 130 rows, which are kept") as caught:
         nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, announce=stop, workers=1)
     assert isinstance(caught.value.solutions, Sweep)
-    assert caught.value.solutions["approach"].shape == (6,)
+    assert caught.value.solutions["approach"].shape == (3,)
+    assert seen == [0, 3]
     begun = []
     whole = nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, announce=begun.append, workers=1)
-    assert begun[0].found == 6
+    assert (begun[0].done, begun[0].found) == (3, 3)
+    assert begun[0].seconds > 0.0
+    assert {each.seconds for each in begun[1:]} == {None}
     assert (begun[-1].done, begun[-1].total) == (130, 130)
     again = nh.sweep(CASE, over=over, quantities=("approach",))
     np.testing.assert_array_equal(whole["approach"], again["approach"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from nonhertz.show.studies import sweep_sections
 from nonhertz.study.pictures import sweep_figures
 from nonhertz.study.sweeps import Progress, Sweep, sweep
 from nonhertz.verdict import given_verdict
+
+WORTH_SAYING = 10.0  # s
 
 
 def sweep_plan(
@@ -92,9 +95,35 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
         raise InputError(option, error.value, error.condition, error.remedy) from None
 
 
-def of_rows(update: Update | None) -> Callable[[Progress], object] | None:
-    """Return what shows how many rows are done; what was there before took no time."""
-    return update and (lambda come: update(come.done, come.total, come.found))
+def of_rows(update: Update | None) -> Callable[[Progress], object]:
+    """Return what says before the first row how many there are and how long they take, and shows how many are done."""
+
+    def announce(come: Progress) -> None:
+        if come.done == come.found:
+            there = f"all {come.total} rows were there" if come.found == come.total else ""
+            said = [there or f"continuing from {come.found} of {come.total} rows"] if come.found else []
+            if come.seconds is not None and come.seconds >= WORTH_SAYING:
+                said.append(f"{come.total - come.found} rows, {about_time(come.seconds)}")
+            if said:
+                print("; ".join(said), file=sys.stderr, flush=True)
+        if update is not None:
+            update(come.done, come.total, come.found)
+
+    return announce
+
+
+def about_time(seconds: float) -> str:
+    """Return a time as people say it, of which no more is known than its size.
+
+    Examples
+    --------
+    >>> about_time(43.0), about_time(236.0), about_time(9000.0)
+    ('about 40 seconds', 'about 4 minutes', 'about 2.5 hours')
+    """
+    for unit, size, most in (("seconds", 1.0, 90.0), ("minutes", 60.0, 90.0)):
+        if seconds < most * size:
+            return f"about {float(f'{seconds / size:.1g}'):g} {unit}"
+    return f"about {seconds / 3600.0:.2g} hours"
 
 
 def as_text(sweep: Sweep, files: Sequence[Path], **more: Any) -> str:

@@ -49,7 +49,7 @@ def study_tolerance(
         A quantity and what it is to stay within, such as 'max_pressure=at most 3800 MPa': the share beyond and Cpk are
         printed; may be given several times. In place of those of the plan.
     samples : int
-        How many rows at most, 10000 if neither this nor the plan says it.
+        How many rows at most, 2000 if neither this nor the plan says it; more make intervals narrower.
     seed : int
         The same seed draws the same samples; 0 if neither this nor the plan says it.
     out : Path

@@ -33,7 +33,7 @@ class Sampling(Input):
         If a value is out of range.
     """
 
-    count: Annotated[int, Count("how many", 1, MOST_SAMPLES, "give the number of samples")] = 10_000
+    count: Annotated[int, Count("how many", 1, MOST_SAMPLES, "give the number of samples")] = 2_000
     method: Annotated[
         str,
         Word("'latin-hypercube', 'sobol' or 'random'; 'saltelli' for indices", "choose one of them", METHODS),

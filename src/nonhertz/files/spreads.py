@@ -339,8 +339,8 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
     if (limits_of_drawing := _limits(parameter, inside, document)) is not None:
         low, high = limits_of_drawing
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
-        numbers_by_kind = {"normal": (middle, half / AT_LIMITS), "uniform": (low, high)}
-        given_numbers = numbers_by_kind.get(kind, (low, middle, high))
+        by_kind: dict[str, tuple[float, ...]] = {"normal": (middle, half / AT_LIMITS), "uniform": (low, high)}
+        given_numbers = by_kind.get(kind, (low, middle, high))
     elif len(parts) != len(names):
         remedy = f"write {kind}({', '.join(names)}), or {kind}(nominal +- tolerance)"
         raise InputError(parameter.path, text, f"have {len(names)} numbers", remedy)
@@ -376,8 +376,6 @@ def _number(parameter: Parameter, text: str, document: Mapping[str, Any]) -> flo
     value = parameter.value_in(document)
     number = in_unit(parameter.path, value, parameter.unit) if value is not None else None
     if not isinstance(number, float):
-        remedy = (
-            "give the number itself, such as '0 +- 0.1 mrad'" if parameter.unit == "rad" else "give the number itself"
-        )
+        remedy = "give the number itself"
         raise InputError(parameter.path, text.strip(), "stand for a number that the case gives", remedy)
     return number

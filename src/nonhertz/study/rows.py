@@ -54,6 +54,10 @@ class Work:
     files: Mapping[str, bytes]  # contents of the files that the case names, for machines that do not have them
     names: tuple[str, ...]  # of the numbers asked for
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what other processes get: the names of quantities, which hold functions that cannot be sent."""
+        return {name: value for name, value in vars(self).items() if name != "quantities"}
+
     @cached_property
     def quantities(self) -> tuple[Quantity, ...]:
         """The numbers asked for."""

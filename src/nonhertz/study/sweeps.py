@@ -5,7 +5,8 @@ from __future__ import annotations
 import contextlib
 import json
 import math
-from collections.abc import Callable, Mapping
+import time
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from functools import partial
 from hashlib import sha256
@@ -43,8 +44,11 @@ if TYPE_CHECKING:
 # Rows in a portion, which is solved by one process and kept at once: what is lost when a study is stopped.
 OF_CONTACTS, OF_BEARINGS = 256, 16  # of so few in all, other processes would take longer to start
 PORTIONS = 64  # at least, of a study of that many rows: for several processes to share
+WORTH_TIMING, TIMED = 16, 0.3  # rows from which their time is measured first, and how long that takes at least [s]
 REASONS = 5
 _FEW_VALUES = 6
+
+Portion = tuple[int, list[int], list[tuple[Any, ...]]]  # its number, those of its rows, and their values
 
 
 @dataclass(frozen=True)
@@ -57,11 +61,15 @@ class Progress:
         Rows that are there, and all.
     found : int
         Rows that were there before it began.
+    seconds : float or None
+        Before the first row only: about how long those that are missing take, by a few of them; None if there are few,
+        or a cluster solves them.
     """
 
     done: int
     total: int
     found: int
+    seconds: float | None = None
 
 
 class Sweep:
@@ -294,7 +302,7 @@ def sweep(
     scheduler : str, optional
         Address of a Dask scheduler whose workers solve the rows in place of processes on this machine.
     announce : callable, optional
-        Called with a `Progress` whenever a portion of rows is there.
+        Called with a `Progress` before the first row and whenever a portion of rows is there.
 
     Returns
     -------
@@ -338,7 +346,7 @@ def sweep(
     found = Sweep(asked, points, numbers, store)
     work, there = _work(asked, numbers), store.portions()
     progress = Progress(len(store), len(points), len(store))
-    missing = (
+    missing: Iterator[Portion] = (
         (portion, rows, points.values(rows))
         for portion, first in enumerate(range(0, len(points), size))
         if portion not in there
@@ -348,7 +356,13 @@ def sweep(
         with contextlib.closing(solving), contextlib.ExitStack() as stack:
             stack.callback(store.release)
             processes = 1 if len(points) - len(store) <= most else processes
-            for portion, solved in solving.portions(partial(_solved, work, points.paths), missing, processes):
+            solve, left, seconds = partial(_solved, work, points.paths), len(points) - len(store), None
+            if announce is not None:
+                if left >= WORTH_TIMING and scheduler is None:
+                    first = next(missing)
+                    seconds, missing = left * _seconds_per_row(solve, first) / processes, chain([first], missing)
+                announce(replace(progress, seconds=seconds))
+            for portion, solved in solving.portions(solve, missing, processes):
                 lost = [Row((math.nan,) * len(numbers), str(solved))] * len(portion[1])
                 store.add(*portion, lost if isinstance(solved, LostError) else solved)
                 progress = replace(progress, done=progress.done + len(portion[1]))
@@ -364,8 +378,22 @@ def _work(plan: Plan, quantities: tuple[Quantity, ...]) -> Work:
     return Work(plan.template, plan.case.attachments, tuple(each.name for each in quantities))
 
 
+def _seconds_per_row(solve: Callable[[Portion], object], portion: Portion) -> float:
+    """Return how long a row takes, by the first of a portion: twice as many each time, until that can be measured."""
+    number, rows, values = portion
+    solve((number, rows[:1], values[:1]))  # loads what is compiled
+    count, took = 1, 0.0
+    while True:
+        begun = time.perf_counter()
+        solve((number, rows[:count], values[:count]))
+        took = (time.perf_counter() - begun) / count
+        if count * took > TIMED or 2 * count > len(rows):
+            return took
+        count *= 2
+
+
 @read_in("si")
-def _solved(work: Work, paths: tuple[str, ...], portion: tuple[int, list[int], list[tuple[Any, ...]]]) -> list[Row]:
+def _solved(work: Work, paths: tuple[str, ...], portion: Portion) -> list[Row]:
     """Return the rows of a portion; called in other processes."""
     return work.rows(paths, portion[2])
 

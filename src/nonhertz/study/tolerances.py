@@ -326,7 +326,7 @@ def tolerance(
         The distribution of each path of the case's file, such as ``{"body.a.diameter": "normal(nominal, 5 um)"}``.
     samples : int, optional
         How many rows, at most: so many fill whole blocks of two more than there are parameters. By default those of
-        the plan, 10,000 if it does not say.
+        the plan, 2,000 if it does not say.
     seed : int, optional
         The same seed draws the same samples.
     limits : mapping, optional
