@@ -15,6 +15,8 @@ import pytest
 import nonhertz as nh
 from nonhertz.amounts import mm, read_in
 from nonhertz.files.planfile import Plan
+from nonhertz.show.sections import Table
+from nonhertz.show.studies import sweep_sections
 from nonhertz.study import Sampling, Sweep
 from nonhertz.study.pictures import scaled, sweep_figures
 from nonhertz.study.rows import Row, Work
@@ -357,3 +359,26 @@ def test_a_script_needs_no_guard_against_processes_that_start(tmp_path):
     ended = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=True)
     assert ended.stdout == "True 0\n"
     assert ended.stderr == ""
+
+
+def test_few_rows_are_listed_and_many_between_their_extremes():
+    found = nh.sweep(CASE, over={"load.load": [5e3, 2e4, 1e4]}, quantities=("load", "approach", "max_pressure"))
+    (table,) = (block for block in sweep_sections(found)[-1].blocks if isinstance(block, Table))
+    assert table.heads == ("row", "0", "1", "2", "")
+    assert table.rows[0] == ("load.load", "5", "20", "10", "kN")
+    assert [row[0] for row in table.rows[1:]] == ["approach", "maximum pressure"]
+    listed = [float(text) for text in table.rows[2][1:-1]]
+    np.testing.assert_allclose(listed, found["max_pressure"], rtol=1e-4)
+    many = nh.sweep(CASE, over={"load.load": "5 kN : 20 kN : 13"}, quantities=("approach",))
+    (table,) = (block for block in sweep_sections(many)[-1].blocks if isinstance(block, Table))
+    assert table.heads == ("", "smallest", "largest", "")
+
+
+def test_a_row_that_fails_is_listed_blank(tmp_path):
+    over = {"load.load": [5e3, 6e3], "body.a.material": ["steel", "aluminium"]}
+    found = nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path)
+    with contextlib.closing(sqlite3.connect(tmp_path / FILE)) as rows, rows:
+        rows.execute("update rows set n0 = null, failure = 'No.' where number = 2")
+    (table,) = (block for block in sweep_sections(found)[-1].blocks if isinstance(block, Table))
+    assert table.rows[1] == ("body.a.material", "steel", "aluminium", "steel", "aluminium", "")
+    assert [bool(cell) for cell in table.rows[2]] == [True, True, True, False, True, True]

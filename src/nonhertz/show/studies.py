@@ -16,18 +16,48 @@ from nonhertz.study.design import Design
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance, is_operating_load
 
+MOST_LISTED = 12  # rows of a sweep that are listed one by one
+
 
 def sweep_sections(sweep: Sweep) -> list[Section]:
-    """Return what is shown of a sweep: what was varied, between which numbers the results lie, and why rows failed."""
+    """Return what is shown of a sweep: what was varied, all rows if they are few, else their extremes, and failures."""
+    results = _each_row(sweep) if 1 < len(sweep) <= MOST_LISTED else _extremes(sweep)
+    return [
+        Section("", [Said([_counted(sweep)])]),
+        Section("", [summary(_varied(sweep))]),
+        Section("", [results, Said(_failures(sweep), "warning")]),
+    ]
+
+
+def _extremes(sweep: Sweep) -> Table:
+    """Return the smallest and the largest number of every quantity."""
     rows = []
     for quantity, extremes in _numbers(sweep):
         (low, high), unit = quantity.amount(*extremes).apart()
         rows.append((quantity.label, low, high, unit))
-    return [
-        Section("", [Said([_counted(sweep)])]),
-        Section("", [summary(_varied(sweep))]),
-        Section("", [Table(rows, ("", "smallest", "largest", ""), (0, 3)), Said(_failures(sweep), "warning")]),
-    ]
+    return Table(rows, ("", "smallest", "largest", ""), (0, 3))
+
+
+def _each_row(sweep: Sweep) -> Table:
+    """Return a column for every row of a sweep: the values of its paths, and its numbers, blank where it has failed."""
+    rows: list[tuple[str, ...]] = []
+    for path in sweep.paths:
+        values = sweep[path].ravel().tolist()
+        words = any(isinstance(value, str | bool) for value in values)
+        texts, unit = ([*map(str, values)], "") if words else of_dimension(values, sweep.unit(path)).apart("g")
+        rows.append((path, *texts, unit))
+    for quantity in (each for each, _ in _numbers(sweep) if f"load.{each.name}" not in sweep.paths):
+        values = sweep[quantity.name].ravel().tolist()
+        texts, unit = quantity.amount(*values).apart()
+        rows.append(
+            (
+                quantity.label,
+                *("" if math.isnan(value) else text for value, text in zip(values, texts, strict=True)),
+                unit,
+            )
+        )
+    heads = ("row", *map(str, range(len(sweep))), "")
+    return Table(rows, heads, (0, len(heads) - 1))
 
 
 def tolerance_sections(found: Tolerance) -> list[Section]:
