@@ -11,11 +11,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from nonhertz.amounts import given
 from nonhertz.plot.axes import OWN, Axes, drawing, measure, note, open_frame
-from nonhertz.plot.style import BACKING, COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
+from nonhertz.plot.style import (
+    COLOUR_MAP,
+    END_DASHES,
+    FAINT_INK,
+    FIRST,
+    HAIR,
+    INK,
+    LINE,
+    PALE,
+    SECOND,
+    SMALL_SIZE,
+    THIN,
+)
 
 LEVELS, BINS_AT_MOST = 10, 60
 WIDE = 30.0
+LONG_TAIL = 10.0
+LETTER = 0.03  # width of a small letter, in shares of the narrowest axes
 FEW_MARKED = 30  # values on a line that are marked one by one
 DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (6, 1.2, 1.2, 1.2)), (0, (1.2, 1.2)), (0, (9, 2)), (0, (3, 3)))
 
@@ -95,9 +110,17 @@ def study_map(
 
 @drawing
 def histogram(
-    values: ArrayLike, ax: Axes = OWN, *, label: str, quantiles: Mapping[float, tuple[float, float]] | None = None
+    values: ArrayLike,
+    ax: Axes = OWN,
+    *,
+    label: str,
+    quantiles: Mapping[float, tuple[float, float]] | None = None,
+    limits: Sequence[float] = (),
 ) -> Axes:
     """Draw how numbers are distributed, with quantiles and the intervals in which they surely lie.
+
+    If the largest is more than ten times the smallest, the axis is logarithmic. Else single numbers far beyond the
+    others, by as much as those between 1 % and 99 % differ, are counted and not drawn.
 
     Parameters
     ----------
@@ -107,6 +130,8 @@ def histogram(
         Name of the numbers, with their unit.
     quantiles : mapping of float to pair of float, optional
         Intervals by share, such as ``{0.5: (1990.0, 2010.0)}``.
+    limits : sequence of float
+        Limits that the numbers are to keep.
     """
     numbers = np.asarray(values, dtype=float).ravel()
     numbers = numbers[np.isfinite(numbers)]
@@ -115,13 +140,38 @@ def histogram(
     if not numbers.size:
         return _instead(ax, "no sample has a number")
     bins = min(BINS_AT_MOST, max(5, round(2.0 * numbers.size ** (1.0 / 3.0))))
-    ax.hist(numbers, bins=bins, color=PALE, edgecolor=FAINT_INK, linewidth=HAIR)
+    edges: Any = bins
+    low_end, high_end = np.quantile(numbers, (0.01, 0.99))
+    far = np.abs(numbers - 0.5 * (low_end + high_end)) > 1.5 * (high_end - low_end)
+    if numbers.min() > 0.0 and numbers.max() > LONG_TAIL * numbers.min():
+        ax.set_xscale("log")
+        edges = np.geomspace(numbers.min(), numbers.max(), bins + 1)
+    elif far.any() and high_end > low_end:
+        ends = dict.fromkeys(given(end) for end in (numbers[far].min(), numbers[far].max()))
+        words = f"{np.count_nonzero(far)} beyond: {' to '.join(ends)}"
+        ax.text(0.98, 0.95, words, transform=ax.transAxes, ha="right", va="top", fontsize=SMALL_SIZE)
+        numbers = numbers[~far]
+    ax.hist(numbers, bins=edges, color=PALE, edgecolor=FAINT_INK, linewidth=HAIR)
+    marks: list[tuple[float, str, str, Any]] = []
     for share, (low, high) in (quantiles or {}).items():
         ax.axvspan(low, high, color=SECOND, alpha=0.25, linewidth=0.0)
-        place = 0.5 * (low + high)
-        ax.axvline(place, color=SECOND, linewidth=THIN)
-        note(ax, f"{100.0 * share:g} %", (place, 0.98), "right", across=True, rotation=90, va="top", bbox=BACKING)
+        marks.append((0.5 * (low + high), f"{100.0 * share:g} %", SECOND, "-"))
+    marks += [(limit, "limit", INK, END_DASHES) for limit in limits]
+    for place, _, ink, dashes in marks:
+        ax.axvline(place, color=ink, linewidth=THIN, linestyle=dashes)
+    _above(ax, [(place, words) for place, words, *_ in marks])
     return ax
+
+
+def _above(ax: Axes, marks: Sequence[tuple[float, str]]) -> None:
+    """Write words above the axes at places along them, on a further line where they would overlap."""
+    ends: list[float] = []  # of the words on each line, in shares of the axes
+    for place, words in sorted(marks):
+        at = float(ax.transAxes.inverted().transform(ax.transData.transform((place, 0.0)))[0])
+        half = 0.5 * LETTER * len(words)
+        line = next((number for number, end in enumerate(ends) if end <= at - half), len(ends))
+        ends[line : line + 1] = [at + half]
+        note(ax, words, (place, 1.0), "center", above=2.0 + 1.2 * SMALL_SIZE * line, across=True)
 
 
 @drawing

@@ -74,16 +74,22 @@ def tolerance_figures(found: Tolerance) -> dict[str, Figure]:
 def _distribution(found: Tolerance, quantity: Quantity) -> Callable[[Axes], object]:
     intervals = {each.share: (each.low, each.high) for each in found.quantiles(quantity.name)}
     certain = {share: ends for share, ends in intervals.items() if np.all(np.isfinite(ends))}
-    return lambda ax: _samples(found.samples(quantity.name), quantity, ax, certain)
+    limits = [each.limit for each in found.capabilities if each.quantity == quantity.name]
+    return lambda ax: _samples(found.samples(quantity.name), quantity, ax, certain, limits)
 
 
 def _samples(
-    values: NDArray[Any], quantity: Quantity, ax: Axes, quantiles: dict[float, tuple[float, float]] | None = None
+    values: NDArray[Any],
+    quantity: Quantity,
+    ax: Axes,
+    quantiles: dict[float, tuple[float, float]] | None = None,
+    limits: Sequence[float] = (),
 ) -> object:
-    """Draw samples of a quantity, and quantiles of them."""
+    """Draw samples of a quantity, quantiles of them, and limits."""
     drawn = _drawn(quantity, values)
     ends = {share: (float(drawn(low)), float(drawn(high))) for share, (low, high) in (quantiles or {}).items()}
-    return histogram(drawn(values), ax, label=drawn.label(_capital(quantity.label)), quantiles=ends)
+    label = drawn.label(_capital(quantity.label))
+    return histogram(drawn(values), ax, label=label, quantiles=ends, limits=[float(drawn(each)) for each in limits])
 
 
 def _indices(quantity: Quantity, indices: Sequence[Index]) -> Callable[[Axes], object]:
