@@ -7,9 +7,13 @@ that names the field, its value, the condition it breaks and the remedy.
 from __future__ import annotations
 
 import contextlib
+import difflib
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
+
+# A word of four letters with one wrong, or two exchanged, is as close as 0.75; "aluminium" is to "unobtainium" as 0.6.
+_CLOSE = 0.7
 
 
 class NonhertzError(Exception):
@@ -49,17 +53,64 @@ class InputError(NonhertzError, ValueError):
             self.field.startswith("--") and (self.value is None or self.value is True)
         )
         given = self.field if wordless else f"{self.field} = {shown(self.value)}"
-        return f"{given} must {self.condition}: {self.remedy}."
+        return f"{given} must {self.condition}: {self.remedy}{'' if self.remedy.endswith('?') else '.'}"
 
     def within(self, place: str) -> InputError:
         """Return the same error with the field named inside ``place``, such as ``"body.a"``."""
-        dot = "." if self.field and self.field[0] not in "[," else ""
-        return InputError(f"{place}{dot}{self.field}", self.value, self.condition, self.remedy)
+        return self.about(_inside(place, self.field), self.value)
+
+    def about(self, field: str, value: object) -> InputError:
+        """Return the same error about a field of another name, or its value as the user wrote it."""
+        return InputError(field, value, self.condition, self.remedy)
 
     @property
     def each(self) -> tuple[InputError, ...]:
         """The errors that this one stands for: itself."""
         return (self,)
+
+
+class UnknownKeyError(InputError):
+    """A name that is none of those that can be given.
+
+    Parameters
+    ----------
+    field : str
+        The name as the user wrote it.
+    value : object
+        The value given.
+    meant : str
+        The known name closest to it; empty if none is close.
+    remedy : str
+        What to do where none is close.
+    noun, owner : str
+        What kind of name it is, and of what.
+
+    Examples
+    --------
+    >>> str(UnknownKeyError("lenght", 20.0, "length", "").within("body.a"))
+    'Unknown key body.a.lenght. Did you mean body.a.length?'
+    """
+
+    def __init__(self, field: str, value: object, meant: str, remedy: str, noun: str = "key", owner: str = "") -> None:
+        self.meant, self.noun, self.owner = meant, noun, owner
+        super().__init__(field, value, f"be a known {noun}", remedy)
+
+    def __reduce__(self) -> tuple[Any, ...]:  # so that it can be sent between processes
+        return type(self), (self.field, self.value, self.meant, self.remedy, self.noun, self.owner)
+
+    def __str__(self) -> str:
+        what = f"Unknown {self.noun} {self.field or repr('')}{f' of {self.owner}' if self.owner else ''}"
+        return f"{what}. Did you mean {self.meant}?" if self.meant else f"{what}: {self.remedy}."
+
+    def within(self, place: str) -> UnknownKeyError:
+        """Return the same error with both names inside ``place``."""
+        found = self.about(_inside(place, self.field), self.value)
+        found.meant = _inside(place, self.meant) if self.meant else ""
+        return found
+
+    def about(self, field: str, value: object) -> UnknownKeyError:
+        """Return the same error about a field of another name or value."""
+        return UnknownKeyError(field, value, self.meant, self.remedy, self.noun, self.owner)
 
 
 class InputsError(InputError):
@@ -185,6 +236,25 @@ def shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+def nearest(word: object, known: Iterable[str]) -> str:
+    """Return the known word that ``word`` may be a slip or a part of; empty if none is close.
+
+    Examples
+    --------
+    >>> nearest("lenght", ["length", "load"]), nearest("GJS-400", ["EN-GJS-400-15", "steel"])
+    ('length', 'EN-GJS-400-15')
+    >>> nearest("unobtainium", ["aluminium", "alumina"])
+    ''
+    """
+    if not isinstance(word, str):
+        return ""
+    spelled = {name.lower(): name for name in known}
+    part = word.lower()
+    whole = [name for name in spelled if len(part) > 2 and (name.startswith(part) or f"-{part}-" in f"-{name}-")]
+    matches = difflib.get_close_matches(part, spelled, n=1, cutoff=_CLOSE) or whole
+    return spelled[matches[0]] if len(matches) == 1 else ""
+
+
 def joined(words: Iterable[str], last: str = "and") -> str:
     """Return words as a sentence lists them.
 
@@ -195,6 +265,10 @@ def joined(words: Iterable[str], last: str = "and") -> str:
     """
     *others, end = words
     return f"{', '.join(others)} {last} {end}" if others else end
+
+
+def _inside(place: str, field: str) -> str:
+    return f"{place}{'.' if field and field[0] not in '[,' else ''}{field}"
 
 
 def _rounded(value: object) -> object:

@@ -233,7 +233,7 @@ def test_check_doubts_a_speed_that_no_bearing_has_reached(folder, run, speed, do
 
 def test_check_knows_a_bearing_file_without_its_bearing(folder, run):
     Path("bad.toml").write_text(FEW.replace("[bearing]", "[baering]"), encoding="utf-8")
-    assert "the nearest is 'bearing'" in run("check", "bad.toml", code=2).out
+    assert "Unknown key baering. Did you mean bearing?" in run("check", "bad.toml", code=2).out
 
 
 def test_a_load_beyond_the_model_is_one_sentence(folder, run):

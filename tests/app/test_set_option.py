@@ -90,8 +90,8 @@ def test_what_was_set_is_in_the_text_of_the_case():
 def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(run):
     said = refused(run, "solve", CASE, "--set", "load.laod=5kN", "--set", "body.a.profile.radus=1m")
     assert said.splitlines() == [
-        "1. load.laod must be an input of the file: the nearest is 'load.load'.",
-        "2. body.a.profile.radus must be an input of the file: the nearest is 'body.a.profile.radius'.",
+        "1. Unknown key load.laod. Did you mean load.load?",
+        "2. Unknown key body.a.profile.radus. Did you mean body.a.profile.radius?",
     ]
 
 
@@ -128,7 +128,7 @@ def test_a_path_is_set_once(run):
 def test_a_file_with_mistakes_is_read_to_the_end(tmp_path, run):
     broken = tmp_path / "broken.toml"
     broken.write_text("body = 3\nload = 4\n", encoding="utf-8")
-    assert "load.load must be an input" in refused(run, "check", str(broken), "--set", "load.load=5kN")
+    assert "Unknown key load.load: " in refused(run, "check", str(broken), "--set", "load.load=5kN")
     misspelled = tmp_path / "misspelled.toml"
     misspelled.write_text(Path(CASE).read_text(encoding="utf-8").replace("20000.0", "-1.0"), encoding="utf-8")
     assert "load = 5000 N" in run("check", str(misspelled), "--set", "load.load=5kN").out

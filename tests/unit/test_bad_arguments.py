@@ -274,7 +274,8 @@ def how_ends(call, arguments):
     try:
         call(**arguments)
     except nh.InputError as error:
-        return "" if " must " in str(error) and len(str(error).splitlines()) == 1 else str(error)
+        said = str(error)
+        return "" if (" must " in said or said.startswith("Unknown ")) and len(said.splitlines()) == 1 else said
     except (nh.ConvergenceError, *OTHERS):
         return ""
     except Exception as error:  # noqa: BLE001  (whatever it is, it is wrong)

@@ -257,7 +257,7 @@ BY_ITS_DROP = nh.Case.of(
     ("given", "what"),
     [
         ({"vary": {}}, "must name a path"),
-        ({"vary": {"body.a.profile.radiu": "1 m : 2 m"}}, "the nearest is"),
+        ({"vary": {"body.a.profile.radiu": "1 m : 2 m"}}, "Did you mean body.a.profile.radius"),
         ({"vary": {"body.a.profile.radius": "2 m : 1 m"}}, "must ascend"),
         ({"vary": {"body.a.material": "steel"}}, "change gradually"),
         ({"case": BY_ITS_DROP}, "beside body.a.profile.drop, which the case gives in its place: vary it"),
@@ -265,7 +265,7 @@ BY_ITS_DROP = nh.Case.of(
         ({"goal": "beauty"}, "goal = 'beauty' must be one of"),
         ({"loads": []}, "be load cases"),
         ({"loads": LOADS[:1]}, "must add up to 1"),
-        ({"where": {"aproach": "at most 1 um"}}, "the nearest is 'approach'"),
+        ({"where": {"aproach": "at most 1 um"}}, "Unknown quantity aproach. Did you mean approach"),
         ({"where": {"approach": "1 um"}}, "begin with 'at most' or 'at least'"),
         ({"where": {"approach": "at most 0 um"}}, "must not be zero"),
         ({"goal": "life", "model": nh.life.ioannides_harris()}, "fatigue_limit"),

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.errors import CaseError
+from nonhertz.errors import CaseError, UnknownKeyError, nearest
+from nonhertz.model.materials import MATERIALS
 
 
 def test_an_input_error_is_one_sentence_of_four_parts():
@@ -30,6 +31,24 @@ def test_values_are_shown_as_people_write_them(value, said):
     assert str(nh.InputError("x", value, "be right", "mend it")) == f"{said} must be right: mend it."
 
 
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("Stel", "steel"), ("steal", "steel"), ("100cr6", "100Cr6"), ("aluminum", "aluminium"),
+        ("castiron", "cast-iron"), ("silicon", "silicon-nitride"), ("GJS-400", "EN-GJS-400-15"), ("16MnCr", "16MnCr5"),
+        ("unobtainium", ""), ("titanium", ""), ("brass", ""), ("copper", ""), ("ceramic", ""), ("S355", ""), ("", ""),
+    ],
+)  # fmt: skip
+def test_only_close_words_are_suggested(word, meant):
+    assert nearest(word, MATERIALS) == meant
+
+
+def test_an_unknown_key_is_named_with_the_one_that_was_meant():
+    error = UnknownKeyError("lenght", 3.0, "length", "choose another")
+    assert str(error.within("a").within("body")) == "Unknown key body.a.lenght. Did you mean body.a.length?"
+    assert str(UnknownKeyError("", 3.0, "", "choose from 'a'")) == "Unknown key '': choose from 'a'."
+
+
 def test_long_values_are_cut():
     text = str(nh.InputError("y", list(range(1000)), "ascend", "sort the points"))
     assert text.startswith("y = [0, 1, 2,")
@@ -42,6 +61,7 @@ def test_long_values_are_cut():
     [
         nh.InputError("length", -5.0, "be positive", "give it in mm"),
         CaseError(["First.", "Second."]),
+        UnknownKeyError("lenght", 3.0, "length", "choose another").within("body.a"),
         nh.ConvergenceError("The loop ended.", solution=("so", "far")),
         nh.Interrupted("Stopped after 1 of 2 cases.", solutions=("so", "far")),
     ],

@@ -78,9 +78,9 @@ def test_other_names_stand_for_the_same():
     ("name", "nearest"), [("100cr6", "100Cr6"), ("stele", "steel"), ("EN-GJS-400", "EN-GJS-400-15")]
 )
 def test_a_name_that_is_none_names_the_nearest(name, nearest):
-    with pytest.raises(KeyError, match=f"must be a known material: the nearest is '{nearest}'"):
+    with pytest.raises(KeyError, match=f"must be a known material: did you mean '{nearest}'"):
         nh.MATERIALS[name]
-    with pytest.raises(nh.InputError, match=f"must be a known material: the nearest is '{nearest}'"):
+    with pytest.raises(nh.InputError, match=f"must be a known material: did you mean '{nearest}'"):
         nh.Roller(diameter=10, length=10, material=name)
 
 

@@ -48,7 +48,7 @@ def test_a_path_has_the_unit_of_its_key(known, path, unit, whole):
 
 def test_a_key_that_both_profiles_can_have_needs_a_position(known):
     assert "body.a.profile.drop" not in known
-    with pytest.raises(nh.InputError, match=r"nearest is 'body\.a\.profile\[[12]\]\.drop'"):
+    with pytest.raises(nh.InputError, match=r"Did you mean body\.a\.profile\[[12]\]\.drop\?"):
         parameter("body.a.profile.drop", known)
 
 
@@ -57,7 +57,7 @@ def test_a_key_that_both_profiles_can_have_needs_a_position(known):
     [("load.laod", "load.load"), ("tilt", "load.tilt"), ("body.a.diametre", "body.a.diameter")],
 )
 def test_of_an_unknown_path_the_nearest_is_named(known, path, nearest):
-    with pytest.raises(nh.InputError, match=f"the nearest is '{nearest}'"):
+    with pytest.raises(nh.InputError, match=rf"Did you mean {nearest}\?"):
         parameter(path, known)
 
 

@@ -122,19 +122,16 @@ load.tilt = []
     for sentence, words in zip(
         sorted(said),
         (
+            "Unknown key over.load.laod. Did you mean over.load.load?",
             "over.body.a.length = 'normal(20 mm, 10 mm)' must stay within what the case allows (at -40.000 mm: ",
             "over.body.a.material = [5.0] must be a word, or true or false",
             "over.body.a.profile = [[{'kind': 'straight'}]] must be a word, or true or false",
             "over.body.b.material = ['steel', 'stele'] must stay within what the case allows (at stele: ",
-            "over.load.laod = 'load.laod'",
             "over.load.tilt = [] must hold values",
         ),
         strict=True,
     ):
-        if "laod" in words:
-            assert "the nearest is 'load.load'" in sentence
-        else:
-            assert sentence.startswith(words)
+        assert sentence.startswith(words)
 
 
 @pytest.mark.parametrize(
@@ -142,7 +139,7 @@ load.tilt = []
     [
         ("[samples]\ncount = 0", "samples.count = 0 must be a whole number from 1"),
         ('[samples]\nmethod = "sobl"', "samples.method = 'sobl' must be one of"),
-        ("[ovre]\n", "ovre must be a known key: the nearest is 'over'."),
+        ("[ovre]\n", "Unknown key ovre. Did you mean over?"),
         ('quantities = "approach"', "quantities = 'approach' must be names"),
         ("over = 3", "over = 3 must be a table"),
     ],

@@ -98,7 +98,7 @@ def test_a_crown_is_found_from_its_drop(radius, at, centre):
         (("crown", 0.02, AT), {"radius": 3e3}, "drop = 0.02 must not be given together with radius: leave one out."),
         (("crown", 0.02, 0.0), {}, "at = 0.0 must not be the middle of the body: give the position in mm"),
         (("crown", 0.02, 1e50), {}, "at = 1e+50 must be where some radius of 'crown' has a finite relief: "),
-        (("crown", 0.02, AT), {"radus": 3000.0}, "radus = 3000.0 must be a known parameter of 'crown': the nearest is"),
+        (("crown", 0.02, AT), {"radus": 3000.0}, "Unknown parameter radus of 'crown'. Did you mean radius?"),
         (("crwn", 0.02, AT), {}, "kind = 'crwn' must be one of 'crown', "),
         (("partial-crown", 0.02, AT), {}, "straight = None must be given, because the drop determines radius: "),
         (("partial-crown", 0.02, 5.0), {"straight": 12.0}, "at = 5.0 must be where the radius of 'partial-crown' ch"),

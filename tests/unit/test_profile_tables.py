@@ -150,7 +150,7 @@ def test_the_diameter_of_a_cone_is_that_normal_to_its_axis(kind):
         ("drop = 0.02, scale = 2", ["scale = 2 must not be given together with drop: leave one"]),
         ("at = 9", ["at = 9.0 must not be given without drop: ", "radius must be given: "]),
         ("drop = '20 kg', at = 'x'", ["drop = '20 kg' must have a unit of len", "at = 'x' must be a"]),
-        ("dorp = 0.02", ["dorp = 0.02 must be a known key: the nearest is 'drop'"]),
+        ("dorp = 0.02", ["Unknown key body.a.profile[1].dorp. Did you mean body.a.profile[1].drop?"]),
         ("drop = 0.02, at = nan", ["at = nan must be a finite number: "]),
         ("drop = 0.02, centre = '5 kg'", ["centre = '5 kg' must have a unit of length: "]),
     ],
@@ -172,7 +172,7 @@ def test_nonsense_is_refused_once_and_at_its_key(keys, expected):
         ("kind = 'crown', drop = 0.02", ROLLER + "\ncorner_radius = 11", ["body.a.length = 20.0 must leave a land: "]),
         ("kind = 'two-radius', drop = 0.02", ROLLER, ["radius must be given: ", "middle must be given: "]),
         ("kind = 'lundberg', drop = 0.02, length = -3", ROLLER, ["length = -3.0 must be positive: "]),
-        ("kind = 'measured', file = 'x', drop = 0.02", ROLLER, ["drop = 0.02 must be a known key: "]),
+        ("kind = 'measured', file = 'x', drop = 0.02", ROLLER, ["Unknown key body.a.profile[1].drop: "]),
     ],
 )
 def test_a_drop_that_a_body_or_kind_has_not_is_refused(table, body, expected):

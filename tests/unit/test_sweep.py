@@ -311,7 +311,7 @@ def test_the_last_of_three_drawings_has_the_whole_width():
 
 
 def test_unknown_quantities_are_refused_with_the_nearest():
-    with pytest.raises(nh.InputError, match="the nearest is 'max_pressure'"):
+    with pytest.raises(nh.InputError, match="did you mean 'max_pressure'"):
         nh.sweep(CASE, over={"load.load": [5e3]}, quantities=("max_presure",))
 
 

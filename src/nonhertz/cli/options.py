@@ -82,7 +82,7 @@ def named_as(**options: str) -> Iterator[None]:
     except InputError as error:
         if error.field not in options:
             raise
-        raise InputError(options[error.field], error.value, error.condition, error.remedy) from None
+        raise error.about(options[error.field], error.value) from None
 
 
 def named_after(file: Path, ending: str, out: Path | None) -> Path:

@@ -11,7 +11,7 @@ from typing import Any
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
 from nonhertz.cli.printing import Update, bar
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, UnknownKeyError
 from nonhertz.files.held import holds_plan, opened
 from nonhertz.files.planfile import Plan, case_or_bearing_in
 from nonhertz.files.workbooks import refuse_missing_writer
@@ -90,9 +90,11 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
         plan = Plan.of(document, file, text, changes, table)
     try:
         return plan.changed(over=dict(map(path_and_value, over)) or None, quantities=tuple(quantities) or None)
+    except UnknownKeyError:
+        raise
     except InputError as error:
         option = "--quantities" if error.field == "quantities" else f"--over {error.field}".rstrip()
-        raise InputError(option, error.value, error.condition, error.remedy) from None
+        raise error.about(option, error.value) from None
 
 
 def of_rows(update: Update | None) -> Callable[[Progress], object]:

@@ -331,7 +331,7 @@ def placed(error: InputError, *sections: str) -> CaseError:
     elif within := [each for each in (*sections, "load", "solver") if field in BearingFile.inputs[each].descriptions]:
         error = error.within(within[0])
     elif field == "viscosity_ratio":
-        error = InputError("life.viscosity", error.value, error.condition, error.remedy)
+        error = error.about("life.viscosity", error.value)
     elif field not in OF_BEARINGS:
         if not any(field in kind.descriptions for kind in RollerBearing.kinds.values()) and field != "pair":
             sentence = f"load must leave every contact of the rollers within the model: {error}"

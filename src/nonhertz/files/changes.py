@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from nonhertz.errors import CaseError, InputError
+from nonhertz.errors import CaseError, InputError, UnknownKeyError
 from nonhertz.inputs.fields import Input
 from nonhertz.inputs.files import legible
 
@@ -83,7 +83,8 @@ def changed(
         try:
             found = parameter(path, parameters(whole, kind))
         except InputError as error:
-            mistakes.append((f"{error.field} must {error.condition}: {error.remedy}.", error.field))
+            sentence = f"{error.field} must {error.condition}: {error.remedy}."
+            mistakes.append((str(error) if isinstance(error, UnknownKeyError) else sentence, error.field))
         else:
             whole = found.removed(whole) if value is None else found.put(whole, value)
     if mistakes:

@@ -68,7 +68,7 @@ def write_file(path: Path, text: str) -> Path:
     try:
         return write_files(path.parent, {path.name: text})[0]
     except InputError as error:
-        raise InputError("path", str(path), error.condition, error.remedy) from None
+        raise error.about("path", str(path)) from None
 
 
 def refuse_unwritable(directory: Path) -> None:

@@ -22,7 +22,7 @@ from nonhertz.files.folder import write_file
 from nonhertz.files.mistakes import case_error, in_order
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.checks import one_line, one_of
-from nonhertz.inputs.fields import Input, short_repr, unknown
+from nonhertz.inputs.fields import Input, short_repr, unknown_key
 from nonhertz.inputs.files import content, legible, seen_from
 
 #: Tables of a bearing file in place of those of both bodies, and what only plans have.
@@ -268,7 +268,7 @@ def _made(name: str, kind: type[Input], given: Mapping[str, Any]) -> Input:
     """Return the input that keywords make."""
     for key, value in given.items():
         if key not in kind.descriptions:
-            raise unknown(f"{name}.{key}", value, "name", key, kind.descriptions)
+            raise unknown_key(key, value, kind.descriptions, "name").within(name)
     try:
         return kind(**given)
     except InputError as error:

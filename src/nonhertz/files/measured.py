@@ -14,7 +14,7 @@ from nonhertz.files.traces import read_trace
 from nonhertz.files.traces.line import Request
 from nonhertz.findings import warn
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Word, described, parameters_of, unknown
+from nonhertz.inputs.fields import Word, described, parameters_of, unknown_key
 from nonhertz.inputs.files import special
 from nonhertz.measured import Measured, Trace, prepare
 from nonhertz.measured.steps import Corners, Filter, Middle
@@ -97,7 +97,7 @@ def checked(name: str, value: Any) -> Any:
     """
     known = MeasuredProfile.descriptions
     if name not in known:
-        raise unknown(name, value, f"parameter of '{KIND}'", name, known)
+        raise unknown_key(name, value, known, "parameter", f"'{KIND}'")
     return known[name].take(name, value)
 
 

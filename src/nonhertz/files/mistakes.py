@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
-from nonhertz.errors import CaseError, InputError
+from nonhertz.errors import CaseError, InputError, UnknownKeyError
 from nonhertz.files.bounds import MISTAKES, walk
 
 #: Keys from the outside in; positions in lists count from 1.
@@ -32,7 +32,8 @@ def case_error(mistakes: Iterable[InputError]) -> CaseError:
 
 def sentence(mistake: InputError) -> str:
     """Return what the user reads of a mistake; what is missing has no value to show, since TOML has no null."""
-    return str(mistake) if mistake.value is not None else f"{mistake.field} must {mistake.condition}: {mistake.remedy}."
+    wordless = mistake.value is None and not isinstance(mistake, UnknownKeyError)
+    return f"{mistake.field} must {mistake.condition}: {mistake.remedy}." if wordless else str(mistake)
 
 
 def path_of(place: Place) -> str:

@@ -13,12 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import read_in
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, nearest
 from nonhertz.files.results import plain
 from nonhertz.files.traces.heads import cells_of
 from nonhertz.files.traces.text import decoded, value_in
 from nonhertz.findings import as_warnings
-from nonhertz.inputs.fields import nearest
 from nonhertz.inputs.files import readable
 from nonhertz.inputs.units import in_unit
 from nonhertz.result.nodes import NodalLoads
@@ -124,7 +123,7 @@ def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:
     matches = [_HEADED.fullmatch(cell) for cell in head]
     names = ["" if match is None else match["name"].lower() for match in matches]
     if names.count(name) != 1:
-        alike = nearest(name, [each for each in names if each]) if name not in names else None
+        alike = nearest(name, [each for each in names if each])
         shown = ", ".join(repr(each) for each in names[:6])
         condition = f"have one column {name} in its head, which has {shown}"
         raise InputError("NODES", str(path), condition, f"rename '{alike}'" if alike and alike != name else _EXAMPLE)

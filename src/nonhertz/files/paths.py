@@ -7,16 +7,17 @@ which keys it can have. Where a list has several tables, as a profile that is a 
 
 from __future__ import annotations
 
+import difflib
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, product
 from typing import Any
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, UnknownKeyError, nearest
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.mistakes import path_of
-from nonhertz.inputs.fields import Described, Part, Several, nearest
+from nonhertz.inputs.fields import Described, Part, Several
 from nonhertz.model.profile import PARAMETERS
 
 Keys = tuple[str | int, ...]
@@ -161,10 +162,10 @@ def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
         remedy = f"'{table}' is one word in this file; set that to another, or to a table with '{last}' in it"
         raise InputError(path, path, "be an input of the file", remedy)
     # The right key in the wrong table is likelier than a table that is spelled like another.
-    alike = [each for each in known if each.rpartition(".")[2] == last]
-    match = nearest(path, alike) or (alike[0] if alike else nearest(path, known))
-    remedy = f"the nearest is '{match}'" if match else "write it as in the file, such as 'load.load'"
-    raise InputError(path, path, "be an input of the file", remedy)
+    key = nearest(last, {each.rpartition(".")[2]: each for each in known})
+    alike = [each for each in known if each.rpartition(".")[2] == key]
+    meant = difflib.get_close_matches(path, alike, n=1, cutoff=0.0)
+    raise UnknownKeyError(path, path, "".join(meant), "write it as in the file, such as 'load.load'")
 
 
 def _in_tables(value: Any, tables: Sequence[Table], keys: Keys) -> Iterator[Parameter]:

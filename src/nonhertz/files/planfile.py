@@ -223,8 +223,7 @@ class Plan(Held):
                 try:
                     bare.tried(varied, given)
                 except InputError as error:
-                    here = path_of((section, *varied.split(".")))
-                    mistakes.append(InputError(here, given, error.condition, error.remedy))
+                    mistakes.append(error.about(path_of(tuple(varied.split("."))), given).within(section))
         try:
             title = found.title or legible(path.stem)
             plan = Plan(case, {}, found.samples, found.quantities, found.limits, title=title, path=path)

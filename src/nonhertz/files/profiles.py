@@ -213,7 +213,7 @@ def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Pro
         raise missing("kind", "name the profile, such as kind = 'crown'")
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
-        raise unknown("kind", kind, "profile", kind, KINDS)
+        raise unknown("kind", kind, "profile", KINDS)
     return _Table(kind, table, body, Surroundings(folder)).profile()
 
 
@@ -309,8 +309,8 @@ class _Table(Reading):
             if error.field in self.fields:
                 raise
             if error.field == "path" or measured:
-                raise InputError("file", name, error.condition, error.remedy) from None
-            raise InputError(f"file, {error.field}", error.value, error.condition, error.remedy) from None
+                raise error.about("file", name) from None
+            raise error.about(f"file, {error.field}", error.value) from None
         except ValueError:  # not a valid file name, such as one with a null character
             raise InputError("file", name, "be the name of a file", "correct it") from None
 

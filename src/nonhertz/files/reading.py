@@ -13,7 +13,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, TypeVar
 
-from nonhertz.errors import InputError, InputsError, joined
+from nonhertz.errors import InputError, InputsError, joined, nearest
 from nonhertz.files.mistakes import Place, missing, path_of, place_of
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.fields import (
@@ -22,10 +22,10 @@ from nonhertz.inputs.fields import (
     Part,
     Several,
     given_beside,
-    nearest,
     one_by_one,
     text_of,
     unknown,
+    unknown_key,
 )
 from nonhertz.model.profile import Profile
 
@@ -129,7 +129,7 @@ class Reading:
         every = {name: kind for kind in (*cls.kinds.values(), cls) for name in kind.descriptions}
         keys = [*(["kind"] if cls.kinds else []), *(name for name in every if name not in beside), *known]
         strange = [name for name in table if name not in keys]
-        self.mistakes += (unknown(path_of((name,)), table[name], "key", name, keys) for name in strange)
+        self.mistakes += (unknown_key(path_of((name,)), table[name], keys) for name in strange)
         # Someone who writes "lenght" has not forgotten the length.
         self.wrong |= {match for name in strange if (match := nearest(name, keys))}
         self.named = self._named()
@@ -225,7 +225,7 @@ class Reading:
         # Text and profiles are shown as they were written, and what is missing not at all: TOML has no null.
         shown = given if (isinstance(given, str) or isinstance(error.value, Profile)) and not rest else error.value
         shown = document_of(shown) if isinstance(shown, Input) else shown
-        self.mistakes.append(InputError(error.field, shown, error.condition, error.remedy))
+        self.mistakes.append(error.about(error.field, shown))
         self.wrong.add(name)
 
     def way_out(self, name: str) -> str:
@@ -257,7 +257,7 @@ class Reading:
         word = self.table["kind"]
         if isinstance(word, str) and word in self.cls.kinds:
             return self.cls.kinds[word]
-        self.mistakes.append(unknown("kind", word, f"kind of {self._noun}", word, self.cls.kinds))
+        self.mistakes.append(unknown("kind", word, f"kind of {self._noun}", self.cls.kinds))
         return usual
 
     def _foreign(self, name: str) -> InputError:

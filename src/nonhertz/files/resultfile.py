@@ -104,7 +104,7 @@ class Result:
         try:
             return write_files(folder, texts, draw)
         except InputError as error:
-            raise InputError("folder", str(folder), error.condition, error.remedy) from None
+            raise error.about("folder", str(folder)) from None
 
     def texts(self) -> dict[str, str]:
         """Return what `save` writes but figures, by file name: result.json and tables; raise what `to_json` does."""

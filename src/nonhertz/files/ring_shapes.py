@@ -160,9 +160,9 @@ def _from_file(table: ShapeFile, folder: Path | None) -> RingShape:
         return read_ring_shape(folder / table.file, **given)
     except InputError as error:
         if error.field in {"path", "file"}:
-            raise InputError("file", table.file, error.condition, error.remedy) from None
+            raise error.about("file", table.file) from None
         inside = "" if error.field in table.descriptions else "file, "
-        raise InputError(f"{inside}{error.field}", error.value, error.condition, error.remedy) from None
+        raise error.about(f"{inside}{error.field}", error.value) from None
 
 
 def _lines(path: str | os.PathLike[str]) -> tuple[list[str], str]:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, nearest
 
 LEAST, MOST = 1e-100, 1e100
 
@@ -124,6 +124,8 @@ def listed(field: str, value: Iterable[Any], condition: str, remedy: str) -> lis
 def one_of(field: str, value: object, allowed: tuple[str, ...], remedy: str) -> None:
     """Refuse a word that is not on the list."""
     if not isinstance(value, str) or value not in allowed:
+        match = nearest(value, allowed)
+        remedy = f"did you mean '{match}'?" if match else remedy
         raise InputError(field, value, "be one of " + ", ".join(repr(word) for word in allowed), remedy)
 
 

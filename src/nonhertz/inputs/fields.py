@@ -9,7 +9,6 @@ several fields is a method marked with `together`, which names them, so that a r
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import functools
 import inspect
 import itertools
@@ -34,7 +33,7 @@ from typing import (
     get_type_hints,
 )
 
-from nonhertz.errors import InputError, InputsError
+from nonhertz.errors import InputError, InputsError, UnknownKeyError, nearest
 from nonhertz.inputs.checks import above_zero, finite, flag, is_number, not_negative, numbers, one_of, positive, whole
 from nonhertz.inputs.units import begins_with_digits, in_unit
 
@@ -209,8 +208,7 @@ class Word:
     def take(self, name: str, value: Any) -> Any:
         """Return the word."""
         if self.words:
-            match = nearest(value, self.words) if isinstance(value, str) else None
-            one_of(name, value, self.words, f"the nearest is '{match}'" if match else self.remedy)
+            one_of(name, value, self.words, self.remedy)
         kept = self.condition(name, value, self.remedy) if self.condition else None
         return value if kept is None else kept
 
@@ -245,7 +243,7 @@ class Part:
         """Return the input, or that of a name."""
         if self.named and isinstance(value, str):
             if value not in self.named:
-                raise unknown(name, value, self.of.__name__.lower(), value, self.named, self.remedy)
+                raise unknown(name, value, self.of.__name__.lower(), self.named, self.remedy)
             return self.named[value]
         if not isinstance(value, self.of):
             article = "an" if self.of.__name__[0] in "AEIOU" else "a"
@@ -587,26 +585,25 @@ def default_of(each: dataclasses.Field[Any]) -> Any:
     return each.default if each.default_factory is dataclasses.MISSING else each.default_factory()
 
 
-def nearest(word: str, known: Iterable[str]) -> str | None:
-    """Return the known word closest to ``word``, None if none is close."""
-    spelled = {name.lower(): name for name in known}
-    begun = [name for name in spelled if len(word) > 2 and name.startswith(word.lower())]
-    matches = difflib.get_close_matches(word.lower(), spelled, n=1) or (begun if len(begun) == 1 else [])
-    return spelled[matches[0]] if matches else None
+def unknown(field: str, value: object, what: str, known: Iterable[str], otherwise: str = "") -> InputError:
+    """Return the error for a value that is no known word; it suggests the closest.
 
-
-def unknown(
-    field: str, value: object, what: str, word: object, known: Iterable[str], otherwise: str = ""
-) -> InputError:
-    """Return the error for a word, or another value in its place, that is not known; it suggests the closest match.
-
-    Where there is none it lists all that are known, or says ``otherwise`` where these are too many.
+    Where none is close it lists all that are known, or says ``otherwise`` where these are too many.
     """
     known = tuple(known)
-    match = nearest(word, known) if isinstance(word, str) else None
-    others = otherwise or "choose from " + ", ".join(f"'{name}'" for name in known)
-    remedy = f"the nearest is '{match}'" if match else others
+    match = nearest(value, known)
+    remedy = f"did you mean '{match}'?" if match else otherwise or _choice(known)
     return InputError(field, value, f"be a known {what}", remedy)
+
+
+def unknown_key(name: str, value: object, known: Iterable[str], noun: str = "key", owner: str = "") -> UnknownKeyError:
+    """Return the error for a name that is not known; it suggests the closest, or where none is close lists them all."""
+    known = tuple(known)
+    return UnknownKeyError(name, value, nearest(name, known), _choice(known), noun, owner)
+
+
+def _choice(known: Iterable[str]) -> str:
+    return "choose from " + ", ".join(f"'{name}'" for name in known)
 
 
 def text_of(each: Described) -> str:
@@ -677,8 +674,7 @@ def _naming_the_nearest(cls: type[Any]) -> Callable[..., None]:
     def constructor(self: Any, *values: Any, **given: Any) -> None:
         for name, value in given.items():
             if name not in names:
-                error = unknown(name, value, f"field of {cls.__name__}", name, names)
-                raise TypeError(str(error))
+                raise TypeError(str(unknown_key(name, value, names, "field", cls.__name__)))
         if missing := cls.required.difference(given, names[: len(values)]):
             remedies = {name: _remedy(cls.descriptions[name]) for name in names if name in missing}
             raise InputsError(InputError(name, None, "be given", remedy) for name, remedy in remedies.items())

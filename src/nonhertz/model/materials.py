@@ -153,7 +153,7 @@ class _Materials(dict[str, Material]):
     """Materials by name; where there is none, the error names the nearest."""
 
     def __missing__(self, name: object) -> Material:
-        raise KeyError(str(unknown("name", name, "material", name, self, "run 'nonhertz materials' for the list")))
+        raise KeyError(str(unknown("name", name, "material", self, "run 'nonhertz materials' for the list")))
 
 
 #: Materials that a case file may refer to by name.
@@ -185,7 +185,7 @@ def listed_as(name: str) -> Listed:
     for each in LIBRARY:
         if name in (each.name, *each.others):
             return each
-    raise unknown("name", name, "material", name, MATERIALS, "run 'nonhertz materials' for the list")
+    raise unknown("name", name, "material", MATERIALS, "run 'nonhertz materials' for the list")
 
 
 def name_of(material: Material) -> str:

@@ -7,7 +7,6 @@ is that of the number which these strips give, exactly.
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,7 +19,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import Influence, influence_of
 from nonhertz.compiled import plain_array
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, nearest
 from nonhertz.inputs.checks import finite, positive
 from nonhertz.model.contact import Contact
 from nonhertz.result.measures import Measure, measure_of
@@ -298,8 +297,8 @@ def family_of(contact: Contact, name: str) -> tuple[Family, float]:
     for part in parts:
         names = _names(inside[-1])
         if part not in names:
-            near = difflib.get_close_matches(part, names, n=1)
-            remedy = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names) or 'no numbers below it'}"
+            near = nearest(part, names)
+            remedy = f"did you mean {near!r}?" if near else f"there are {', '.join(names) or 'no numbers below it'}"
             raise InputError("name", name, "lead to a number of the contact", remedy)
         inside.append(names[part])
     at = inside.pop()

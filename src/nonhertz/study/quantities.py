@@ -9,9 +9,9 @@ from functools import cached_property
 
 from nonhertz.bearing.quantities import LIVES, SolvedBearing
 from nonhertz.bearing.quantities import QUANTITIES as OF_BEARING
-from nonhertz.errors import InputError, NonhertzError
+from nonhertz.errors import NonhertzError
 from nonhertz.files.casefile import Case
-from nonhertz.inputs.fields import nearest
+from nonhertz.inputs.fields import unknown
 from nonhertz.life import Life, assess
 from nonhertz.life.assessment import Spectrum
 from nonhertz.life.spectrum import solve_spectrum
@@ -108,7 +108,5 @@ def chosen(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
     asked = tuple(dict.fromkeys(names)) or (USUAL_OF_BEARING if bearing else USUAL_OF_CONTACT)
     for name in asked:
         if name not in every:
-            match = nearest(name, every)
-            remedy = f"the nearest is '{match}'" if match else f"choose from {', '.join(every)}"
-            raise InputError("quantities", name, "be numbers that a row can hold", remedy)
+            raise unknown("quantities", name, "quantity", every)
     return tuple(every[name] for name in asked)

@@ -149,7 +149,7 @@ def extremes(
         except InputError as error:
             if error.field != "y":
                 raise
-            raise InputError("station", station, error.condition, error.remedy) from None
+            raise error.about("station", station) from None
     else:
         stretches = _stretches(solution, _searched(solution, inside))
         sections = _sections(solution, stretches)
