@@ -179,7 +179,20 @@ FILES = {
         b"load = 0xffff g\n",
         "must be valid TOML: expected newline or end of document after a statement (at line 1, column 15).",
     ),
-    "a key twice": (b"a = 1\na = 2\n", "must be valid TOML: cannot overwrite a value (at line 2, column 6)."),
+    "a key twice": (b"a = 1\na = 2\n", "must be valid TOML: a key is given twice (at line 2, column 6)."),
+    "a key twice in a row": (b"a = {b = 1, b = 2}", "must be valid TOML: a key is given twice (at line 1, column 18)."),
+    "a table twice": (
+        b"[load]\nload = 1\n[load]\n",
+        "must be valid TOML: table [load] is defined twice (at line 3, column 6).",
+    ),
+    "a table of tables twice": (
+        b'[body."a b"]\n[body."a b"]\n',
+        'must be valid TOML: table [body."a b"] is defined twice (at line 2, column 12).',
+    ),
+    "a table again as a key": (
+        b"[body.a]\n[body]\na.length = 1\n",
+        "must be valid TOML: table [body.a] is defined twice (at line 3, column 13).",
+    ),
     "not closed": (
         b"[body",
         "must be valid TOML: expected ']' at the end of a table declaration (at end of document).",
@@ -203,6 +216,14 @@ def test_files_that_cannot_be_read(folder, run, command, content, sentence):
         sentence = sentence.replace("a case file,", "a case file, bearing file or plan file,")
     space = "" if sentence.startswith(",") else " "
     assert (both.out + both.err).removeprefix("1. ") == f"case.toml{space}{sentence}\n"
+
+
+@pytest.mark.parametrize("name", ["roller.tml", "roler.toml", "roller", "Roller.toml"])
+def test_a_file_of_a_name_alike_is_offered(folder, run, name):
+    (folder / "roller.toml").write_text("", encoding="utf-8")
+    assert run("solve", name, code=2).err == f"{name} does not exist. Did you mean roller.toml?\n"
+    (folder / "in").mkdir()
+    assert run("check", f"in/{name}", code=2).out.startswith(f"1. in/{name} must exist: ")
 
 
 def test_a_directory_is_no_case_file(folder, run):
@@ -246,10 +267,21 @@ def test_a_body_is_refused_in_the_words_of_python(folder, keys):
     [
         (["slove", "case.toml"], 'Unknown command "slove". Did you mean "solve"? See \''),
         (["case.toml"], "A command comes first, such as 'nonhertz solve case.toml'; see 'nonhertz --help'"),
-        (["solve"], 'Command "solve" parameter CASE requires an argument'),
+        (["solve"], "Give CASE, as in 'nonhertz solve roller.toml'; see '"),
+        (["report"], "Give CASE, as in 'nonhertz report roller.toml'; see '"),
+        (["nodes", "a"], "Give NODES, as in 'nonhertz nodes roller.toml surface.csv'; see '"),
+        (
+            ["life", "--model", "iso-16281", "case.toml"],
+            "--model takes all words after it, 'case.toml' too; write 'nonhertz life case.toml --model iso-16281'; see",
+        ),
+        (
+            ["sweep", "--quantities", "load", "plan.toml"],
+            "--quantities takes all words after it, 'plan.toml' too; write 'nonhertz sweep plan.toml --quantities load'"
+            "; see '",
+        ),
         (["stress", "a", "b"], "This command takes no 'b'; see"),
         (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
-        (["check"], 'Command "check" parameter FILE requires an argument'),
+        (["check"], "Give FILE, as in 'nonhertz check roller.toml plan.toml'; see '"),
     ],
 )
 def test_wrong_usage_is_one_sentence(run, words, beginning):

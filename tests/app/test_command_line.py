@@ -172,11 +172,11 @@ def test_a_plan_names_the_file_that_it_is_for(tmp_path, run, monkeypatch):
 
 def test_new_never_overwrites(case, run):
     assert run("new", case, code=2).err == (
-        "PATH = 'case.toml' must not exist yet: choose another name, since nothing is overwritten.\n"
+        "case.toml already exists: choose another name, since nothing is overwritten.\n"
     )
     assert Path(case).read_text(encoding="utf-8") == CASE
     nowhere = run("new", "nowhere/case.toml", code=2).err
-    assert nowhere.endswith("must be a file to write to (no such file or directory): make its folder first.\n")
+    assert nowhere.endswith("cannot be written (no such file or directory): make its folder first.\n")
 
 
 @pytest.mark.slow
@@ -194,7 +194,7 @@ def test_new_leaves_nothing_on_a_full_disk(tmp_path):
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)),
     )
     assert run.returncode == 2
-    assert run.stderr == ("PATH = 'case.toml' must be a file to write to (file too large): choose another name.\n")
+    assert run.stderr == ("case.toml cannot be written (file too large): choose another name.\n")
     assert list(tmp_path.iterdir()) == []
 
 

@@ -93,7 +93,7 @@ REFUSED = [
         "verify --only half-space nonsense",
         f"must be a section: choose from {', '.join(CATALOGUE)}.",
     ),
-    ("report", "CASE = '' must be given: "),
+    ("report", "Give CASE, as in 'nonhertz report roller.toml'"),
     ("bearing six.toml --contact 7 inner", "--contact = 7 must be a whole number from 0 to 5"),
     ("bearing six.toml --contact 3 inner", "--contact = 3 must be a roller that the inner ring loads"),
     ("bearing six.toml --contact 0 inner --json", "must be given without --compare, --json and --out"),

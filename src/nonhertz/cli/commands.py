@@ -21,7 +21,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from cyclopts import App, CycloptsError, Group, UnusedCliTokensError
+from cyclopts import App, CycloptsError, Group, MissingArgumentError, UnusedCliTokensError
 
 from nonhertz import __version__
 from nonhertz.amounts import choose_units
@@ -150,9 +150,21 @@ def run(words: Sequence[str]) -> int:
         said, _, _ = " ".join(str(error).split()).partition(" Available commands: ")  # which help lists
         if words and words[0].endswith(".toml"):
             said = f"A command comes first, such as 'nonhertz solve {words[0]}'"
+        elif isinstance(error, MissingArgumentError) and error.argument and error.argument.index is not None:
+            said = _missing(error.argument.name, words)
         lead = f"{said} See" if said.endswith("?") else f"{said.rstrip('.')}; see"
         print(f"{lead} {_help_on(words)}.", file=sys.stderr)
     return BAD_INPUT
+
+
+def _missing(name: str, words: Sequence[str]) -> str:
+    """Return what to do where an argument is missing, which may be because an option before it took it."""
+    for place, word in enumerate(words):
+        option = next((each for each in reversed(words[1:place]) if each.startswith("--")), "")
+        if option and word.endswith(".toml"):
+            first = " ".join([*words[:1], word, *words[1:place], *words[place + 1 :]])
+            return f"{option} takes all words after it, '{word}' too; write 'nonhertz {first}'"
+    return f"Give {name}, as in 'nonhertz {EXAMPLES[words[0]].partition(' --')[0]}'"
 
 
 def _help_on(words: Sequence[str]) -> str:

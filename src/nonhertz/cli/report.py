@@ -25,7 +25,9 @@ _NEAR = 2000  # characters at the beginning of a report, which include its mark
 
 
 def report(
-    *cases: Path,
+    case: Path,
+    /,
+    *more: Path,
     changes: Changes = NONE,
     out: Path | None = None,
     life: bool | None = None,
@@ -43,8 +45,10 @@ def report(
 
     Parameters
     ----------
-    cases : tuple of Path
-        The case files, or the bearing files, at least one.
+    case : Path
+        The case file, or the bearing file.
+    more : tuple of Path
+        More of them, to compare with it.
     out : Path
         The file to write; an older report is overwritten, any other file is not. By default the first case file's name
         with '-report.html', in the current directory.
@@ -63,10 +67,9 @@ def report(
     date : str
         Date in the head of the report.
     """
-    if not cases:
-        raise InputError("CASE", "", "be given", "name one case file or bearing file, or more")
     with named_as(project="--project", author="--author", date="--date"):
         block = TitleBlock(project=project, author=author, date=date)
+    cases = (case, *more)
     path = _target(out, cases)
     with without_accuracy_warnings():  # which the report shows
         read = of_each(cases, lambda path: path, lambda path: read_any(path, changes))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import contextlib
 import errno
 import re
@@ -15,11 +16,11 @@ from pathlib import Path
 from types import NoneType, UnionType
 from typing import Any, ClassVar, Self, get_args, get_type_hints
 
-from nonhertz.errors import AccuracyWarning, CaseError, InputError, joined
+from nonhertz.errors import AccuracyWarning, CaseError, InputError, joined, nearest
 from nonhertz.files.bounds import FORMAT, LARGEST_CASE, TOO_DEEP, excess, has_long_key, walk
 from nonhertz.files.changes import changed
 from nonhertz.files.folder import write_file
-from nonhertz.files.mistakes import case_error, in_order
+from nonhertz.files.mistakes import case_error, in_order, path_of
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.fields import Input, short_repr, unknown_key
@@ -336,7 +337,11 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
     except FileNotFoundError:
         new = "nonhertz new" if kinds[0] == "case" else f"nonhertz new --{kinds[0]}"
         way_out = f"give the path of a {what}, or begin with one from '{new} {path}'"
-        sentence = f"{path} must exist: {way_out}."
+        beside = {each.stem: each for each in path.parent.glob("*.toml")}
+        meant = nearest(path.stem, beside)
+        sentence = (
+            f"{path} does not exist. Did you mean {beside[meant]}?" if meant else f"{path} must exist: {way_out}."
+        )
     except IsADirectoryError:
         sentence = f"{path} must be a file, not a directory: give the path of a {what}."
     except UnicodeDecodeError as error:
@@ -371,7 +376,7 @@ def parsed(text: str, name: str) -> dict[str, Any]:
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        reason = str(error).rstrip(".") + _meant(text, str(error))
+        reason = _in_words(str(error).rstrip(".")) + _meant(text, str(error))
     except RecursionError:
         reason = TOO_DEEP
     except ValueError:  # Python's limit on the digits of an integer
@@ -381,6 +386,14 @@ def parsed(text: str, name: str) -> dict[str, Any]:
             raise CaseError([f"{name} must be a case file: {too_much}."])
         return document
     raise CaseError([f"{name} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])
+
+
+def _in_words(reason: str) -> str:
+    """Return the parser's reason without its own terms for what is given twice."""
+    if found := re.search(r"(?:declare|namespace) \((.*?),?\)(?: twice)? \(", reason):
+        keys = path_of(ast.literal_eval(f"({found[1]},)"))
+        return f"table [{keys}] is defined twice ({reason[found.end() :]}"
+    return re.sub(r"Cannot overwrite a value|Duplicate inline table key '.*?'", "a key is given twice", reason)
 
 
 def _meant(text: str, reason: str) -> str:
@@ -428,7 +441,7 @@ def write_new(text: str, path: str | Path) -> None:
 
     Raises
     ------
-    InputError
+    CaseError
         If the file already exists or cannot be written.
     """
     path = Path(path)
@@ -441,12 +454,11 @@ def write_new(text: str, path: str | Path) -> None:
                 path.unlink(missing_ok=True)
                 raise
     except FileExistsError:
-        remedy = "choose another name, since nothing is overwritten"
-        raise InputError("PATH", str(path), "not exist yet", remedy) from None
+        raise CaseError([f"{path} already exists: choose another name, since nothing is overwritten."]) from None
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
-        remedy = "choose another name" if path.parent.is_dir() else "make its folder first"
-        raise InputError("PATH", str(path), f"be a file to write to ({reason})", remedy) from None
+        way_out = "choose another name" if path.parent.is_dir() else "make its folder first"
+        raise CaseError([f"{path} cannot be written ({reason}): {way_out}."]) from None
 
 
 @contextlib.contextmanager
