@@ -125,6 +125,21 @@ def test_a_path_is_set_once(run):
     assert "must set each path once" in said
 
 
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (
+            "load.load=1e30kN",
+            "load.load = '1e30kN' must leave the contact narrower than the bodies: check its unit, or",
+        ),
+        ("load.approach=-1mm", "load.approach = '-1mm' must exceed "),
+        ("load.moment=1e9N m", "load.moment = '1e9N m' must keep moment / load between "),
+    ],
+)
+def test_what_the_solver_refuses_is_shown_as_it_was_typed(run, change, said):
+    assert refused(run, "solve", CASE, "--set", change).startswith(said)
+
+
 def test_a_file_with_mistakes_is_read_to_the_end(tmp_path, run):
     broken = tmp_path / "broken.toml"
     broken.write_text("body = 3\nload = 4\n", encoding="utf-8")

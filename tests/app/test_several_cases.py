@@ -56,7 +56,8 @@ def test_one_that_fails_does_not_hide_the_others(cases, run):
     assert printed.out.count("not solved") == 3
     assert "20000" in printed.out
     sentences = printed.err.splitlines()
-    assert [sentence.startswith("bad.toml: load") for sentence in sentences] == [True, True, False, False]
+    wrong = ("bad.toml: load.load = ", "bad.toml: Unknown key load.laod")
+    assert all(sentence.startswith(beginning) for sentence, beginning in zip(sentences, wrong, strict=False))
     assert sentences[2].startswith("missing.toml must exist")
     assert "nonhertz bearing" in sentences[3]
     found = run("solve", *files, "--json", code=2).json

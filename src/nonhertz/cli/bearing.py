@@ -59,7 +59,7 @@ def bearing(
     try:
         life, reason = case.rated(solution)
     except InputError as error:  # of a contact, when its pressure is solved
-        raise placed(error) from None
+        raise placed(error, document=case.document) from None
     found = Result(case, solution, (life, reason))
     shown, verdict = sections(case, solution, life, reason), of_bearing(solution, life, case.operating_clearance)
     return Answer(case.title, shown, found.to_json, verdict, findings_of(solution, life), saved(found, out))

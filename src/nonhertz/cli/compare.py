@@ -55,7 +55,7 @@ def compare(
     except InputError as error:
         if error.field == "cells":
             raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None
-        raise placed(error) from None
+        raise placed(error, read.document) from None
     title = read.title
     made = written(out, lambda: files(found, title), lambda: {"comparison": plot.comparison(found, title)})
     verdict, text = of_contact(found.semi_elliptic), lambda: key_by_key(as_object(found, title))

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
@@ -118,7 +119,7 @@ class BearingCase(HeldCase):
         try:
             return self.fit.operating(self.bearing.rows[0].bearing, self._inner_speed)
         except InputError as error:
-            raise placed(error, "fit") from None
+            raise placed(error, "fit", document=self.document) from None
 
     @property
     def mounted(self) -> RollerBearing | Paired:
@@ -134,7 +135,7 @@ class BearingCase(HeldCase):
         try:
             return self.fit.mounted(self.bearing, self._inner_speed)
         except InputError as error:
-            raise placed(error, "fit") from None
+            raise placed(error, "fit", document=self.document) from None
 
     @property
     def _inner_speed(self) -> float:
@@ -166,7 +167,7 @@ class BearingCase(HeldCase):
         try:
             return solve(bearing, **self.prescribed.keywords, turning=self.life.turning, **solver)
         except InputError as error:
-            raise placed(error) from None
+            raise placed(error, document=self.document) from None
 
     def assess(self, solution: BearingSolution) -> BearingLife:
         """Return how long the bearing lasts, as `nonhertz.bearing.assess` does, under the spectrum if there is one.
@@ -193,7 +194,7 @@ class BearingCase(HeldCase):
             return assess(pairs, **conditions, speed=speeds)
         except InputError as error:
             if error.field in {*LifeConditions.descriptions, "speed", "viscosity_ratio"}:
-                raise placed(error, "life") from None
+                raise placed(error, "life", document=self.document) from None
             raise
 
     def rated(self, solution: BearingSolution) -> tuple[BearingLife | None, str]:
@@ -209,7 +210,7 @@ class BearingCase(HeldCase):
         except InputError as error:
             if error.field in {"bearing", "solution"}:
                 return None, f"the bearing must {error.condition}"
-            raise placed(error, "life") from None
+            raise placed(error, "life", document=self.document) from None
 
     def contact_case(self, solution: BearingSolution, roller: int, ring: str = "inner") -> Case:
         """Return the contact of a roller with a ring as a case of its own, with the load and tilt that it has there.
@@ -320,7 +321,7 @@ def starting_bearing(template: str | None = None) -> str:
     return starting_text("starting_bearing.toml", template, BEARING_TEMPLATES, "templates/bearings")
 
 
-def placed(error: InputError, *sections: str) -> CaseError:
+def placed(error: InputError, *sections: str, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
     """Return an error of `nonhertz.bearing` as one about the bearing file, with the field named as in the file.
 
     An error about something that is in no file, such as the approach of a contact, comes from the loads.
@@ -337,4 +338,4 @@ def placed(error: InputError, *sections: str) -> CaseError:
             sentence = f"load must leave every contact of the rollers within the model: {error}"
             return CaseError([sentence], ["load"])
         error = error.within("bearing")
-    return case_error([error])
+    return case_error([error], document)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.errors import CaseError, InputError
@@ -106,7 +107,7 @@ class Case(HeldCase):
         try:
             return solve(self.contact, **self.prescribed.keywords, **self.solver.keywords)
         except InputError as error:
-            raise placed(error) from None
+            raise placed(error, self.document) from None
 
 
 def read_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:
@@ -163,9 +164,9 @@ def starting_case(template: str | None = None) -> str:
     return starting_text("starting_case.toml", template, TEMPLATES, "templates")
 
 
-def placed(error: InputError) -> CaseError:
-    """Return an error from `nonhertz.solve` as one about the case file, with the field named as in the file."""
+def placed(error: InputError, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
+    """Return an error from `nonhertz.solve` as one about the case file, with field and value as in its document."""
     if error.field in _OF_BOTH_BODIES:
         return case_error([of_both(error).within("body")])
     section = next((section for section, fields in _SECTIONS.items() if error.field in fields), None)
-    return case_error([error.within(section) if section else error])
+    return case_error([error.within(section) if section else error], document)

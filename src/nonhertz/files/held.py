@@ -339,9 +339,9 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
         way_out = f"give the path of a {what}, or begin with one from '{new} {path}'"
         beside = {each.stem: each for each in path.parent.glob("*.toml")}
         meant = nearest(path.stem, beside)
-        sentence = (
-            f"{path} does not exist. Did you mean {beside[meant]}?" if meant else f"{path} must exist: {way_out}."
-        )
+        sentence = f"{path} must exist: {way_out}."
+        if meant:
+            sentence = f"{path} does not exist. Did you mean {beside[meant]}?"
     except IsADirectoryError:
         sentence = f"{path} must be a file, not a directory: give the path of a {what}."
     except UnicodeDecodeError as error:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Any
 
 from nonhertz.errors import CaseError, InputError, UnknownKeyError
@@ -19,9 +20,13 @@ _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _PARTS = re.compile(r'("(?:[^"\\]|\\.)*")|\[(\d+)\]|([^.\[\], ]+)')  # of a path: a key in quotes, a position, a key
 
 
-def case_error(mistakes: Iterable[InputError]) -> CaseError:
-    """Return one error for several mistakes, each with its key; beyond the limit they are only counted."""
-    found = tuple(mistakes)
+def case_error(mistakes: Iterable[InputError], document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
+    """Return one error for several mistakes, each with its key; beyond the limit they are only counted.
+
+    Text of the ``document``, such as ``"5 kN"``, is shown as it is written there.
+    """
+    written = {place: text for place, text in walk(document) if isinstance(text, str)}
+    found = [each.about(each.field, written.get(place_of(each.field), each.value)) for each in mistakes]
     listed, rest = found[:MISTAKES], len(found) - MISTAKES
     sentences, places = [sentence(mistake) for mistake in listed], [mistake.field for mistake in listed]
     if rest > 0:

@@ -124,8 +124,7 @@ def refuse_load(contact: Contact, load: float) -> None:
         condition = f"be at least {newton(least):.2g} for bodies of this size and stiffness"
         raise InputError("load", load, condition, "raise it: a smaller one is lost in rounding")
     if load > most:
-        condition = f"not exceed {newton(most):.2g} for bodies of this size and stiffness"
-        raise InputError("load", load, condition, "reduce it; the contact would be far wider than the bodies")
+        raise InputError("load", load, "leave the contact narrower than the bodies", "check its unit, or reduce it")
 
 
 def refuse_unpaired(approach: object, load: object, tilt: object, moment: object) -> None:

@@ -200,7 +200,7 @@ def _solved(case: Case | BearingCase, label: str, announce: Announce) -> Results
         except ConvergenceError as error:
             return BearingResults(case, label, None, str(error))
         except InputError as error:  # of a contact, when its pressure is solved
-            raise placed(error) from None
+            raise placed(error, document=case.document) from None
 
 
 def examined(

@@ -95,7 +95,7 @@ def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCas
             if solution.method == "strips":
                 solution.max_pressure  # noqa: B018  (solves the contacts, each of which may be refused)
         except InputError as error:
-            raise placed(error) from None
+            raise placed(error, document=case.document) from None
         if solution.method == "slices" and case.life.edge_stress == "pressure":
             # They have no pressures: without the word, life is that of the standard's edges.
             case = replace(case, life=replace(case.life, edge_stress=None))
