@@ -41,7 +41,10 @@ solution = nh.solve(contact, load=5e3)
 assert abs(solution.load / 5e3 - 1) < 1e-9, solution.load
 print(f"solved: largest pressure {solution.max_pressure:.0f} MPa")
 """
-MISSING = "The package {} is not installed; install what {} needs with: pip install 'nonhertz[{}]'\n"
+MISSING = (
+    "The package {0} is not installed, which {1} needs: pip install {0}, or pip install '.[{2}]' in the folder of "
+    "nonhertz\n"
+)
 NO_CLI = MISSING.format("cyclopts", "the command line", "cli")
 NO_WEB = MISSING.format("uvicorn", "the page", "web")
 SERVED = ("", "static/main.js", "static/vendor/d3.min.js", "static/vendor/plot.umd.min.js")

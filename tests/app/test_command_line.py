@@ -303,8 +303,8 @@ def test_a_missing_extra_says_how_to_install_it(case, package):
     )
     assert run.returncode == 2
     assert run.stderr == (
-        f"The package {package} is not installed; "
-        "install what the command line needs with: pip install 'nonhertz[cli]'\n"
+        f"The package {package} is not installed, which the command line needs: "
+        f"pip install {package}, or pip install '.[cli]' in the folder of nonhertz\n"
     )
     assert not Path("results").exists()
 

@@ -105,5 +105,5 @@ def test_without_openpyxl_the_way_out_is_said_before_the_work(monkeypatch, run):
 
     monkeypatch.setattr(builtins, "__import__", without)
     for words in (["solve", *CASES, "--out", "r.xlsx"], ["sweep", CASES[0], "--over", "load.load=5kN,6kN", "--excel"]):
-        assert "pip install 'nonhertz[data]'" in run(*words, code=2).err
+        assert "a workbook needs: pip install openpyxl, or pip install '.[data]'" in run(*words, code=2).err
     assert not list(Path().iterdir())

@@ -77,6 +77,22 @@ def test_the_angle_that_closes_the_ring_may_be_given():
     assert tabulated_shape(angle, np.cos(angle)) == tabulated_shape(angle[:-1], np.cos(angle[:-1]))
 
 
+@pytest.mark.parametrize("last", [6.2832, 6.28319, 6.283, 6.28318])
+@pytest.mark.parametrize("first", [0.0, -3.1416, 1.0])
+def test_a_turn_may_be_rounded_to_four_digits(first, last):
+    shape = tabulated_shape([first, first + 1.5708, first + 3.1416, first + last], [0.0, 0.01, 0.0, 0.0], "linear")
+    assert len(shape.parts[0].angle) == 3
+    # A straight line from (3.1416, 0) to the first, a turn later.
+    assert shape([first + 5.0])[0] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_what_is_short_of_a_turn_by_a_step_does_not_close_it():
+    angle = np.arange(30_000) * (TURN / 30_000)
+    assert len(tabulated_shape(angle, np.cos(angle)).parts[0].angle) == 30_000
+    with pytest.raises(nh.InputError, match=r"span no more than one turn"):
+        tabulated_shape([0.0, 3.0, 6.3], [0.0, 0.01, 0.0])
+
+
 @pytest.mark.parametrize(
     "shape",
     [

@@ -1,12 +1,15 @@
 """Quantities as text: what is read, to what number, and what is refused."""
 
 import math
+import sys
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import nonhertz as nh
 from nonhertz.errors import InputError
+from nonhertz.inputs import units
 from nonhertz.inputs.units import in_unit
 
 UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
@@ -52,6 +55,9 @@ UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
         ("5 Nm", "N mm", 5000.0),
         ("5 kNm", "N mm", 5e6),
         ("5 Nmm", "N mm", 5.0),
+        ("30 Msi", "MPa", 30e6 * 4.4482216152605 / 25.4**2),
+        ("2 tf", "N", 19613.3),
+        ("1 kp", "N", 9.80665),
     ],
 )
 def test_text_with_a_unit_is_read(text, unit, number):
@@ -74,12 +80,39 @@ def test_decimal_submultiples_do_not_gain_digits():
         ("20 kn", "N", "a unit of force: write 20 kN."),
         ("20e3 lb", "N", "a unit of force: write 20e3 lbf."),
         ("5 n", "mm", "a known unit: write a number in mm, or text"),
+        ("30 msi", "MPa", "a known unit: write 30 Msi."),
+        ("2 t", "N", "a unit of force: write 2 tf."),
+        ("2 tonf", "N", "a unit of one meaning: write 2 tf for tonnes, 4000 lbf for short, 4480 for long tons."),
+        ("5 N", "mm^2/s", "a unit of viscosity: write a number in mm^2/s, or text with a unit of visco"),
     ],
 )
 def test_a_refusal_is_one_sentence(text, unit, sentence):
     with pytest.raises(InputError) as caught:
         in_unit("length", text, unit)
     assert str(caught.value).startswith(f"length = '{text}' must have {sentence}")
+
+
+@pytest.mark.parametrize(
+    "text", ["20 cP", "20cP", "20 mPa s", "20 mPas", "20 mPa*s", "0.02 Pa·s", "0.2 P", "0.02 N s/m^2"]
+)
+def test_of_a_dynamic_viscosity_the_density_is_asked_for(text):
+    # 1 mPa s over 1 g/cm^3 is 1 mm^2/s.
+    with pytest.raises(InputError) as caught:
+        in_unit("viscosity", text, "mm^2/s")
+    said = "divide by the oil's density, of which 0.87 g/cm^3 makes '22.99 mm^2/s'"
+    assert str(caught.value) == f"viscosity = '{text}' must be a kinematic viscosity: {said}."
+    assert in_unit("viscosity", "22.99 mm^2/s", "mm^2/s") == pytest.approx(20.0 / 0.87, rel=1e-4)
+
+
+@pytest.mark.parametrize("text", ["20 mm", "8 um/25 mm"])
+def test_without_pint_a_unit_is_refused_in_a_sentence(text, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pint", None)
+    units._factor.cache_clear()
+    with pytest.raises(InputError, match=r"must be a plain number in rad where pint, .*: pip install pint\.$"):
+        in_unit("angle", text, "rad")
+    with pytest.raises(InputError, match=r"^diameter = '20 mm' must be a plain number in mm where pint, which reads"):
+        nh.Roller(diameter="20 mm", length=20.0)
+    assert nh.Roller(diameter=20.0, length=20.0).diameter == 20.0
 
 
 @pytest.mark.parametrize(

@@ -32,6 +32,8 @@ MOST_ORDER = 10_000
 MOST_POINTS = 100_000
 _TURN = 2.0 * math.pi
 _CLOSED = 1e-9  # of a turn, within which two angles are the same
+# Of a turn, and of the smallest step: so far off may a rounded last angle be that closes the ring, such as 6.2832 rad.
+_ROUNDED, _OF_STEP = 1e-4, 0.1
 _ANGLES = "give a row of angles in rad, within one turn"
 _DEVIATIONS = "give as many lengths in mm as angles"
 _TERMS = "give a mapping such as {2: 0.005}, or {2: (0.005, 0.3)} with the angle of a crest"
@@ -126,10 +128,11 @@ class Deviations(Input):
         order = np.argsort(self.angle, kind="stable")
         places, values = np.array(self.angle)[order], np.array(self.deviation)[order]
         span = float(places[-1] - places[0])
-        if span > _TURN * (1.0 + _CLOSED):
+        rounding = max(_CLOSED * _TURN, min(_ROUNDED * _TURN, _OF_STEP * float(np.diff(places).min())))
+        if span > _TURN + rounding:
             condition = f"span no more than one turn of {_TURN:.6g} rad"
             raise InputError("angle", span, condition, "give angles in rad, 360 degrees are 6.2832")
-        if span < _TURN * (1.0 - _CLOSED):
+        if span < _TURN - rounding:
             return places, values
         if abs(values[-1] - values[0]) > 1e-6 * max(float(np.ptp(values)), 1e-6):
             condition = f"be the same where the ring closes, {mm(values[0]):.6g}"

@@ -133,8 +133,8 @@ def _verdict(error: BaseException) -> tuple[int, list[str]]:
         case ModuleNotFoundError(name=str(name)) if name.partition(".")[0] in _EXTRAS:
             package = name.partition(".")[0]
             extra = _EXTRAS[package]
-            way_out = f"install what {_NEEDS[extra]} needs with: pip install 'nonhertz[{extra}]'"
-            verdict = BAD_INPUT, [f"The package {package} is not installed; {way_out}"]
+            way_out = f"pip install {package.replace('_', '-')}, or pip install '.[{extra}]' in the folder of nonhertz"
+            verdict = BAD_INPUT, [f"The package {package} is not installed, which {_NEEDS[extra]} needs: {way_out}"]
         case _:
             what = f"{type(error).__name__}: {error}".replace("\n", " ").rstrip(".")
             report = "please report it together with your case file"

@@ -28,6 +28,7 @@ _KINDS = {
     "N mm": ("moment", "5 N m"),
     "1/min": ("speed", "1500 1/min' or '1500 rpm"),
     "mm^2/s": ("viscosity", "20 mm^2/s"),
+    "mPa s": ("dynamic viscosity", "20 mPa s"),
     "t/mm^3": ("density", "7850 kg/m^3"),
 }
 _BEGINNING = re.compile(r"\s*[-+]?\.?\d")
@@ -42,10 +43,13 @@ _LONGEST = 40
 # What is meant by the same letters in another case, and by a mass that is given for a force.
 _USUAL = (
     "N", "kN", "MN", "N m", "Nm", "N mm", "Nmm", "kN m", "MPa", "GPa", "mm", "um", "rad", "mrad", "deg", "Hz", "rpm",
+    "Msi", "psi", "cSt",
 )  # fmt: skip
-_MEANT = {each.lower(): each for each in _USUAL} | {"lb": "lbf", "lbs": "lbf", "kg": "kgf"}
-# To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments.
-_RUN_TOGETHER = re.compile(r"\b([kM]?N)(m|cm|mm)\b")
+_TONS = ("tonf", "ton", "tons")  # 1000 kgf, 2000 lbf or 2240 lbf
+_USUAL_DENSITY = 0.87  # g/cm^3, of mineral oil
+_MEANT = {each.lower(): each for each in _USUAL} | {"lb": "lbf", "lbs": "lbf", "kg": "kgf", "t": "tf"}
+# To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments. "mPas" is on those of oils.
+_RUN_TOGETHER = re.compile(r"\b(?:([kM]?N)(?=(?:m|cm|mm)\b)|(m?Pa)(?=s\b))")
 # Turns as ISO writes them; pint knows neither.
 _TURN = re.compile(r"\br(?:ev)?\b")
 # A thousandth of an inch; to pint one of three angles of gunners.
@@ -114,7 +118,11 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
         return value
     if unit == "":
         raise InputError(field, value, "be a plain number", "write it without quotes and without a unit")
-    return _converted(field, value, unit)
+    try:
+        return _converted(field, value, unit)
+    except ModuleNotFoundError:  # pint is an extra
+        condition = f"be a plain number in {unit} where pint, which reads units, is not installed"
+        raise InputError(field, value, condition, "give the number, or install it: pip install pint") from None
 
 
 def begins_with_digits(text: str) -> bool:
@@ -145,11 +153,19 @@ def _converted(field: str, text: str, unit: str) -> float:
     try:
         factor = _factor(written, unit)
     except ValueError as error:
-        meant = _MEANT.get(written.lower(), written)
+        condition, meant = str(error), _MEANT.get(written.lower(), written)
         with contextlib.suppress(ValueError):
             _factor(meant, unit)
             remedy = f"write {taken_apart[1]} {meant}"
-        raise InputError(field, text, str(error), remedy) from None
+        if unit == "N" and written in _TONS:
+            condition = "have a unit of one meaning"
+            remedy = f"write {number:g} tf for tonnes, {2e3 * number:g} lbf for short, {2240 * number:g} for long tons"
+        if unit == "mm^2/s":
+            with contextlib.suppress(ValueError):
+                kinematic = _times(number, _factor(written, "mPa s")) / _USUAL_DENSITY
+                condition = "be a kinematic viscosity"
+                remedy = f"divide by the oil's density, of which {_USUAL_DENSITY} g/cm^3 makes '{kinematic:.4g} mm^2/s'"
+        raise InputError(field, text, condition, remedy) from None
     return _times(number, factor)
 
 
@@ -181,7 +197,7 @@ def _factor(written: str, unit: str) -> float:
         raise ValueError("be a number with a unit")
     import pint
 
-    spelled = _RUN_TOGETHER.sub(r"\1 \2", written)
+    spelled = _RUN_TOGETHER.sub(r"\g<0> ", written)
     spelled = _BARE_EXPONENT.sub(r"^\1", spelled.replace("**", "^"))
     spelled = "1" + spelled if spelled.startswith("/") else spelled
     if unit == "rad" and _MIL.search(spelled):
@@ -210,4 +226,7 @@ def _factor(written: str, unit: str) -> float:
 def _registry() -> pint.UnitRegistry[float]:
     import pint
 
-    return pint.UnitRegistry()
+    known: pint.UnitRegistry[float] = pint.UnitRegistry()
+    known.define("megapound_force_per_square_inch = 1e6 * psi = Msi")
+    known.define("kilopond = kilogram_force = kp")
+    return known

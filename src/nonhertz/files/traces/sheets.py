@@ -36,7 +36,7 @@ def lines_of_workbook(data: bytes, request: Request) -> tuple[list[str], tuple[s
     try:
         import openpyxl
     except ModuleNotFoundError:
-        remedy = f"{_AS_CSV}, or install what reads it with: pip install 'nonhertz[data]'"
+        remedy = f"{_AS_CSV}, or install what reads it with: pip install openpyxl"
         raise request.refuse("be a file that can be read (this is a workbook)", remedy) from None
     try:
         content = sound(data, request)
