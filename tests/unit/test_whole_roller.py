@@ -161,6 +161,20 @@ def roller(**changes):
         (lambda: roller(side_faces=("free", "none")), "depth = 'finite' must only be used for a body with two free"),
         (lambda: roller(images=3), "images = 3 must be 1 where depth = 'finite'"),
         (lambda: roller(length=500.0), "must only be used for a length of 0.1 to 10 diameters, not 25"),
+        (
+            lambda: nh.Roller(diameter=20.0, length=1.9, bore=8.0),
+            "bore = 8.0 must only be used for a length of 0.1 to 10 diameters, not 0.095: leave it out, and give the "
+            "thickness of the wall instead, depth = 6.",
+        ),
+        (
+            lambda: nh.Roller(diameter=20.0, length=250.0, bore=8.0),
+            "bore = 8.0 must only be used for a length of 0.1 to 10 diameters, not 12.5: leave it out, and give ",
+        ),
+        (
+            lambda: nh.Roller(diameter=20.0, length=20.0, bore=8.0, side_faces="mirror"),
+            "bore = 8.0 must only be used for a body with two free side faces: write side_faces = 'free', or leave it",
+        ),
+        (lambda: nh.Roller(diameter=20.0, length=20.0, bore=8.0, images=3), "images = 3 must be 1 where depth = 'fi"),
         (lambda: roller(diameter=nh.TabulatedDiameter((-1.0, 1.0), (18.0, 20.0))), "where the radius changes by less"),
         (lambda: roller(bore=25.0), "bore = 25.0 must leave a wall of 0.08 times the radius at least, not -2.5 mm"),
         (lambda: roller(bore=5.0, depth="plane-strain"), "bore = 5.0 must only be given where depth = 'finite'"),
@@ -171,6 +185,13 @@ def test_bodies_that_are_no_whole_roller_are_refused(make, message):
     with pytest.raises(nh.InputError) as refused:
         make()
     assert message in str(refused.value)
+
+
+def test_the_way_out_for_a_short_hollow_roller_works():
+    with pytest.raises(nh.InputError, match=r"depth = 6\.$"):
+        nh.Roller(diameter=20.0, length=1.9, bore=8.0)
+    disc = nh.Roller(diameter=20.0, length=1.9, depth=6.0, profile=nh.profile.crown(100.0))
+    assert nh.solve(nh.Contact(disc, nh.Plate()), load=200.0).load == pytest.approx(200.0)
 
 
 def test_sizes_beyond_all_numbers_are_no_whole_roller():

@@ -23,7 +23,6 @@ _SHORTEST, _LONGEST = 0.1, 10.0  # length over diameter
 _THINNEST, _STEEPEST = 0.08, 0.28  # wall over radius, and slope of the surface
 _SAMPLES = 33  # of a diameter that is a function
 _DIGITS = 12
-_REMEDY = "write 'plane-strain'"
 
 
 @dataclass(frozen=True)
@@ -128,7 +127,7 @@ def outline_of(body: Body) -> tuple[Outline, float]:
     z = np.array(sorted(points))
     curvature = body.curvature(z + middle)
     if not np.all(curvature > 0.0):
-        raise InputError("depth", "finite", "only be used for a body that is convex everywhere", _REMEDY)
+        raise _not_whole(body, "only be used for a body that is convex everywhere")
     given = body.bore if body.bore is not None else 0.0
     bore: Array = np.asarray(given(z) if callable(given) else np.full(z.shape, given), dtype=float)
     radius = 1.0 / float(body.curvature(np.array([middle]))[0])
@@ -142,27 +141,34 @@ def outline_of(body: Body) -> tuple[Outline, float]:
 def refuse_unless_whole(body: Body) -> None:
     """Refuse a body that is no roller with free ends."""
     if body.length is None or not all(body.free_faces):
-        remedy = "write side_faces = 'free', or depth = 'plane-strain'"
-        raise InputError("depth", "finite", "only be used for a body with two free side faces", remedy)
+        raise _not_whole(body, "only be used for a body with two free side faces", "write side_faces = 'free', or ")
     if body.images != 1:
         raise InputError("images", body.images, "be 1 where depth = 'finite', which has them all", "leave it out")
     outline, radius = outline_of(body)
     slenderness = outline.half_length
     if not _SHORTEST <= slenderness <= _LONGEST:
         condition = f"only be used for a length of {_SHORTEST:g} to {_LONGEST:g} diameters, not {slenderness:.3g}"
-        raise InputError("depth", "finite", condition, _REMEDY)
+        raise _not_whole(body, condition, wall=outline.wall * radius)
     if outline.steepest > _STEEPEST:
         condition = f"only be used where the radius changes by less than {_STEEPEST:g} of the way along the axis"
-        raise InputError("depth", "finite", condition, _REMEDY)
+        raise _not_whole(body, condition, wall=outline.wall * radius)
     if outline.wall < _THINNEST:
         condition = f"leave a wall of {_THINNEST:g} times the radius at least, not {mm(outline.wall * radius):.3g}"
         raise InputError("bore", body.bore, condition, "reduce the bore")
 
 
+def _not_whole(body: Body, condition: str, first: str = "", wall: float | None = None) -> InputError:
+    """Return the error for a body that cannot deform as a whole: about its bore, which needs that, if it has one."""
+    if body.bore is None:
+        return InputError("depth", "finite", condition, f"{first}write depth = 'plane-strain'")
+    instead = "" if wall is None else f", and give the thickness of the wall instead, depth = {wall:.6g}"
+    return InputError("bore", body.bore, condition, f"{first}leave it out{instead}")
+
+
 def can_be_whole(body: Body) -> bool:
-    """Return whether a body can deform as a whole."""
+    """Return whether a body can deform as a whole, or has a bore, whose own sentence says why it cannot."""
     try:
         refuse_unless_whole(body)
-    except InputError as error:
-        return error.field == "bore"  # whose own sentence says what is wrong
+    except InputError:
+        return body.bore is not None
     return True
