@@ -1,5 +1,6 @@
 """What the summary and the result say about the pressure where a contact ends."""
 
+import math
 import re
 
 import numpy as np
@@ -77,3 +78,26 @@ def test_a_maximum_at_a_corner_of_the_profile_has_no_limit():
     cornered = solved(tapered, nh.Plate(), load=5e3)
     assert {edge.kind for edge in cornered.edge_pressure} == {nh.EdgeKind.RUN_OUT}
     assert rows(cornered)["maximum pressure"][1] == "no limit, at a corner of the profile"
+
+
+@pytest.mark.parametrize("tilt", [math.radians(2.0), -math.radians(2.0)])
+def test_a_tilt_that_leaves_one_end_in_contact_is_remarked_and_strains_nothing(tilt):
+    roller = nh.Roller(diameter=20.0, length=20.0, profile=nh.profile.crown(4000.0))
+    found = solved(roller, nh.Plate(), tilt=tilt)
+    pressed = found.edges[1:][found.line_load > 0.0] - found.edges[:-1][found.line_load > 0.0]
+    (remark,) = found.remarks
+    touching, common = dict(remark.numbers)["parts"].values
+    assert touching == pytest.approx(pressed.sum(), abs=2.0 * pressed.max())
+    assert common == 20.0
+    assert str(remark) == f"Only {touching:.3g} of 20 mm are in contact, at one end."
+    assert rows(found)["contact along y"][1] == str(remark)
+    assert remark not in found.findings
+
+
+@pytest.mark.parametrize(
+    ("radius", "tilt", "load"),
+    [(4000.0, 0.5e-3, 20e3), (4000.0, 3e-3, 20e3), (200.0, 0.0, 2e3), (200.0, 0.01, 2e3)],
+)
+def test_what_bears_on_most_of_its_length_or_in_its_middle_is_not_remarked(radius, tilt, load):
+    roller = nh.Roller(diameter=20.0, length=20.0, profile=nh.profile.crown(radius))
+    assert solved(roller, nh.Plate(), tilt=tilt, load=load).remarks == ()

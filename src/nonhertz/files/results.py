@@ -72,6 +72,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
         "error_estimate": plain(vars(solution.error_estimate)),
         "verdict": given_verdict(of_contact(solution)),
         **as_warnings(solution.findings),
+        **({"remarks": [each.as_object() for each in solution.remarks]} if solution.remarks else {}),
         "units": UNITS,
         **{name: plain(column) for name, column in solution.table().items()},
         "edges": plain(solution.edges),

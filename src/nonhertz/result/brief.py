@@ -52,6 +52,7 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
         alike = len(named) == 2 and len({*named}) == 1
         how = f"both ends {named[0]}" if alike else " and ".join(named)
         said.append(f"contact along y from {shortened(places)}: {how}")
+        said += map(str, solution.remarks)
     if solution.warnings:
         more = "" if len(solution.warnings) == 1 else f" (and {len(solution.warnings) - 1} more)"
         said.append(f"warning: {shortened(solution.warnings[0])}{more}")

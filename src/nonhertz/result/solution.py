@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import EndStrength
+from nonhertz.amounts import EndStrength, mm
 from nonhertz.bodies.shape import Shape
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
@@ -38,6 +38,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Values = TypeVar("Values", bound=NDArray[Any])
+
+# Of the length common to both bodies: less than the first in contact, and within the second of an end of the land.
+_PARTLY, _AT_END = 0.5, 0.05
 
 
 class Status(enum.Enum):
@@ -353,6 +356,18 @@ class Solved(HasFindings, ReadOnly, _Derived):
     def contact_length(self) -> float:
         """Length of all intervals in contact together [mm]."""
         return math.fsum(high - low for low, high in self.contact_y)
+
+    @property
+    def remarks(self) -> tuple[Finding, ...]:
+        """What is worth knowing of a result although it strains no model: that a tilt leaves it to bear on one end."""
+        (low, high), (first, last) = self.contact.interval, self.contact.land
+        common = high - low
+        if not (self.contact_y and math.isfinite(common) and self.contact_length < _PARTLY * common):
+            return ()
+        if min(self.contact_y[0][0] - first, last - self.contact_y[-1][1]) > _AT_END * common:
+            return ()  # a crowned body bears on its middle
+        parts = mm(self.contact_length, common, between=" of ")
+        return (finding("partial-contact", "Only {parts:.3g} are in contact, at one end.", parts=parts),)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

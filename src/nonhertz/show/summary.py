@@ -81,7 +81,8 @@ def _contact_rows(solution: Solution) -> list[Row]:
     if not solution.contact_y:
         return [("contact along y", "none", "")]
     ends = [(f"edge at y = {mm(edge.y):.5g}", *end_words(edge, solution)) for edge in solution.edge_pressure]
-    return [("contact along y", "; ".join(str(mm(*ends, between=" to ")) for ends in solution.contact_y), ""), *ends]
+    places = "; ".join(str(mm(*ends, between=" to ")) for ends in solution.contact_y)
+    return [("contact along y", places, " ".join(map(str, solution.remarks))), *ends]
 
 
 def _pressure_rows(solution: Solution) -> list[Row]:
