@@ -157,7 +157,7 @@ def test_a_plan_names_the_file_that_it_is_for(tmp_path, run, monkeypatch):
     Path("studies").mkdir()
     assert main(["new", "a roller.toml"]) == 0
     assert (
-        "for a roller.toml; try it with: nonhertz check studies/plan.toml"
+        "for a roller.toml; try it with: nonhertz design studies/plan.toml"
         in run("new", "studies/plan.toml", "--plan", "--case", "a roller.toml").out
     )
     assert 'case = "../a roller.toml"' in Path("studies/plan.toml").read_text(encoding="utf-8")

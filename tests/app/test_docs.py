@@ -7,6 +7,7 @@ import doctest
 import functools
 import importlib
 import re
+import tomllib
 import warnings
 from fnmatch import fnmatch
 from pathlib import Path
@@ -134,6 +135,31 @@ def test_plans_fit_the_file_that_new_writes(text, tmp_path, monkeypatch, capsys)
     (name,) = re.findall(r'^case = "(\S+)"', text, re.M)
     assert main(["new", *(["--bearing"] if "[bearing]" in text or "bearing" in name else []), name]) == 0
     Path("plan.toml").write_text(text, encoding="utf-8")
+    assert main(["check", "plan.toml"]) == 0, capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_the_commands_of_a_design_run_as_written_and_write_the_plan_shown(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    text = (ROOT / "docs" / "how-to" / "design.md").read_text(encoding="utf-8")
+    commands = re.findall(r"^    nonhertz (.*)$", text, re.M)
+    assert [each.split()[0] for each in commands] == ["new", "new", "design"]
+    for command in commands:
+        assert main(command.split()) == 0, capsys.readouterr().err
+    (shown,) = re.findall(r"^```toml\n(.*?)^```$", text, re.M | re.S)
+    written = tomllib.loads(Path("plan.toml").read_text(encoding="utf-8"))
+    for name, table in tomllib.loads(shown).items():
+        assert written[name] == table
+    for name in re.findall(r"`([\w.]+)`", text.partition("It writes ")[2].partition("and a figure")[0]):
+        assert Path("plan-design", name).exists()
+
+
+def test_what_new_says_to_try_works_where_there_is_no_case(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "--plan", "plan.toml"]) == 0
+    way = "nonhertz new case.toml, then nonhertz design plan.toml"
+    assert capsys.readouterr().out == f"wrote plan.toml, for case.toml; try it with: {way}\n"
+    assert main(["new", "case.toml"]) == 0
     assert main(["check", "plan.toml"]) == 0, capsys.readouterr().err
 
 

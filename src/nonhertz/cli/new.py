@@ -60,7 +60,6 @@ def new(
         write_new(text, path)
         way_on = f"solve it with: nonhertz {'bearing' if bearing else 'solve'} {path}"
         if plan:
-            made_for = f"for {file}" + (" as 'nonhertz new' writes it" if case is None else "")
-            command = "design" if case is None else "check"
-            way_on = f"{made_for}; try it with: nonhertz {command} {path}"
+            first = "" if file.exists() else f"nonhertz new {file}, then "
+            way_on = f"for {file}; try it with: {first}nonhertz {'design' if '[design]' in text else 'check'} {path}"
         print(f"wrote {path}{',' if plan else ';'} {way_on}")

@@ -372,10 +372,17 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
         '"body.a.diameter"': f'"{diameter}" = "normal(nominal +- 15 um)"'
         if diameter
         else f'"{load}" = "uniform({around_load.replace(" :", ",")})"',
-        "loads": None,
     }
+    if "load" in case.prescribed.keywords:
+        half, whole = (f'"{of_dimension((part * numbers[load],), "N"):g}"' for part in (0.5, 1.0))
+        own["loads"] = f'loads = [{{ load = {half} }}, {{ load = {whole}, tilt = "0.5 mrad" }}]'
     if profile:
-        own['"body.a.profile.amplitude"'] = f'"{profile}" = "{_around(template, profile, numbers[profile], 0.8, 1.2)}"'
+        bounds = _around(template, profile, numbers[profile], 0.2, 4.0)
+        try:
+            Plan(case).tried(profile, f"{bounds} : 2")
+        except InputError:  # such as a barrel, whose radius is nearly that of its ring
+            bounds = _around(template, profile, numbers[profile], 0.8, 1.2)
+        own['"body.a.profile.amplitude"'] = f'"{profile}" = "{bounds}"'
     own |= {} if turned else {'"load.tilt"': None}
     found = []
     for line in text.splitlines():
