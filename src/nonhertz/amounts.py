@@ -25,6 +25,7 @@ POUND_FORCE: Final = 4.4482216152605
 _KSI: Final = 1e3 * POUND_FORCE / INCH**2  # MPa
 _POUND: Final = 0.45359237  # kg
 _ROUNDING = 1e-12  # relative: a prescribed load, say, is met to that
+_FEWEST = 4  # significant digits of an input in converted units
 _SMALL = 0.5  # mm, below which people read micrometres
 _SAME = 1e-6  # relative: less than five digits show
 
@@ -157,7 +158,8 @@ class Amount:
     """One number with its unit, or several that share one; as text, in the units that people have chosen.
 
     The format says how many significant digits are worth reading, as in ``f"{amount:4}"``, by default 5; with a ``g``,
-    ``f"{amount:.4g}"``, by default 6, zeros at the end are left out, as of inputs.
+    ``f"{amount:.4g}"``, by default 6, zeros at the end are left out, as of inputs. In other units than SI these have no
+    more digits than in SI, but four.
 
     Attributes
     ----------
@@ -178,7 +180,7 @@ class Amount:
     '0, 20.000, -0.31000 kN; 820 and 830 N'
     >>> with read_in("us"):
     ...     f"{newton(20000.0)}, {mm(9.0):g}, {um(0.0123)}, {mpa(0.5):4}"
-    '4496.2 lbf, 0.354331 in, 484.25 µin, 72.52 psi'
+    '4496.2 lbf, 0.3543 in, 484.25 µin, 72.52 psi'
     """
 
     values: tuple[float, ...]
@@ -195,17 +197,25 @@ class Amount:
 
     def apart(self, spec: str = "") -> tuple[list[str], str]:
         """Return the numbers as text, and the unit that they share."""
-        factor, unit = self.scale
-        wanted, write = spec.strip(".g"), given if spec.endswith("g") else digits
-        shown = [factor * value for value in self.values]
-        return [write(value, int(wanted)) if wanted else write(value) for value in shown], unit
+        (factor, unit), asked = self.scale, spec.strip(".g")
+        if not spec.endswith("g"):
+            return [digits(factor * value, int(asked or 5)) for value in self.values], unit
+        most, si = int(asked or 6), self._scale_in(SI)[0]
+        # An input converted to other units has not become more exact by that.
+        kept = [
+            most if chosen() is SI else min(most, max(_FEWEST, _written(si * value, most))) for value in self.values
+        ]
+        return [given(factor * value, number) for value, number in zip(self.values, kept, strict=True)], unit
 
     @property
     def scale(self) -> tuple[float, str]:
         """What turns the values into numbers that people read, and the unit of these."""
+        return self._scale_in(chosen())
+
+    def _scale_in(self, units: Units) -> tuple[float, str]:
         size = SIZES.get(self.read or self.unit, 1.0)
         read = [value / size for value in self.values if math.isfinite(value)]
-        unit, factor = chosen().of(self.read or self.unit, read)
+        unit, factor = units.of(self.read or self.unit, read)
         return factor / size, unit
 
 
@@ -335,6 +345,12 @@ def given(value: float, significant: int = 6) -> str:
     """
     mantissa, exponent, power = digits(value, significant).partition("e")
     return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
+
+
+def _written(value: float, most: int) -> int:
+    """Return with how many significant digits a number is written, of which zeros at the end are none."""
+    mantissa = given(value, most).partition("e")[0]
+    return len(mantissa.lstrip("-").replace(".", "").strip("0")) if math.isfinite(value) else most
 
 
 def in_column(values: Iterable[float], significant: int = 5) -> list[str]:

@@ -36,7 +36,7 @@ class Finding:
     ('The strips end at y = 9.5 mm.', 'cut-off')
     >>> with read_in("us"):
     ...     str(found)
-    'The strips end at y = 0.374016 in.'
+    'The strips end at y = 0.374 in.'
     """
 
     kind: str
