@@ -46,7 +46,7 @@ def write(name: str, key: bytes, content: bytes) -> None:
             with contextlib.suppress(OSError):
                 draft.unlink(missing_ok=True)
     log_once(
-        "The compiled solver cannot be kept, so every process compiles it again, which takes about a minute: nothing "
+        "The compiled solver cannot be kept, so every process compiles it again, which takes a minute or two: nothing "
         "can be written in %s. Set NUMBA_CACHE_DIR to a writable folder.", ", ".join(failures),
     )  # fmt: skip
 
