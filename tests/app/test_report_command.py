@@ -66,6 +66,10 @@ def test_only_reports_are_replaced(case, run):
     assert line.startswith("--out = 'folder' must be a file, not a directory: ")
     (line,) = refused([case, "--out", "case.toml/report.html"], run)
     assert line.startswith("--out = 'case.toml' must be a directory")
+    (line,) = refused([case, "--out", "nowhere/x/report.html"], run)
+    assert line.startswith("--out = 'nowhere/x/report.html' must be in a folder that is there, or a new one in such a ")
+    assert line.endswith(": make nowhere first, or correct the name.")
+    assert not Path("nowhere").exists()
 
 
 def test_the_head_says_what_the_file_and_the_options_say(case):

@@ -75,7 +75,7 @@ def contact_map(
         turned = ends[0], ends[1]
     elif tilt is not None:
         turned = number_in("--tilt", tilt, "rad")
-    refuse_unwritable_out(None if out is None else out.parent)
+    refuse_unwritable_out(out, file=True)
     with named_as(**_OPTIONS), Progress(None) as progress, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = map_of(

@@ -10,7 +10,7 @@ from nonhertz import InputError, Solution, read_case
 from nonhertz.amounts import mpa, newton
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, named_after
-from nonhertz.files.folder import refuse_unwritable, write_files
+from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.nodes import as_object, as_table, read_nodes
 from nonhertz.files.results import key_by_key
 from nonhertz.result.nodes import NodalLoads
@@ -47,7 +47,7 @@ def nodes(
         raise InputError("--out", str(path), "be a .csv file, and not that of the nodes", "choose another name")
     read = read_case(case, changes)
     mesh = read_nodes(nodes)
-    refuse_unwritable(path.parent)
+    refuse_unwritable_file(path)
     solution = solved(read)
     found = solution.at_nodes(mesh.x, mesh.y)
     made = write_files(path.parent, {path.name: as_table(mesh, found)})

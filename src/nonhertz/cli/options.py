@@ -90,12 +90,12 @@ def named_after(file: Path, ending: str, out: Path | None) -> Path:
     return Path(f"{legible(file.stem)}{ending}") if out is None else out
 
 
-def refuse_unwritable_out(out: Path | None) -> None:
-    """Refuse a directory that cannot be written to before the work starts, if one is named."""
-    from nonhertz.files.folder import refuse_unwritable
+def refuse_unwritable_out(out: Path | None, *, file: bool = False) -> None:
+    """Refuse a directory, or a file, that cannot be written to before the work starts, if one is named."""
+    from nonhertz.files.folder import refuse_unwritable, refuse_unwritable_file
 
     if out is not None:
-        refuse_unwritable(out)
+        (refuse_unwritable_file if file else refuse_unwritable)(out)
 
 
 def written(out: Path | None, texts: Callable[[], Mapping[str, str]], figures: Figures = dict) -> tuple[Path, ...]:

@@ -14,7 +14,7 @@ from nonhertz.cli.options import NONE, Changes, UnitsRead, named_as
 from nonhertz.cli.printing import Progress, print_written
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
-from nonhertz.files.folder import refuse_unwritable, write_files
+from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.planfile import read_any
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.report import MARK, examined, rendered, settled, steps
@@ -78,7 +78,7 @@ def report(
     if compare and isinstance(first, Case):
         remedy = f"use 'nonhertz compare {first.path}' for strips beside the plane grid"
         raise InputError("--compare", str(first.path), "be used with bearing files", remedy)
-    refuse_unwritable(path.parent)
+    refuse_unwritable_file(path)
     with Progress(len(read)) as progress:
         found = settled(read, progress.announce)
     with Progress(steps(found, life=life, stress=stress) + 1) as progress:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from nonhertz.cli.printing import print_written
 from nonhertz.errors import InputError
-from nonhertz.files.folder import write_files
+from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.schemas import KINDS, schema_text
 
 
@@ -25,4 +25,5 @@ def schema(kind: str, /, *, out: Path | None = None) -> None:
     if out is None:
         print(schema_text(kind), end="")
     else:
+        refuse_unwritable_file(out)
         print_written(write_files(out.parent, {out.name: schema_text(kind)}))

@@ -58,7 +58,7 @@ def solve(
 def _several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None) -> Answer:
     """Solve cases one by one and write all results; the exit code is the worst of all."""
     workbook = out is not None and _is_table(out) and out.suffix.lower() == ".xlsx"
-    refuse_unwritable_out(out.parent if out is not None and _is_table(out) else out)
+    refuse_unwritable_out(out, file=out is not None and _is_table(out))
     if workbook:
         refuse_missing_writer()
     found = [_attempt(path, changes) for path in paths]

@@ -85,6 +85,20 @@ def refuse_unwritable(directory: Path) -> None:
         pass
 
 
+def refuse_unwritable_file(path: Path) -> None:
+    """Refuse a file more than one folder below those that are there, a typing error, or that cannot be written.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    if not (around := path.parent.parent).exists():
+        condition = "be in a folder that is there, or a new one in such a folder"
+        raise InputError("--out", str(path), condition, f"make {around} first, or correct the name")
+    refuse_unwritable(path.parent)
+
+
 @contextlib.contextmanager
 def _drafts(directory: Path, *, keep: bool = True) -> Iterator[Path]:
     """Make a folder for drafts in a directory; refuse one that cannot be written to.
