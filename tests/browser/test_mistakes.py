@@ -15,6 +15,7 @@ from nonhertz.files.casefile import Case, starting_case
 pytestmark = pytest.mark.browser
 
 SAME = 1e-9  # a prescribed load is met to the rounding of a sum over strips
+SHOWN = "each => ({ colour: getComputedStyle(each).color, edge: getComputedStyle(each).borderLeftColor })"
 
 
 def sentences_of(path: str, value: Any) -> tuple[str, ...]:
@@ -31,7 +32,7 @@ def sentences_of(path: str, value: Any) -> tuple[str, ...]:
 
 
 def test_a_mistake_stands_at_its_field_until_it_is_mended(desk):
-    good = desk.numbers
+    good, coloured = desk.numbers, desk.page.locator("#verdict").evaluate(SHOWN)
     desk.write("load.load", "20 furlong")
     (sentence,) = sentences_of("load.load", "20 furlong")
     field = desk.field("load.load")
@@ -42,6 +43,9 @@ def test_a_mistake_stands_at_its_field_until_it_is_mended(desk):
     assert desk.page.locator("#state").inner_text() == "last good result"
     assert desk.numbers == good  # still there, dimmed
     assert float(desk.page.locator("#figures .drawing").first.evaluate("each => getComputedStyle(each).opacity")) < 1.0
+    grey, verdict, number = (desk.page.locator(each).first.evaluate(SHOWN) for each in ("#state", "#verdict", ".value"))
+    assert verdict["colour"] == number["colour"] == grey["colour"]
+    assert verdict["edge"] != coloured["edge"]
 
     desk.write("load.load", "20 kN")
     assert not place.is_visible()

@@ -36,6 +36,31 @@ def test_everything_is_reached_with_tab_in_the_order_of_the_page(desk):
     assert all(each["outlined"] for each in walked)
 
 
+# Whether the control in focus lies under the strip at the foot of the form, or the numbers above the results.
+COVERED = """() => {
+  const active = document.activeElement;
+  const box = active.getBoundingClientRect();
+  const strips = [...document.querySelectorAll(".help-strip, .above")].filter(each => !each.contains(active));
+  const under = strips.filter(each => active.closest(".editor, .results")?.contains(each))
+    .map(each => each.getBoundingClientRect())
+    .filter(each => box.bottom > each.top + 0.5 && box.top < each.bottom - 0.5);
+  return { name: active.name || active.id || active.tagName, under: under.length };
+}"""
+
+
+@pytest.mark.parametrize("key", ["Tab", "Shift+Tab"])
+def test_nothing_in_focus_lies_under_what_stays_in_place(desk, key):
+    desk.page.set_viewport_size({"width": 1440, "height": 900})
+    walked = []
+    for _ in range(120):
+        desk.page.keyboard.press(key)
+        walked.append(desk.page.evaluate(COVERED))
+        if walked[-1]["name"] == "BODY":
+            break
+    assert len({each["name"] for each in walked}) > 30
+    assert [each["name"] for each in walked if each["under"]] == []
+
+
 def test_the_first_link_skips_to_the_results_and_menus_and_dialogs_are_left_with_escape(desk):
     desk.page.keyboard.press("Tab")
     desk.page.keyboard.press("Enter")
