@@ -91,8 +91,9 @@ REFUSED = [
     ("tolerance plan.toml --over load.load=normal(1kN,1N)", "write it into the plan"),
     (
         "verify --only half-space nonsense",
-        f"must be a section: choose from {', '.join(CATALOGUE)}.",
+        f"must be a known section: choose from {', '.join(map(repr, CATALOGUE))}.",
     ),
+    ("verify --only half-spase", "--only = 'half-spase' must be a known section: did you mean 'half-space'?"),
     ("report", "Give CASE, as in 'nonhertz report roller.toml'"),
     ("bearing six.toml --contact 7 inner", "--contact = 7 must be a whole number from 0 to 5"),
     ("bearing six.toml --contact 3 inner", "--contact = 3 must be a roller that the inner ring loads"),
@@ -115,7 +116,7 @@ REFUSED = [
     ("serve --port 65536 --no-browser", "must lie between 0 and 65535"),
     (
         "schema cases",
-        "KIND = 'cases' must be a kind of file that has a schema: choose from case, ",
+        "KIND = 'cases' must be a known kind of file with a schema: did you mean 'case'?",
     ),
 ]
 

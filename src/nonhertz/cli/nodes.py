@@ -9,7 +9,7 @@ import numpy as np
 from nonhertz import InputError, Solution, read_case
 from nonhertz.amounts import mpa, newton
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, named_after
+from nonhertz.cli.options import NONE, Changes, named_after, named_as
 from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.nodes import as_object, as_table, read_nodes
 from nonhertz.files.results import key_by_key
@@ -46,7 +46,8 @@ def nodes(
     if path.suffix.lower() != ".csv" or path.is_dir() or path.resolve() == nodes.resolve():
         raise InputError("--out", str(path), "be a .csv file, and not that of the nodes", "choose another name")
     read = read_case(case, changes)
-    mesh = read_nodes(nodes)
+    with named_as(path="NODES"):
+        mesh = read_nodes(nodes)
     refuse_unwritable_file(path)
     solution = solved(read)
     found = solution.at_nodes(mesh.x, mesh.y)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from nonhertz.cli.printing import print_written
-from nonhertz.errors import InputError
 from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.schemas import KINDS, schema_text
+from nonhertz.inputs.fields import unknown
 
 
 def schema(kind: str, /, *, out: Path | None = None) -> None:
@@ -21,7 +21,7 @@ def schema(kind: str, /, *, out: Path | None = None) -> None:
         The file to write it to instead; an existing one is replaced.
     """
     if kind not in KINDS:
-        raise InputError("KIND", kind, "be a kind of file that has a schema", f"choose from {', '.join(KINDS)}")
+        raise unknown("KIND", kind, "kind of file with a schema", KINDS)
     if out is None:
         print(schema_text(kind), end="")
     else:

@@ -63,10 +63,10 @@ def read_nodes(path: Path) -> Nodes:
     InputError
         If the file cannot be read, has no such columns, or a line of it has no such numbers.
     """
-    lines, _ = decoded(*readable("NODES", path, LARGEST))
+    lines, _ = decoded(*readable("path", path, LARGEST))
     written = [(number, line) for number, line in enumerate(lines, start=1) if line.strip()]
     if not written:
-        raise InputError("NODES", str(path), "hold nodes", _EXAMPLE)
+        raise InputError("path", str(path), "hold nodes", _EXAMPLE)
     separator = next((each for each in (";", "\t", ",") if each in written[0][1]), None)
     # A head between blanks may have blanks before its units.
     head = cells_of(re.sub(r"\s+([\[(])", r"\1", written[0][1]) if separator is None else written[0][1], separator)
@@ -77,12 +77,12 @@ def read_nodes(path: Path) -> Nodes:
         found = cells_of(line, separator)
         if len(found) != len(head):
             condition = f"have as many columns in line {number} as in its head, {len(head)}, not {len(found)}"
-            raise InputError("NODES", str(path), condition, "complete the line, or take it out")
+            raise InputError("path", str(path), condition, "complete the line, or take it out")
         cells.append(found)
         for place, (name, (column, factor)) in enumerate(columns.items()):
             numbers[row, place] = factor * _number(found[column], separator, f"{name} in line {number}", path)
     if not cells:
-        raise InputError("NODES", str(path), "hold nodes below its head", "write a line for each node")
+        raise InputError("path", str(path), "hold nodes below its head", "write a line for each node")
     return Nodes(tuple(head), cells, numbers[:, 0], numbers[:, 1])
 
 
@@ -126,7 +126,7 @@ def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:
         alike = nearest(name, [each for each in names if each])
         shown = ", ".join(repr(each) for each in names[:6])
         condition = f"have one column {name} in its head, which has {shown}"
-        raise InputError("NODES", str(path), condition, f"rename '{alike}'" if alike and alike != name else _EXAMPLE)
+        raise InputError("path", str(path), condition, f"rename '{alike}'" if alike and alike != name else _EXAMPLE)
     position = names.index(name)
     match = matches[position]
     unit = None if match is None else match["unit"]
@@ -138,6 +138,6 @@ def _number(cell: str, separator: str | None, what: str, path: Path) -> float:
     value = value_in(cell if separator == "," else cell.replace(",", "."))
     if value is None or not math.isfinite(value):
         raise InputError(
-            "NODES", str(path), f"have a number as {what}, not {cell!r}", "correct it, or take the line out"
+            "path", str(path), f"have a number as {what}, not {cell!r}", "correct it, or take the line out"
         )
     return value

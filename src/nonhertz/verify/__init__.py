@@ -9,7 +9,8 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Callable, Iterable, Iterator
 
-from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.errors import without_accuracy_warnings
+from nonhertz.inputs.fields import unknown
 from nonhertz.verify.claim import Claim, Section, forget, named
 
 #: Module and function of the claims of every section, and its title, in reading order.
@@ -49,7 +50,7 @@ def chosen(only: Iterable[str] = ()) -> tuple[str, ...]:
     names = list(only)
     for name in names:
         if name not in CATALOGUE:
-            raise InputError("--only", name, "be a section", f"choose from {', '.join(CATALOGUE)}")
+            raise unknown("--only", name, "section", CATALOGUE)
     return tuple(name for name in CATALOGUE if name in names or not names)
 
 
