@@ -8,7 +8,6 @@ by how much.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -91,53 +90,36 @@ class Influence:
 def influence_of(contact: Contact, shape: Shape) -> Influence:
     """Return how strips between two bodies act, with their side faces and depths."""
     found = ends(contact)
-    terms, references = {DIRECT: 1.0}, []
+    terms, references, faces = {DIRECT: 1.0}, [], []
     for which in (0, 1):
-        weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
-        images, reference = _of_body(contact, shape, (weights.get(-1, 0.0), weights.get(1, 0.0)), which)
+        images, reference, free = _of_body(contact, shape, found, which)
         for place, weight in images.places.items():
             terms[place] = terms.get(place, 0.0) + weight
         if reference is not None:
             references.append(reference)
-    return Influence(rows(terms), tuple(references), found, tuple(_free_sides(contact)))
+        faces += free
+    return Influence(rows(terms), tuple(references), found, tuple(faces))
 
 
-def _free_sides(contact: Contact) -> Iterator[FreeSide]:
-    for body, share in zip((contact.a, contact.b), shares(contact), strict=True):
-        sides = zip(body.faces, (-1, 1), body.free_faces, body.corner_angles, strict=True)
-        for y, side, free, angle in sides:
-            if free:
-                yield FreeSide(y, side, share * (1.0 + IN_SPACE * corner_weights(angle)[1]), body.material.poisson)
+def influence_within(contact: Contact, shape: Shape, which: int) -> Influence:
+    """Return how strips act on the surface of body a (0) or b (1) alone, with the weights of the contact's solution.
 
-
-def influence_within(contact: Contact, shape: Shape, which: int) -> tuple[Array, Reference | None]:
-    """Return how loads act on one body alone: the terms, and what its displacement is measured against.
-
-    Parameters
-    ----------
-    contact : Contact
-        The two bodies.
-    shape : Shape
-        How the pressure is distributed across.
-    which : int
-        0 for body a, 1 for body b.
-
-    Returns
-    -------
-    tuple of ndarray, shape (terms, 3), and Reference or None
-        Rows (sign, offset, weight), with weight 1 for the load itself; None if the reference is far away.
+    Shares are those in the compliance of the contact, that of the load itself included.
     """
-    # No other weight frees a face of shear.
-    low, high = (float(weight > 0.0) for weight in (contact.a, contact.b)[which].face_weights)
-    images, reference = _of_body(contact, shape, (low, high), which)
-    terms = rows({DIRECT: 1.0, **images.places})
-    terms[1:, 2] /= images.share
-    return terms, reference
+    found = ends(contact)
+    images, reference, free = _of_body(contact, shape, found, which)
+    return Influence(images.with_direct(), () if reference is None else (reference,), found, tuple(free))
 
 
 def _of_body(
-    contact: Contact, shape: Shape, weights: tuple[float, float], which: int
-) -> tuple[Images, Reference | None]:
-    body = (contact.a, contact.b)[which]
-    images = Images.of(body, weights, shares(contact)[which])
-    return images, reference_of(body, shape, images, contact.interpolated)
+    contact: Contact, shape: Shape, found: tuple[End, ...], which: int
+) -> tuple[Images, Reference | None, list[FreeSide]]:
+    body, share = (contact.a, contact.b)[which], shares(contact)[which]
+    weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
+    images = Images.of(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), share)
+    free = [
+        FreeSide(y, side, share * (1.0 + IN_SPACE * corner_weights(angle)[1]), body.material.poisson)
+        for y, side, is_free, angle in zip(body.faces, (-1, 1), body.free_faces, body.corner_angles, strict=True)
+        if is_free
+    ]
+    return images, reference_of(body, shape, images, contact.interpolated), free

@@ -16,9 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.bodies.depths import Reference
-from nonhertz.bodies.images import SEPARATE_LINKS
-from nonhertz.bodies.influence import influence_within
+from nonhertz.bodies.images import DIRECT, SEPARATE_LINKS, chains, rows
+from nonhertz.bodies.influence import Influence, influence_within
 from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
@@ -55,13 +54,15 @@ class Inside:
     load : Load
         The pressure.
     terms : ndarray, shape (terms, 3)
-        Rows (sign, offset, weight) of the pressure itself and its images in this body.
+        Rows (sign, offset, weight) of the pressure itself and its images in this body, for stress: all weigh 1, since
+        no other weight frees a face of shear.
     faces : tuple of FreeFaceField
         What its free side faces add.
     wall : Wall or None
         The rest of a hollow roller; None of other bodies.
-    reference : Reference or None
-        The reference of displacement; None if it is far away.
+    influence : Influence
+        How the solution's strips displace its surface, per unit of the compliance of the contact: images and free side
+        faces with their weights, and the reference.
     edges, pressed : ndarray, shape (stations + 1,) and (stations,)
         Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth.
     afar : float
@@ -74,7 +75,7 @@ class Inside:
     terms: Array
     faces: tuple[FreeFaceField, ...]
     wall: Wall | None
-    reference: Reference | None
+    influence: Influence
     edges: Array
     pressed: Array
     afar: float
@@ -101,14 +102,16 @@ class Inside:
             load = Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
         which = BODIES.index(name)
         body = (solution.contact.a, solution.contact.b)[which]
-        terms, reference = influence_within(solution.contact, solution.shape, which)
+        low, high = (float(weight > 0.0) for weight in body.face_weights)
+        terms = rows({DIRECT: 1.0, **chains(body, (low, high), 1.0)})
         afar = 0.0
         if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
             afar = solution.load / body.length * float(terms[-1, 2])
         pressed = solution.contact.compliance * solution.line_load
         faces = tuple(_faces(solution, body, load))
+        influence = influence_within(solution.contact, solution.shape, which)
         wall = Wall.of(solution, body, Extent(name, body), terms, faces)
-        kept[name] = cls(name, body, load, terms, faces, wall, reference, solution.edges, pressed, afar)
+        kept[name] = cls(name, body, load, terms, faces, wall, influence, solution.edges, pressed, afar)
         return kept[name]
 
     @property
@@ -149,7 +152,7 @@ class Inside:
 
     def _near(self, points: Array) -> Array:
         """Return the stress that pressure and images have in a half-space, with what free side faces add."""
-        total = self._of_terms(points, displaced=False)
+        total = self._of_terms(points, self.terms, displaced=False)
         for face in self.faces:
             total += face.stress(points)
         if self.afar:
@@ -159,19 +162,21 @@ class Inside:
 
     def displacement(self, points: Array) -> Array:
         """Return the displacement [mm] at ``points`` (n, 3), shape (n, 3)."""
-        total = self._of_terms(points, displaced=True)[:, DISPLACEMENT]
-        for face in self.faces:
-            total += face.displacement(points)
+        share = self.influence.terms[0, 2]
+        weights = self.influence.terms / [1.0, 1.0, share]
+        total = self._of_terms(points, weights, displaced=True)[:, DISPLACEMENT]
+        for side in self.influence.faces:
+            face = next(each for each in self.faces if each.side == side.side)
+            total += side.share / share * face.displacement(points)
         total /= self.body.material.shear_modulus
-        if self.reference is not None:
-            y, back = np.unique(points[:, 1], return_inverse=True)
-            total[:, U_Z] -= (self.reference.displacement(y, self.edges) @ self.pressed)[back.ravel()]
+        y, back = np.unique(points[:, 1], return_inverse=True)
+        total[:, U_Z] -= (self.influence.at_depth(y, self.edges) @ self.pressed)[back.ravel()]
         return total
 
-    def _of_terms(self, points: Array, displaced: bool) -> Array:
+    def _of_terms(self, points: Array, terms: Array, displaced: bool) -> Array:
         """Return what pressure and images do in a half-space; see `Load.six`."""
         total = np.zeros((points.shape[0], 6))
-        for sign, offset, weight in self.terms:
+        for sign, offset, weight in terms:
             # Points as they lie to the pressure itself when seen from its image.
             seen = np.column_stack([points[:, 0], sign * (points[:, 1] - offset), points[:, 2]])
             part = self.load.six(seen, self.body.material.poisson, displaced)

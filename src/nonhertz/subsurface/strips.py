@@ -37,12 +37,14 @@ from nonhertz.subsurface.tails import TWO_PI, Load, Six, displacement_tail, stre
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-LADDER = (2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256)
+LADDER = (2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 768, 1024)
 ERROR = 1e-8  # of the contribution of a strip
-# No tail begins nearer to a point than this, in half-widths: the smallest distance at which the highest-order rule
+# No tail begins nearer to a point than this, in half-widths: the smallest distance at which the rule of 256 nodes
 # meets the error bound. A piece that ends nearer to a point on the surface is lengthened by the difference, and its
 # neighbour shortened.
 NEAREST = 0.04
+# The same for displacement, whose singularity is only logarithmic: higher-order rules reach so much closer.
+NEAREST_DISPLACED = 0.0025
 # Beyond these distances, in half-widths and in its own lengths, a strip is not divided into pieces.
 FAR, FAR_IN_LENGTHS = 16.0, 6.0
 # Beyond these distances, in half-widths, nodes replace the closed form of the infinite strip, which begins to cancel.
@@ -142,14 +144,17 @@ def _sufficient(x: float, distance: float, a: float, enough: Array) -> int:
 
 
 @compiled
-def _tails(low: float, high: float, z: float, a: float) -> tuple[float, float, float, float, float, float, float]:
+def _tails(
+    low: float, high: float, z: float, a: float, nearest: float
+) -> tuple[float, float, float, float, float, float, float]:
     """Return both tails that make up a segment: for each its distance, sign, and sign of components odd in y.
 
     ``low`` and ``high`` are the segment's ends relative to the point, positive if ahead of it. The last value is the
     fraction of the infinite strip that counts: all of it under the segment, and half exactly at one of its ends, where
-    the tail that begins at the point is half the infinite strip except for the odd components.
+    the tail that begins at the point is half the infinite strip except for the odd components. No tail begins within
+    ``nearest`` half-widths of the point.
     """
-    least = math.sqrt(max((NEAREST * a) ** 2 - z * z, (1e-9 * a) ** 2))
+    least = math.sqrt(max((nearest * a) ** 2 - z * z, (1e-9 * a) ** 2))
     if low > 0.0:
         return max(low, least), 1.0, 1.0, max(high, least), -1.0, -1.0, 0.0
     if high < 0.0:
@@ -203,7 +208,7 @@ def _displacement_of_infinite(x: float, z: float, a: float, poisson: float, rule
 Sum = Callable[[Array, Lamination, Rules, float, Array], None]
 
 
-def _sum_of(name: str, scale: float, tail: Callable[..., Six], infinite: Callable[..., Six]) -> Sum:
+def _sum_of(name: str, scale: float, nearest: float, tail: Callable[..., Six], infinite: Callable[..., Six]) -> Sum:
     """Return a compiled loop, kept by its name, that adds up at points what all tails and infinite strips do there."""
 
     def add_up(points: Array, strips: Lamination, rules: Rules, poisson: float, out: Array) -> None:
@@ -214,7 +219,9 @@ def _sum_of(name: str, scale: float, tail: Callable[..., Six], infinite: Callabl
                 begin, end = _counted(j, y, strips)
                 for p in range(begin, end):
                     a, q = strips.half_width[p], scale * strips.line_load[p]
-                    Y1, even1, odd1, Y2, even2, odd2, whole = _tails(strips.low[p] - y, strips.high[p] - y, z, a)
+                    Y1, even1, odd1, Y2, even2, odd2, whole = _tails(
+                        strips.low[p] - y, strips.high[p] - y, z, a, nearest
+                    )
                     if whole > 0.0:
                         s_x, s_y, s_z, _, s_xz, _ = infinite(x, z, a, poisson, rules)
                         t_x += whole * q * s_x
@@ -238,5 +245,5 @@ def _sum_of(name: str, scale: float, tail: Callable[..., Six], infinite: Callabl
     return compiled(add_up)
 
 
-_stress = _sum_of("_stress", 1.0 / TWO_PI, stress_tail, _stress_of_infinite)
-_displacement = _sum_of("_displacement", 0.5 / TWO_PI, displacement_tail, _displacement_of_infinite)
+_stress = _sum_of("_stress", 1.0 / TWO_PI, NEAREST, stress_tail, _stress_of_infinite)
+_displacement = _sum_of("_displacement", 0.5 / TWO_PI, NEAREST_DISPLACED, displacement_tail, _displacement_of_infinite)
