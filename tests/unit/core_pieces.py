@@ -13,7 +13,9 @@ NO_DEPTH = np.zeros((0, 0))
 def strips_between(low, high, *, curvature=0.1, separation=0.0, at_depth=NO_DEPTH):
     """Strips between two rows of edges, of one curvature [1/mm]."""
     y = 0.5 * (low + high)
-    return Strips(y, low, high, np.full(y.size, curvature), separation + np.zeros(y.size), at_depth)
+    return Strips(
+        y, low, high, np.full(y.size, curvature), separation + np.zeros(y.size), at_depth, np.zeros((4, y.size))
+    )
 
 
 def kernel_of(element=nh.SEMI_ELLIPTIC, terms=HALF_SPACE):

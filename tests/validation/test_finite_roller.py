@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy import special
 
 import nonhertz as nh
 from nonhertz.bodies import ends
@@ -45,10 +46,11 @@ def test_a_load_moves_the_surface_as_elements_say(name):
         displaced(cylinder(case["L"], poisson), y, EDGES, load, case["b"]) * nh.Material(206000.0, poisson).compliance
     )
     if LOADS[name] is np.ones_like:
-        # Half-widths of 0.05 and 0.02 radii, in place of 0.03.
-        np.testing.assert_allclose(found, expected, rtol=2e-3)
+        np.testing.assert_allclose(found, expected, rtol=5e-4)
     else:
-        np.testing.assert_allclose(found, expected, atol=1.5e-3 * np.abs(expected).max())
+        # Two are half as long as they are wide: what the width changes is not all on their strips.
+        short = name.startswith("5")
+        np.testing.assert_allclose(found, expected, atol=(4e-3 if short else 1.5e-3) * np.abs(expected).max())
     if name == "4":
         # The compliance against tilting.
         assert np.trapezoid(found * y, y) == pytest.approx(np.trapezoid(expected * y, y), rel=1e-3)
@@ -60,6 +62,19 @@ def test_a_long_roller_is_compressed_as_in_plane_strain_and_grows_longer():
     found = displaced(cylinder(160.0, poisson), np.zeros(1), np.linspace(-80.0, 80.0, 641), np.ones(640), half_width)
     expected = 2.0 * math.log(40.0 / half_width) - 1.0 + 2.0 * poisson**2 / (1.0 - poisson**2)
     assert found == pytest.approx(expected, rel=2e-3)
+
+
+@pytest.mark.parametrize("poisson", [0.1, 0.3])
+def test_a_wider_load_compresses_a_roller_by_the_sum_over_all_its_modes(poisson):
+    # A disc in plane strain: mode n moves by (n - beta) / (n^2 - 1) (Michell), a semi-ellipse has 2 J1(n b) / (n b) of
+    # it. The ends change nothing of what the width does in the middle.
+    n, beta = np.arange(2.0, 4e5, 2.0), (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson))
+    widths = np.array([0.003, 0.01, 0.03, 0.06, 0.12, 0.16, 0.28])  # over the radius
+    modes = 4.0 * (n - beta) / (n**2 - 1.0)
+    expected = np.array([modes @ (2.0 * special.j1(n * width) / (n * width)) for width in widths])
+    roller, edges = cylinder(40.0, poisson), np.linspace(-20.0, 20.0, 81)
+    found = np.array([float(displaced(roller, np.zeros(1), edges, np.ones(80), 10.0 * each)[0]) for each in widths])
+    np.testing.assert_allclose((found - found[0]) - (expected - expected[0]), 0.0, atol=4e-4 * found.min())
 
 
 @pytest.mark.parametrize(
@@ -117,15 +132,15 @@ def test_tapered_rollers_under_pressure_normal_to_their_surface(
     roller = nh.Roller(diameter=diameters(half_angle, middle, length), length=length, material=material)
     for y, w in zip((-0.5 * length + 0.1, 0.0, 0.5 * length - 0.1), expected, strict=True):
         found = displaced(roller, np.array([y]), np.array([y - 0.1, y + 0.1]), np.ones(1), half_width)
-        # What the width changes on a strip counts in full on one that is narrower than the contact: 0.2 to 0.5 %.
-        assert found == pytest.approx(w, rel=7e-3)
+        # What the width changes on a strip counts in full on one that is narrower than the contact: 0.2 to 0.9 %.
+        assert found == pytest.approx(w, rel=1e-2)
 
 
 def test_the_moment_of_a_tapered_roller_on_a_flat():
     # By the elements above: -2926 N mm; with right corners and pressure square to the axis -300.
     roller = nh.Roller(diameter=nh.TabulatedDiameter((-10.0, 10.0), (19.0, 21.0)), length=20.0)
-    solution = nh.solve(nh.Contact(roller, nh.Plate()), load=30e3)
-    assert solution.moment == pytest.approx(-2926.0, rel=0.1)
+    solution = nh.solve(nh.Contact(roller, nh.Plate()), load=30e3, strips=100)
+    assert solution.moment == pytest.approx(-2926.0, rel=0.07)
 
 
 @pytest.mark.parametrize(

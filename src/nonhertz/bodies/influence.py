@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths import Reference, reference_of
+from nonhertz.bodies.depths import AxisOfRoller, Reference, reference_of
 from nonhertz.bodies.ends import IN_SPACE, End, corner_weights, ends, shares
 from nonhertz.bodies.images import DIRECT, Images, rows
 from nonhertz.bodies.shape import Shape
@@ -78,6 +78,11 @@ class Influence:
             return np.zeros((*y.shape, edges.shape[-1] - 1))
         first, *others = (each.displacement(y, edges) for each in self.references)
         return sum(others, first)
+
+    def by_width(self, y: Array, ratio: float) -> Array:
+        """Return what half-widths, times ``ratio`` Hertz's, change on strips at ``y``; see `WholeRoller.by_width`."""
+        rollers = (each for each in self.references if isinstance(each, AxisOfRoller))
+        return sum((each.by_width(y, ratio) for each in rollers), np.zeros((4, *y.shape)))
 
     def min_depth(self, y: Array) -> Array:
         """Return the smaller of the two bodies' depths below the places ``y``, infinite if neither has one."""

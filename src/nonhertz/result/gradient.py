@@ -157,7 +157,7 @@ class _Linear:
     solution: Solution
     linear: Linearised
     influence: Influence
-    at_depth: Array
+    grids: Grids
 
     @classmethod
     def of(cls, solution: Solution) -> _Linear:
@@ -165,9 +165,7 @@ class _Linear:
         m = solution.element_half_width**2
         r = np.divide(solution.contact.compliance * solution.line_load, m, out=np.zeros_like(m), where=m > 0.0)
         grids = _grids(solution, influence)
-        return cls(
-            solution, linearised(grids, r, m, kernel_of(influence, solution.element)), influence, grids.at_depth[0]
-        )
+        return cls(solution, linearised(grids, r, m, kernel_of(influence, solution.element)), influence, grids)
 
     def moved(self, contact: Contact) -> Solution:
         """Return the same loads per length and half-widths on strips that move as the ends of a contact do.
@@ -217,12 +215,13 @@ class _Linear:
         grids = _grids(moved, influence)
         y, (displaced, _, curved, _), loads = linear.y, linear.blocks, linear.r * linear.m
         alike = np.array_equal(influence.terms, self.influence.terms) and influence.faces == self.influence.faces
+        alike = alike and np.array_equal(grids.by_width, self.grids.by_width)
         if moved is not self.solution or not alike:
             m = moved.element_half_width**2
             again = linearised(grids, m, m, kernel_of(influence, moved.element))
             y, (displaced, _, curved, _) = again.y, again.blocks
-        elif not np.array_equal(grids.at_depth[0], self.at_depth):
-            displaced = displaced + (self.at_depth - grids.at_depth[0])[np.ix_(linear.active, linear.active)]
+        elif not np.array_equal(grids.at_depth, self.grids.at_depth):
+            displaced = displaced + (self.grids.at_depth - grids.at_depth)[0][np.ix_(linear.active, linear.active)]
         bent = curved @ linear.r - contact.curvature_at(y)
         gap = displaced @ loads + contact.separation_at(y) - moved.tilt * y
         forces = self.solution.contact.compliance * np.array([moved.load, moved.moment]) * by_force
@@ -335,4 +334,5 @@ def _grids(solution: Solution, influence: Influence) -> Grids:
     y, edges = plain_array(solution.y)[None], plain_array(solution.edges)[None]
     nothing = np.zeros_like(y)
     at_depth = influence.at_depth(y, edges) if influence.references else np.zeros((1, 0, 0))
-    return Grids(np.array([solution.strips]), edges, y, nothing, nothing, nothing, nothing, at_depth)
+    by_width = influence.by_width(y[0], solution.element.hertz_ratio)[None]
+    return Grids(np.array([solution.strips]), edges, y, nothing, nothing, nothing, nothing, at_depth, by_width)

@@ -19,7 +19,7 @@ from nonhertz.compiled import compiled, inlined, plain_array
 from nonhertz.compiled.tiles import TILE
 from nonhertz.strip.element import POWERS, POWERS_AT, evaluate
 from nonhertz.strip.free_end import AWAY, far_terms, far_whole, no_squares
-from nonhertz.strip.influence import added_by_face
+from nonhertz.strip.influence import added_by_face, by_own_width
 from nonhertz.strip.problem import Problem
 from nonhertz.strip.records import Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States, Strips
 from nonhertz.strip.solving import strips_of
@@ -234,6 +234,7 @@ def _lift_and_bend(strips: Strips, kernel: Kernel, answer: Answer) -> tuple[Arra
                     lower = evaluate((low - y[i]) * inverse, kernel.table)
                     lift[i] += q[j] * weight * (upper[0] - lower[0])
                     bend[i] += by_bend * weight * (upper[2] - lower[2])
+            lift[j] += q[j] * by_own_width(strips.by_width, j, answer.half_width[j])[0]
             if strips.at_depth.size:
                 for i in places:
                     lift[i] -= q[j] * strips.at_depth[i, j]

@@ -244,6 +244,19 @@ def _seen_from(strips: Strips, source: int, m: float, kernel: Kernel, remote: Re
             seen[1, i] += weight * ta
             seen[2, i] += weight * b
             seen[3, i] += weight * tb
+    own, slope = by_own_width(strips.by_width, source, 1.0 / inverse)
+    seen[0, source] += own
+    seen[1, source] -= slope
+
+
+@compiled
+def by_own_width(by_width: Array, strip: int, a: float) -> tuple[float, float]:
+    """Return what its half-width changes in [A] of a strip on itself, and a times the derivative of that."""
+    logarithmic = by_width[2, strip]
+    if logarithmic == 0.0:  # a flat surface
+        return 0.0, 0.0
+    linear, square = by_width[1, strip], logarithmic * math.log(a) + by_width[3, strip]
+    return by_width[0, strip] + a * (linear + a * square), a * (linear + a * (2.0 * square + logarithmic))
 
 
 @compiled
@@ -322,17 +335,19 @@ def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Arr
     """Return the displacement per unit of compliance at several places ``y``, relative to the points at depth."""
     at_depth: Array = influence.at_depth(y, edges) @ (r * m)
     places, ends, load, square = map(plain_array, (y, edges, r, m))
-    return _on_the_surface(places, ends, load, square, kernel_of(influence, element)) - at_depth
+    by_width = influence.by_width(0.5 * (edges[1:] + edges[:-1]), element.hertz_ratio)
+    return _on_the_surface(places, ends, load, square, kernel_of(influence, element), by_width) - at_depth
 
 
 @compiled
-def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, kernel: Kernel) -> Array:
+def _on_the_surface(places: Array, edges: Array, r: Array, m: Array, kernel: Kernel, by_width: Array) -> Array:
     result, kept = np.zeros(places.size), no_squares()
     for j in range(m.size):
         if m[j] > 0.0:
             inverse, q, low, high = 1.0 / math.sqrt(m[j]), r[j] * m[j], edges[j], edges[j + 1]
             for i in range(places.size):
-                seen = 0.0
+                within = low <= places[i] < high or (j == m.size - 1 and places[i] == high)
+                seen = by_own_width(by_width, j, math.sqrt(m[j]))[0] if within else 0.0
                 for k in range(kernel.terms.shape[0]):
                     sign, offset = kernel.terms[k, 0], kernel.terms[k, 1] - places[i]
                     upper = evaluate((sign * high + offset) * inverse, kernel.table)[0]

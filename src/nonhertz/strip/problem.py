@@ -120,13 +120,17 @@ class StripModel:
                 sharper_curvature(self.contact, flat),
             )
         )  # fmt: skip
-        return Grids(count, edges, y, curvature, separation, min_depth, sharper, np.zeros((len(y), 0, 0)))
+        at_rest, by_width = np.zeros((len(y), 0, 0)), np.zeros((len(y), 4, y.shape[1]))
+        return Grids(count, edges, y, curvature, separation, min_depth, sharper, at_rest, by_width)
 
     def deep(self, grids: Grids) -> Grids:
         """Return grids with what displacement is measured against, a matrix of all by all strips for each."""
         if grids.at_depth.size or not self.influence.references:
             return grids
-        return grids._replace(at_depth=self.influence.at_depth(grids.y, grids.edges))
+        by_width = np.moveaxis(self.influence.by_width(grids.y, self.element.hertz_ratio), 0, 1)
+        return grids._replace(
+            at_depth=self.influence.at_depth(grids.y, grids.edges), by_width=np.ascontiguousarray(by_width)
+        )
 
     def kept_grid(self, edges: Array) -> Grids:
         """Return one grid, which is kept unless it is large."""

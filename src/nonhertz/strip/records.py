@@ -27,6 +27,8 @@ class Strips(NamedTuple):
         Centres, edges, 1/rho and h.
     at_depth : ndarray, shape (n or more, n or more)
         Displacement, per unit of K q, of what displacement is measured against; shape (0, 0) if that is at rest.
+    by_width : ndarray, shape (4, n)
+        What the half-width a changes on the strip itself, per unit of K q: C0 + C1 a + (C2 ln a + C3) a^2.
     """
 
     y: Array
@@ -35,6 +37,7 @@ class Strips(NamedTuple):
     curvature: Array
     separation: Array
     at_depth: Array
+    by_width: Array
 
 
 class BoundaryConditions(NamedTuple):
@@ -114,7 +117,7 @@ class Grids(NamedTuple):
         As in `Strips`.
     min_depth, sharper : ndarray, shape (grids, n)
         The smaller of both bodies' depths [mm]; the larger of their curvatures across, in magnitude [1/mm].
-    at_depth : ndarray, shape (grids, n, n)
+    at_depth, by_width : ndarray, shape (grids, n, n), (grids, 4, n)
         As in `Strips`.
     """
 
@@ -126,11 +129,12 @@ class Grids(NamedTuple):
     min_depth: Array
     sharper: Array
     at_depth: Array
+    by_width: Array
 
     @property
     def at_rest(self) -> Grids:
         """The same without the matrices of what displacement is measured against."""
-        return self._replace(at_depth=np.zeros((len(self.y), 0, 0)))
+        return self._replace(at_depth=np.zeros((len(self.y), 0, 0)), by_width=np.zeros_like(self.by_width))
 
     def only(self, cases: Indices) -> Grids:
         """Return the grids of some cases, whose numbers ascend."""

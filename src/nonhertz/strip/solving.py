@@ -281,7 +281,7 @@ def strips_of(grids: Grids, row: int) -> Strips:
     edges = grids.edges[row]
     return Strips(
         grids.y[row, :n], edges[:n], edges[1 : n + 1], grids.curvature[row, :n], grids.separation[row, :n],
-        grids.at_depth[row],
+        grids.at_depth[row], grids.by_width[row, :, :n],
     )  # fmt: skip
 
 

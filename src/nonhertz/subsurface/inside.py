@@ -25,6 +25,7 @@ from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.model.side_faces import SERIES
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution, Solved
+from nonhertz.strip.influence import by_own_width
 from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.free_faces import FreeFaceField
 from nonhertz.subsurface.rectangles import Rectangles
@@ -63,8 +64,9 @@ class Inside:
     influence : Influence
         How the solution's strips displace its surface, per unit of the compliance of the contact: images and free side
         faces with their weights, and the reference.
-    edges, pressed : ndarray, shape (stations + 1,) and (stations,)
-        Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth.
+    edges, pressed, widened : ndarray, shape (stations + 1,) and (stations,)
+        Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth; and how much
+        more their own width displaces them [mm].
     afar : float
         Line load [N/mm] beyond the last separate image on either side; zero without a complete series.
     """
@@ -78,6 +80,7 @@ class Inside:
     influence: Influence
     edges: Array
     pressed: Array
+    widened: Array
     afar: float
 
     @classmethod
@@ -110,8 +113,13 @@ class Inside:
         pressed = solution.contact.compliance * solution.line_load
         faces = tuple(_faces(solution, body, load))
         influence = influence_within(solution.contact, solution.shape, which)
+        widened = np.zeros(pressed.size)
+        if isinstance(solution, Solution):  # a plane grid takes any contact for one of usual width
+            by_width = influence.by_width(solution.y, 1.0)
+            for strip in np.flatnonzero(pressed).tolist():
+                widened[strip] = pressed[strip] * by_own_width(by_width, strip, float(solution.half_width[strip]))[0]
         wall = Wall.of(solution, body, Extent(name, body), terms, faces)
-        kept[name] = cls(name, body, load, terms, faces, wall, influence, solution.edges, pressed, afar)
+        kept[name] = cls(name, body, load, terms, faces, wall, influence, solution.edges, pressed, widened, afar)
         return kept[name]
 
     @property
@@ -170,7 +178,9 @@ class Inside:
             total += side.share / share * face.displacement(points)
         total /= self.body.material.shear_modulus
         y, back = np.unique(points[:, 1], return_inverse=True)
-        total[:, U_Z] -= (self.influence.at_depth(y, self.edges) @ self.pressed)[back.ravel()]
+        strip = np.clip(np.searchsorted(self.edges, y, side="right") - 1, 0, self.widened.size - 1)
+        sunk = self.influence.at_depth(y, self.edges) @ self.pressed - self.widened[strip]
+        total[:, U_Z] -= sunk[back.ravel()]
         return total
 
     def _of_terms(self, points: Array, terms: Array, displaced: bool) -> Array:

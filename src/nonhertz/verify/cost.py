@@ -45,8 +45,8 @@ def claims() -> Iterator[Claim]:
 def _assemble(contact: Contact, solution: Solution) -> None:
     element, y, edges = SEMI_ELLIPTIC, solution.y, solution.edges
     kernel = kernel_of(influence_of(contact, element), element)
-    at_rest = np.zeros((0, 0))
-    strips = Strips(y, edges[:-1], edges[1:], contact.curvature(y), contact.separation(y), at_rest)
+    flat = np.zeros((0, 0)), np.zeros((4, y.size))
+    strips = Strips(y, edges[:-1], edges[1:], contact.curvature(y), contact.separation(y), *flat)
     active = np.flatnonzero(solution.line_load > 0.0)
     square = np.maximum(solution.element_half_width, 1e-3) ** 2
     remote = remote_of(strips, kernel, square)
