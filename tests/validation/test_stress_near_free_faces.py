@@ -48,11 +48,11 @@ def test_finite_elements_of_bodies_between_free_faces(name):
     solution = solved(ELEMENTS[name])
     points, wanted = places(solution), np.array(ELEMENTS[name]["stress"])
     found = subsurface.stress(solution, *points.T)
-    # Of sigma_x 1.4 % is missing in the shortest body, for want of further images; of others 0.3 %.
-    assert np.abs(found.stress - wanted).max() < 0.02 * solution.max_pressure
+    # Without the images beyond the first sigma_x would be off by 1.4 %, and by 5.7 % in a body 4 half-widths wide.
+    assert np.abs(found.stress - wanted).max() < 0.008 * solution.max_pressure
     # Of the largest in the body: here, or that of a line contact elsewhere. With images alone it is -10 to +50 %.
     largest = max(float(von_mises_of(wanted).max()), 0.558 * solution.max_pressure)
-    assert np.abs(found.von_mises - von_mises_of(wanted)).max() < 0.02 * largest
+    assert np.abs(found.von_mises - von_mises_of(wanted)).max() < 0.0125 * largest
 
 
 @pytest.mark.slow

@@ -125,7 +125,7 @@ class QuarterSpaceField:
         change: Callable[[Array], Array] = CubicSpline(np.log(_APART), np.array(found))
         return change
 
-    def between_faces(self, distance: Array, own: Array, other: Array) -> Array:
+    def between_faces(self, distance: Array, own: Array, other: Array, images: int) -> Array:
         """Return the coefficients with which two faces take away what each leaves on the other.
 
         Parameters
@@ -134,19 +134,20 @@ class QuarterSpaceField:
             Between the faces, times k.
         own, other : ndarray, shape (m, rank)
             Coefficients of both without the other.
-
-        Notes
-        -----
-        What each of them adds is mirrored once about either face: it acts on its own face from twice the distance, and
-        on the other one from the distance and from three times that.
+        images : int
+            How many mirror images of what each of them adds there are on either side, twice the distance apart: its own
+            face sees them at even multiples of the distance, the other one at odd multiples.
         """
-        once, twice, thrice = (
-            np.where(apart < FARTHEST_APART, self._across(np.log(np.clip(apart, _APART[0], FARTHEST_APART))).T, 0.0).T
-            for apart in (distance, 2.0 * distance, 3.0 * distance)
-        )
-        change = np.eye(own.shape[1]) + 2.0 * twice
+
+        def seen(times: int) -> Array:
+            apart = times * distance
+            change = self._across(np.log(np.clip(apart, _APART[0], FARTHEST_APART)))
+            return np.where(apart < FARTHEST_APART, change.T, 0.0).T
+
+        even = np.eye(own.shape[1]) + 2.0 * sum(seen(2 * n) for n in range(1, images + 1))
+        odd = 2.0 * sum(seen(2 * n - 1) for n in range(1, images + 1)) + seen(2 * images + 1)
         same, opposed = (
-            np.linalg.solve((change + sign * (2.0 * once + thrice)).transpose(0, 2, 1), (own + sign * other)[..., None])
+            np.linalg.solve((even + sign * odd).transpose(0, 2, 1), (own + sign * other)[..., None])
             for sign in (1.0, -1.0)
         )
         found: Array = 0.5 * (same + opposed)[..., 0]

@@ -116,7 +116,7 @@ def stress(
     A half-space under the pressure of the solution, with the images of the body's side faces, and what an elastic
     quarter-space adds to them where a face is free: no stress is left on it. This includes faces with calibrated or
     weighted images, all of which weigh 1 here. A mirrored face is free of shear alone, as a plane of symmetry is, and
-    behind an untreated one the half-space goes on. Near free faces stress is within 2 % of the largest pressure.
+    behind an untreated one the half-space goes on. Near free faces stress is within 1 % of the largest pressure.
 
     Displacement has the weights of the solution: on the surface in contact, u_z of both bodies adds up to the
     interference that was solved, within 1e-3 of the largest on the automatic grid; 1.5e-3 in the last half-widths

@@ -8,8 +8,9 @@ of the load counts, however far from the face: its normal stress falls only as t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -44,6 +45,8 @@ _FROM, _SMOOTHED = 1.2, 0.15
 _CLOSEST, _RADIAL = 0.05, 0.25  # distance from the edge, in half-widths, and steps of its logarithm
 _ACROSS, _ACROSS_STEP = 0.8, 0.1  # x is 0.8 half-widths times sinh of these steps
 _ANGLES = np.linspace(0.0, 0.5 * np.pi, 9)
+# Images of what a face adds, on either side, times the length over the half-width; and the most of them.
+_SEEN, _MOST_IMAGES = 20.0, 8
 _BEYOND = 2.0  # how far the table reaches, over the distance of the load's far end
 
 
@@ -65,6 +68,42 @@ class Spectrum:
 
 
 @dataclass(frozen=True, eq=False)
+class Between:
+    """The load between two free faces, with its images.
+
+    Attributes
+    ----------
+    terms : ndarray, shape (terms, 3)
+        Rows (sign, offset, weight) of the load itself and its images, all of weight 1.
+    afar : tuple of float, or None
+        Where line loads begin that stand for all images further away [mm], low and high, and how large they are [N/mm].
+    """
+
+    terms: Array
+    afar: tuple[float, float, float] | None
+
+    def projected(
+        self, field: QuarterSpaceField, k: Array, edges: Array, steps: Array, place: float, side: float
+    ) -> Array:
+        """Return the coefficients of a face without the other one: of a half of all that is on either side of it."""
+        halves: dict[tuple[float, float], float] = {}
+        for sign, offset, _ in self.terms.tolist():
+            turned, start = -side * sign, side * (place - offset)
+            mirrored = 1.0 if start + 0.5 * turned * (edges[0] + edges[-1]) > 0.0 else -1.0
+            key = round(mirrored * start, 9), mirrored * turned
+            halves[key] = halves.get(key, 0.0) + 0.5
+        total = sum(
+            half * field.projected(k, np.maximum(start + turned * edges, 0.0), turned * steps)
+            for (start, turned), half in halves.items()
+        )
+        if self.afar is not None:
+            low, high, mean = self.afar
+            far = np.array([place - low, high - place, np.inf])
+            total += field.projected(k, far, np.tile([-0.5 * mean, -0.5 * mean, mean], (k.size, 1)))
+        return np.asarray(total)
+
+
+@dataclass(frozen=True, eq=False)
 class FreeFaceField:
     """What one free side face adds.
 
@@ -76,6 +115,8 @@ class FreeFaceField:
         The half-width of the contact near the face, and how far the table reaches [mm].
     length : float
         The distance of another free face [mm], 0 if there is none.
+    images : int
+        How often what it adds is seen in mirror images on either side, if there is another free face.
     parts : tuple of (ndarray of bool, NdBSpline, NdBSpline)
         Of the even part of the pressure, and of the odd one if there is one: what changes its sign with x, and stress
         and the shear modulus times displacement over x, the distance from the edge and the direction.
@@ -86,6 +127,7 @@ class FreeFaceField:
     half_width: float
     farthest: float
     length: float
+    images: int
     parts: tuple[tuple[NDArray[np.bool_], NdBSpline, NdBSpline], ...]
 
     @classmethod
@@ -97,17 +139,19 @@ class FreeFaceField:
         half_width: float,
         reach: float,
         poisson: float,
-        opposite: float | None = None,
+        opposite: float = math.inf,
+        between: Between | None = None,
     ) -> FreeFaceField:
         """Return what a face adds to a load that has a spectrum, and its far end at the distance ``reach`` [mm].
 
-        Where there is another free face at ``opposite``, stress takes away what each leaves on the other. Displacement
-        does not: it is that of the solver.
+        Where the load is between this and another free face at ``opposite``, stress takes away what each leaves on the
+        other. Displacement does not: it is that of the solver.
         """
         from scipy.interpolate import NdBSpline
 
-        length = 0.0 if opposite is None else abs(place - opposite)
-        farthest = max(_BEYOND * reach, 3.0 * length)
+        length = 0.0 if between is None else abs(place - opposite)
+        images = min(math.ceil(_SEEN * half_width / length), _MOST_IMAGES) if length else 0
+        farthest = max(_BEYOND * reach, (2.0 * images + 1.0) * length)
         field, (k, weight) = quarter_space_field(poisson), _wave_numbers(half_width, farthest)
         across = _grid(0.0, np.arcsinh(farthest / (_ACROSS * half_width)), _ACROSS_STEP)
         radial = _grid(np.log(_CLOSEST * half_width), np.log(farthest), _RADIAL)
@@ -123,7 +167,17 @@ class FreeFaceField:
                 continue
             distance = side * (place - load.edges)
             alone = field.projected(k, distance, -side * steps)
-            both = alone if opposite is None else _both(field, k, distance, -side * steps, alone, length)
+            both = alone
+            if between is not None and steps is load.odd:
+                between = replace(between, afar=None)  # an odd load has no mean
+            if between is not None:
+                near = k * length < FARTHEST_APART
+                own, other = (
+                    between.projected(field, k[near], load.edges, steps[near], *face)
+                    for face in ((place, side), (opposite, -side))
+                )
+                both = alone.copy()
+                both[near] = field.between_faces(k[near] * length, own, other, images)
             splines = []
             for coefficients, of in ((both, slice(_STRESSES)), (alone, slice(_STRESSES, COMPONENTS))):
                 found = by_distance @ field.at_places(coefficients, of).reshape(k.size, DISTANCES.size, -1)
@@ -136,13 +190,13 @@ class FreeFaceField:
                 table[..., odd] = np.tensordot(wave.imag, found[..., odd], 1)
                 splines.append(NdBSpline((t_x, t_r, t_a), table, 3))
             parts.append((turned, splines[0], splines[1]))
-        return cls(place, side, half_width, farthest, length, tuple(parts))
+        return cls(place, side, half_width, farthest, length, images, tuple(parts))
 
     def stress(self, points: Array) -> Array:
         """Return the stress [MPa] at ``points`` (n, 3), shape (n, 6)."""
         total, apart = np.zeros((len(points), _STRESSES)), 2.0 * self.side * self.length
-        images = [(1.0, 0.0)] if not apart else [(1.0, 0.0), (-1.0, 2.0 * self.place - apart), (1.0, -apart)]
-        for sign, offset in images:
+        ahead = [(1.0, -n * apart) for n in range(self.images + 1)]
+        for sign, offset in [*ahead, *((-1.0, 2.0 * self.place + shift) for _, shift in ahead[1:])]:
             seen = np.column_stack([points[:, 0], sign * points[:, 1] + offset, points[:, 2]])
             where, nearer = self._seen(seen)
             part = sum(stress(where) * self._signs(points, turned)[:, :_STRESSES] for turned, stress, _ in self.parts)
@@ -168,20 +222,6 @@ class FreeFaceField:
         """Return the signs that components have on this side of x = 0, seen from this face."""
         mirrored = np.where(_ALONG, -self.side, 1.0)
         return mirrored * np.where(turned & (points[:, :1] < 0.0), -1.0, 1.0)
-
-
-def _both(field: QuarterSpaceField, k: Array, distance: Array, steps: Array, alone: Array, length: float) -> Array:
-    """Return the coefficients of a face with another one at the other end, given those without it.
-
-    The image about one face is not mirrored about the other, on which it leaves half of what it would with its image.
-    """
-    near = k * length < FARTHEST_APART
-    k, steps = k[near], steps[near]
-    own = alone[near] - 0.5 * field.projected(k, 2.0 * length - distance, steps)
-    other = 0.5 * field.projected(k, length + distance, steps) - field.projected(k, length - distance, steps)
-    found = alone.copy()
-    found[near] = field.between_faces(k * length, own, other)
-    return found
 
 
 def _wave_numbers(half_width: float, reach: float) -> tuple[Array, Array]:

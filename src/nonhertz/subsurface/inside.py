@@ -27,7 +27,7 @@ from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution, Solved
 from nonhertz.strip.influence import by_own_width
 from nonhertz.subsurface.extent import Extent
-from nonhertz.subsurface.free_faces import FreeFaceField
+from nonhertz.subsurface.free_faces import Between, FreeFaceField
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
 from nonhertz.subsurface.tails import DISPLACEMENT, ODD, TWO_PI, Load, stress_tail
@@ -67,8 +67,9 @@ class Inside:
     edges, pressed, widened : ndarray, shape (stations + 1,) and (stations,)
         Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth; and how much
         more their own width displaces them [mm].
-    afar : float
-        Line load [N/mm] beyond the last separate image on either side; zero without a complete series.
+    afar : tuple of float, or None
+        Where line loads begin on either side, beyond the last separate image [mm], and how large they are [N/mm]; None
+        without further images.
     """
 
     name: BodyName
@@ -81,7 +82,7 @@ class Inside:
     edges: Array
     pressed: Array
     widened: Array
-    afar: float
+    afar: tuple[float, float, float] | None
 
     @classmethod
     def of(cls, solution: Solved, name: BodyName) -> Inside:
@@ -107,11 +108,15 @@ class Inside:
         body = (solution.contact.a, solution.contact.b)[which]
         low, high = (float(weight > 0.0) for weight in body.face_weights)
         terms = rows({DIRECT: 1.0, **chains(body, (low, high), 1.0)})
-        afar = 0.0
-        if body.images == SERIES and body.length is not None and terms.shape[0] > SEPARATE_LINKS:
-            afar = solution.load / body.length * float(terms[-1, 2])
+        freed = [weight > 0.0 and side.of_body for side, weight in zip(body.sides, body.face_weights, strict=True)]
+        afar = None
+        # The bending of a hollow roller is counted relative to these images alone.
+        if (all(freed) and body.bore is None) or (body.images == SERIES and terms.shape[0] > SEPARATE_LINKS):
+            apart = terms.shape[0] // 2 * (body.length or 0.0)
+            mean = solution.load / (body.faces[1] - body.faces[0])
+            afar = body.faces[0] - apart, body.faces[1] + apart, mean
         pressed = solution.contact.compliance * solution.line_load
-        faces = tuple(_faces(solution, body, load))
+        faces = tuple(_faces(solution, body, load, freed, Between(terms, afar) if all(freed) else None))
         influence = influence_within(solution.contact, solution.shape, which)
         widened = np.zeros(pressed.size)
         if isinstance(solution, Solution):  # a plane grid takes any contact for one of usual width
@@ -163,9 +168,8 @@ class Inside:
         total = self._of_terms(points, self.terms, displaced=False)
         for face in self.faces:
             total += face.stress(points)
-        if self.afar:
-            (low, high), apart = self.body.faces, SEPARATE_LINKS * (self.body.length or 0.0)
-            _add_from_afar(points, low - apart, high + apart, self.afar / TWO_PI, self.body.material.poisson, total)
+        if self.afar is not None:
+            _add_from_afar(points, *self.afar, self.body.material.poisson, total)
         return total
 
     def displacement(self, points: Array) -> Array:
@@ -222,29 +226,31 @@ def checked_body(name: object) -> BodyName:
 _KEPT: WeakKeyDictionary[Solved, dict[BodyName, Inside]] = WeakKeyDictionary()
 
 
-def _faces(solution: Solved, body: Body, load: Load) -> Iterator[FreeFaceField]:
-    """Yield what the free side faces of a body add."""
+def _faces(
+    solution: Solved, body: Body, load: Load, freed: list[bool], between: Between | None
+) -> Iterator[FreeFaceField]:
+    """Yield what those side faces of a body add that are freed."""
     loaded = solution.line_load > 0.0
     y, half_width = solution.y[loaded], solution.extent_across[1][loaded]
     low, high = solution.edges[:-1][loaded][0], solution.edges[1:][loaded][-1]
-    freed = [w > 0.0 and side.of_body for side, w in zip(body.sides, body.face_weights, strict=True)]
     for place, opposite, side in ((*body.faces, -1.0), (*body.faces[::-1], 1.0)):
         if freed[side > 0.0]:
             near = float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max()))
-            reach, other = max(high - place, place - low), opposite if all(freed) else None
-            yield FreeFaceField.of(load.spectrum, place, side, near, reach, body.material.poisson, other)
+            reach = max(high - place, place - low)
+            yield FreeFaceField.of(load.spectrum, place, side, near, reach, body.material.poisson, opposite, between)
 
 
 @compiled
 def _add_from_afar(points: Array, low: float, high: float, line_load: float, poisson: float, total: Array) -> None:
     """Add the stress of line loads that begin at ``low`` and ``high`` and extend away from the body."""
+    scale = line_load / TWO_PI
     for i in range(points.shape[0]):
         x, y, z = points[i, 0], points[i, 1], points[i, 2]
         f_x, f_y, f_z, f_yz, f_xz, f_xy = stress_tail(x, high - y, z, poisson)
         g_x, g_y, g_z, g_yz, g_xz, g_xy = stress_tail(x, y - low, z, poisson)
-        total[i, 0] += line_load * (f_x + g_x)
-        total[i, 1] += line_load * (f_y + g_y)
-        total[i, 2] += line_load * (f_z + g_z)
-        total[i, 3] += line_load * (f_yz - g_yz)
-        total[i, 4] += line_load * (f_xz + g_xz)
-        total[i, 5] += line_load * (f_xy - g_xy)
+        total[i, 0] += scale * (f_x + g_x)
+        total[i, 1] += scale * (f_y + g_y)
+        total[i, 2] += scale * (f_z + g_z)
+        total[i, 3] += scale * (f_yz - g_yz)
+        total[i, 4] += scale * (f_xz + g_xz)
+        total[i, 5] += scale * (f_xy - g_xy)

@@ -53,6 +53,12 @@ def cases() -> dict[str, dict[str, object]]:
             "poisson": float(random.choice([0.1, 0.2, 0.25, 0.3, 0.35, 0.45])),
             "load": random.uniform(300.0, 1200.0) * length, "tilt": random.uniform(0.0, 3e-4) * (number % 3 > 0),
         }  # fmt: skip
+    for length, poisson in ((2.0, 0.3), (1.2, 0.3), (2.0, 0.4)):  # 6 and 4 half-widths
+        narrow = {"length": length, "depth": "plane-strain"}
+        found[f"{length:g} mm wide, nu = {poisson:g}"] = {
+            "roller": {"diameter": 20.0, **narrow}, "other": {"diameter": 80.0, "length": length, "depth": 10.0},
+            "poisson": poisson, "profile": None, "load": 1000.0 * length, "tilt": 0.0,
+        }  # fmt: skip
     return found
 
 
