@@ -27,7 +27,12 @@ def tapered(**changes):
         (lambda: cylindrical(rollers=0), "rollers = 0 must be a whole number from 1 to 1000"),
         (lambda: cylindrical(pitch_diameter=8.0), "none fits"),
         (lambda: cylindrical(roller=nh.Body(diameter=9.0)), "roller.length = None must be given"),
-        (lambda: cylindrical(clearance=0.3), "clearance = 0.3 must be less than 2 % of the roller's diameter"),
+        (lambda: cylindrical(clearance=-1.0), "clearance = -1.0 must lie between -0.465 and 0.465 mm, for displ"),
+        (lambda: tapered(clearance=-20), "clearance = -20.0 must lie between -1.15 and 1.15 mm, for displacements"),
+        (
+            lambda: nh.bearing.solve(cylindrical(), radial=1e3, speed=1e9),
+            "speed = 1000000000.0 must not exceed 4.11e+05",
+        ),
         (lambda: cylindrical(outer_shape=lambda angle: 0.0), "outer_shape = () must return 13 lengths"),
         (lambda: tapered(contact_angle=0.05), "contact_angle = 0.05 must exceed the rollers' cone angle"),
         (lambda: nh.bearing.solve(cylindrical(), radial=1e3, method="slices").contact(0), "method = 'slices' must be"),
@@ -85,3 +90,18 @@ def test_speed_presses_idle_rollers_against_the_outer_ring():
     assert found.load[6, 0] == 0.0
     assert found.load[6, 1] == pytest.approx(found.roller_load[0, 1], rel=1e-7)
     np.testing.assert_allclose(found.load[0, 1] - found.load[0, 0], found.roller_load[0, 1], rtol=1e-5)
+
+
+@pytest.mark.parametrize("with_clearance", [False, True])
+def test_needles_have_the_clearance_of_their_group(with_clearance):
+    # Group C4 of a bore of 25 mm is 50 to 75 um, of needles of 3 mm more than 2 %.
+    wider = 0.075 if with_clearance else 0.0
+    rings = {"inner": nh.Ring(diameter=30.0), "outer": nh.Ring(diameter=-(36.0 + wider))}
+    needle = nh.Roller(diameter=3.0, length=16.0, profile=nh.profile.crown(4000))
+    row = nh.bearing.NeedleRollerBearing(roller=needle, **rings, rollers=24, clearance=0.075)
+    found = nh.bearing.solve(row, radial=5e3, method="slices")
+    assert found.force[1] == pytest.approx(5e3)
+    # The exact gap of an eccentric inner ring of radius 15, less that of small motions, at 90 degrees to the motion.
+    eccentric = 0.5 * row.clearance
+    beside = math.hypot(16.5, eccentric) - 16.5
+    assert beside < 0.005 * eccentric

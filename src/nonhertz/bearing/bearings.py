@@ -30,6 +30,9 @@ Shape = Callable[[Array], ArrayLike]
 MOST_ROLLERS = 1000
 # Of the roller's diameter: by how much raceways may leave more or less room for it than the clearance says.
 FITS = 0.02
+# Of the pitch diameter: the largest radial clearance C. Motions of the ring are taken as small, and where it is off its
+# centre by C / 2 the gap is off by C^2 / (4 pitch), at 0.01 by 0.5 % of C / 2.
+MOST_CLEARANCE = 0.01
 ARRANGEMENTS = ("X", "O", "tandem")
 _MOST_ANGLE = math.radians(45.0)
 _RACEWAY = "make it with Ring, or with Plate for washers"
@@ -199,6 +202,15 @@ class RollerBearing(Input):
     def _check_room(self) -> None:
         self._refuse_no_room()
 
+    @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance")
+    def _check_clearance(self) -> None:
+        radial = abs(self.radial_clearance or 0.0)
+        if radial > MOST_CLEARANCE * self.pitch:
+            clearance: float = self.clearance  # type: ignore[attr-defined]  # in the way in which it is given
+            most = abs(clearance) / radial * MOST_CLEARANCE * self.pitch
+            condition = f"lie between {-most:.3g} and {mm(most):.3g}, for displacements that are small in this bearing"
+            raise InputError("clearance", clearance, condition, "give it in mm: 20 um are 0.02")
+
     @together(
         "roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "design", "rib", "axial_clearance"
     )
@@ -212,7 +224,8 @@ class RollerBearing(Input):
         self._refuse_crowd()
         diameter = self.roller_diameter
         room = 0.5 * self.play + diameter
-        if abs(0.5 * self.play) > FITS * diameter:
+        # The diameters may be those with the clearance, or those without it.
+        if 0.5 * min(abs(self.play), abs(self.play - (self.radial_clearance or 0.0))) > FITS * diameter:
             condition = (
                 f"fill the {mm(room):.6g} between raceways of {self.inner.diameter:g} and "
                 f"{mm(abs(self.outer.diameter)):g} to within {100.0 * FITS:g} %"  # type: ignore[arg-type]
@@ -463,13 +476,6 @@ class CylindricalRollerBearing(RollerBearing):
             "give the axial internal clearance in mm",
         ),
     ] = 0.0
-
-    @together("roller", "clearance")
-    def _check_clearance(self) -> None:
-        # Without a diameter the rollers are wrong, not the clearance.
-        if abs(self.clearance) > FITS * self.roller_diameter > 0.0:
-            condition = f"be less than {100.0 * FITS:g} % of the roller's diameter of {mm(self.roller_diameter):g}"
-            raise InputError("clearance", self.clearance, condition, "give it in mm: 20 um are 0.02")
 
     @together("design", "rib")
     def _check_design(self) -> None:

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Annotated
+from typing import Annotated, Any
 
 from nonhertz.amounts import digits, given, mm, mpa, um
 from nonhertz.bearing.bearings import (
@@ -310,7 +310,24 @@ class Mounting(Input):
     def _row(self, row: RollerBearing, speed: float) -> RollerBearing:
         found = self.operating(row, speed)
         left = found.axial(row.nominal_angle) if isinstance(row, TaperedRollerBearing) else found.clearance
-        return replace(row, clearance=left)  # type: ignore[call-arg]
+        try:
+            return replace(row, clearance=left)  # type: ignore[call-arg]
+        except InputError as error:
+            name, value, remedy = self._taker(found, speed)
+            raise InputError(name, value, f"leave a clearance: {um(left):.4g} must {error.condition}", remedy) from None
+
+    def _taker(self, found: OperatingClearance, speed: float) -> tuple[str, Any, str]:
+        """Return the input that takes most of the clearance, its value, and what to do about it."""
+        names = "inner_temperature", "roller_temperature", "outer_temperature"
+        warmest = max(names, key=lambda each: abs(getattr(self, each) - REFERENCE))
+        takers = {
+            "shaft.interference": (found.lost_to_inner_fit, self.shaft.interference, _IN_MM),
+            "housing.interference": (found.lost_to_outer_fit, self.housing.interference, _IN_MM),
+            warmest: (found.lost_to_temperatures, getattr(self, warmest), "check temperatures and thermal expansions"),
+            "speed": (found.lost_to_speed, speed, "give that of the inner ring in 1/min"),
+        }
+        name = max(takers, key=lambda each: abs(takers[each][0]))
+        return name, *takers[name][1:]
 
 
 def _strain(name: str, expansion: float | None, material: Material, temperature: float) -> float:

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import newton
+from nonhertz.amounts import mm, newton
 from nonhertz.bearing.balance import States
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, System, at_edge, balanced
@@ -36,6 +36,8 @@ GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
 # What slices leave of the balance, over the loads, where there is none. They leave 1e-9 where there is one.
 UNBALANCED = 1e-6
 _UNIT_OF_SPEED = math.pi / 30.0
+# Of the pitch circle [mm/s]. At half of it the hoop stress of a free ring of steel, rho v^2, is 1960 MPa.
+_MOST_RIM_SPEED = 1e6
 
 
 @described(kw_only=True)
@@ -204,6 +206,13 @@ def _checked(
         if method != "strips":
             raise InputError("maps", maps, "not be given with slices", "leave out method")
     rows = [row.bearing for row in bearing.rows]
+    pitch = max(each.pitch for each in rows)
+    if 0.5 * pitch * rate > _MOST_RIM_SPEED:
+        condition = (
+            f"not exceed {2.0 * _MOST_RIM_SPEED / (pitch * _UNIT_OF_SPEED):.3g} 1/min on a pitch circle of "
+            f"{mm(pitch):g}, twice the speed at which rings of steel burst"
+        )
+        raise InputError("speed", speed, condition, "give that of the ring that turns in 1/min")
     return solver, np.concatenate([np.tile(each.load_by_speed(rate, turning), (each.rollers, 1)) for each in rows])
 
 

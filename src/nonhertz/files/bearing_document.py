@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import fields
 from typing import Annotated, Any
 
-from nonhertz.amounts import um
 from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import InnerRing, OuterRing, Pair, Paired, RollerBearing, Rollers, paired
 from nonhertz.bearing.clearance import Mounting
@@ -220,11 +219,7 @@ def of_fit(error: InputError) -> InputError:
     if error.field == "bearing":
         condition = "be left out: fits are those of cylindrical, needle, tapered and spherical bearings"
         return InputError("fit", None, condition, "remove the table")
-    if error.field == "clearance":
-        left = f"{um(error.value):.4g}" if isinstance(error.value, float) else error.value
-        condition = f"leave a possible clearance, but {left} must {error.condition}"
-        return InputError("fit", None, condition, "check interferences and temperatures")
-    return error.within("fit")
+    return error.within("load" if error.field == "speed" else "fit")
 
 
 def bearing_sections(bearing: RollerBearing | Paired) -> dict[str, Any]:
