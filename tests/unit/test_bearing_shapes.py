@@ -182,6 +182,36 @@ def test_what_is_no_shape_is_refused(make, message):
     assert message in str(raised.value)
 
 
+@pytest.mark.parametrize("unit", [1.0, 1e3])
+def test_radii_in_place_of_deviations_are_known_as_such(tmp_path, unit):
+    degrees = np.arange(0.0, 361.0)
+    radii = unit * (27.75 + 0.005 * np.cos(2.0 * np.radians(degrees)))
+    rows = "".join(f"{angle:.4f},{radius:.6f}\n" for angle, radius in zip(degrees, radii, strict=True))
+    path = tmp_path / "ring.csv"
+    path.write_text(f"Angle (deg),Radius ({'mm' if unit == 1.0 else 'um'})\n{rows}")
+    shape = read_ring_shape(path)
+    with pytest.raises(
+        nh.InputError, match=r"outer_shape = 27\.755 must .*: these are radii .* give their mean less each"
+    ):
+        dataclasses.replace(ROW, outer_shape=shape)
+    with pytest.raises(
+        nh.InputError, match=r"inner_shape = 27\.755 must deviate from a circle by at most 0\.465 mm: give"
+    ):
+        dataclasses.replace(ROW, inner_shape=shape)
+    with pytest.raises(
+        nh.InputError, match=r"inner_shape = 18\.755 must .*: these are radii .* give each less their mean"
+    ):
+        dataclasses.replace(ROW, inner_shape=fourier_shape({0: 18.75, 2: 0.005}))
+    # The mean radius less each is an oval with its crests, where there is least room, at 90 degrees to the load.
+    small = (shape + fourier_shape({0: -27.75})).scaled(-1)
+    oval = dataclasses.replace(ROW, outer_shape=fourier_shape({2: (0.005, math.pi / 2)}))
+    loads = [
+        nh.bearing.solve(each, radial=1e4, method="slices").load
+        for each in (oval, dataclasses.replace(ROW, outer_shape=small))
+    ]
+    np.testing.assert_allclose(*loads, rtol=1e-4)
+
+
 @pytest.mark.parametrize("degrees", [10.0, 30.0, 45.0])
 @pytest.mark.parametrize("ring", ["inner", "outer"])
 def test_a_shape_of_order_zero_is_clearance_at_any_contact_angle(degrees, ring):

@@ -437,7 +437,7 @@ def test_shapes_are_written_and_read_back(tmp_path):
     at = np.linspace(0.0, 6.0, 30)
     back = read_bearing(tmp_path / "turned.toml").bearing.outer_shape(at)
     np.testing.assert_allclose(back, turned.outer_shape(at), atol=1e-15)
-    function = dataclasses.replace(NU206, outer_shape=np.cos)
+    function = dataclasses.replace(NU206, outer_shape=lambda angle: 0.01 * np.cos(angle))
     with pytest.raises(nh.InputError, match="must be made by fourier_shape or tabulated_shape"):
         BearingCase(function, {"radial": 1e3}).write(tmp_path / "function.toml")
 

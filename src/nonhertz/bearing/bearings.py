@@ -190,11 +190,11 @@ class RollerBearing(Input):
             one = "one number, " if callable(diameter) else ""
             raise InputError(name, diameter, f"be {one}{sign}", "give that of the raceway in mm")
 
-    @together("inner_shape", "rollers")
+    @together("inner_shape", "rollers", "roller", "inner", "outer", "pitch_diameter")
     def _check_inner_shape(self) -> None:
         _ = self._deviation("inner_shape")
 
-    @together("outer_shape", "rollers")
+    @together("outer_shape", "rollers", "roller", "inner", "outer", "pitch_diameter")
     def _check_outer_shape(self) -> None:
         _ = self._deviation("outer_shape")
 
@@ -390,6 +390,16 @@ class RollerBearing(Input):
         found = numbers(name, shape(self.angles), remedy)
         if found.shape != (self.rollers,):
             raise InputError(name, found.shape, f"return {self.rollers} lengths for {self.rollers} angles", remedy)
+        largest, most = float(np.max(np.abs(found))), MOST_CLEARANCE * self.pitch
+        if largest > most:
+            radius = 0.5 * abs(float(getattr(self, name.removesuffix("_shape")).diameter or 0.0))
+            condition = f"deviate from a circle by at most {mm(most):.3g}"
+            remedy = "give deviations in mm, positive where there is less room"
+            if np.all(np.abs(found - radius) < 0.1 * radius):
+                condition += ": these are radii of the raceway"
+                difference = {"inner_shape": "each less their mean", "outer_shape": "their mean less each"}[name]
+                remedy = f"give {difference}, positive where there is less room"
+            raise InputError(name, largest, condition, remedy)
         return found
 
     @property
