@@ -243,12 +243,15 @@ def of_bearing(
     row = solution.bearing.rows[0].bearing
     parts = {"the roller": row.roller, **{f"the {ring} ring": getattr(row, ring) for ring in RINGS}}
     found += _unknown({name: part.material for name, part in parts.items()})
-    return _worst([*found, *_strained(findings_of(solution, life))], checks) if found else None
+    return _worst([*found, *_strained(findings_of(solution, life, clearance))], checks) if found else None
 
 
-def findings_of(solution: BearingSolution, life: BearingLife | None) -> tuple[Finding, ...]:
-    """Return what is found about a loaded bearing and its life."""
-    return (*solution.findings, *(life.findings if life is not None else ()))
+def findings_of(
+    solution: BearingSolution, life: BearingLife | None, clearance: OperatingClearance | None
+) -> tuple[Finding, ...]:
+    """Return what is found about a loaded bearing, its life, and the fits that leave its clearance."""
+    beside = (each.findings for each in (life, clearance) if each is not None)
+    return (*solution.findings, *(found for each in beside for found in each))
 
 
 def _loosened(clearance: OperatingClearance) -> Iterator[tuple[Level, Finding]]:

@@ -250,6 +250,7 @@ def test_a_load_beyond_the_model_is_one_sentence(folder, run):
 FIT = """
 [fit]
 inner_temperature = 40
+roller_temperature = 20
 [fit.shaft]
 diameter = 30
 interference = "12 um"
@@ -285,7 +286,10 @@ def test_a_ring_that_came_loose_is_a_limit_not_met(folder, run, temperature, met
     Path("loose.toml").write_text(text, encoding="utf-8")
     printed = run("bearing", "loose.toml").out
     assert ("Not judged." in printed, "Limits not met" in printed) == (met, not met)
-    verdict = run("bearing", "loose.toml", "--json").json["verdict"]
+    as_json = run("bearing", "loose.toml", "--json").json
+    assert ("temperature-step" in [each["kind"] for each in as_json["findings"]]) is not met
+    assert ("warning: The inner ring is 80 K warmer than the shaft" in printed) is not met
+    verdict = as_json["verdict"]
     assert verdict["level"] == ("not-judged" if met else "not-met")
     sentence = re.compile(
         "The inner ring has come loose on its shaft: .* MPa between them when mounted, none in operation."

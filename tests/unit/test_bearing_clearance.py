@@ -22,15 +22,17 @@ CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=
 TAPER = nh.bearing.TaperedRollerBearing(
     roller=CONE, inner=nh.Ring(diameter=37.3), outer=nh.Ring(diameter=-55.7), rollers=13, contact_angle=0.2
 )
-SHAFT, HOUSING = nh.bearing.Shaft(diameter=30.0), nh.bearing.Housing(diameter=62.0)
+# Parts at rest in the cold, beside rings that are warm where a test says so.
+SHAFT, HOUSING = nh.bearing.Shaft(diameter=30.0, temperature=20.0), nh.bearing.Housing(diameter=62.0, temperature=20.0)
 
 
 def found(bearing=ROW, *, shaft=SHAFT, housing=HOUSING, speed=0.0, **temperatures):
+    temperatures = {"roller_temperature": 20.0} | temperatures
     return nh.bearing.Mounting(shaft=shaft, housing=housing, **temperatures).operating(bearing, speed)
 
 
 def on_shaft(interference, **changes):
-    return nh.bearing.Shaft(diameter=30.0, interference=interference, **changes)
+    return nh.bearing.Shaft(diameter=30.0, interference=interference, **({"temperature": 20.0} | changes))
 
 
 # Rings by themselves
@@ -206,6 +208,46 @@ def test_one_temperature_everywhere_takes_nothing_but_its_share_of_the_clearance
         **hot,
     )
     assert tight.inner.pressure == pytest.approx(tight.inner.mounted_pressure)
+
+
+@pytest.mark.parametrize(("inner", "outer"), [(75.0, 60.0), (40.0, 55.0), (-20.0, -20.0)])
+def test_parts_without_a_temperature_have_that_of_what_they_touch(inner, outer):
+    shaft, housing = (
+        nh.bearing.Shaft(diameter=30.0, interference=0.012),
+        nh.bearing.Housing(diameter=62.0, interference=-0.01),
+    )
+    left = nh.bearing.Mounting(shaft=shaft, housing=housing, inner_temperature=inner, outer_temperature=outer)
+    left_out = left.operating(ROW)
+    # The fit of one steel at one temperature keeps its pressure, but for what the seat grows.
+    assert left_out.inner.pressure == pytest.approx(left_out.inner.mounted_pressure, rel=5e-3)
+    assert left_out.inner.temperature_step == left_out.outer.temperature_step == 0.0
+    # alpha (T_i F + 2 T_w D_w - T_o E): rings and rollers by themselves.
+    by_hand = (inner - 20.0) * 37.5 + (0.5 * (inner + outer) - 20.0) * 18.0 - (outer - 20.0) * 55.5
+    assert left_out.lost_to_temperatures == pytest.approx(EXPANSION * by_hand, abs=1e-5)
+    same = found(
+        shaft=dataclasses.replace(shaft, temperature=inner),
+        housing=dataclasses.replace(housing, temperature=outer),
+        inner_temperature=inner, roller_temperature=0.5 * (inner + outer), outer_temperature=outer,
+    )  # fmt: skip
+    assert left_out == same
+    assert left_out.findings == ()
+
+
+@pytest.mark.parametrize("degrees", [49.0, 51.0, -11.0])
+def test_a_step_of_temperature_across_an_interference_fit_is_doubted(degrees):
+    warm, doubtful = {"inner_temperature": degrees, "outer_temperature": degrees}, abs(degrees - 20.0) > 30.0
+    tight = {"shaft": on_shaft(0.02), "housing": dataclasses.replace(HOUSING, interference=0.02)}
+    way = "warmer" if degrees > 20.0 else "colder"
+    doubted = found(**tight, **warm)
+    assert [each.kind for each in doubted.findings] == ["temperature-step"] * (2 * doubtful)
+    if doubtful:
+        step = f"{abs(degrees - 20.0):.3g} K {way}"
+        assert doubted.warnings[0].startswith(f"The inner ring is {step} than the shaft it is pressed together with")
+        assert doubted.warnings[1].startswith(f"The outer ring is {step} than the housing it is pressed together with")
+        assert doubted.warnings[0] in repr(doubted)
+    # A loose fit transmits no heat.
+    loose = {"shaft": on_shaft(-0.02), "housing": dataclasses.replace(HOUSING, interference=-0.02)}
+    assert found(**loose, **warm).findings == ()
 
 
 def test_a_warmer_inside_takes_what_a_makers_formula_says():

@@ -100,6 +100,20 @@ def test_what_is_commented_out_in_the_starting_file_is_as_good():
         tomllib.loads(f"key = {value.partition('   #')[0]}")
 
 
+def test_the_fits_that_the_starting_file_offers_leave_a_clearance_and_stay_tight():
+    text = starting_bearing()
+    fits = text[text.index("# [fit]") : text.index("[solver]")]
+    case = read(text.replace(fits, re.sub(r"^# ", "", fits, flags=re.MULTILINE)))
+    found = case.operating_clearance
+    (said,) = re.findall(r"of which these leave ([\d.]+) um", text)
+    # NSK's formula of the fit (recalled), and 12.5e-6 a kelvin.
+    by_hand = 18.4 - 5.0 * 30.0 / 37.5 - 12.5e-3 * (37.5 * 40.0 + 18.0 * 35.0 - 55.5 * 30.0)
+    assert 1e3 * found.clearance == pytest.approx(by_hand, abs=0.05)
+    assert 1e3 * found.clearance == pytest.approx(float(said), abs=0.1)
+    assert found.inner.pressure > 0.0
+    assert found.findings == ()
+
+
 def test_a_tapered_pair_with_a_rib_and_a_preload():
     text = changed(
         TAPERED,

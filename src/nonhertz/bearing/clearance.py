@@ -27,6 +27,7 @@ from nonhertz.bearing.bearings import (
 )
 from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import finite, not_negative, number_that, positive
 from nonhertz.inputs.fields import Input, Part, Quantity, described, together
 from nonhertz.model.material import STEEL, Material
@@ -37,6 +38,7 @@ REFERENCE = 20.0  # degC, at which dimensions are given
 EXPANSION = 12.5e-6  # 1/K, bearing steel (IKO, needle roller bearing catalogue, formula 29)
 COLDEST, HOTTEST = -273.15, 1000.0  # degC
 MOST_EXPANSION = 1e-3  # 1/K
+MOST_STEP = 30.0  # K, between a ring and the part it is pressed on, above which one of both was probably left out
 MOST_INTERFERENCE = 0.01  # of the diameter: ten times what elastic steel bears
 _PER_MINUTE = math.pi / 30.0
 _IN_TONNES = "give it in t/mm^3, 7.85e-9 for steel"
@@ -56,10 +58,9 @@ _BORE = "give that of a hollow shaft in mm, 0 for a solid one"
 _OUTSIDE = "give that of the housing in mm, or leave it out for an endless one"
 
 
-def _of_temperature(part: str) -> Quantity:
-    return Quantity(
-        "", f"temperature of the {part} in degrees Celsius, a plain number", _temperature, "give it in degC"
-    )
+def _of_temperature(part: str, usual: str = "") -> Quantity:
+    meaning = f"temperature of the {part} in degrees Celsius, a plain number{usual and f'; {usual} if left out'}"
+    return Quantity("", meaning, _temperature, "give it in degC")
 
 
 def _of_expansion(part: str) -> Quantity:
@@ -105,7 +106,7 @@ class _Seat(Input):
     ] = 0.0
     material: NamedMaterial = STEEL
     expansion: Annotated[float | None, _of_expansion("part")] = None
-    temperature: Annotated[float, _of_temperature("part")] = REFERENCE
+    temperature: Annotated[float | None, _of_temperature("part", "that of its ring")] = None
 
     @together("diameter", "interference")
     def _check_interference(self) -> None:
@@ -203,11 +204,23 @@ class Mounting(Input):
     shaft: Annotated[Shaft, Part("the seat of the inner ring", Shaft, "make one with nonhertz.bearing.Shaft")]
     housing: Annotated[Housing, Part("the seat of the outer ring", Housing, "make one with nonhertz.bearing.Housing")]
     inner_temperature: Annotated[float, _of_temperature("inner ring")] = REFERENCE
-    roller_temperature: Annotated[float, _of_temperature("rollers")] = REFERENCE
+    roller_temperature: Annotated[float | None, _of_temperature("rollers", "the mean of both rings")] = None
     outer_temperature: Annotated[float, _of_temperature("outer ring")] = REFERENCE
     ring_expansion: Annotated[float | None, _of_expansion("rings")] = None
     roller_expansion: Annotated[float | None, _of_expansion("rollers")] = None
     ring_density: Annotated[float | None, _of_density("inner ring")] = None
+
+    @property
+    def temperatures(self) -> dict[str, float]:
+        """Temperatures of all parts [degC], by name: those left out too."""
+        inner, outer, rollers = self.inner_temperature, self.outer_temperature, self.roller_temperature
+        return {
+            "shaft.temperature": inner if self.shaft.temperature is None else self.shaft.temperature,
+            "inner_temperature": inner,
+            "roller_temperature": 0.5 * (inner + outer) if rollers is None else rollers,
+            "outer_temperature": outer,
+            "housing.temperature": outer if self.housing.temperature is None else self.housing.temperature,
+        }
 
     def operating(self, bearing: RollerBearing, speed: float = 0.0) -> OperatingClearance:
         """Return what is left of the clearance of a bearing in operation, and what took how much of it.
@@ -234,14 +247,15 @@ class Mounting(Input):
         of_shaft = _density("shaft.density", self.shaft.density, self.shaft.material, speed)
         of_ring = _density("ring_density", self.ring_density, bearing.inner.material, speed)
         cold = _fits(bearing, self.shaft, self.housing, (of_shaft, of_ring))
+        warmth = self.temperatures
         on_shaft, inner, outer, in_housing, of_rollers = (
-            _strain(name, expansion, part.material, temperature)
-            for name, expansion, part, temperature in (
-                ("shaft.expansion", self.shaft.expansion, self.shaft, self.shaft.temperature),
-                ("ring_expansion", self.ring_expansion, bearing.inner, self.inner_temperature),
-                ("ring_expansion", self.ring_expansion, bearing.outer, self.outer_temperature),
-                ("housing.expansion", self.housing.expansion, self.housing, self.housing.temperature),
-                ("roller_expansion", self.roller_expansion, bearing.roller, self.roller_temperature),
+            _strain(name, expansion, part.material, warmth[of])
+            for name, expansion, part, of in (
+                ("shaft.expansion", self.shaft.expansion, self.shaft, "shaft.temperature"),
+                ("ring_expansion", self.ring_expansion, bearing.inner, "inner_temperature"),
+                ("ring_expansion", self.ring_expansion, bearing.outer, "outer_temperature"),
+                ("housing.expansion", self.housing.expansion, self.housing, "housing.temperature"),
+                ("roller_expansion", self.roller_expansion, bearing.roller, "roller_temperature"),
             )
         )
         strains = (on_shaft, inner), (outer, in_housing)
@@ -255,8 +269,8 @@ class Mounting(Input):
             lost_to_outer_fit=0.0 - mounted[1],  # not -0.0
             lost_to_temperatures=(warmed[0] - mounted[0]) - (warmed[1] - mounted[1]) + rollers,
             lost_to_speed=turning.raceway - warmed[0],
-            inner=turning.described(cold[0].pressure),
-            outer=warm[1].described(cold[1].pressure),
+            inner=turning.described(cold[0].pressure, warmth["shaft.temperature"] - warmth["inner_temperature"]),
+            outer=warm[1].described(cold[1].pressure, warmth["outer_temperature"] - warmth["housing.temperature"]),
         )
 
     def expansion(self, bearing: RollerBearing | Paired) -> float:
@@ -318,12 +332,12 @@ class Mounting(Input):
 
     def _taker(self, found: OperatingClearance, speed: float) -> tuple[str, Any, str]:
         """Return the input that takes most of the clearance, its value, and what to do about it."""
-        names = "inner_temperature", "roller_temperature", "outer_temperature"
-        warmest = max(names, key=lambda each: abs(getattr(self, each) - REFERENCE))
+        warmth = self.temperatures
+        furthest = max(warmth, key=lambda each: abs(warmth[each] - REFERENCE))
         takers = {
             "shaft.interference": (found.lost_to_inner_fit, self.shaft.interference, _IN_MM),
             "housing.interference": (found.lost_to_outer_fit, self.housing.interference, _IN_MM),
-            warmest: (found.lost_to_temperatures, getattr(self, warmest), "check temperatures and thermal expansions"),
+            furthest: (found.lost_to_temperatures, warmth[furthest], "check temperatures and thermal expansions"),
             "speed": (found.lost_to_speed, speed, "give that of the inner ring in 1/min"),
         }
         name = max(takers, key=lambda each: abs(takers[each][0]))
@@ -368,6 +382,8 @@ class InterferenceFit:
     loosening_speed : float
         Speed at which the pressure falls to zero at the temperatures of operation [1/min]; infinite if none does, and 0
         where the parts part without any. Of an outer ring, which is at rest, infinite or 0.
+    temperature_step : float
+        By how much the part that is inside is warmer than the one around it [K].
     """
 
     mounted_pressure: float
@@ -375,6 +391,7 @@ class InterferenceFit:
     seat_stress: float
     raceway_stress: float
     loosening_speed: float
+    temperature_step: float
 
     @property
     def loosened(self) -> bool:
@@ -383,7 +400,7 @@ class InterferenceFit:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class OperatingClearance:
+class OperatingClearance(HasFindings):
     """What is left of a bearing's radial clearance, and what took it.
 
     The losses are taken in turn, and so add up: first the bearing is mounted, then it gets warm, then it turns. What a
@@ -416,6 +433,29 @@ class OperatingClearance:
     outer: InterferenceFit
 
     @property
+    def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
+        """Doubtful steps of temperature across interference fits: metals pressed together level them out."""
+        words = (
+            "The {ring} is {step:.3g} K {way} than the {seat} it is pressed together with: check the temperatures of "
+            "both."
+        )
+        parts = ("inner ring", "shaft", -self.inner.temperature_step), (
+            "outer ring", "housing", self.outer.temperature_step
+        )  # fmt: skip
+        return tuple(
+            finding(
+                "temperature-step",
+                words,
+                ring=ring,
+                seat=seat,
+                step=abs(step),
+                way="warmer" if step > 0.0 else "colder",
+            )
+            for (ring, seat, step), fit in zip(parts, (self.inner, self.outer), strict=True)
+            if fit.mounted_pressure > 0.0 and abs(step) > MOST_STEP
+        )
+
+    @property
     def clearance(self) -> float:
         """Radial clearance in operation [mm]; negative: preload."""
         of_fits = self.lost_to_inner_fit + self.lost_to_outer_fit
@@ -446,7 +486,7 @@ class OperatingClearance:
             f"taken by temperatures {um(self.lost_to_temperatures):4}, by speed {um(self.lost_to_speed):4}",
             *(line for name, fit in (("inner", self.inner), ("outer", self.outer)) for line in _said(name, fit)),
         ]
-        return plain_text("OperatingClearance", said)
+        return plain_text("OperatingClearance", [*said, *self.warnings])
 
 
 def _said(name: str, fit: InterferenceFit) -> list[str]:
@@ -512,8 +552,8 @@ class _Joint:
         radius, strain = self.raceway_radius, self.strains[1 if self.on_shaft else 0]
         return 2.0 * (self.ring.growth(radius, **self.loads) + strain * radius)
 
-    def described(self, mounted_pressure: float) -> InterferenceFit:
-        """Return pressures and stresses, beside the pressure when mounted [MPa]."""
+    def described(self, mounted_pressure: float, temperature_step: float) -> InterferenceFit:
+        """Return pressures and stresses, beside the pressure when mounted [MPa] and the step of temperature [K]."""
         parting, at_rest = self.parting(speed=1.0), self.overlap_at_rest
         loosening = 0.0 if at_rest <= 0.0 else math.inf
         if at_rest > 0.0 and self.on_shaft and parting > 0.0:
@@ -524,6 +564,7 @@ class _Joint:
             seat_stress=self.ring.hoop_stress(self.radius, **self.loads),
             raceway_stress=self.ring.hoop_stress(self.raceway_radius, **self.loads),
             loosening_speed=loosening,
+            temperature_step=temperature_step,
         )
 
 

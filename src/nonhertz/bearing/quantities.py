@@ -30,7 +30,7 @@ class Rated(Protocol):
 
     @property
     def operating_clearance(self) -> OperatingClearance | None:
-        """What is left of its clearance; None if its fits are not known."""
+        """What fits leave of its clearance; None without fits."""
 
     def assess(self, solution: BearingSolution) -> BearingLife:
         """Return how long it lasts; refuse if it has no rating."""
@@ -64,9 +64,9 @@ class SolvedBearing:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What is found about the bearing, and about its life if it has one."""
-        life = self.life_or_none
-        return self.solution.findings if life is None else (*self.solution.findings, *life.findings)
+        """What is found about the bearing, its fits if it has any, and its life if it has one."""
+        parts = self.solution, self.case.operating_clearance, self.life_or_none
+        return tuple(found for each in parts if each is not None for found in each.findings)
 
 
 def _quantities() -> Iterator[Quantity]:

@@ -61,8 +61,9 @@ def bearing(
     except InputError as error:  # of a contact, when its pressure is solved
         raise placed(error, document=case.document) from None
     found = Result(case, solution, (life, reason))
-    shown, verdict = sections(case, solution, life, reason), of_bearing(solution, life, case.operating_clearance)
-    return Answer(case.title, shown, found.to_json, verdict, findings_of(solution, life), saved(found, out))
+    judged = solution, life, case.operating_clearance
+    shown = sections(case, solution, life, reason)
+    return Answer(case.title, shown, found.to_json, of_bearing(*judged), findings_of(*judged), saved(found, out))
 
 
 def _compared(case: BearingCase, out: Path | None) -> Answer:

@@ -25,6 +25,7 @@ _FORCE, _MOMENT = "N", "N mm"
 _OF_FIT = {
     **dict.fromkeys(("mounted_pressure", "pressure", "seat_stress", "raceway_stress"), "MPa"),
     "loosening_speed": "1/min",
+    "temperature_step": "K",
 }
 _LOST = "lost_to_inner_fit", "lost_to_outer_fit", "lost_to_temperatures", "lost_to_speed"
 _OF_CLEARANCE = ("unmounted", *_LOST, "clearance")
@@ -92,7 +93,7 @@ def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | 
         "life": None if life is None else _life(life),
         "life_reason": reason,
         "verdict": given_verdict(of_bearing(solution, life, case.operating_clearance)),
-        **as_warnings(findings_of(solution, life)),
+        **as_warnings(findings_of(solution, life, case.operating_clearance)),
         "units": UNITS,
         "case": case.own_document,
     }

@@ -127,7 +127,8 @@ class BearingResults:
     @property
     def warnings(self) -> tuple[str, ...]:
         """All warnings, without repeats."""
-        found = () if self.solution is None else sentences(findings_of(self.solution, self.life))
+        clearance = self.case.operating_clearance
+        found = () if self.solution is None else sentences(findings_of(self.solution, self.life, clearance))
         return tuple(dict.fromkeys((*self.case.notes, *found)))
 
 

@@ -64,7 +64,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "summary": rows_of_summaries(shown),
         "columns": rollers.heads,
         "rollers": rollers.rows,
-        "warnings": sentences(findings_of(solution, life)),
+        "warnings": sentences(findings_of(solution, life, case.operating_clearance)),
     }
 
 
