@@ -103,7 +103,45 @@ def test_an_unloaded_bearing_is_no_failure(folder, run):
     out = run("bearing", "idle.toml").out
     assert re.search(r"loaded rollers +none of 6", out)
     assert re.search(r"static safety +no load", out)
-    assert re.search(r"modified life +no damage", out)
+    assert re.search(r"rated life +no damage", out)
+
+
+# Lives: every output of one bearing whose oil is known, but not how clean it is
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "nu206-mounted.toml"
+NO_MODIFIED = "give viscosity and cleanliness for the modified life"
+
+
+def test_no_output_assumes_a_cleanliness(folder, run):
+    from nonhertz.report import compose
+    from nonhertz.web.view.bearings import bearing_answer
+
+    case = nh.read_bearing(EXAMPLE)
+    found = case.solve()
+    life = case.assess(found)
+    hours = f"{life.reference_life * 1e6 / 60.0 / 3000.0:.0f} hours"
+    printed = " ".join(run("bearing", str(EXAMPLE)).out.split())
+    assert NO_MODIFIED in printed
+    assert hours in printed
+    result = run("bearing", str(EXAMPLE), "--json").json["life"]
+    assert (result["no_modified"], result["modified_life"]) == (NO_MODIFIED, None)
+    assert result["rated_life"] == result["reference_life"]
+    report = compose([case])
+    assert NO_MODIFIED in report
+    assert hours in report
+    page = bearing_answer(case, found)
+    assert page["key"]["no_modified"] == NO_MODIFIED
+    assert page["key"]["life"] == life.reference_life
+    assert NO_MODIFIED in repr(life)
+
+
+@pytest.mark.parametrize(("cleanliness", "hours"), [("-/15/12", 806), ("-/17/14", 509), ("-/19/16", 358)])
+def test_a_cleanliness_has_the_life_of_its_class(folder, run, cleanliness, hours):
+    # Found with the modulus of 207 GPa in place of 210 of 100Cr6, in a review of the example.
+    steel = [each for part in ("roller", "inner", "outer") for each in ("--set", f"{part}.material=steel")]
+    printed = run("bearing", str(EXAMPLE), *steel, "--set", f"life.cleanliness={cleanliness}").out
+    (found,) = re.findall(r"modified life +[\d.]+ million revolutions +([\d.]+) hours", printed)
+    assert float(found) == pytest.approx(hours, abs=0.5)
 
 
 # JSON and files

@@ -171,10 +171,12 @@ def test_key_numbers_are_those_of_the_solution(few):
     moved = float(shown["displacement"][0].split(", ")[1])
     assert moved == pytest.approx(1e3 * solution.displacement[1], rel=1e-4)
     # They reach the sharp ends of the rollers.
-    assert shown["modified life"][0] == "none"
+    assert shown["rated life"][0] == "none"
     rounded = found_in(PLAIN.replace("length = 10.0", "length = 10.0\ncorner_radius = 0.3"))
-    hours = rounded.life.modified_life * 1e6 / (60.0 * 1500.0)
-    assert float(numbers_of(rounded)["modified life"][1].split()[0]) == pytest.approx(hours, rel=1e-3)
+    hours = rounded.life.reference_life * 1e6 / (60.0 * 1500.0)
+    remark = numbers_of(rounded)["rated life"][1]
+    assert float(remark.split()[0]) == pytest.approx(hours, rel=1e-3)
+    assert remark.endswith("give viscosity and cleanliness for the modified life")
 
 
 def test_geometry_follows_from_the_dimensions(few, pair):

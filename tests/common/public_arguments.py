@@ -158,7 +158,7 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "bearing.BearingSolution.rib_contact": {"roller": 0},
     "bearing.BearingSolution.unrolled_pressure": {"y": [0.0, 1.0]},
     "bearing.CylindricalThrustBearing": {"inner": THRUST.inner, "outer": THRUST.outer, "pitch_diameter": 60.0},
-    "bearing.contamination_factor": {"pitch_diameter": 50.0},
+    "bearing.contamination_factor": {"pitch_diameter": 50.0, "cleanliness": "high"},
     "bearing.reference_viscosity": {"pitch_diameter": 50.0},
     "bearing.ForceTable.interpolated": {"x": None, "y": 0.005, "z": None, "kind": "linear"},
     "bearing.ForceTable.sampled_error": {"kind": "linear"},
@@ -168,7 +168,7 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "bearing.TaperedRollerBearing": {
         "roller": CONE, "inner": nh.Ring(diameter=37.3), "outer": nh.Ring(diameter=-55.7)
     },
-    "bearing.assess": {"solution": LOADED, "viscosity": 20.0, "edge_stress": None},
+    "bearing.assess": {"solution": LOADED, "viscosity": 20.0, "cleanliness": "high", "edge_stress": None},
     "bearing.from_catalogue": {
         "kind": "cylindrical", "bore": 30.0, "outside_diameter": 62.0, "width": 16.0, "dynamic": 44e3, "static": 36.5e3,
         "contact_angle": None,

@@ -116,7 +116,7 @@ def test_equal_rows_that_share_a_load_live_as_weibull_says():
     single = B.solve(TAPER, radial=10e3, axial=3e3, method="slices")
     pair = B.solve(B.paired(TAPER, "tandem", 20.0), radial=20e3, axial=6e3, method="slices")
     assert_allclose(pair.load, np.tile(single.load, (2, 1)), rtol=1e-7, atol=1e-4)
-    oil = {"edge_stress": "none", "speed": 1500.0, "viscosity": 30.0}
+    oil = {"edge_stress": "none", "speed": 1500.0, "viscosity": 30.0, "cleanliness": "high"}
     alone, both = (B.assess(each, **oil) for each in (single, pair))
     assert both.life_factor == pytest.approx(alone.life_factor, rel=1e-6)
     assert both.reference_life == pytest.approx(alone.reference_life * 2.0 ** (-8.0 / 9.0), rel=1e-6)
@@ -148,7 +148,7 @@ def test_the_ring_that_stands_still_suffers_more_from_a_load_on_few_rollers():
 def test_a_spectrum_lives_as_palmgren_and_miner_say():
     cases = [B.LoadCase(share=0.25, radial=8e3, speed=1500.0), B.LoadCase(share=0.75, radial=4e3, speed=500.0)]
     pairs = B.solve_spectrum(row(), cases, method="slices")
-    oil = {"viscosity": 40.0, "reliability": 0.95}
+    oil = {"viscosity": 40.0, "cleanliness": "-/17/14", "reliability": 0.95}
     both = B.assess(pairs, speed=[1500.0, 500.0], **oil)
     parts = [B.assess(each, speed=case.speed, **oil) for (each, _), case in zip(pairs, cases, strict=True)]
     for name in ("basic_life", "reference_life", "modified_life"):
@@ -160,6 +160,10 @@ def test_a_spectrum_lives_as_palmgren_and_miner_say():
     assert both.modified_life == pytest.approx(both.reliability_factor * both.life_factor * both.reference_life)
     assert [share for _, share in both.parts] == [0.25, 0.75]
     assert "under 2 loads" in repr(both)
+    # Without a cleanliness there is no modified life, and a_1 L10r adds up as well.
+    dry = B.assess(pairs, speed=[1500.0, 500.0], viscosity=40.0, reliability=0.95)
+    assert dry.rated_life == pytest.approx(dry.reliability_factor * both.reference_life, rel=1e-12)
+    assert (dry.viscosity_ratio, dry.contamination, dry.life_factor) == (both.viscosity_ratio, None, None)
 
 
 def test_shares_below_one_are_taken_as_they_are_and_above_one_refused():

@@ -6,6 +6,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bearing import contamination_factor, oil_viscosity
+from nonhertz.bearing.assessed import LifeConditions
 
 
 def test_the_viscosities_given_are_met_in_either_order():
@@ -39,7 +40,7 @@ def test_impossible_oils_are_refused_in_one_sentence(temperature, given, message
 # 0.8, from there on 0.8 to 0.9. Its formula, with a film that is thick enough, ought to lie there.
 @pytest.mark.parametrize(("pitch", "low", "high"), [(20.0, 0.6, 0.8), (40.0, 0.6, 0.81), (150.0, 0.8, 0.9)])
 def test_high_cleanliness_has_the_guide_values(pitch, low, high):
-    assert low <= contamination_factor(4.0, pitch) <= high
+    assert low <= contamination_factor(4.0, pitch, "high") <= high
 
 
 def test_classes_of_circulating_oil_are_ordered_and_never_negative():
@@ -61,3 +62,29 @@ def test_dirt_that_leaves_no_limit_leaves_the_smallest_factor():
     assert dirty.contamination == 0.0
     assert dirty.life_factor == pytest.approx(0.1)
     assert math.isfinite(dirty.modified_life)
+
+
+@pytest.mark.parametrize("oil", [{}, {"speed": 3e3, "viscosity": 20.0}])
+@pytest.mark.parametrize("reliability", [0.9, 0.95])
+def test_without_a_cleanliness_the_reference_life_stands(oil, reliability):
+    roller = nh.Roller(diameter=9.0, length=10.0, corner_radius=0.3, profile=nh.profile.crown(1200))
+    rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
+    found = nh.bearing.solve(row, radial=1e4, method="slices")
+    life = nh.bearing.assess(found, **oil, reliability=reliability)
+    assert life.life_factor is life.contamination is None
+    assert (life.viscosity_ratio is None) is not bool(oil)
+    assert math.isnan(life.modified_life)
+    # a_1 of ISO 281's table: 0.64 at 95 %.
+    assert life.rated_life == pytest.approx({0.9: 1.0, 0.95: 0.64}[reliability] * life.reference_life, rel=0.005)
+    assert "give viscosity and cleanliness for the modified life" in repr(life)
+    full = nh.bearing.assess(found, speed=3e3, viscosity=20.0, cleanliness="-/17/14", reliability=reliability)
+    assert full.rated_life == full.modified_life < life.rated_life
+    assert full.no_modified == ""
+
+
+@pytest.mark.parametrize("given", [{"cleanliness": "high"}, {"contamination": 0.5}])
+def test_a_cleanliness_is_that_of_an_oil(given):
+    (name,) = given
+    with pytest.raises(nh.InputError, match=f"^{name} = .* must be given with a viscosity"):
+        LifeConditions(**given)

@@ -71,7 +71,7 @@ def test_towards_a_sharp_end_there_is_no_reference_life():
     """
     under = {"radial": 10e3, "tilt": 0.3e-3}
     found = B.solve(nu206(), **under)
-    life = B.assess([(found, 0.7)], speed=1e3, viscosity=30.0)
+    life = B.assess([(found, 0.7)], speed=1e3, viscosity=30.0, cleanliness="high")
     why = "the damage grows without limit towards the sharp ends at y = -5 and 5 mm"
     for each in (life, life.parts[0][0]):
         assert np.isnan([each.reference_life, each.modified_life, each.life_factor]).all()
@@ -173,7 +173,7 @@ def test_of_preload_and_moments_alone_there_is_no_equivalent_load(moment):
 
 
 def test_an_unloaded_bearing_lasts():
-    found = B.assess(B.solve(row(clearance=0.02), method="slices"), speed=1000.0, viscosity=20.0)
+    found = B.assess(B.solve(row(clearance=0.02), method="slices"), speed=1000.0, viscosity=20.0, contamination=0.5)
     assert found.basic_life == found.reference_life == found.modified_life == found.static_safety == math.inf
 
 

@@ -365,7 +365,9 @@ def test_what_the_solver_refuses_names_the_key():
     with pytest.raises(nh.CaseError, match=r"^solver\.method = 'maps' must be one of"):
         case.solve("maps")
     with pytest.raises(nh.CaseError, match=r"^life\.viscosity = 0\.0\d+ must be at least 0\.1"):
-        dataclasses.replace(case, prescribed={"speed": 1e3}, life={"viscosity": 0.1}).assess(case.solve("slices"))
+        dataclasses.replace(case, prescribed={"speed": 1e3}, life={"viscosity": 0.1, "contamination": 1}).assess(
+            case.solve("slices")
+        )
 
 
 SPECTRUM = """

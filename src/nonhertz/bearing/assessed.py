@@ -52,6 +52,9 @@ _HEAVY = 0.5  # of C: the largest P for which ISO 281 has its life equation hold
 #: Of P, where it is zero and contacts bear loads.
 LEFT_OUT = "leaves out preload, moments, speed and ribs"
 _ROUNDED = "give corners, or a profile with more relief there, or edge_stress = 'standard'"
+#: What the modified life takes, in the words that every output has.
+NO_OIL = "give viscosity and cleanliness for the modified life"
+_NO_OIL_FOR_THRUST = "no modified life of thrust bearings, whose a_ISO was found in one source only"
 _PAIRS = "pairs of a loaded bearing and its share of the revolutions"
 
 
@@ -70,8 +73,8 @@ class BearingLife(HasFindings):
         L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum.
         What speed presses on the outer ring counts, under a load on the inner one or none.
     viscosity_ratio, contamination, life_factor : float or None
-        kappa, e_C and by how much they change the life, a_ISO [-]; None without a viscosity. Of a spectrum, the
-        smallest kappa and e_C.
+        kappa, e_C and by how much they change the life, a_ISO [-]; None without a viscosity, and but for kappa without
+        a cleanliness. Of a spectrum, the smallest kappa and e_C.
     reliability_factor : float
         a_1 [-].
     singular_ends : tuple of SingularEnd
@@ -102,8 +105,18 @@ class BearingLife(HasFindings):
 
     @property
     def modified_life(self) -> float:
-        """L_nmr: L10r times a_1, and times a_ISO if there is one."""
+        """L_nmr = a_1 a_ISO L10r; NaN where oil or cleanliness are not known."""
+        return math.nan if self.life_factor is None else self.rated_life
+
+    @property
+    def rated_life(self) -> float:
+        """The life that stands: L_nmr if there is one, or else a_1 L10r."""
         return self.reliability_factor * self.reference_life * (1.0 if self.life_factor is None else self.life_factor)
+
+    @property
+    def no_modified(self) -> str:
+        """Why there is no modified life; empty if there is one."""
+        return "" if self.life_factor is not None else _NO_OIL_FOR_THRUST if self.rating.of_thrust else NO_OIL
 
     @property
     def static_safety(self) -> float:
@@ -160,8 +173,7 @@ class BearingLife(HasFindings):
             f"C = {newton(rated.dynamic)}, C0 = {newton(rated.static)}, "
             f"P = {newton(self.equivalent_load)}, S0 = {_or_none(self.static_safety, 3)}",
             f"L10 = {_or_none(self.basic_life)}, L10r = {digits(self.reference_life, 4)} million revolutions",
-            f"modified {digits(self.modified_life, 4)} million revolutions: a1 = {digits(self.reliability_factor, 3)}"
-            + self._lubricated(),
+            self._modified(),
         ]
         if self.internally_loaded:
             said.append(f"no S0 and no L10: P {LEFT_OUT}")
@@ -171,13 +183,20 @@ class BearingLife(HasFindings):
             said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
         return plain_text("BearingLife", [*said, *self.warnings])
 
-    def _lubricated(self) -> str:
-        if self.life_factor is None or self.viscosity_ratio is None or self.contamination is None:
-            return ", without lubrication"
-        return (
-            f", a_ISO = {digits(self.life_factor, 4)} with kappa = {digits(self.viscosity_ratio, 3)} and "
-            f"e_C = {digits(self.contamination, 3)}"
-        )
+    def _modified(self) -> str:
+        factors, of_oil = self.factors
+        kind, why = ("rated", f"; {self.no_modified}") if self.no_modified else ("modified", "")
+        said = f"{kind} {digits(self.rated_life, 4)} million revolutions: {factors}"
+        return said + (f" with {' and '.join(of_oil)}" if of_oil else "") + why
+
+    @property
+    def factors(self) -> tuple[str, tuple[str, ...]]:
+        """The factors of L10r in words, and what a_ISO is made of, as far as it is known."""
+        factors = [f"a1 = {digits(self.reliability_factor, 3)}"]
+        if self.life_factor is not None:
+            factors.append(f"a_ISO = {'none' if self.no_reference else digits(self.life_factor, 4)}")
+        of_oil = ("kappa", self.viscosity_ratio), ("e_C", self.contamination)
+        return ", ".join(factors), tuple(f"{name} = {digits(each, 3)}" for name, each in of_oil if each is not None)
 
 
 def _or_none(value: float, significant: int = 4) -> str:
@@ -222,13 +241,13 @@ class LifeConditions(Input):
         ),
     ] = None
     cleanliness: Annotated[
-        str,
+        str | None,
         Word(
-            "class of cleanliness: 'high', or an ISO 4406 code with circulating oil",
+            "class of cleanliness for a_ISO: an ISO 4406 code with circulating oil, or 'high'; none is assumed",
             "choose one, or give contamination as a number",
             tuple(CLEANLINESS),
         ),
-    ] = "high"
+    ] = None
     reliability: Annotated[
         float, Quantity("", "share of bearings that last longer, from 0.9 to 0.9995", _reliability, "give 0.9, or more")
     ] = 0.9
@@ -258,11 +277,13 @@ class LifeConditions(Input):
         Quantity("N", "basic static load rating C0 of a catalogue; that of ISO 76 if left out", positive, _RATING),
     ] = None
 
-    @together("viscosity", "contamination")
+    @together("viscosity", "contamination", "cleanliness")
     def _check_oil(self) -> None:
-        if self.contamination is not None and self.viscosity is None:
-            condition, remedy = "be given with a viscosity", "give the viscosity too, or leave it out"
-            raise InputError("contamination", self.contamination, condition, remedy)
+        for name in ("contamination", "cleanliness"):
+            value = getattr(self, name)
+            if value is not None and self.viscosity is None:
+                condition, remedy = "be given with a viscosity", "give the viscosity too, or leave it out"
+                raise InputError(name, value, condition, remedy)
 
     @property
     def reliability_factor(self) -> float:
@@ -277,7 +298,7 @@ def assess(
     speed: ArrayLike | None = None,
     viscosity: float | None = None,
     contamination: float | None = None,
-    cleanliness: str = "high",
+    cleanliness: str | None = None,
     reliability: float = 0.9,
     edge_stress: str | None = None,
     laminae: int = LAMINAE,
@@ -305,7 +326,8 @@ def assess(
 
     Notes
     -----
-    Viscosities are found by `oil_viscosity`, and e_C by `contamination_factor`.
+    Viscosities are found by `oil_viscosity`, and e_C by `contamination_factor`. Without a viscosity, or without a
+    cleanliness or an e_C, there is no modified life: L10r stands.
 
     L10 contains the reduction by 0.83, lambda nu, for line loads that are not even; L10r does not, since the laminae
     have the line loads themselves. Moments are not in P. Where a contact reaches a sharp end, there is no L10r by
@@ -382,8 +404,9 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
         pitch = solution.bearing.rows[0].bearing.pitch
         kappa = asked.viscosity / reference_viscosity(speed, pitch)
         clean = asked.contamination
-        if clean is None:
+        if clean is None and asked.cleanliness is not None:
             clean = contamination_factor(kappa, pitch, asked.cleanliness)
+    if kappa is not None and clean is not None:
         factors = life_factors(solution, rated, means, kappa, float(clean))
         factor = MOST_FACTOR if math.isinf(reference) else lamina_life(rated, means, factors) / reference
     return BearingLife(
@@ -402,20 +425,20 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
 
 def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeConditions) -> BearingLife:
     lives, shares = [life for life, _ in parts], [share for _, share in parts]
-    reference, modified = (
-        miner([getattr(each, name) for each in lives], shares) for name in ("reference_life", "modified_life")
+    reference, rated = (
+        miner([getattr(each, name) for each in lives], shares) for name in ("reference_life", "rated_life")
     )
     loads = [each.equivalent_load for each in lives]
-    first, oiled = lives[0], asked.viscosity is not None
-    of_oil = MOST_FACTOR if math.isinf(reference) else modified / (asked.reliability_factor * reference)
+    first = lives[0]
+    of_oil = MOST_FACTOR if math.isinf(reference) else rated / (asked.reliability_factor * reference)
     return replace(
         first,
         equivalent_load=float(np.dot(np.power(loads, _LIFE_EXPONENT), shares) ** (1.0 / _LIFE_EXPONENT)),
         static_load=max(each.static_load for each in lives),
         reference_life=reference,
-        viscosity_ratio=min(each.viscosity_ratio or 0.0 for each in lives) if oiled else None,
-        contamination=min(each.contamination or 0.0 for each in lives) if oiled else None,
-        life_factor=of_oil if oiled else None,
+        viscosity_ratio=None if first.viscosity_ratio is None else min(each.viscosity_ratio or 0.0 for each in lives),
+        contamination=None if first.contamination is None else min(each.contamination or 0.0 for each in lives),
+        life_factor=None if first.life_factor is None else of_oil,
         singular_ends=next((each.singular_ends for each in lives if each.singular_ends), ()),
         parts=parts,
         axial_on_ribs=max(each.axial_on_ribs for each in lives),

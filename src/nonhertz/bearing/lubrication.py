@@ -164,7 +164,7 @@ def reliability_factor(reliability: float) -> float:
     return float(0.95 * (math.log(1.0 / reliability) / math.log(1.0 / 0.9)) ** (2.0 / 3.0) + 0.05)
 
 
-def contamination_factor(viscosity_ratio: float, pitch_diameter: float, cleanliness: str = "high") -> float:
+def contamination_factor(viscosity_ratio: float, pitch_diameter: float, cleanliness: str) -> float:
     """Return e_C [-] for a class of cleanliness; not below 0.
 
     Parameters
@@ -186,7 +186,7 @@ def contamination_factor(viscosity_ratio: float, pitch_diameter: float, cleanlin
 
     Examples
     --------
-    >>> round(contamination_factor(3.413, 51.56), 4), round(contamination_factor(3.413, 51.56, "-/17/14"), 3)
+    >>> round(contamination_factor(3.413, 51.56, "high"), 4), round(contamination_factor(3.413, 51.56, "-/17/14"), 3)
     (0.8174, 0.326)
     """
     positive("viscosity_ratio", viscosity_ratio, "give the viscosity over the reference viscosity")

@@ -82,6 +82,11 @@ class Rating:
     material_factor: float = MATERIAL_FACTOR
     reduction: float = REDUCTION
 
+    @property
+    def of_thrust(self) -> bool:
+        """Whether it is that of a thrust bearing, under axial loads."""
+        return self.reduction == THRUST_REDUCTION
+
 
 def rating(
     bearing: RollerBearing | Paired,

@@ -47,7 +47,7 @@ UNITS: dict[str, Any] = {
         "rating": dict.fromkeys(("dynamic", "static", "inner", "outer", "fatigue_limit"), _FORCE),
         "equivalent_load": _FORCE,
         "static_load": _FORCE,
-        **dict.fromkeys(("basic_life", "reference_life", "modified_life"), "10^6 revolutions"),
+        **dict.fromkeys(("basic_life", "reference_life", "modified_life", "rated_life"), "10^6 revolutions"),
     },
 }
 _OF_RING = ("roller_load", "displacement", "force", "stiffness", "edge_rollers", "edge_stiffness", "residual")
@@ -62,7 +62,7 @@ _OF_LIFE = (
         "contamination",
         "life_factor",
     ),
-    *("reliability_factor", "modified_life", "static_safety"),
+    *("reliability_factor", "modified_life", "rated_life", "static_safety"),
 )
 
 
@@ -115,7 +115,13 @@ def _life(found: BearingLife) -> dict[str, Any]:
     rating = plain(dataclasses.asdict(found.rating))
     parts = [{"share": plain(share)} | _life(part) for part, share in found.parts]
     numbers = {name: plain(getattr(found, name)) for name in _OF_LIFE}
-    return {"rating": rating, **numbers, "no_reference": found.no_reference, "parts": parts}
+    return {
+        "rating": rating,
+        **numbers,
+        "no_reference": found.no_reference,
+        "no_modified": found.no_modified,
+        "parts": parts,
+    }
 
 
 def rollers_table(solution: BearingSolution) -> str:

@@ -32,7 +32,7 @@ FIRST: Final = frozenset(
     {
         *("maximum pressure", "approach", "penetration", "largest half-width", "load"),
         *("most loaded roller", "loaded rollers", "largest rib load", "displacement", "tilt of the inner ring"),
-        *("static safety", "modified life"),
+        *("static safety", "modified life", "rated life"),
     }
 )
 _PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {

@@ -79,8 +79,9 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     if found is None:
         return [("life", "none", reason)]
     rating, hours = found.rating, ""
-    if speed and math.isfinite(found.modified_life):
-        hours = f"{digits(found.modified_life * 1e6 / (60.0 * speed), 4)} hours at {given(float(speed))} 1/min"
+    if speed and math.isfinite(found.rated_life):
+        hours = f"{digits(found.rated_life * 1e6 / (60.0 * speed), 4)} hours at {given(float(speed))} 1/min"
+    factors, of_oil = found.factors
     safety = "none" if math.isnan(found.static_safety) else "no load"
     if math.isfinite(found.static_safety):
         safety = f"S0 = {digits(found.static_safety, 3)}"
@@ -98,8 +99,8 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
         ("static safety", safety, ""),
         ("life L10", of_life(found.basic_life, _REVOLUTIONS), "ISO 281, of bearing steel"),
         ("L10r", of_life(found.reference_life, _REVOLUTIONS), found.no_reference or "laminae of ISO/TS 16281"),
-        ("modified life", of_life(found.modified_life, _REVOLUTIONS), hours),
-        _factors_row(found),
+        ("rated life" if found.no_modified else "modified life", of_life(found.rated_life, _REVOLUTIONS), hours),
+        ("", factors, "; ".join(filter(None, (", ".join(of_oil), found.no_modified)))),
     ]
 
 
@@ -342,12 +343,3 @@ def _rollers(solution: BearingSolution) -> Iterator[tuple[str, str, str]]:
 
 def _degrees(angle: float) -> str:
     return f"{math.degrees(angle):.1f}"
-
-
-def _factors_row(found: BearingLife) -> Row:
-    """Return by what the life is modified."""
-    factors = f"a1 = {digits(found.reliability_factor, 3)}"
-    if found.life_factor is None or found.viscosity_ratio is None or found.contamination is None:
-        return "", f"{factors}, without lubrication", ""
-    of_oil = f"kappa = {digits(found.viscosity_ratio, 3)}, e_C = {digits(found.contamination, 3)}"
-    return "", f"{factors}, a_ISO = {'none' if found.no_reference else digits(found.life_factor, 4)}", of_oil

@@ -184,9 +184,9 @@ function pressure({ key, method }) {
 
 function life({ key, method }) {
   const { life: number } = key;
-  const name = "Modified life";
+  const name = key.no_modified ? "Rated life" : "Modified life";
   if (number === null) return { name, value: "–", unit: "", where: "", number };
-  return { name, value: digits(number, 3), unit: "10⁶ rev", where: `by ${method}`, number };
+  return { name, value: digits(number, 3), unit: "10⁶ rev", where: key.no_modified || `by ${method}`, number };
 }
 
 function writeRollers({ columns, rollers }, number) {

@@ -78,7 +78,8 @@ def _key_numbers(solution: BearingSolution, life: BearingLife | None) -> dict[st
         "rollers": int(solution.angle.size),
         "stiffness": plain(solution.stiffness[1, 1]),
         "max_pressure": None,
-        "life": None if life is None else plain(life.modified_life),
+        "life": None if life is None else plain(life.rated_life),
+        "no_modified": "" if life is None else life.no_modified,
     }
     if solution.method == "strips" and solution.load.any():
         roller, ring = np.unravel_index(int(np.argmax(solution.max_pressure)), solution.load.shape)
