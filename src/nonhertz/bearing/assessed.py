@@ -36,6 +36,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
+from nonhertz.inputs.assumed import Assumed, assumed
 from nonhertz.inputs.checks import number_that, numbers, positive
 from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, taking, together
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
@@ -84,6 +85,8 @@ class BearingLife(HasFindings):
     axial_on_ribs : float
         Axial load that the ribs of cylindrical rows bear [N], which neither P nor the laminae count; of a spectrum, the
         largest.
+    assumed : tuple of Finding
+        What is assumed of the conditions that were left out.
     """
 
     rating: Rating
@@ -97,6 +100,7 @@ class BearingLife(HasFindings):
     singular_ends: tuple[SingularEnd, ...] = ()
     parts: tuple[tuple[BearingLife, float], ...] = ()
     axial_on_ribs: float = 0.0
+    assumed: tuple[Finding, ...] = ()
 
     @property
     def basic_life(self) -> float:
@@ -181,6 +185,8 @@ class BearingLife(HasFindings):
             said[1:3] = [f"L10 = {_or_none(self.basic_life)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
             said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
+        if self.assumed:
+            said.append(f"assumed: {', '.join(dict(each.numbers)['default'] for each in self.assumed)}")
         return plain_text("BearingLife", [*said, *self.warnings])
 
     def _modified(self) -> str:
@@ -249,7 +255,9 @@ class LifeConditions(Input):
         ),
     ] = None
     reliability: Annotated[
-        float, Quantity("", "share of bearings that last longer, from 0.9 to 0.9995", _reliability, "give 0.9, or more")
+        float,
+        Quantity("", "share of bearings that last longer, from 0.9 to 0.9995", _reliability, "give 0.9, or more"),
+        Assumed("reliability of 90 %", "the life"),
     ] = 0.9
     edge_stress: Annotated[
         str | None,
@@ -258,6 +266,7 @@ class LifeConditions(Input):
             "use 'pressure' for what was solved",
             EDGE_STRESS,
         ),
+        Assumed("edge stress by the method", "L10r"),
     ] = None
     laminae: Annotated[int, Count("number of laminae", FEWEST, MOST, "give the number of laminae, 41 say")] = LAMINAE
     turning: Annotated[
@@ -267,14 +276,17 @@ class LifeConditions(Input):
             "name the ring that turns against the load",
             RINGS,
         ),
+        Assumed("inner ring turns", "L10r"),
     ] = "inner"
     dynamic: Annotated[
         float | None,
         Quantity("N", "basic dynamic load rating C of a catalogue; that of ISO 281 if left out", positive, _RATING),
+        Assumed("C by ISO 281", "lives"),
     ] = None
     static: Annotated[
         float | None,
         Quantity("N", "basic static load rating C0 of a catalogue; that of ISO 76 if left out", positive, _RATING),
+        Assumed("C0 by ISO 76", "S0"),
     ] = None
 
     @together("viscosity", "contamination", "cleanliness")
@@ -420,6 +432,7 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
         reliability_factor=asked.reliability_factor,
         singular_ends=tuple(ends),
         axial_on_ribs=axial_on_ribs(solution),
+        assumed=assumed({"": asked}),
     )
 
 

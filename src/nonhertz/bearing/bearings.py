@@ -16,6 +16,7 @@ from nonhertz.amounts import mm
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import RINGS, raceway_motion, ring_motion
 from nonhertz.errors import InputError
+from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import finite, flag, listed, not_negative, number_that, numbers, one_of, positive
 from nonhertz.inputs.fields import Count, Custom, Input, Part, Quantities, Quantity, Several, Word, described, together
 from nonhertz.model.body import Body, Plate, Ring, Roller, TabulatedDiameter
@@ -103,6 +104,7 @@ _CLEARANCE = Quantity(
     finite,
     "give the internal clearance in mm",
 )
+_NO_CLEARANCE = Assumed("no clearance", "loads of rollers, displacements, pressures and L10r")
 _ANGLE = Quantity(
     "rad",
     "the angle between the normal of the outer raceway and the radial plane, of tapered and spherical bearings",
@@ -463,7 +465,7 @@ class CylindricalRollerBearing(RollerBearing):
     46.5
     """
 
-    clearance: Annotated[float, _CLEARANCE] = 0.0
+    clearance: Annotated[float, _CLEARANCE, _NO_CLEARANCE] = 0.0
     design: Annotated[
         str,
         Word(
@@ -485,6 +487,7 @@ class CylindricalRollerBearing(RollerBearing):
             not_negative,
             "give the axial internal clearance in mm",
         ),
+        Assumed("no axial clearance", "the axial displacement", lambda row: any(row.bears_axially)),
     ] = 0.0
 
     @together("design", "rib")
@@ -531,7 +534,7 @@ class TaperedRollerBearing(RollerBearing):
     """
 
     contact_angle: Annotated[float, _ANGLE]
-    clearance: Annotated[float, _CLEARANCE] = 0.0
+    clearance: Annotated[float, _CLEARANCE, _NO_CLEARANCE] = 0.0
     rib: Annotated[Rib | None, _RIB] = None
 
     @together("roller", "contact_angle")
@@ -626,7 +629,7 @@ class SphericalRollerBearing(RollerBearing):
     ]
     inner_groove: Annotated[float, _of_groove("inner")]
     outer_groove: Annotated[float, _of_groove("outer")]
-    clearance: Annotated[float, _CLEARANCE] = 0.0
+    clearance: Annotated[float, _CLEARANCE, _NO_CLEARANCE] = 0.0
 
     @together("inner_groove", "profile_radius")
     def _check_inner_groove(self) -> None:
@@ -811,6 +814,7 @@ class Paired(Input):
             finite,
             "give the axial clearance in mm",
         ),
+        replace(_NO_CLEARANCE, where=lambda pair: not any(row.radial_clearance for row in pair.bearings)),
     ] = 0.0
 
     @together("bearings", "x", "turned")
@@ -912,6 +916,17 @@ def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearan
     turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[pair.arrangement]
     half = 0.5 * pair.distance
     return Paired(bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=pair.clearance)
+
+
+def parts_of(bearing: RollerBearing | Paired) -> dict[str, Input]:
+    """Return the inputs of which a bearing is made, by their places in a file.
+
+    The clearance of rows that hold each other along the axis is that of the pair.
+    """
+    row = bearing.rows[0].bearing
+    paired_by_angle = isinstance(bearing, Paired) and row.nominal_angle > 0.0
+    parts = {"roller": row.roller, "inner": row.inner, "outer": row.outer}
+    return {**parts, **({"bearing.pair": bearing} if paired_by_angle else {"bearing": row})}
 
 
 def _along(y: Array, middle: float, slope: float) -> TabulatedDiameter:

@@ -28,6 +28,7 @@ from nonhertz.bearing.bearings import (
 from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
+from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import finite, not_negative, number_that, positive
 from nonhertz.inputs.fields import Input, Part, Quantity, described, together
 from nonhertz.model.material import STEEL, Material
@@ -44,6 +45,9 @@ _PER_MINUTE = math.pi / 30.0
 _IN_TONNES = "give it in t/mm^3, 7.85e-9 for steel"
 _IN_MM = "give it on the diameter in mm: 20 um are 0.02"
 
+
+_IN_OPERATION = "the clearance in operation"
+_COLD = Assumed(f"ring at {REFERENCE:g} °C", _IN_OPERATION)
 
 _expansion = number_that(lambda value: abs(value) <= MOST_EXPANSION, f"not exceed {MOST_EXPANSION:g} per kelvin")
 _temperature = number_that(lambda value: COLDEST <= value <= HOTTEST, f"lie between {COLDEST:g} and {HOTTEST:g} degC")
@@ -104,7 +108,10 @@ class _Seat(Input):
             _IN_MM,
         ),
     ] = 0.0
-    material: NamedMaterial = STEEL
+    material: Annotated[
+        NamedMaterial,
+        Assumed("steel of no grade", _IN_OPERATION, lambda seat: seat.effective_interference > 0.0),
+    ] = STEEL
     expansion: Annotated[float | None, _of_expansion("part")] = None
     temperature: Annotated[float | None, _of_temperature("part", "that of its ring")] = None
 
@@ -203,9 +210,9 @@ class Mounting(Input):
 
     shaft: Annotated[Shaft, Part("the seat of the inner ring", Shaft, "make one with nonhertz.bearing.Shaft")]
     housing: Annotated[Housing, Part("the seat of the outer ring", Housing, "make one with nonhertz.bearing.Housing")]
-    inner_temperature: Annotated[float, _of_temperature("inner ring")] = REFERENCE
+    inner_temperature: Annotated[float, _of_temperature("inner ring"), _COLD] = REFERENCE
     roller_temperature: Annotated[float | None, _of_temperature("rollers", "the mean of both rings")] = None
-    outer_temperature: Annotated[float, _of_temperature("outer ring")] = REFERENCE
+    outer_temperature: Annotated[float, _of_temperature("outer ring"), _COLD] = REFERENCE
     ring_expansion: Annotated[float | None, _of_expansion("rings")] = None
     roller_expansion: Annotated[float | None, _of_expansion("rollers")] = None
     ring_density: Annotated[float | None, _of_density("inner ring")] = None

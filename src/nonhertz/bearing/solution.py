@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.balance import NO_LOAD, States
-from nonhertz.bearing.bearings import Paired, RollerBearing, Row
+from nonhertz.bearing.bearings import Paired, RollerBearing, Row, parts_of
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.ribs import RibContact
 from nonhertz.bearing.section import RINGS
@@ -20,6 +20,7 @@ from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, finding, sentences
 from nonhertz.hertz import PointContact
+from nonhertz.inputs.assumed import assumed
 from nonhertz.inputs.checks import numbers, one_of, whole
 from nonhertz.life.capacity import is_hollow
 from nonhertz.result.brief import plain_text
@@ -258,6 +259,11 @@ class BearingSolution(ReadOnly):
     def _number_of(self, roller: int, ring: str = RINGS[0]) -> int:
         one_of("ring", ring, RINGS, "name one of both")
         return whole("roller", roller, 0, self.angle.size - 1, "count from 0")
+
+    @property
+    def assumed(self) -> tuple[Finding, ...]:
+        """What is assumed where the bearing leaves something out that decides the result."""
+        return assumed(parts_of(self.bearing))
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -48,7 +48,7 @@ def solve(
     read = read_case(case, changes)
     solution, complaint = attempted(read)
     found = Result(read, solution)
-    shown = sections(solution, read.prescribed.keywords)
+    shown = sections(solution, read)
     return Answer(
         read.title, shown, found.to_json, of_contact(solution), solution.warnings,
         saved(found, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,

@@ -92,6 +92,7 @@ def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | 
         "iterations": solution.iterations,
         "life": None if life is None else _life(life),
         "life_reason": reason,
+        "assumed": [each.as_object() for each in case.assumed],
         "verdict": given_verdict(of_bearing(solution, life, case.operating_clearance)),
         **as_warnings(findings_of(solution, life, case.operating_clearance)),
         "units": UNITS,

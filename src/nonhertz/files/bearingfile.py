@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
-from nonhertz.bearing.bearings import Paired, RollerBearing, of_interpolated_shapes
+from nonhertz.bearing.bearings import Paired, RollerBearing, of_interpolated_shapes, parts_of
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.spectrum import LoadCase
@@ -32,6 +32,7 @@ from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import Surroundings
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import flag, one_of, whole
+from nonhertz.inputs.fields import Input
 from nonhertz.model.prescription import Prescription
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ class BearingCase(HeldCase):
     >>> case.bearing.rollers, case.prescribed.radial
     (13, 10000.0)
     >>> case.solve().load[0].round(-1)
-    array([3810., 3810.])
+    array([3810., 3820.])
     """
 
     bearing: RollerBearing | Paired
@@ -98,6 +99,14 @@ class BearingCase(HeldCase):
         given = {"load": self.prescribed, "fit": self.fit, "report": self.title_block}
         found = document_of(given, defaults=False) | document_of({"solver": self.solver, "life": self.life})
         return bearing_sections(self.bearing) | {name: each for name, each in found.items() if each or name == "load"}
+
+    @property
+    def parts(self) -> dict[str, Input]:
+        """The inputs of which something may be assumed, by their places in its file."""
+        seats = (
+            {} if self.fit is None else {"fit": self.fit, "fit.shaft": self.fit.shaft, "fit.housing": self.fit.housing}
+        )
+        return parts_of(self.bearing) | seats | {"life": self.life}
 
     @property
     def spectrum(self) -> tuple[LoadCase, ...]:

@@ -17,6 +17,7 @@ from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import read
 from nonhertz.files.sections import CaseDocument, Life, OverrolledDent, Solver, of_both, surroundings
 from nonhertz.files.writing import document_of
+from nonhertz.inputs.fields import Input
 from nonhertz.model.body import BODIES
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -74,6 +75,11 @@ class Case(HeldCase):
     def contents_of(document: dict[str, Any], folder: Path | None) -> CaseDocument:
         """Return what a document holds."""
         return read(CaseDocument, document, surroundings(document, folder))
+
+    @property
+    def parts(self) -> dict[str, Input]:
+        """The inputs of which something may be assumed, by their places in its file."""
+        return {f"body.{name}": getattr(self.contact, name) for name in BODIES}
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""

@@ -22,6 +22,8 @@ from nonhertz.files.changes import changed
 from nonhertz.files.folder import write_file
 from nonhertz.files.mistakes import case_error, in_order, path_of
 from nonhertz.files.title_block import TitleBlock
+from nonhertz.findings import Finding
+from nonhertz.inputs.assumed import assumed
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.fields import Input, short_repr, unknown_key
 from nonhertz.inputs.files import content, legible, seen_from
@@ -199,6 +201,16 @@ class HeldCase(Held):
 
     #: The sections that fields are read from where these have other names.
     elsewhere: ClassVar[Mapping[str, str]] = {"prescribed": "load", "title_block": "report"}
+
+    @property
+    def parts(self) -> dict[str, Input]:
+        """The inputs of which something may be assumed, by their places in its file."""
+        raise NotImplementedError
+
+    @property
+    def assumed(self) -> tuple[Finding, ...]:
+        """What is assumed where its file, or the inputs it was made of, leave something out that decides the result."""
+        return assumed(self.parts, None if self.origin is None else self.origin.document)
 
     @staticmethod
     def contents_of(document: dict[str, Any], folder: Path | None) -> Any:

@@ -71,6 +71,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
         "strips": solution.strips,
         "error_estimate": plain(vars(solution.error_estimate)),
         "verdict": given_verdict(of_contact(solution)),
+        "assumed": [each.as_object() for each in case.assumed],
         **as_warnings(solution.findings),
         **({"remarks": [each.as_object() for each in solution.remarks]} if solution.remarks else {}),
         "units": UNITS,

@@ -117,6 +117,7 @@ def result_schema() -> Schema:
         "strips": {"type": "integer", "minimum": 1, "description": "number of strips"},
         "error_estimate": _table(errors, "estimated discretisation errors, relative; null where there is none"),
         "warnings": _list(_TEXT) | {"description": "what strains the model, a sentence each"},
+        "assumed": _list({"type": "object"}) | {"description": "what is assumed where the file leaves something out"},
         "verdict": {"type": ["object", "null"], "description": "whether limits are met: level, and what decides it"},
         "findings": _list({"type": "object"}) | {"description": "the same, by kind, with numbers and their units"},
         "units": {"type": "object", "description": "units of all these; dimensionless numbers are left out"},

@@ -34,6 +34,7 @@ from typing import (
 )
 
 from nonhertz.errors import InputError, InputsError, UnknownKeyError, nearest
+from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import above_zero, finite, flag, is_number, not_negative, numbers, one_of, positive, whole
 from nonhertz.inputs.units import begins_with_digits, in_unit
 
@@ -441,10 +442,11 @@ class Input:
         Groups of fields of which no two are given.
     """
 
-    # Made by `described`: what describes the fields, by name; which must be given, and which may be None; the classes
-    # of those that hold inputs; and the checks of several fields, those of a class before those of its bases, each
-    # with the names of the fields.
+    # Made by `described`: what describes the fields, by name, and what is assumed where they are left out; which must
+    # be given, and which may be None; the classes of those that hold inputs; and the checks of several fields, those of
+    # a class before those of its bases, each with the names of the fields.
     descriptions: ClassVar[Mapping[str, Described]] = {}
+    assumptions: ClassVar[Mapping[str, Assumed]] = {}
     required: ClassVar[frozenset[str]] = frozenset()
     optional: ClassVar[frozenset[str]] = frozenset()
     inputs: ClassVar[Mapping[str, type[Any]]] = {}
@@ -495,11 +497,18 @@ def described(**options: Any) -> Callable[[type[AnyClass]], type[AnyClass]]:
     def made(cls: type[Any]) -> type[Any]:
         cls = dataclass(frozen=True, repr=False, **options)(cls)
         hints = get_type_hints(cls, include_extras=True)
-        marks = {
-            name: [each for each in getattr(hint, "__metadata__", ()) if isinstance(each, KINDS)]
-            for name, hint in hints.items()
-        }
-        cls.descriptions = {each.name: marks[each.name][0] for each in dataclasses.fields(cls)}
+
+        def marks(kind: Any) -> dict[str, Any]:
+            every = {name: getattr(hint, "__metadata__", ()) for name, hint in hints.items()}
+            return {
+                name: found[0]
+                for name, each in every.items()
+                if (found := [one for one in each if isinstance(one, kind)])
+            }
+
+        described_by = marks(KINDS)
+        cls.descriptions = {each.name: described_by[each.name] for each in dataclasses.fields(cls)}
+        cls.assumptions = marks(Assumed)
         cls.required = frozenset(
             each.name for each in dataclasses.fields(cls) if default_of(each) is dataclasses.MISSING
         )

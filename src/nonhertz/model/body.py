@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, shown
+from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import LEAST, finite, not_negative, numbers, positive
 from nonhertz.inputs.fields import Count, Input, OneOrTwo, Part, Quantities, Quantity, described, together
 from nonhertz.model.corner import Chamfer, Cornered, Rounded
@@ -143,7 +144,7 @@ class Body(Input):
     )
     apart: ClassVar[tuple[tuple[str, ...], ...]] = (("corner_radius", "chamfer", "effective_length"),)
 
-    material: NamedMaterial = STEEL
+    material: Annotated[NamedMaterial, Assumed("steel of no grade", "pressures and displacements")] = STEEL
     diameter: Annotated[
         Diameter,
         Quantity(
@@ -165,6 +166,7 @@ class Body(Input):
     length: Annotated[
         float | None,
         Quantity("mm", "distance between the side faces; an unbounded body has none", positive, _LENGTH_REMEDY),
+        Assumed("no side faces", "the approach", lambda body: body.behind.shown == "none"),
     ] = None
     profile: Annotated[
         Profile,
@@ -228,6 +230,7 @@ class Body(Input):
             DEPTH_REMEDY,
             DEPTHS,
         ),
+        Assumed("half-space", "displacements", lambda body: body.behind.shown == "none"),
     ] = None
     case_depth: Annotated[
         float | None,

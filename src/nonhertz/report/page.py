@@ -127,7 +127,7 @@ def _shown(found: Results) -> list[Section]:
         if found.slices is not None:
             sections += bearing.compared_sections(found.case, found.solution, found.slices)
         return sections
-    sections = contact.sections(found.solution, found.case.prescribed.keywords)
+    sections = contact.sections(found.solution, found.case)
     if found.stress is not None:
         sections += stresses.sections(found.solution, *found.stress, found.strengths)
     return sections + (life_shown.sections(found.lives) if found.lives else [])

@@ -16,6 +16,7 @@ from nonhertz.amounts import EndStrength, mm
 from nonhertz.bodies.shape import Shape
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
+from nonhertz.inputs.assumed import assumed
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -458,6 +459,11 @@ class Solution(Solved):
     def error_estimate(self) -> ErrorEstimate:  # type: ignore[override]  # of a plane grid it is a field
         """The solve's own estimate of its discretisation errors."""
         return self.judgement.error_estimate
+
+    @property
+    def assumed(self) -> tuple[Finding, ...]:
+        """What is assumed where the bodies leave something out that decides the result."""
+        return assumed({"a": self.contact.a, "b": self.contact.b})
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]

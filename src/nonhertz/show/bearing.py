@@ -18,7 +18,7 @@ from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.lives import of_life
-from nonhertz.show.sections import Row, Said, Section, Table, summary
+from nonhertz.show.sections import Row, Said, Section, Table, assumed_rows, summary
 from nonhertz.study.quantities import number_of
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
@@ -37,7 +37,7 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
         lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
     return [
         Section("Results", [summary(summary_rows(case, solution))]),
-        Section("Ratings and life", [summary(lives)] if lives else []),
+        Section("Ratings and life", [summary([*lives, *assumed_rows(case.assumed)])]),
         Section("All rollers", [roller_table(solution)]),
     ]
 

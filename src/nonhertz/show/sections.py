@@ -110,6 +110,13 @@ class Section(NamedTuple):
     blocks: Sequence[Block]
 
 
+def assumed_rows(found: Iterable[Finding]) -> list[Row]:
+    """Return what is assumed, for what is not given, and what it decides."""
+    said = [dict(each.numbers) for each in found]
+    rows = [(each["default"], f"for {each['keys']}; decides {each['decides']}") for each in said]
+    return [("" if number else "assumed", *row) for number, row in enumerate(rows)]
+
+
 def summary(rows: Iterable[Row], title: str = "") -> Table:
     """Return rows of name, value and remark as a table."""
     return Table(list(rows), layout=SUMMARY, title=title)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from nonhertz.amounts import digits, error_words, mm, mpa
@@ -12,9 +12,10 @@ from nonhertz.result.ends import leaves_stress
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
-from nonhertz.show.sections import Row, Section, Table, summary
+from nonhertz.show.sections import Row, Section, Table, assumed_rows, summary
 
 if TYPE_CHECKING:
+    from nonhertz.files.casefile import Case
     from nonhertz.files.several import Attempt
 
 _TITLE = 30  # columns at least for a title
@@ -23,12 +24,12 @@ _FIRST = ("max_pressure", "contact_length", "max_half_width", "load", "tilt", "a
 _OVERVIEW = ("load", "max_pressure", "approach", "max_half_width", "contact_length")
 
 
-def sections(solution: Solution, given: Collection[str] = ()) -> list[Section]:
+def sections(solution: Solution, case: Case) -> list[Section]:
     """Return what is shown of a solution."""
-    return [Section("Results", [summary(summary_rows(solution, given))])]
+    return [Section("Results", [summary(summary_rows(solution, case))])]
 
 
-def summary_rows(solution: Solution, given: Collection[str] = ()) -> list[Row]:
+def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
     """Return name, value and remark of all in the summary: what is read first, how it was obtained last.
 
     Quantities that were given are marked as such.
@@ -39,7 +40,7 @@ def summary_rows(solution: Solution, given: Collection[str] = ()) -> list[Row]:
         "penetration" if told else "approach": error_words(estimate.approach),
         "load": error_words(estimate.load),
         "max_half_width": "away from singular ends" if solution.singular_ends else "",
-    } | dict.fromkeys(given, "given")
+    } | dict.fromkeys(case.prescribed.keywords if case else (), "given")
     rows = [("status", solution.status.label, "")]
     for name in (*_FIRST, *(name for name in QUANTITIES if name not in _FIRST)):
         quantity = QUANTITIES[name]
@@ -51,7 +52,7 @@ def summary_rows(solution: Solution, given: Collection[str] = ()) -> list[Row]:
         rows.append((f"body {name}", type(body).__name__.lower(), body.model))
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
     rows.append(("Newton steps", str(solution.iterations), ""))
-    return rows
+    return [*rows, *assumed_rows((case or solution).assumed)]
 
 
 def overview_table(attempts: Sequence[Attempt]) -> Table:

@@ -57,7 +57,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         | {"largest": where_largest(solution, 3)},
         # Where the pressure does not decide, the search when the slider rests does: it takes seconds.
         "verdict": verdict_seen(None if complaint else of_contact(solution, search=False)),
-        "summary": summary_rows(solution, case.prescribed.keywords),
+        "summary": summary_rows(solution, case),
         "warnings": solution.warnings,
         "line": lines(solution),
         "footprint": _in_a_row(plain([*map(vars, outlines(solution))]), ("y", "half_width", "pressure")),

@@ -1,0 +1,66 @@
+"""What is assumed where an input is left out, said of every result that rests on it.
+
+A field has a mark, `Assumed`, beside its description if a usual value in place of its default moves a headline number
+by more than 5 %: a pressure, an approach or displacement, the load of a roller, a life or the static safety. Features
+of a body that are left out are not there, and no assumptions: bores, corners, profiles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from typing import Any
+
+from nonhertz.errors import joined
+from nonhertz.findings import Finding, finding
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """What stands in place of a field that is left out.
+
+    Attributes
+    ----------
+    default : str
+        The default in words.
+    decides : str
+        The headline numbers that it moves.
+    where : callable
+        Whether it does in an input that has the field; it may rest on what else is given.
+    """
+
+    default: str
+    decides: str
+    where: Callable[[Any], bool] = lambda given: True
+
+
+def assumed(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None) -> tuple[Finding, ...]:
+    """Return what is assumed of inputs: the same of several once.
+
+    Parameters
+    ----------
+    parts : mapping of str to Input
+        The inputs by their places, such as ``"body.a"``.
+    document : mapping, optional
+        What a file holds: what it gives is not assumed, even if it is the default.
+    """
+    keys: dict[tuple[str, str], list[str]] = {}
+    for place, given in parts.items():
+        table = _at(document or {}, place)
+        for each in fields(given):
+            mark = given.assumptions.get(each.name)
+            if mark and each.name not in table and getattr(given, each.name) == each.default and mark.where(given):
+                keys.setdefault((mark.default, mark.decides), []).append(f"{place}.{each.name}".removeprefix("."))
+    words = "Assumed: {default}. Give {keys} if that is not so: it decides {decides}."
+    return tuple(
+        finding("assumed", words, default=default, keys=joined(names), decides=decides)
+        for (default, decides), names in keys.items()
+    )
+
+
+def _at(document: Mapping[str, Any], place: str) -> Mapping[str, Any]:
+    """Return the table of a document at a place; an empty one if there is none."""
+    table: Any = document
+    for name in filter(None, place.split(".")):
+        table = table.get(name, {}) if isinstance(table, Mapping) else {}
+    return table if isinstance(table, Mapping) else {}
