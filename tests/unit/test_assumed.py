@@ -151,3 +151,17 @@ def test_every_output_of_a_bearing_says_what_is_assumed():
         assert default in report
         assert row[1] in report
     assert np.isfinite(life.rated_life)
+
+
+def test_studies_say_what_is_assumed_but_for_what_they_vary():
+    from nonhertz.show.studies import sweep_sections
+
+    case = bearing()
+    for path, values in (("life.reliability", [0.9, 0.95]), ("load.radial", [8e3, 1e4])):
+        found = nh.sweep(case, over={path: values}, workers=1)
+        said = {dict(each.numbers)["keys"] for each in found.assumed}
+        assert ("life.reliability" in said) is (path != "life.reliability")
+        assert "life.turning" in said
+        text = str([block for section in sweep_sections(found) for block in section.blocks])
+        assert "inner ring turns" in text
+        assert "No modified life: give viscosity and cleanliness for the modified life." in text

@@ -21,7 +21,7 @@ from nonhertz.files.planfile import read_design
 from nonhertz.files.results import plain
 from nonhertz.findings import as_warnings
 from nonhertz.result.tables import csv_text
-from nonhertz.show.sections import Section, Table
+from nonhertz.show.sections import Section, Table, assumed_section
 from nonhertz.show.studies import design_sections
 from nonhertz.study.design import Design, Front, best
 from nonhertz.study.design import front as front_of
@@ -67,7 +67,7 @@ def design(
     with bar("searches") as update, named_as(threads="--workers", starts="--starts"):
         found = best(case, **given, workers=workers, announce=update)
     made = written(directory, lambda: _texts(found, directory), lambda: design_figures(found))
-    text, shown = lambda: _as_json(found, made), design_sections(found)
+    text, shown = lambda: _as_json(found, made), [*design_sections(found), assumed_section(case.assumed)]
     return Answer(found.was.title, shown, text, found.verdict, found.warnings, made)
 
 
@@ -97,6 +97,7 @@ def _as_json(found: Design, files: Sequence[Path]) -> str:
             vars(start) | {"value": plain(start.value), "history": plain(start.history)} for start in found.starts
         ],
         **as_warnings(found.findings),
+        "assumed": [each.as_object() for each in found.was.assumed],
         "bands": [vars(band) for band in found.bands],
         "loads": [vars(load) for load in found.loads],
         "files": [str(path) for path in files],

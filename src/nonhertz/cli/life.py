@@ -21,7 +21,7 @@ from nonhertz.life import MODELS
 from nonhertz.plot import dent_figure, life_figure
 from nonhertz.show.analysis import assessed, models_for, spectrum_solved
 from nonhertz.show.lives import compared_sections, sections
-from nonhertz.show.sections import Said, Section
+from nonhertz.show.sections import Said, Section, assumed_section
 from nonhertz.verdict import worst_of
 
 if TYPE_CHECKING:
@@ -76,6 +76,7 @@ def life(
     verdicts = {f"in {legible(str(case.path))}": each.verdict for case, each in zip(cases, found, strict=True)}
     made = written(out, lambda: files(first, other), lambda: _figures(first, other))
     shown, text = _shown([each.path for each in cases], first, other), lambda: key_by_key(as_object(first, other))
+    shown.append(assumed_section(cases[0].assumed))
     return Answer(first.title, shown, text, worst_of(verdicts), written=made)
 
 

@@ -16,6 +16,7 @@ from nonhertz.files.stresses import all_findings, as_object, files
 from nonhertz.model.body import BODIES
 from nonhertz.plot import stress_figures, stress_planes
 from nonhertz.show.analysis import largest_stresses, solved
+from nonhertz.show.sections import assumed_section
 from nonhertz.show.stresses import sections
 from nonhertz.strength import assess
 from nonhertz.verdict import of_contact
@@ -72,4 +73,5 @@ def stress(
             figures = functools.partial(stress_figures, solution, *found, read.title, planes)
             made = written(out, lambda: files(text, planes), figures)
     shown, verdict = sections(solution, *found, (strength,)), of_contact(solution, (strength,))
+    shown = [*shown, assumed_section(read.assumed)]
     return Answer(read.title, shown, lambda: text, verdict, all_findings(solution, *found), made)

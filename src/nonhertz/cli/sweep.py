@@ -135,6 +135,7 @@ def as_text(sweep: Sweep, files: Sequence[Path], **more: Any) -> str:
         "rows": len(sweep),
         "failed": sweep.failed,
         "verdict": given_verdict(sweep.verdict),
+        "assumed": [each.as_object() for each in sweep.assumed],
         **more,
         "failures": [{"sentence": why, "rows": times, "first": first} for why, times, first in sweep.reasons()],
         "files": [str(path) for path in files],

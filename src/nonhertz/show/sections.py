@@ -117,6 +117,12 @@ def assumed_rows(found: Iterable[Finding]) -> list[Row]:
     return [("" if number else "assumed", *row) for number, row in enumerate(rows)]
 
 
+def assumed_section(found: Iterable[Finding]) -> Section:
+    """Return what is assumed as a section by itself; an empty one if nothing is."""
+    rows = assumed_rows(found)
+    return Section("", [summary(rows)] if rows else [])
+
+
 def summary(rows: Iterable[Row], title: str = "") -> Table:
     """Return rows of name, value and remark as a table."""
     return Table(list(rows), layout=SUMMARY, title=title)

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from nonhertz.amounts import amount, digits, error_words, given, mpa, of_dimension, um
+from nonhertz.bearing.assessed import NO_OIL
 from nonhertz.files.spreads import Distribution, Spread
 from nonhertz.result.quantities import Quantity
-from nonhertz.show.sections import Block, Row, Said, Section, Table, summary
+from nonhertz.show.sections import Block, Row, Said, Section, Table, assumed_rows, summary
 from nonhertz.study.design import Design
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance, is_operating_load
@@ -24,7 +25,7 @@ def sweep_sections(sweep: Sweep) -> list[Section]:
     results = _each_row(sweep) if 1 < len(sweep) <= MOST_LISTED else _extremes(sweep)
     return [
         Section("", [Said([_counted(sweep)])]),
-        Section("", [summary(_varied(sweep))]),
+        Section("", [summary([*_varied(sweep), *assumed_rows(sweep.assumed)])]),
         Section("", [results, Said(_failures(sweep), "warning")]),
     ]
 
@@ -70,7 +71,7 @@ def tolerance_sections(found: Tolerance) -> list[Section]:
         if quantity not in found.main and quantity in found.results and low < high
     ]
     tables = [
-        Table([row[:2] for row in _varied(sweep)]),
+        Table([*(row[:2] for row in _varied(sweep)), *assumed_rows(sweep.assumed)]),
         _quantiles(found, shown),
         _capabilities(found),
         *_indices(found, [quantity for quantity in shown if quantity in found.results]),
@@ -202,7 +203,11 @@ def _failures(sweep: Sweep) -> list[str]:
         f"{times} {'rows' if times > 1 else 'row'}, the first {first}: {sentence}" for sentence, times, first in reasons
     ]
     rest = sweep.failed - sum(times for _, times, _ in reasons)
-    return [*shown, f"{rest} more rows for other reasons."] if rest else shown
+    if rest:
+        shown.append(f"{rest} more rows for other reasons.")
+    if "modified_life" in [each.name for each in sweep.quantities] and sweep.extremes("modified_life") is None:
+        shown.append(f"No modified life: {NO_OIL}.")
+    return shown
 
 
 def _ends(spread: Spread, unit: str) -> str:

@@ -27,6 +27,7 @@ from nonhertz.files.planfile import Plan, read_plan
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_too_many, write_workbook
+from nonhertz.findings import Finding
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import library
@@ -132,6 +133,13 @@ class Sweep:
         varied = {path.partition(".")[2] for path in self.paths if path.startswith("load.")}
         found = varied.union(self.plan.template.document.get("load", {}))
         return frozenset(found if "moment" in found else found | {"tilt"})
+
+    @property
+    def assumed(self) -> tuple[Finding, ...]:
+        """What is assumed where the case leaves something out that decides results, and that is not varied."""
+        varied = [f"{path} " for path in self.paths]
+        found = ((each, f"{dict(each.numbers)['keys']} ".replace(",", " ")) for each in self.plan.case.assumed)
+        return tuple(each for each, keys in found if not any(path in keys for path in varied))
 
     @property
     def verdict(self) -> Verdict | None:
