@@ -92,6 +92,13 @@ def headline(case):
         (bearing, "life.static", 36.5e3, "S0"),
         (lambda **more: bearing(BEARING + FITTED, **more), "fit.inner_temperature", 60.0, "clearance"),
         (lambda **more: bearing(BEARING + FITTED, **more), "fit.outer_temperature", 60.0, "clearance"),
+        (lambda **more: bearing(BEARING + FITTED, **more), "fit.housing.interference", 0.01, "clearance"),
+        (
+            lambda **more: bearing(BEARING + FITTED, **({"fit__housing__interference": 0.02} | more)),
+            "fit.housing.outside_diameter",
+            70.0,
+            "clearance",
+        ),
         (contact, "body.b.material", "EN-GJL-250", "pressure"),
         (contact, "body.b.depth", 8.0, "approach"),
         (contact, "body.b.length", 24.0, "approach"),
@@ -108,6 +115,8 @@ def test_what_a_file_gives_is_not_assumed_even_if_it_is_the_default():
     given = {"roller__material": "steel", "bearing__clearance": 0.0, "life__reliability": 0.9, "life__turning": "inner"}
     assert {each.replace("__", ".") for each in given} <= keys(bearing())
     assert not {each.replace("__", ".") for each in given} & keys(bearing(**given))
+    # Bearings that have no rating have no life that rests on anything.
+    assert not [each for each in keys(bearing(roller__material="silicon-nitride")) if each.startswith("life")]
     # What is made in Python has no file: there the default is assumed.
     made = BearingCase(bearing().bearing, {"radial": 1e4}, {"method": "slices"})
     assert "bearing.clearance" in keys(made)

@@ -98,6 +98,7 @@ class _Seat(Input):
             finite,
             _IN_MM,
         ),
+        Assumed("no interference", _IN_OPERATION),
     ] = 0.0
     smoothing: Annotated[
         float,
@@ -165,7 +166,9 @@ class Housing(_Seat):
     """
 
     outside_diameter: Annotated[
-        float, Quantity("mm", "the diameter of the housing as a ring; endless if left out", _outside, _OUTSIDE)
+        float,
+        Quantity("mm", "the diameter of the housing as a ring; endless if left out", _outside, _OUTSIDE),
+        Assumed("endless housing", _IN_OPERATION, lambda seat: seat.effective_interference > 0.0),
     ] = math.inf
 
     @together("diameter", "outside_diameter")

@@ -15,6 +15,7 @@ from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import Paired, RollerBearing, of_interpolated_shapes, parts_of
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.prescribed import BearingLoad
+from nonhertz.bearing.ratings import rating
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError
@@ -106,6 +107,10 @@ class BearingCase(HeldCase):
         seats = (
             {} if self.fit is None else {"fit": self.fit, "fit.shaft": self.fit.shaft, "fit.housing": self.fit.housing}
         )
+        try:
+            _ = rating(self.bearing)
+        except InputError:  # there is no life that could rest on anything
+            return parts_of(self.bearing) | seats
         return parts_of(self.bearing) | seats | {"life": self.life}
 
     @property

@@ -161,9 +161,9 @@ def read_result(path: str | Path) -> Result:
         raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
     try:
         if meant_as(found["case"]) == "bearing":
-            bearing = BearingCase.of(found["case"], path, files=False)
+            bearing = BearingCase.of(found["case"], path, files=False).with_assumptions(found.get("assumed"))
             return Result(bearing, _bearing_solution(found, bearing))
-        case = Case.of(found["case"], path, files=False)
+        case = Case.of(found["case"], path, files=False).with_assumptions(found.get("assumed"))
         return Result(case, _solution(found, case))
     except CaseError as error:
         raise InputError("path", str(path), f"hold a case ({error.mistakes[0]})", _WAY_OUT) from None

@@ -7,12 +7,15 @@ of a body that are left out are not there, and no assumptions: bores, corners, p
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
 from nonhertz.errors import joined
 from nonhertz.findings import Finding, finding
+
+_KIND = "assumed"
+_WORDS = "Assumed: {default}. Give {keys} if that is not so: it decides {decides}."
 
 
 @dataclass(frozen=True)
@@ -51,11 +54,15 @@ def assumed(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None)
             mark = given.assumptions.get(each.name)
             if mark and each.name not in table and getattr(given, each.name) == each.default and mark.where(given):
                 keys.setdefault((mark.default, mark.decides), []).append(f"{place}.{each.name}".removeprefix("."))
-    words = "Assumed: {default}. Give {keys} if that is not so: it decides {decides}."
     return tuple(
-        finding("assumed", words, default=default, keys=joined(names), decides=decides)
+        finding(_KIND, _WORDS, default=default, keys=joined(names), decides=decides)
         for (default, decides), names in keys.items()
     )
+
+
+def restored(objects: Iterable[Mapping[str, Any]]) -> tuple[Finding, ...]:
+    """Return what `assumed` has returned, from what a result file has of it."""
+    return tuple(finding(_KIND, _WORDS, **each["numbers"]) for each in objects)
 
 
 def _at(document: Mapping[str, Any], place: str) -> Mapping[str, Any]:
