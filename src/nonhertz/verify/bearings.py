@@ -159,7 +159,7 @@ def tapered_life(method: Method, edge_stress: Literal["none", "standard"]) -> Be
     given = known.MASTA
     return assess(
         tapered(method), dynamic=given.dynamic, static=given.static, laminae=given.laminae, edge_stress=edge_stress,
-        speed=given.speed, viscosity=given.viscosity,
+        speed=given.speed, viscosity=given.viscosity, cleanliness="high",
     )  # fmt: skip
 
 
