@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import nonhertz as nh
 from nonhertz.model.corner import Cornered, Rounded
@@ -84,7 +85,6 @@ def test_bends_of_the_profile_beyond_the_land_are_not_there():
         (lambda: nh.Plate(corner_radius=0.5), "length = None must be given where corner_radius is"),
         (lambda: roller(corner_radius=None, chamfer=0.5), "chamfer = 0.5 must be a Chamfer"),
         (lambda: roller(profile=nh.profile.tabulated([-5.0, 5.0], [0.0, 0.0])), "must reach both ends of the land, y "),
-        (lambda: roller(profile=nh.profile.crown(radius=9.6)), "with a gentle slope"),
         (lambda: nh.Chamfer(length=1.0, angle=1.6), "angle = 1.6 must lie between 0 and pi / 2"),
         (lambda: nh.Chamfer(length=1.0, angle=0.3, blend_radius=4.0), "blend_radius = 4.0 must leave the arc"),
     ],
@@ -121,3 +121,83 @@ def test_a_surface_with_corners_adds_and_shifts_like_any_profile():
     surface = Cornered(CROWN, 10.0, Rounded(0.5))
     np.testing.assert_allclose(surface.shifted(1.0).relief([10.6]), surface.relief([9.6]), rtol=1e-12)
     np.testing.assert_allclose(surface.scaled(2.0).relief([9.8]), 2.0 * surface.relief([9.8]), rtol=1e-12)
+
+
+def iso(y):
+    """ISO 16281 for a diameter of 10 and an effective length of 9.4 mm."""
+    return -0.0035 * math.log(1.0 - (y / 4.7) ** 2)
+
+
+def test_a_logarithm_over_the_land_continues_along_its_tangent_where_it_becomes_an_edge():
+    body = nh.Roller(diameter=10.0, length=10.0, corner_radius=0.3, profile=nh.profile.iso_logarithmic(10.0, 9.4))
+    edge = brentq(lambda y: 2.0 * 0.0035 * (4.7**2 + y**2) / (4.7**2 - y**2) ** 2 - 10.0 / 0.3, 4.0, 4.7 - 1e-9)
+    slope = 2.0 * 0.0035 * edge / (4.7**2 - edge**2)
+    y = np.array([0.0, 3.0, 4.68, edge])
+    np.testing.assert_allclose(body.relief(y), [iso(place) for place in y], rtol=1e-5)
+    assert float(body.relief(4.7)) == pytest.approx(iso(edge) + slope * (4.7 - edge), rel=3e-4)
+    assert float(body.relief(5.0)) == pytest.approx(iso(edge) + slope * (5.0 - edge) + 0.3, rel=3e-4)
+    assert body.land == (-4.7, 4.7)
+    np.testing.assert_allclose(body.bends, [-4.7, -edge, edge, 4.7], rtol=2e-6)
+
+
+@pytest.mark.parametrize("corner", [{"corner_radius": 0.3}, {"chamfer": nh.Chamfer(length=0.3, angle=0.3)}])
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+@pytest.mark.parametrize(
+    "profile",
+    [
+        nh.profile.iso_logarithmic(10.0, 9.4),
+        nh.profile.iso_tapered(10.0, 9.0),  # ends within the land
+        nh.profile.iso_logarithmic(10.0, 9.5),  # would end on the corner
+        nh.profile.iso_logarithmic(10.0, 9.4).shifted(0.2) + nh.profile.conical(1e-3),
+        nh.profile.iso_logarithmic(10.0, 9.4).scaled(-1.0),
+        nh.profile.fujiwara_kawase(load=2e3, length=9.4, k2=0.2, zm=0.5),
+        nh.profile.crown(radius=4.65),
+    ],
+)
+def test_a_surface_with_corners_is_finite_up_to_the_faces_and_smooth_up_to_the_land_s_ends(profile, side, corner):
+    body = nh.Body(diameter=10.0, length=10.0, profile=profile, **corner)
+    assert np.all(np.isfinite(body.relief(np.linspace(-5.0, 5.0, 2001))))
+    # A kink is a change of slope that does not vanish with the step, as that by the largest curvature does.
+    y, step = side * np.concatenate([np.linspace(4.2, 4.69, 50), np.linspace(4.69, 4.6999, 400)]), 2e-6
+    below, at, above = (body.relief(y + by) for by in (-step, 0.0, step))
+    assert np.abs(above - 2.0 * at + below).max() / step < 0.01
+
+
+@pytest.mark.parametrize("scale", [1e-3, 0.5, 7.0, 1e3])
+@pytest.mark.parametrize(
+    ("diameter", "length", "radius", "profile", "parameters"),
+    [
+        (180.0, 28.0, 1.2, nh.profile.crown, (90.0,)),
+        (10.0, 10.0, 0.3, nh.profile.iso_logarithmic, (10.0, 9.4)),
+        (10.0, 10.0, 0.3, nh.profile.iso_logarithmic, (10.0, 9.0)),
+        (10.0, 10.0, 0.3, nh.profile.crown, (4.75,)),
+    ],
+)
+def test_a_body_n_times_as_large_has_n_times_the_relief(diameter, length, radius, profile, parameters, scale):
+    def of_size(n):
+        made = profile(*(n * parameter for parameter in parameters))
+        return nh.Body(diameter=n * diameter, length=n * length, corner_radius=n * radius, profile=made)
+
+    # Where the tangents of an edge begin is found by differences.
+    y = np.linspace(-0.5, 0.5, 401) * length
+    np.testing.assert_allclose(of_size(scale).relief(scale * y), scale * of_size(1.0).relief(y), rtol=1e-5)
+
+
+def test_what_stops_before_the_land_ends_is_refused_at_any_size():
+    for scale in (1e-3, 1.0, 1e3):
+        short = nh.profile.tabulated([-4.6 * scale, 4.6 * scale], [0.0, 0.0])
+        with pytest.raises(nh.InputError, match="must reach both ends of the land, y = -"):
+            nh.Body(length=10.0 * scale, corner_radius=0.3 * scale, profile=short)
+
+
+def test_the_profile_of_iso_16281_over_the_land_has_no_spike_at_its_end():
+    ring = nh.Ring(diameter=40.0, length=14.0)
+    profile = nh.profile.iso_logarithmic(10.0, 9.4)
+    with_corner, without = (
+        nh.solve(
+            nh.Contact(nh.Roller(diameter=10.0, length=10.0, profile=profile, **corner), ring), load=4e3, tilt=2.9e-4
+        )
+        for corner in ({"corner_radius": 0.3}, {})
+    )
+    assert abs(with_corner.max_pressure_y) < 2.0
+    assert with_corner.max_pressure == pytest.approx(without.max_pressure, rel=1e-9)

@@ -20,8 +20,10 @@ from nonhertz.model.profile.circular import drop_of_circle
 
 Array = NDArray[np.float64]
 
-_STEP = 1e-4  # of the land, for the slope at its ends
-_STEEPEST = 0.5  # slope of a profile where a corner begins
+_STEP = 1e-6  # of the land, for slope and curvature near its ends
+_SHARPEST = 10.0  # over the extent of a corner: the largest curvature of a land before it
+# Places to a section of the search for that curvature, sections, and the share of the land that is left of it then.
+_PLACES, _SECTIONS, _ROUNDING = 32, 6, 1e-9
 
 
 class Corner(ABC):
@@ -156,6 +158,10 @@ class Chamfer(Input, Corner):
 class Cornered(Formula):
     """A profile up to the ends of a land, and corners from there to the side faces.
 
+    Corners begin with the slope that the profile has there. Where the profile ends in an edge, such as a logarithm at
+    the place where it becomes infinite, it continues along its tangent from where its radius of curvature has fallen to
+    a tenth of the corner's extent: what is farther out is too narrow to bear. So the surface is finite and smooth.
+
     Parameters
     ----------
     land : Profile
@@ -168,7 +174,7 @@ class Cornered(Formula):
     Raises
     ------
     InputError
-        If the corners leave no land, or the profile does not reach its ends or is steep there.
+        If the corners leave no land, or the profile stops before the ends of the land.
     """
 
     land: Profile
@@ -182,11 +188,7 @@ class Cornered(Formula):
                 f"leave a land: two corners of {mm(self.corner.extent):g} are {mm(2.0 * self.corner.extent):g} long"
             )
             raise InputError("length", 2.0 * self.half_length, condition, f"reduce {name}, or lengthen the body")
-        steepest = float(np.max(np.abs(self._tangents), initial=0.0, where=np.isfinite(self._tangents)))
-        if not np.all(np.isfinite(self._tangents)) or steepest > _STEEPEST:
-            ends = mm(-self.land_end, self.land_end, between=" and ")
-            condition = f"reach both ends of the land, y = {ends:g}, with a gentle slope"
-            raise InputError("profile", self.land, condition, "change the profile, or leave out the corner")
+        _ = self._tangents
 
     @property
     def land_end(self) -> float:
@@ -195,33 +197,58 @@ class Cornered(Formula):
 
     @cached_property
     def _tangents(self) -> Array:
-        """Relief and slope outwards at both ends of the land, low y first, shape (2, 2)."""
+        """Where the tangents at low and high y begin: distance from the middle, relief and slope, shape (2, 3)."""
+        return np.array([self._tangent(side) for side in (-1.0, 1.0)])
+
+    def _tangent(self, side: float) -> tuple[float, float, float]:
+        """Return where the land at low (-1) or high y (1) ends or becomes an edge: distance, relief, slope outwards."""
+        places = np.array([self.land_end])
+        relief, slope, sharpness = self._shape(side, places)
+        if not sharpness[0] <= _SHARPEST:
+            places = np.array([0.0, self.land_end])
+            for _ in range(_SECTIONS):
+                places = np.linspace(*places, _PLACES + 1)
+                relief, slope, sharpness = self._shape(side, places)
+                blunt = np.flatnonzero(sharpness <= _SHARPEST)
+                outermost = slice(blunt[-1], blunt[-1] + 2) if blunt.size else slice(2)
+                places, relief, slope, sharpness = (of[outermost] for of in (places, relief, slope, sharpness))
+        at_end = places[0] >= (1.0 - _ROUNDING) * self.land_end
+        if not (np.isfinite(relief[0]) and (at_end or sharpness[0] > 0.9 * _SHARPEST or np.isfinite(relief[-1]))):
+            ends = mm(-self.land_end, self.land_end, between=" and ")
+            condition = f"reach both ends of the land, y = {ends:g}"
+            raise InputError("profile", self.land, condition, "extend the profile, or leave out the corner")
+        return float(places[0]), float(relief[0]), float(slope[0])
+
+    def _shape(self, side: float, distance: Array) -> tuple[Array, Array, Array]:
+        """Return relief, slope outwards and curvature times the corner's extent on one side; NaN past its end."""
         step = _STEP * self.land_end
-        inwards = self.land_end - step * np.arange(3.0)
+        relief = self.land.relief_at(side * (distance - step * np.arange(3.0)[:, None]))
         with np.errstate(invalid="ignore"):
-            relief = np.array([self.land.relief_at(side * inwards) for side in (-1.0, 1.0)])
-            slope = (3.0 * relief[:, 0] - 4.0 * relief[:, 1] + relief[:, 2]) / (2.0 * step)
-        return np.stack([relief[:, 0], slope])
+            slope = (3.0 * relief[0] - 4.0 * relief[1] + relief[2]) / (2.0 * step)
+            curvature = (relief[0] - 2.0 * relief[1] + relief[2]) / step**2
+        return relief[0], slope, np.abs(curvature) * self.corner.extent
 
     def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite beyond the side faces."""
-        beyond = np.abs(y) - self.land_end
-        relief = np.array(self.land.relief_at(np.minimum(np.maximum(y, -self.land_end), self.land_end)))
-        on_corners = beyond > 0.0
-        distance, at_low = beyond[on_corners], y[on_corners] < 0.0
+        (low, low_relief, low_slope), (high, high_relief, high_slope) = self._tangents
+        relief = np.array(self.land.relief_at(np.minimum(np.maximum(y, -low), high)))
+        beyond = (y < -low) | (y > high)
+        distance, at_low = np.abs(y[beyond]), y[beyond] < 0.0
         if distance.size:
-            (low, high), (low_slope, high_slope) = self._tangents
-            within = np.minimum(distance, self.corner.extent)
-            tangent = np.where(at_low, low + low_slope * within, high + high_slope * within)
-            fallen = tangent + self.corner.drop_at(within)
-            relief[on_corners] = np.where(distance > self.corner.extent, np.inf, fallen)
+            within = np.minimum(distance, self.half_length)
+            tangent = np.where(
+                at_low, low_relief + low_slope * (within - low), high_relief + high_slope * (within - high)
+            )
+            on_corner = np.minimum(np.maximum(within - self.land_end, 0.0), self.corner.extent)
+            relief[beyond] = np.where(distance > self.half_length, np.inf, tangent + self.corner.drop_at(on_corner))
         return relief
 
     @property
     def bends(self) -> tuple[float, ...]:
-        """Those of the land, and where corners begin and bend."""
+        """Those of the land, where it continues along its tangent, and where corners begin and bend."""
         outwards = (self.land_end, *(self.land_end + each for each in self.corner.bends))
-        return tuple(sorted({*self._on_land(self.land.bends), *outwards, *(-each for each in outwards)}))
+        low, high = self._tangents[:, 0].tolist()
+        return tuple(sorted({*self._on_land(self.land.bends), -low, high, *outwards, *(-each for each in outwards)}))
 
     @property
     def crests(self) -> tuple[float, ...]:
@@ -239,4 +266,5 @@ class Cornered(Formula):
         return -self.land_end, self.land_end
 
     def _on_land(self, places: tuple[float, ...]) -> tuple[float, ...]:
-        return tuple(each for each in places if abs(each) < self.land_end)
+        low, high = self._tangents[:, 0]
+        return tuple(place for place in places if -low < place < high)
