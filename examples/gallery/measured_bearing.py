@@ -60,7 +60,7 @@ def bearing(of, raceway):
 
 # Where the lands end the corners go on. Those of the second roller are larger.
 ROLLERS = {
-    "ISO 16281": roller(nh.profile.iso_logarithmic(diameter=9, length=10), 0.3),
+    "ISO 16281": roller(nh.profile.iso_logarithmic(diameter=9, length=9.4), 0.3),
     "first roller": roller(nh.profile.tabulated(Y_FIRST, FIRST_ROLLER), 0.3),
     "second roller": roller(nh.profile.tabulated(Y_SECOND, SECOND_ROLLER), 0.5),
 }
@@ -86,7 +86,7 @@ with sheet_style():
 # Pressures and lives
 # -------------------
 # All rollers of a bearing are taken to be alike. The measured ones drop off sooner, so that less of them bears the
-# load, at a higher pressure, and they last shorter; but a tilt of the rings brings no peak at their ends. L10r is that
+# load, at a higher pressure, and they last shorter. A tilt of the rings brings no peak at the ends of any. L10r is that
 # of the laminae of ISO/TS 16281 with these pressures.
 
 found = {

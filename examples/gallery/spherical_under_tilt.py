@@ -38,7 +38,7 @@ BEARINGS = {
     "spherical": nh.bearing.paired(BARRELS, "X", PITCH * math.tan(ANGLE)),
     "cylindrical": nh.bearing.CylindricalRollerBearing(
         roller=nh.Roller(
-            diameter=9, length=10, corner_radius=0.3, profile=nh.profile.iso_logarithmic(diameter=9, length=10)
+            diameter=9, length=10, corner_radius=0.3, profile=nh.profile.iso_logarithmic(diameter=9, length=9.4)
         ),
         inner=nh.Ring(diameter=37.5, depth=3.75),
         outer=nh.Ring(diameter=-55.5, depth=3.25),
@@ -60,8 +60,7 @@ for name, states in found.items():
 # What it takes to tilt the inner ring
 # ------------------------------------
 # The moment about the middle of the bearing, and the largest pressure in it. In the cylindrical bearing the loads of
-# the rollers hardly change either, but the pressure moves along them, until it stands at their corners and grows with
-# every milliradian.
+# the rollers hardly change either, but the pressure moves along them and grows with every milliradian.
 
 with sheet_style():
     figure = Figure(figsize=(6.7, 3.2), layout="constrained")
@@ -96,7 +95,7 @@ with sheet_style():
             contact = state.contact(0, "inner")
             shown = np.convolve(contact.line_load > 0, [1, 1, 1], "same") > 0  # the contact and a strip beyond it
             axes.plot(contact.y[shown], contact.centre_pressure[shown], label=label, **style)
-        axes.set(xlabel="Axial position $y$ [mm]", xlim=(-5.2, 5.2), ylim=(0, 4500))
+        axes.set(xlabel="Axial position $y$ [mm]", xlim=(-5.2, 5.2), ylim=(0, 2600))
         axes.set_title(name, loc="left")
         axes.spines[["top", "right"]].set_visible(False)
         axes.legend(loc="upper center")

@@ -15,7 +15,7 @@ from nonhertz.plot.style import sheet_style
 
 bearing = nh.bearing.CylindricalRollerBearing(
     roller=nh.Roller(
-        diameter=9, length=10, corner_radius=0.3, profile=nh.profile.iso_logarithmic(diameter=9, length=10)
+        diameter=9, length=10, corner_radius=0.3, profile=nh.profile.iso_logarithmic(diameter=9, length=9.4)
     ),
     inner=nh.Ring(diameter=37.5, depth=3.75),
     outer=nh.Ring(diameter=-55.5, depth=3.25),

@@ -1,5 +1,6 @@
 """Case files: what the keys mean, and that nothing but a list of sentences comes of a wrong one."""
 
+import dataclasses
 import datetime
 import inspect
 import json
@@ -17,7 +18,7 @@ from whole_case import TEXT
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.files.casefile import Case, read_case
+from nonhertz.files.casefile import Case, read_case, starting_case
 from nonhertz.files.schemas import schema_of
 from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.model.profile import CATALOGUE
@@ -145,7 +146,7 @@ def test_units_are_accepted_everywhere_a_quantity_stands(tmp_path):
     profile = (
         nh.profile.crown(radius=4000.0).shifted(0.05)
         + nh.profile.tabulated(y=[-10.0, 0.0, 10.0], relief=[0.005, 0.0, 0.005])
-        + nh.profile.lundberg(load=20000.0, length=length, radius=10.0, compliance=2.8e-6)
+        + nh.profile.lundberg(load=20000.0, length=19.0, radius=10.0, compliance=2.8e-6)
         + nh.profile.conical(angle=np.radians(0.03))
     )
     body = nh.Body(diameter=20.0, length=length, effective_length=19.0, position=0.1, profile=profile)
@@ -397,15 +398,50 @@ def test_the_reference_s_example_is_sound(tmp_path):
         assert read(tmp_path, text).contact.interval
 
 
-def test_a_profile_for_the_length_of_the_body_is_cut_off_where_corners_begin(tmp_path):
-    text = (
-        "[body.a]\nkind = 'roller'\ndiameter = 20\nlength = 20\nprofile = { kind = 'iso-logarithmic' }\n"
-        "corner_radius = '500 um'\n[body.b]\nkind = 'plate'\n[load]\nload = 1000\n"
+@pytest.mark.parametrize(
+    ("ends", "land"),
+    [
+        ("", 20.0),
+        ("corner_radius = '500 um'", 19.0),
+        ("chamfer = { length = 1.5, angle = 0.3 }", 17.0),
+        ("effective_length = 18", 18.0),
+        ("effective_length = 18\nposition = 0.1", 18.0),
+    ],
+)
+def test_profiles_along_the_contact_end_with_the_land(tmp_path, ends, land):
+    def profile(table):
+        text = with_body(f"diameter = 20\nlength = 20\n{ends}\nprofile = {{ {table} }}")
+        return read(tmp_path, text).contact.a.profile
+
+    make = nh.profile
+    assert profile("kind = 'iso-logarithmic'") == make.iso_logarithmic(diameter=20.0, length=land)
+    assert profile("kind = 'iso-tapered'") == make.iso_tapered(diameter=20.0, length=land)
+    assert profile("kind = 'logarithmic', amplitude = 1e-3") == make.logarithmic(1e-3, land)
+    assert profile("kind = 'logarithmic', amplitude = 1e-3, straight = 2") == make.logarithmic(
+        1e-3, land - 2.0, straight=2.0
     )
-    body = read(tmp_path, text).contact.a
-    assert body.profile == nh.profile.iso_logarithmic(diameter=20.0, length=20.0)
-    assert body.surface.relief(9.5) == body.profile.relief(9.5)
-    assert body.interval == (-10.0, 10.0)
+    for kind in (make.lundberg, make.johns_gohar, make.fujiwara_kawase):
+        word = kind.__name__.replace("_", "-")
+        assert profile(f"kind = '{word}', load = 4e3") == kind(load=4e3, length=land, radius=10.0)
+    # What is stated is taken as it is, and a chamfer belongs to the body.
+    assert profile("kind = 'iso-logarithmic', length = 20") == make.iso_logarithmic(diameter=20.0, length=20.0)
+    assert profile("kind = 'chamfer', width = 1, angle = 1e-3") == make.chamfer(length=20.0, width=1.0, angle=1e-3)
+
+
+def test_the_standard_s_profile_leaves_no_spike_in_the_first_template(tmp_path):
+    case = read(tmp_path, starting_case("cylindrical"))
+    solution = case.solve()
+    assert abs(solution.max_pressure_y) < 2.0
+    # A body that ends where the corners begin, below a profile that it is given, bears the same.
+    cut = dataclasses.replace(
+        case.contact.a,
+        corner_radius=None,
+        effective_length=9.4,
+        profile=nh.profile.iso_logarithmic(diameter=10.0, length=9.4),
+    )
+    tilt = case.prescribed.keywords["tilt"]
+    same = nh.solve(dataclasses.replace(case.contact, a=cut), load=4e3, tilt=tilt)
+    assert solution.max_pressure == pytest.approx(same.max_pressure, rel=1e-3)
 
 
 def test_a_profile_is_flipped_about_the_middle_of_the_body_after_its_shift(tmp_path):

@@ -149,7 +149,7 @@ def keys_of(kind: str) -> dict[str, Described]:
 def needed_keys(kind: str) -> list[str]:
     """Return those of them that a table must have, if it gives no drop in place of one of them."""
     cls = KINDS[kind]
-    return [name for name in cls.descriptions if name in cls.required - {*cls.of_body} and kind != _TABULATED]
+    return [name for name in cls.descriptions if name in cls.required - cls.of_body.keys() and kind != _TABULATED]
 
 
 def meaning_of(kind: str) -> str:
@@ -172,11 +172,14 @@ def dimensions(body: Mapping[str, Any], radius: Any) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``length`` and ``diameter`` of the body, the combined ``radius``, and ``at``, where its land ends, all in mm.
+        ``length`` and ``diameter`` of the body, the length of its ``land`` between corners or within its effective
+        length, the combined ``radius``, and ``at``, where its land ends, all in mm.
     """
     length, diameter = body.get("length", BROKEN), body.get("diameter", BROKEN)
     across = _across_the_axis(diameter, length) if isinstance(diameter, TabulatedDiameter) else diameter
-    return {"length": length, "diameter": across, "radius": radius, "at": _land_end(body)}
+    at = _land_end(body)
+    land = 2.0 * at if isinstance(at, float) else at
+    return {"length": length, "land": land, "diameter": across, "radius": radius, "at": at}
 
 
 def _across_the_axis(diameter: TabulatedDiameter, length: Any) -> float:
@@ -226,8 +229,9 @@ class _Table(Reading):
         cls = _OF_FILE if kind == _TABULATED and "file" in table else KINDS[kind]
         known = tuple(name for name in cls.instead if name not in cls.descriptions)
         super().__init__(cls, {name: table[name] for name in table if name != "kind"}, file, (), known=known)
-        self.kind, self.body = kind, body
         self.by_drop = "drop" in self.table and "drop" in self.fields
+        # A drop at the end of the land is finite, so that a logarithm with it has to end farther out.
+        self.kind, self.body = kind, {**body, "land": body["length"]} if self.by_drop else body
         #: What a drop determines.
         self.free = determined(kind, {*self.table, *self.wrong}) if self.by_drop or "drop" in self.wrong else None
 
@@ -252,16 +256,16 @@ class _Table(Reading):
     def take_fields(self) -> None:
         """Read every parameter that is given, and take the others from the body."""
         super().take_fields()
-        straight, length = self.values.get("straight", 0.0), self.body.get("length")
-        # The curved part of a logarithmic profile is the body's length less the straight middle.
-        if "length" not in self.table and "length" in self.values and 0.0 <= straight < length:
+        straight, length = self.values.get("straight", 0.0), self.values.get("length")
+        # The curved part of a logarithmic profile is the body's land less the straight middle.
+        if "length" not in self.table and length is not None and 0.0 <= straight < length:
             self.values["length"] = length - straight
 
     def absent(self, name: str) -> None:
         """Take a parameter from the body if that has it."""
         # Fujiwara and Kawase need a radius only where the relief at the end is not given.
         needed = name in self.cls.of_body and not (name == "radius" and (self.free == "zm" or "zm" in self.table))
-        own = self.body.get(name) if needed else None
+        own = self.body.get(self.cls.of_body[name]) if needed else None
         if name == self.free or own is BROKEN:
             self.wrong.add(name)
         elif own is None:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import functools
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any, ClassVar, Final, ParamSpec, get_type_hints
 
 from nonhertz.inputs.fields import Input, parameters_of, plain_signature
@@ -25,12 +26,14 @@ class ProfileKind(Input):
     ----------
     by_drop : tuple of str
         What a stated drop determines: the first of these parameters that is not given. Without any the whole is scaled.
-    of_body : tuple of str
-        What is taken from the body, or from both bodies together, where a table in a file leaves it out.
+    of_body : mapping
+        What is taken from the body, or from both bodies together, where a table in a file leaves it out: names of
+        parameters, and the dimensions that they default to: ``"diameter"``, ``"length"`` between the side faces,
+        ``"land"`` between corners or within the effective length, or the combined ``"radius"``.
     """
 
     by_drop: ClassVar[tuple[str, ...]] = ()
-    of_body: ClassVar[tuple[str, ...]] = ()
+    of_body: ClassVar[Mapping[str, str]] = {}
 
 
 #: The functions of all kinds, by their names in files.
@@ -40,13 +43,16 @@ PARAMETERS: Final[dict[str, type[ProfileKind]]] = {}
 
 
 def kind(
-    *, by_drop: tuple[str, ...] = (), of_body: tuple[str, ...] = (), together: tuple[Callable[..., None], ...] = ()
+    *,
+    by_drop: tuple[str, ...] = (),
+    of_body: Mapping[str, str] = MappingProxyType({}),
+    together: tuple[Callable[..., None], ...] = (),
 ) -> Callable[[Callable[P, Profile]], Callable[P, Profile]]:
     """Return a decorator that makes a kind of the catalogue of a function; dashes in its name are those of files.
 
     Parameters
     ----------
-    by_drop, of_body : tuple of str
+    by_drop, of_body : tuple of str, mapping
         As of `ProfileKind`.
     together : tuple of callable
         Checks of several parameters, each a function of these, by their names.

@@ -144,7 +144,7 @@ def _on_the_body(length: float, width: float) -> None:
         raise InputError("width", width, condition, "give the length of one chamfer in mm")
 
 
-@kind(by_drop=("angle", "width"), of_body=("length",), together=(_on_the_body,))
+@kind(by_drop=("angle", "width"), of_body={"length": "length"}, together=(_on_the_body,))
 def chamfer(
     length: Annotated[
         float,

@@ -80,7 +80,7 @@ _share = number_that(lambda value: 0.0 < value <= 1.0, "lie in (0, 1]")
 _crowned_share = number_that(lambda value: _LEAST_SHARE <= value <= 1.0, f"lie between {_LEAST_SHARE:g} and 1")
 
 
-@kind(by_drop=("amplitude",), of_body=("length",))
+@kind(by_drop=("amplitude",), of_body={"length": "land"})
 def logarithmic(
     amplitude: Annotated[
         float, Quantity("mm", "the amplitude A", not_negative, "give the amplitude of the logarithm in mm")
@@ -139,11 +139,14 @@ _DIAMETER = Quantity(
     "mm", "the roller diameter D (D_we), its mean if tapered", positive, "give the roller's diameter in mm"
 )
 _EFFECTIVE_LENGTH = Quantity(
-    "mm", "the effective roller length L (L_we)", positive, "give the roller's effective length in mm"
+    "mm",
+    "the effective roller length L (L_we), what the corners leave",
+    positive,
+    "give the roller's effective length in mm",
 )
 
 
-@kind(of_body=("diameter", "length"))
+@kind(of_body={"diameter": "diameter", "length": "land"})
 def iso_logarithmic(
     diameter: Annotated[float, _DIAMETER],
     length: Annotated[float, _EFFECTIVE_LENGTH],
@@ -181,7 +184,7 @@ def iso_logarithmic(
     return Logarithmic(coefficient * diameter, length, rest=0.0, curved=curved)
 
 
-@kind(of_body=("diameter", "length"))
+@kind(of_body={"diameter": "diameter", "length": "land"})
 def iso_tapered(
     diameter: Annotated[float, _DIAMETER],
     length: Annotated[float, _EFFECTIVE_LENGTH],
@@ -212,7 +215,7 @@ def iso_tapered(
     return Logarithmic(0.00045 * diameter, length, rest=0.0, curved=length)
 
 
-@kind(of_body=("diameter", "length"))
+@kind(of_body={"diameter": "diameter", "length": "land"})
 def iso_thrust(
     diameter: Annotated[float, _DIAMETER],
     length: Annotated[float, _EFFECTIVE_LENGTH],
@@ -239,7 +242,7 @@ def iso_thrust(
     return iso_logarithmic(diameter, length)
 
 
-@kind(by_drop=("load",), of_body=("length", "radius"), together=(line_contact,))
+@kind(by_drop=("load",), of_body={"length": "land", "radius": "radius"}, together=(line_contact,))
 def johns_gohar(
     load: Annotated[float, LOAD],
     length: Annotated[float, LENGTH],
@@ -283,7 +286,7 @@ def _line_contact_or_end(
         line_contact(load, length, radius, compliance)
 
 
-@kind(by_drop=("load", "zm"), of_body=("length", "radius"), together=(_line_contact_or_end,))
+@kind(by_drop=("load", "zm"), of_body={"length": "land", "radius": "radius"}, together=(_line_contact_or_end,))
 def fujiwara_kawase(
     load: Annotated[float, LOAD],
     length: Annotated[float, LENGTH],
