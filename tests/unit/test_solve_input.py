@@ -3,6 +3,7 @@
 import math
 import re
 from dataclasses import dataclass
+from decimal import Decimal
 
 import numpy as np
 import pytest
@@ -309,3 +310,81 @@ def test_a_pressure_that_no_material_bears_is_told_alone_and_among_many():
         many = nh.solve_many(contact, load=[20e3, 20e6], strips=41)
     assert {each.filename for each in (*caught, *among_many)} == {__file__}
     assert any("of the softer body's modulus" in said for said in many.warnings[1])
+
+
+def in_decimals(position, length):
+    """Return the ends of a body as one writes them down."""
+    half = Decimal(str(length)) / 2
+    return float(Decimal(str(position)) - half), float(Decimal(str(position)) + half)
+
+
+def at_position(position, length, held):
+    """Return a straight roller at a position along a plate, which ends with it in one of three ways."""
+    keys = {
+        "length": {"length": length},
+        "effective_length": {"length": 25.0, "effective_length": length},
+        "table": {"length": 25.0, "profile": nh.profile.tabulated([-length / 2, length / 2], [0.0, 0.0])},
+    }[held]
+    return nh.Contact(nh.Roller(diameter=15.0, position=position, side_faces="mirror", **keys), nh.Plate())
+
+
+def solved_quietly(contact, strips):
+    with without_accuracy_warnings():
+        return nh.solve(contact, load=5e3, strips=strips)
+
+
+POSITIONS, LENGTHS = (0.1, 0.3, -0.7, 1.1, 12.3), (10.7, 9.4, 8.2, 20.2, 9.6)
+OFF = (0.0, 4e-10, -4e-10)  # of the length
+
+
+@pytest.mark.parametrize("held", ["length", "effective_length", "table"])
+@pytest.mark.parametrize("length", LENGTHS)
+@pytest.mark.parametrize("position", POSITIONS)
+def test_edges_in_decimals_that_end_with_a_body_end_there(position, length, held):
+    share = np.array([0.0, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0])
+    centred = at_position(0.0, length, held)
+    low, high = centred.interval
+    # The same body in the middle, on the same strips.
+    expected = solved_quietly(centred, low + length * share)
+    ends = in_decimals(position, length)
+    for off in OFF:
+        edges = ends[0] + length * share
+        edges[[0, -1]] = ends[0] + off * length, ends[1] - off * length
+        found = solved_quietly(at_position(position, length, held), edges)
+        assert [end.kind for end in found.edge_pressure] == [nh.EdgeKind.SINGULAR] * 2
+        assert found.max_pressure == pytest.approx(expected.max_pressure, rel=1e-8)
+        # A node of a mesh at the end is on the body, too.
+        on_end = found.pressure(0.0, np.array(ends))
+        np.testing.assert_allclose(on_end, expected.pressure(0.0, np.array([low, high])), rtol=1e-7)
+        assert np.all(np.isfinite(found.contact.a.relief(edges[[0, -1]])))
+
+
+@pytest.mark.parametrize("length", LENGTHS)
+@pytest.mark.parametrize("position", POSITIONS)
+def test_sections_regions_and_stations_in_decimals_may_lie_on_the_ends_of_a_body(position, length):
+    contact, ends = at_position(position, length, "length"), np.array(in_decimals(position, length))
+    solution = solved_quietly(contact, 8)
+    for end in ends:
+        assert np.all(np.isfinite(nh.subsurface.stress(solution, 0.0, end, 0.2).von_mises))
+    region = ((-1.0, 1.0), (ends[0], ends[1]))
+    with without_accuracy_warnings():
+        patch = nh.patch.solve(contact, load=5e3, region=region, cells=(16, 16))
+    assert [end.kind for end in patch.singular_ends] == [nh.EdgeKind.SINGULAR] * 2
+    for end in ends:
+        assert patch.across(end)[1].shape == (16,)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("position", "length"), [(0.1, 10.7), (0.3, 9.4), (-0.7, 10.7)])
+def test_stations_of_a_map_in_decimals_may_end_with_a_body(position, length):
+    roller = nh.Roller(diameter=15.0, length=length, position=position, profile=nh.profile.crown(radius=900.0))
+    ends = in_decimals(position, length)
+    made = nh.contact_map(nh.Contact(roller, nh.Plate()), load=(10.0, 2e3), stations=np.linspace(*ends, 5))
+    assert float(np.sum(made.strip_loads(made.under(load=1e3)))) == pytest.approx(1e3, rel=2e-3)
+
+
+def test_an_edge_that_is_farther_out_than_a_rounding_is_refused():
+    low, high = in_decimals(0.1, 10.7)
+    edges = np.linspace(low, high + 1e-7, 9)
+    with pytest.raises(nh.InputError, match=r"strips = \(-5.25, 5.4500001\) must lie between -5.25 and 5.45"):
+        nh.solve(at_position(0.1, 10.7, "length"), load=5e3, strips=edges)

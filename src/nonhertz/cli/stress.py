@@ -14,6 +14,7 @@ from nonhertz.cli.printing import Progress
 from nonhertz.files.results import key_by_key
 from nonhertz.files.stresses import all_findings, as_object, files
 from nonhertz.model.body import BODIES
+from nonhertz.model.profile.base import at_ends
 from nonhertz.plot import stress_figures, stress_planes
 from nonhertz.show.analysis import largest_stresses, solved
 from nonhertz.show.sections import assumed_section
@@ -59,7 +60,7 @@ def stress(
     refuse_unwritable_out(out)
     solution = solved(read)
     low, high = getattr(solution.contact, name).faces
-    if station is not None and not low <= station <= high:
+    if station is not None and not low <= float(at_ends(station, (low, high))) <= high:
         condition = f"lie between the side faces of body {name}, {mm(low, high, between=' and '):.6g}"
         raise InputError("--station", station, condition, _STATION_REMEDY)
     with Progress(_SEARCHES + (out is not None)) as progress:

@@ -23,6 +23,7 @@ from nonhertz.inputs.checks import text
 from nonhertz.inputs.fields import Described, Flag, Input, Quantity, Word, described, one_by_one, together, unknown
 from nonhertz.model.body import TabulatedDiameter
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, ProfileKind, from_file, with_drop
+from nonhertz.model.profile.base import at_ends
 from nonhertz.model.profile.drop import AT_REMEDY, determined, off_the_middle, scaled_to_drop
 from nonhertz.model.profile.table import Interpolation
 
@@ -330,7 +331,10 @@ class _Table(Reading):
             remedy = "give the place of the drop in mm, because the body has no length"
             self.mistakes.append(missing("at", remedy))
             return BROKEN
-        if isinstance(length, float) and isinstance(at, float) and abs(at) > 0.5 * length:
-            condition = f"lie on the body, which ends {mm(0.5 * length):g} from its middle"
-            self.note(InputError("at", at, condition, AT_REMEDY))
+        if isinstance(length, float) and isinstance(at, float):
+            half = 0.5 * length
+            at = float(at_ends(at, (-half, half)))
+            if abs(at) > half:
+                condition = f"lie on the body, which ends {mm(half):g} from its middle"
+                self.note(InputError("at", at, condition, AT_REMEDY))
         return at

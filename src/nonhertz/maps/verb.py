@@ -18,6 +18,7 @@ from nonhertz.maps.touch import Relief
 from nonhertz.maps.value import ContactMap
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, refuse_load
+from nonhertz.model.profile.base import at_ends
 from nonhertz.result import brief
 from nonhertz.solver.one import element_of
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -176,7 +177,7 @@ def _stations(stations: int | ArrayLike, ends: Range) -> Array:
     if _single(stations):
         count = whole("stations", stations, 1, MOST_STATIONS, remedy)  # type: ignore[arg-type]
         return np.linspace(*ends, count + 1)
-    edges = numbers("stations", stations, remedy)
+    edges = at_ends(numbers("stations", stations, remedy), ends)
     if edges.ndim != 1 or not 2 <= edges.size <= MOST_STATIONS + 1 or np.any(np.diff(edges) <= 0.0):
         raise InputError("stations", stations, f"be ascending edges of 1 to {MOST_STATIONS} strips", remedy)
     if edges[0] > ends[0] or edges[-1] < ends[1]:

@@ -15,15 +15,14 @@ from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, numbers, positive
 from nonhertz.inputs.fields import Input, Quantity, described, together
-from nonhertz.model.profile.base import Formula, Profile
+from nonhertz.model.profile.base import SAME_PLACE, Formula, Profile
 from nonhertz.model.profile.circular import drop_of_circle
 
 Array = NDArray[np.float64]
 
 _STEP = 1e-6  # of the land, for slope and curvature near its ends
 _SHARPEST = 10.0  # over the extent of a corner: the largest curvature of a land before it
-# Places to a section of the search for that curvature, sections, and the share of the land that is left of it then.
-_PLACES, _SECTIONS, _ROUNDING = 32, 6, 1e-9
+_PLACES, _SECTIONS = 32, 6  # of the search for that curvature, which leave a billionth of the land
 
 
 class Corner(ABC):
@@ -212,7 +211,7 @@ class Cornered(Formula):
                 blunt = np.flatnonzero(sharpness <= _SHARPEST)
                 outermost = slice(blunt[-1], blunt[-1] + 2) if blunt.size else slice(2)
                 places, relief, slope, sharpness = (of[outermost] for of in (places, relief, slope, sharpness))
-        at_end = places[0] >= (1.0 - _ROUNDING) * self.land_end
+        at_end = places[0] >= (1.0 - SAME_PLACE) * self.land_end
         if not (np.isfinite(relief[0]) and (at_end or sharpness[0] > 0.9 * _SHARPEST or np.isfinite(relief[-1]))):
             ends = mm(-self.land_end, self.land_end, between=" and ")
             condition = f"reach both ends of the land, y = {ends:g}"

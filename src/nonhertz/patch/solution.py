@@ -16,10 +16,11 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding
 from nonhertz.inputs.checks import finite
 from nonhertz.model.contact import Contact
+from nonhertz.model.profile.base import SAME_PLACE, at_ends
 from nonhertz.patch.grid import half_widths, interpolation
 from nonhertz.patch.resources import memory
 from nonhertz.result import brief
-from nonhertz.result.ends import SAME_PLACE, corner_ends, ends_in_words, singular_ends
+from nonhertz.result.ends import corner_ends, ends_in_words, singular_ends
 from nonhertz.result.solution import ErrorEstimate, SingularEnd, Solved, Status, read_only
 
 Array = NDArray[np.float64]
@@ -212,7 +213,7 @@ class PatchSolution(Solved):
         """
         finite("y", y, "give a position along the contact in mm")
         low, high = self.edges[[0, -1]]
-        if not low <= y <= high:
+        if not low <= float(at_ends(y, (low, high))) <= high:
             condition = f"lie between {mm(low, high, between=' and '):g}"
             raise InputError("y", y, condition, "choose a station within the region")
         place = np.clip([(y - self.y[0]) / self.dy], 0.0, self.y.size - 1.0)

@@ -16,6 +16,7 @@ from nonhertz.findings import warn
 from nonhertz.inputs.checks import number_that, numbers, whole
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
+from nonhertz.model.profile.base import at_ends
 from nonhertz.patch import nearness
 from nonhertz.patch.between import between
 from nonhertz.patch.cascade import Outcome, PatchProblem, halved, solve_on
@@ -39,7 +40,6 @@ from nonhertz.result.solution import ErrorEstimate, Status
 
 CELLS = (128, 512)
 WORTH_THREADS = 2**16  # cells: below this, distributing blocks costs more than it saves
-SNAP = 1e-9  # of the length of a region
 ACROSS = 129  # samples of a given region
 
 _residual = number_that(lambda tolerance: 1e-12 <= tolerance <= 1e-2, "lie between 1e-12 and 0.01")
@@ -233,9 +233,7 @@ def _checked_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, 
     if ends.shape != (2, 2):
         raise InputError("region", region, "be two pairs of ends", _REGION_REMEDY)
     (x_low, x_high), (y_low, y_high) = ends.tolist()
-    # An end computed from cells is off by rounding and would not be recognised as the end of a body.
-    near, (low, high) = SNAP * (y_high - y_low), contact.interval
-    low, high = (low if y_low < low + near else y_low), (high if y_high > high - near else y_high)
+    low, high = np.clip(at_ends((y_low, y_high), contact.interval), *contact.interval).tolist()
     if not (x_low < x_high and low < high):
         raise InputError("region", region, "ascend in both directions and overlap both bodies", _REGION_REMEDY)
     return (x_low, x_high), (low, high)

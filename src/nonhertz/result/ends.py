@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact, derived
+from nonhertz.model.profile.base import SAME_PLACE
 from nonhertz.result.maximum import distance_beyond, singular_y
 from nonhertz.result.solution import EdgeKind, EdgePressure, SingularEnd, Solved
 from nonhertz.strip.overlaps import runs
@@ -25,7 +26,6 @@ COUNTS = 0.02
 LEFT_AT_CORNER = 0.5  # of the squared pressure in the strip next to it: if extrapolation leaves less, it is a run-out
 # Of the largest pressure: where less is left at a corner, the contact runs out there, as near as its end is known.
 RUNS_OUT = 0.05
-SAME_PLACE = 1e-9  # of the length
 STEP = 1e-5  # of the length: step of the differences that distinguish a corner from a curve
 KEPT_TURNS = 64
 

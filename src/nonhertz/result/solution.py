@@ -20,6 +20,7 @@ from nonhertz.inputs.assumed import assumed
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
+from nonhertz.model.profile.base import at_ends
 from nonhertz.result import brief
 from nonhertz.result.data import library
 from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
@@ -551,6 +552,7 @@ class Solution(Solved):
             before = [low] if runs_out(self, number, 0) else []
             after = [high] if runs_out(self, number, 1) else []
             places = np.concatenate([before, self.y[strips], after])
+            along = at_ends(along, (low, high))
             within = (along >= low) & (along <= high)
             for into, values in ((highest, self.centre_pressure), (widest, self.half_width)):
                 squares = np.concatenate([[0.0] * len(before), values[strips] ** 2, [0.0] * len(after)])

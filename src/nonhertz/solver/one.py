@@ -13,6 +13,7 @@ from nonhertz.findings import warn
 from nonhertz.inputs.checks import finite, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
+from nonhertz.model.profile.base import at_ends
 from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import Solution
 from nonhertz.strip.element import ELEMENTS, SEMI_ELLIPTIC, Element
@@ -231,6 +232,7 @@ def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
             f"be a row of {FEWEST_STRIPS + 1} to {MOST_STRIPS + 1} edges",
             remedy,
         )
+    edges = at_ends(edges, contact.interval)
     if not np.all(np.isfinite(edges)) or np.any(np.diff(edges) <= 0.0):
         raise InputError("strips", edges.tolist(), "be ascending and finite", remedy)
     if edges[0] < low or edges[-1] > high:

@@ -22,6 +22,7 @@ from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import BODIES, Body, BodyName
+from nonhertz.model.profile.base import at_ends
 from nonhertz.model.side_faces import SERIES
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution, Solved
@@ -37,7 +38,6 @@ Array = NDArray[np.float64]
 U_Z = 2
 # How fast a strip's half-width counts less with the distance along y, and the least that counts, of the largest.
 NARROWING, LEAST = 0.5, 0.05
-ON_A_FACE = 1e-9  # of the body's length: tolerance for a point on a side face
 
 _BODY_REMEDY = "write 'a' or 'b'"
 
@@ -151,8 +151,8 @@ class Inside:
             remedy = "z points into the body, from 0 on its surface"
             raise InputError("z", float(z.min()), "not be negative", remedy)
         low, high = self.body.faces
-        room = ON_A_FACE * (high - low) if np.isfinite(high - low) else 0.0
-        outside = (y < low - room) | (y > high + room)
+        inwards = at_ends(y, (low, high))
+        outside = (inwards < low) | (inwards > high)
         if outside.any():
             condition = f"lie between the side faces of body {self.name}, {mm(low, high, between=' and '):g}"
             raise InputError("y", float(y[outside][0]), condition, "choose points within the body, or the other body")

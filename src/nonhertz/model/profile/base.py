@@ -20,6 +20,30 @@ def places(y: ArrayLike) -> Array:
     return numbers("y", y, "give positions along the axis in mm")
 
 
+SAME_PLACE = 1e-9
+"""Of the length of a body: positions along the axis closer to its end than this are at the end."""
+
+
+def at_ends(y: ArrayLike, ends: tuple[float, float]) -> Array:
+    """Return positions along the axis [mm], those within a rounding of an end of a body at that end.
+
+    Positions that are stated in decimals, or follow from others, are off the computed ends by rounding.
+
+    Parameters
+    ----------
+    y : array_like
+        Positions [mm].
+    ends : tuple of float
+        Ends of the body, or of what two bodies have in common [mm], ascending; infinite ones leave positions as they
+        are.
+    """
+    found, (low, high) = np.asarray(y, dtype=float), ends
+    room = SAME_PLACE * (high - low)
+    if not np.isfinite(room):
+        return found
+    return np.where(np.abs(found - low) <= room, low, np.where(np.abs(found - high) <= room, high, found))
+
+
 class Profile(ABC):
     """Relief along the axis of a body; `nonhertz.model.profile` has the catalogue."""
 
@@ -218,12 +242,8 @@ class Moved(Formula):
 
 
 def moved_back(y: Array, by: float, extent: tuple[float, float]) -> Array:
-    """Return positions [mm] moved back ``by``; those within the moved ``extent``, ends included, stay within it.
+    """Return positions [mm] moved back ``by``; the ends of an ``extent`` that was moved are its ends again.
 
     A plain difference could put an end outside by rounding, where there is no body.
     """
-    if by == 0.0:
-        return y
-    low, high = extent
-    within = (y >= low + by) & (y <= high + by)
-    return np.where(within, np.clip(y - by, low, high), y - by)
+    return y if by == 0.0 else at_ends(y - by, extent)
