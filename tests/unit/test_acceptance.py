@@ -3,10 +3,14 @@
 import numpy as np
 import pytest
 from core_pieces import interpret
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import nonhertz as nh
+from nonhertz.bearing.balance import States
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.prescription import Prescription
+from nonhertz.result.maximum import largest_pressure
 from nonhertz.result.outcome import outcome
 from nonhertz.solver.one import problem_of, states_of
 from nonhertz.strip.records import CONVERGED
@@ -177,3 +181,77 @@ def test_of_two_solutions_the_one_that_the_bodies_can_stay_in_is_found():
         solution = nh.solve(contact, load=500, accuracy=1e-5)
     assert solution.stiffness[1, 1] > 0.0
     np.testing.assert_allclose(solution.stiffness[0, 0], 1.5 * 500 / hertz.approach, rtol=0.05, atol=0.0)
+
+
+# A table 0.1 um long with three contacts, of which the last one ends with the table.
+SHORT = nh.Contact(
+    nh.Body(
+        diameter=131.11712674119833,
+        profile=nh.profile.tabulated(
+            np.linspace(-1.0, 1.0, 6) * 6.426589668581528e-05,
+            [
+                1.332649575584776e-10, 2.4873141557468044e-12, 9.966748098683935e-11,
+                4.5450439069657607e-11, 1.3771021492241595e-10, 1.3999210961049497e-11,
+            ],
+        ),
+    ),
+    nh.Plate(),
+)  # fmt: skip
+TOUCHING = 1.0660334299590901e-10
+
+
+@pytest.mark.parametrize("scale", [1.0, 10.0, 1e4])
+def test_a_tiny_contact_with_an_end_has_a_largest_pressure(scale):
+    made = SHORT.a.profile
+    profile = nh.profile.tabulated(scale * np.array(made.y), scale * np.array(made.values))
+    contact = nh.Contact(nh.Body(diameter=scale * SHORT.a.diameter, profile=profile), nh.Plate())
+    with without_accuracy_warnings():
+        found = nh.solve(contact, approach=scale * TOUCHING)
+        many = nh.solve_many(contact, approach=[scale * TOUCHING])
+    assert 0.0 < found.max_pressure <= found.centre_pressure.max()
+    assert 0.0 < found.max_half_width <= found.half_width.max()
+    assert many.max_pressure[0] == found.max_pressure
+    # The same body at another size has the same pressures, and half-widths in proportion.
+    assert found.max_half_width / scale == pytest.approx(1.0238e-4, rel=1e-3)
+
+
+@settings(max_examples=200)
+@given(st.integers(0, 2**32 - 1))
+def test_the_largest_pressure_is_never_above_that_of_all_strips(seed):
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(3, 20))
+    y = np.cumsum(10.0 ** rng.uniform(-6.0, 0.0, count))
+    pressure, half_width = 10.0 ** rng.uniform(0.0, 5.0, count), 10.0 ** rng.uniform(-6.0, 1.0, count)
+    apart = rng.random(count) < 0.2
+    pressure[apart] = half_width[apart] = 0.0
+    ends = rng.choice(np.concatenate([y, y + 1e-3, y[:1] - 1e-6, y[-1:] + 1e-6]), int(rng.integers(1, 4)))
+    highest, place = largest_pressure(y, pressure, half_width, ends)
+    assert 0.0 <= highest <= pressure.max() * (1.0 + 1e-12)
+    assert y[0] <= place <= y[-1]
+
+
+def test_no_result_that_is_not_a_number_leaves_as_converged(monkeypatch):
+    nothing = np.array(np.nan), np.array(np.nan)
+    monkeypatch.setattr("nonhertz.result.solution.largest_pressure", lambda *_: nothing)
+    with pytest.raises(nh.ConvergenceError, match="The max_pressure of the state reached is not finite") as caught:
+        nh.solve(FINITE, load=8e3, strips=31)
+    assert caught.value.solution.status is nh.Status.REFUTED
+    monkeypatch.setattr("nonhertz.solver.solutions.largest_pressure", lambda y, p, *_: (np.full(len(p), np.nan),) * 2)
+    many = nh.solve_many(FINITE, load=[7e3, 8e3], strips=31)
+    assert not many.converged.any()
+    assert all("not finite" in str(failure) for failure in many.failures.values())
+
+
+def test_no_patch_whose_results_are_not_numbers_leaves_as_converged(monkeypatch):
+    monkeypatch.setattr("nonhertz.patch.solution.PatchSolution._largest", (np.nan, 0.0), raising=False)
+    with pytest.raises(nh.ConvergenceError, match="The max_pressure is nan, not a finite number"):
+        nh.patch.solve(FINITE, load=8e3, cells=(16, 32))
+
+
+def test_a_state_of_a_bearing_with_a_load_that_is_not_a_number_is_not_settled():
+    states = States.blank(2, 3, 2)
+    assert states.settled(1e-9).tolist() == [True, True]
+    states.answer[1, 2, 0, 0] = np.nan
+    assert states.settled(1e-9).tolist() == [True, False]
+    states.force[0, 3] = np.inf
+    assert states.settled(1e-9).tolist() == [False, False]

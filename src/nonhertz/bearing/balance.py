@@ -164,6 +164,11 @@ class States(NamedTuple):
         """Loads of contacts [N], shape (states, rollers, columns)."""
         return self.answer[..., 0]
 
+    def settled(self, tolerance: float) -> Flags:
+        """Return which states are balanced, their loads and motions finite."""
+        finite = np.isfinite(np.concatenate([self.ring, self.force], axis=1)).all(axis=1)
+        return (self.residual <= tolerance) & finite & np.isfinite(self.load).all(axis=(1, 2))
+
 
 @compiled
 def balance_all(

@@ -69,7 +69,7 @@ class BearingSolutions(ReadOnly):
             force=found.force.reshape(*shape, 5),
             stiffness=found.stiffness.reshape(*shape, 5, 5),
             load=np.where(load > NO_LOAD * most, load, 0.0).reshape(*shape, *load.shape[1:]),
-            converged=(found.residual <= TOLERANCE).reshape(shape),
+            converged=found.settled(TOLERANCE).reshape(shape),
             _states=found,
             _roller_load=roller_load,
         )

@@ -127,7 +127,7 @@ def solve(
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
     system, found = _solved(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**given)))
-    if not found.residual[0] <= TOLERANCE:
+    if not found.settled(TOLERANCE)[0]:
         words = f"No equilibrium of rollers and rings was found in {found.steps[0]} steps"
         remedy = "give forces that press the rings together, an axial one beside a moment, or check signs and units"
         raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported; {remedy}.", None)

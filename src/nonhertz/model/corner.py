@@ -211,8 +211,9 @@ class Cornered(Formula):
                 blunt = np.flatnonzero(sharpness <= _SHARPEST)
                 outermost = slice(blunt[-1], blunt[-1] + 2) if blunt.size else slice(2)
                 places, relief, slope, sharpness = (of[outermost] for of in (places, relief, slope, sharpness))
-        at_end = places[0] >= (1.0 - SAME_PLACE) * self.land_end
-        if not (np.isfinite(relief[0]) and (at_end or sharpness[0] > 0.9 * _SHARPEST or np.isfinite(relief[-1]))):
+        end = (1.0 - SAME_PLACE) * self.land_end
+        is_edge = places[0] >= end or sharpness[0] > 0.9 * _SHARPEST or np.isfinite(relief[-1])
+        if side * self.land.extent[int(side > 0.0)] < end or not (np.isfinite(relief[0]) and is_edge):
             ends = mm(-self.land_end, self.land_end, between=" and ")
             condition = f"reach both ends of the land, y = {ends:g}"
             raise InputError("profile", self.land, condition, "extend the profile, or leave out the corner")

@@ -21,6 +21,7 @@ from nonhertz.patch.free_faces import free_ends
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.surface import Gap
+from nonhertz.result.solution import not_finite
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -53,11 +54,10 @@ def complaint(solution: PatchSolution, gap: Gap, given: Prescription, tolerance:
 
 def _complaints(solution: PatchSolution, gap: Gap, given: Prescription, tolerance: float) -> Iterator[str]:
     # The order matters: each check relies on those before it.
-    for name in ("approach", "tilt", "load", "moment"):
-        if not np.isfinite(getattr(solution, name)):
-            yield f"The {name} is {getattr(solution, name)}, not a finite number."
     if not np.isfinite(solution.pressure).all():
         yield "The pressure of a cell is not a finite number."
+    for name in not_finite(solution):
+        yield f"The {name} is {getattr(solution, name)}, not a finite number."
     if not np.isfinite(solution.gap).all(where=solution.footprint) or np.isnan(solution.gap).any():
         yield "The gap of a cell is not a number."
     if (lowest := float(solution.pressure.min())) < 0.0:

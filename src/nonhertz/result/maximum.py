@@ -169,13 +169,15 @@ def _at_border(y: Array, pressure: Array, half_width: Array, ends: Array, case: 
     first, second = _nearest(y[i], ends, case), _nearest(y[j], ends, case)
     if (first > half_width[i]) == (second > half_width[j]):
         return 0.0, 0.0
-    # The end that the strip next to it is within a half-width of, and the distance from it towards the other strip.
+    # The end that one strip is within a half-width of, and the distances of both from it towards the other strip. Seen
+    # from there both may be on its far side, if the contact is much narrower at the other strip.
     first_is_near = first <= half_width[i]
-    here, away = (i, 1.0) if first_is_near else (j, -1.0)
+    near, far = (i, j) if first_is_near else (j, i)
     end = ends[case, 0]
     for k in range(ends.shape[1]):
-        if abs(y[here] - ends[case, k]) == (first if first_is_near else second):
+        if abs(y[near] - ends[case, k]) == (first if first_is_near else second):
             end = ends[case, k]
+    away = 1.0 if y[far] > end else -1.0
     one, other = away * (y[i] - end), away * (y[j] - end)
     share = (one - half_width[i]) / ((one - half_width[i]) - (other - half_width[j]))
     power = share

@@ -17,7 +17,7 @@ from nonhertz.result.end_pressure import Ends, edge_pressures, ends_of, with_str
 from nonhertz.result.ends import singular_ends
 from nonhertz.result.estimate import LEVELS, estimates
 from nonhertz.result.maximum import largest_of
-from nonhertz.result.solution import EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.result.solution import EdgePressure, ErrorEstimate, SingularEnd, Solution, Status, not_finite
 from nonhertz.result.suspicion import suspicions
 from nonhertz.result.validity import (
     AT_CORNER,
@@ -71,7 +71,8 @@ def _shortfall(solution: Solution, problem: Problem, grids: Grids) -> str | None
     if not getattr(steady, "py_func", steady)(solution.stiffness, float(np.max(np.abs(solution.edges)))):
         return "The stiffness of the state reached is negative or not finite: the equilibrium is unstable."
     motion = np.array([solution.approach, solution.tilt])
-    return shortfall(problem, grids, solution.line_load, solution.element_half_width, solution.gap, motion)
+    unmet = shortfall(problem, grids, solution.line_load, solution.element_half_width, solution.gap, motion)
+    return unmet or next((f"The {name} of the state reached is not finite." for name in not_finite(solution)), None)
 
 
 def solution_of(problem: Problem, levels: Levels, grids: Grids | None = None) -> Solution:

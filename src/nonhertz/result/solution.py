@@ -7,7 +7,7 @@ import math
 import os
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -372,6 +372,10 @@ class Solved(HasFindings, ReadOnly, _Derived):
         return (finding("partial-contact", "Only {parts:.3g} are in contact, at one end.", parts=parts),)
 
 
+FINITE: Final = ("approach", "tilt", "load", "moment", "max_pressure", "max_half_width")
+"""The results that are finite in every solution that has converged."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution(Solved):
     """A solved contact.
@@ -708,8 +712,13 @@ class Solution(Solved):
 
     @property
     def displacement(self) -> Array:
-        """Elastic displacement of both surfaces together on the centre line [mm] at each strip."""
+        """Elastic displacement of both surfaces together on the centre line [mm] at each strip; nan beyond an end."""
         return self.gap + self.interference
+
+
+def not_finite(solution: Solved) -> list[str]:
+    """Return which results of a solution are NaN or infinite that a converged one has."""
+    return [name for name in FINITE if not math.isfinite(getattr(solution, name))]
 
 
 def runs_out(solution: Solution, number: int, side: int) -> bool:

@@ -102,6 +102,11 @@ class Task:
         targets, finest = self.targets[solved.cases], solved.states[0]
         wide = np.any(too_wide(self.problem, solved.grids, finest), axis=1)
         done = solved.only(finest.converged & ~wide & met_by(self.problem, solved.grids, finest, targets))
+        block = self._of(done)
+        finite = np.isfinite(block.columns).all(axis=0) if block.numbers else np.ones(0, dtype=bool)
+        return block if finite.all() else self._of(done.only(finite))
+
+    def _of(self, done: Solved) -> Block:
         numbers = [self.numbers[row] for row in done.cases]
         return Block(self.problem, numbers, self.targets[done.cases], tuple(done.states))
 

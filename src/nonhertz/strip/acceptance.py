@@ -178,7 +178,7 @@ def _unusable(strips: Strips, answer: Answer) -> tuple[int, int]:
         unknown = math.isnan(gap[i]) or math.isnan(strips.separation[i]) or not math.isfinite(motion[0] + motion[1])
         if unknown or not (math.isfinite(q[i]) and math.isfinite(half_width[i])):
             return NOT_FINITE, i
-        if q[i] > 0.0 and not half_width[i] > 0.0:
+        if q[i] > 0.0 and not (half_width[i] > 0.0 and math.isfinite(q[i] / half_width[i])):
             return NOT_FINITE, i  # an infinite pressure
         if q[i] < 0.0:
             return TENSION, i
