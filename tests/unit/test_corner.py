@@ -190,6 +190,17 @@ def test_what_stops_before_the_land_ends_is_refused_at_any_size():
             nh.Body(length=10.0 * scale, corner_radius=0.3 * scale, profile=short)
 
 
+@pytest.mark.parametrize("interpolation", ["pchip", "linear", "cubic"])
+def test_a_rough_table_that_stops_before_the_land_ends_is_no_edge(interpolation):
+    # Its curvature between the steps of differences is as large as that of a logarithm at its end.
+    rng = np.random.default_rng(7)
+    for length in 10.0 ** rng.uniform(-6.0, 0.9, 30):
+        y, relief = np.linspace(-0.5, 0.5, 6) * length, 10.0 ** rng.uniform(-9.0, -2.0) * rng.random(6)
+        short = nh.profile.tabulated(y, relief, interpolation).shifted(0.1)
+        with pytest.raises(nh.InputError, match="must reach both ends of the land"):
+            nh.Body(length=10.0, corner_radius=0.3, profile=short)
+
+
 def test_the_profile_of_iso_16281_over_the_land_has_no_spike_at_its_end():
     ring = nh.Ring(diameter=40.0, length=14.0)
     profile = nh.profile.iso_logarithmic(10.0, 9.4)

@@ -166,8 +166,9 @@ class States(NamedTuple):
 
     def settled(self, tolerance: float) -> Flags:
         """Return which states are balanced, their loads and motions finite."""
-        finite = np.isfinite(np.concatenate([self.ring, self.force], axis=1)).all(axis=1)
-        return (self.residual <= tolerance) & finite & np.isfinite(self.load).all(axis=(1, 2))
+        numbers = np.column_stack([self.ring, self.force, self.load.reshape(len(self.ring), -1)])
+        settled: Flags = (self.residual <= tolerance) & np.all(np.isfinite(numbers), axis=1)
+        return settled
 
 
 @compiled

@@ -206,7 +206,7 @@ class Cornered(Formula):
         if not sharpness[0] <= _SHARPEST:
             places = np.array([0.0, self.land_end])
             for _ in range(_SECTIONS):
-                places = np.linspace(*places, _PLACES + 1)
+                places = np.linspace(places[0], places[-1], _PLACES + 1)
                 relief, slope, sharpness = self._shape(side, places)
                 blunt = np.flatnonzero(sharpness <= _SHARPEST)
                 outermost = slice(blunt[-1], blunt[-1] + 2) if blunt.size else slice(2)

@@ -26,7 +26,7 @@ from nonhertz.solver.solutions import Block, Solutions
 from nonhertz.strip.acceptance import met_by
 from nonhertz.strip.levels import Solved
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import States
+from nonhertz.strip.records import Flags, States
 
 Array = NDArray[np.float64]
 
@@ -103,7 +103,7 @@ class Task:
         wide = np.any(too_wide(self.problem, solved.grids, finest), axis=1)
         done = solved.only(finest.converged & ~wide & met_by(self.problem, solved.grids, finest, targets))
         block = self._of(done)
-        finite = np.isfinite(block.columns).all(axis=0) if block.numbers else np.ones(0, dtype=bool)
+        finite: Flags = np.all(np.isfinite(block.columns), axis=0) if block.numbers else np.ones(0, dtype=np.bool_)
         return block if finite.all() else self._of(done.only(finite))
 
     def _of(self, done: Solved) -> Block:
