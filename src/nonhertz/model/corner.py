@@ -222,7 +222,9 @@ class Cornered(Formula):
     def _shape(self, side: float, distance: Array) -> tuple[Array, Array, Array]:
         """Return relief, slope outwards and curvature times the corner's extent on one side; NaN past its end."""
         step = _STEP * self.land_end
-        relief = self.land.relief_at(side * (distance - step * np.arange(3.0)[:, None]))
+        places = side * (distance - step * np.arange(3.0)[:, None])
+        # In a row, which a user's own profile may rely on.
+        relief = self.land.relief_at(places.ravel()).reshape(places.shape)
         with np.errstate(invalid="ignore"):
             slope = (3.0 * relief[0] - 4.0 * relief[1] + relief[2]) / (2.0 * step)
             curvature = (relief[0] - 2.0 * relief[1] + relief[2]) / step**2
