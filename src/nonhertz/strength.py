@@ -193,7 +193,7 @@ def assess(
     >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000), material=steel)
     >>> found = assess(nh.solve(nh.Contact(roller, nh.Plate()), load=6e3))
     >>> found.sentences[0]
-    'The largest pressure of 1509.7 MPa is 37.7 % of the limit of 4000 MPa: static safety 7.02.'
+    'The largest pressure of 1509.6 MPa is 37.7 % of the limit of body a, 4000 MPa: static safety S0 = 7.02.'
     >>> found.yield_ratio < 1.0
     True
     """

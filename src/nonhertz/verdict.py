@@ -36,6 +36,7 @@ _PASSED: Final = {
     **dict.fromkeys(("yield", "bore", "core"), "no yielding"),
     "case depth": "case deep enough",
     "static-safety": "static safety S0 of at least 1",
+    "life": "life as required",
 }
 #: What is said of ends and corners has a line of its own; all else that is found strains the model.
 _OF_ENDS: Final = ("sharp-end", "corner-end", "corner-peak")
@@ -140,6 +141,15 @@ def of_loads(solved: Iterable[tuple[Solution, Any]]) -> Verdict | None:
     return worst_of({f"under {loaded(each.load, each.tilt)}": of_contact(each) for each, _ in solved})
 
 
+def with_life(found: Verdict | None, life: float | None, required: float | None) -> Verdict | None:
+    """Return a verdict that counts whether a life [10^6 revolutions] is as long as is asked for, if any is."""
+    if found is None or required is None:
+        return found
+    level, lasting = _lasting(life, required)
+    findings = (*found.findings, lasting) if level.rank <= found.level.rank else (lasting, *found.findings)
+    return replace(found, level=max(level, found.level, key=lambda each: each.rank), findings=findings)
+
+
 def worst_of(found: Mapping[str, Verdict | None]) -> Verdict | None:
     """Return the worst of several verdicts, which says by its name which one it is; None if there are none.
 
@@ -238,6 +248,8 @@ def of_bearing(
         found.append(
             (Level.MET if enough else Level.NOT_MET, finding("static-safety", words, safety=life.static_safety))
         )
+    if life is not None and life.required is not None:
+        found.append(_lasting(None if math.isnan(life.rated_life) else life.rated_life, life.required))
     if not found and not solution.load.any():
         return None
     row = solution.bearing.rows[0].bearing
@@ -292,6 +304,16 @@ def _unknown(materials: Mapping[str, Material]) -> Iterator[tuple[Level, Finding
         grade = "name its grade, such as 100Cr6, or " if material == STEEL else ""
         words = f"No limit is known {what}: {grade}give its yield_strength or pressure_limit."
         yield Level.NOT_JUDGED, finding("no-limit-known", words)
+
+
+def _lasting(life: float | None, required: float) -> tuple[Level, Finding]:
+    if life is None:
+        words = "A life of {required:.4g} million revolutions is asked for, but the life is not known in revolutions."
+        return Level.NOT_JUDGED, finding("life", words, required=required)
+    enough = life >= required
+    verb = "reaches" if enough else "is below"
+    words = f"The life of {{life:.4g}} million revolutions {verb} the {{required:.4g}} that are asked for."
+    return (Level.MET if enough else Level.NOT_MET), finding("life", words, life=life, required=required)
 
 
 def _unlimited(solution: Solution) -> Iterator[tuple[Level, Finding]]:

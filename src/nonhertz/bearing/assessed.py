@@ -40,6 +40,7 @@ from nonhertz.inputs.assumed import Assumed, assumed
 from nonhertz.inputs.checks import number_that, numbers, positive
 from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, taking, together
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
+from nonhertz.life.required import REQUIRED, million_revolutions
 from nonhertz.life.spectrum import checked_shares, miner
 from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words
@@ -87,6 +88,8 @@ class BearingLife(HasFindings):
         largest.
     assumed : tuple of Finding
         What is assumed of the conditions that were left out.
+    required : float or None
+        The life that is asked for; None if none is.
     """
 
     rating: Rating
@@ -101,6 +104,7 @@ class BearingLife(HasFindings):
     parts: tuple[tuple[BearingLife, float], ...] = ()
     axial_on_ribs: float = 0.0
     assumed: tuple[Finding, ...] = ()
+    required: float | None = None
 
     @property
     def basic_life(self) -> float:
@@ -288,6 +292,7 @@ class LifeConditions(Input):
         Quantity("N", "basic static load rating C0 of a catalogue; that of ISO 76 if left out", positive, _RATING),
         Assumed("C0 by ISO 76", "S0"),
     ] = None
+    required: Annotated[float | str | None, REQUIRED] = None
 
     @together("viscosity", "contamination", "cleanliness")
     def _check_oil(self) -> None:
@@ -317,6 +322,7 @@ def assess(
     turning: str = "inner",
     dynamic: float | None = None,
     static: float | None = None,
+    required: float | str | None = None,
 ) -> BearingLife:
     """Return how long a bearing lasts under stationary loads.
 
@@ -327,7 +333,7 @@ def assess(
         or with `shares_of_revolutions`. Shares are taken as they are; where they add up to less than 1, nothing is
         loaded for the rest.
     speed : float or sequence of float, optional
-        [1/min], beside a viscosity; of a spectrum one for all loads, or one for each.
+        [1/min], beside a viscosity or a life required in hours; of a spectrum one for all loads, or one for each.
     {LifeConditions}
 
     Raises
@@ -356,11 +362,18 @@ def assess(
         turning=turning,
         dynamic=dynamic,
         static=static,
+        required=required,
     )
     _check_oil(asked, speed, pairs[0][0])
     speeds = _speeds(speed, len(pairs))
     lives = tuple((_life(each, asked, pace), share) for (each, share), pace in zip(pairs, speeds, strict=True))
-    return lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, asked)
+    found = lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, asked)
+    if asked.required is None:
+        return found
+    # Shares are those of the revolutions: slow ones take longer.
+    minutes = [share / pace for (_, share), pace in zip(pairs, speeds, strict=True) if pace is not None]
+    speed_of_all = math.fsum(share for _, share in pairs) / math.fsum(minutes) if minutes else None
+    return replace(found, required=million_revolutions(asked.required, speed_of_all))
 
 
 def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
@@ -377,7 +390,7 @@ def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
 
 def _check_oil(asked: LifeConditions, speed: object, solution: BearingSolution) -> None:
     if asked.viscosity is None:
-        if speed is not None:
+        if speed is not None and not isinstance(asked.required, str):
             raise InputError("speed", speed, "be given with a viscosity", "give the viscosity too, or leave it out")
         return
     if speed is None:

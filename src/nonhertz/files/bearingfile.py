@@ -200,10 +200,10 @@ class BearingCase(HeldCase):
 
         try:
             conditions = {name: value for name, value in self.life.keywords.items() if name != "spectrum"}
+            turning = self.life.viscosity is not None or isinstance(self.life.required, str)
             if not self.spectrum:
-                speed = None if self.life.viscosity is None else self.prescribed.speed or None
-                return assess(solution, **conditions, speed=speed)
-            speeds = None if self.life.viscosity is None else [case.speed for case in self.spectrum]
+                return assess(solution, **conditions, speed=self.prescribed.speed or None if turning else None)
+            speeds = [case.speed for case in self.spectrum] if turning else None
             pairs = solve_spectrum(self.mounted, self.spectrum, turning=self.life.turning, **self.solver.keywords)
             return assess(pairs, **conditions, speed=speeds)
         except InputError as error:

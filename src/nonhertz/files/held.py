@@ -23,7 +23,7 @@ from nonhertz.files.folder import write_file
 from nonhertz.files.mistakes import case_error, in_order, path_of
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.findings import Finding
-from nonhertz.inputs.assumed import assumed, restored
+from nonhertz.inputs.assumed import assumed
 from nonhertz.inputs.checks import one_line, one_of
 from nonhertz.inputs.fields import Input, short_repr, unknown_key
 from nonhertz.inputs.files import content, legible, seen_from
@@ -215,11 +215,6 @@ class HeldCase(Held):
         if self.stored_assumptions is not None:
             return self.stored_assumptions
         return assumed(self.parts, None if self.origin is None else self.origin.document)
-
-    def with_assumptions(self, objects: Iterable[Mapping[str, Any]] | None) -> Self:
-        """Note what a result file says was assumed, if it says so, and return the case."""
-        object.__setattr__(self, "stored_assumptions", None if objects is None else restored(objects))
-        return self
 
     @staticmethod
     def contents_of(document: dict[str, Any], folder: Path | None) -> Any:

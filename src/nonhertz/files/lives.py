@@ -13,7 +13,7 @@ from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
-from nonhertz.verdict import Verdict, given_verdict, of_loads
+from nonhertz.verdict import Verdict, given_verdict, of_loads, with_life
 
 #: Units of the numbers; dimensionless ones are left out.
 UNITS: dict[str, Any] = {
@@ -48,6 +48,8 @@ class Assessment:
         A dent that was rolled over.
     dents : mapping of str to float
         How many there are: keywords of `Overrolled.relative_life`.
+    required : float or None
+        The life that is asked for [10^6 revolutions].
     """
 
     title: str
@@ -57,6 +59,7 @@ class Assessment:
     notes: tuple[str, ...] = ()
     dent: Overrolled | None = None
     dents: Mapping[str, Any] = field(default_factory=dict)
+    required: float | None = None
 
     @property
     def dent_lives(self) -> dict[str, float]:
@@ -82,8 +85,9 @@ class Assessment:
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether the bodies bear their loads: the worst of all."""
-        return of_loads(self.spectrum)
+        """Whether the bodies bear their loads, the worst of all, and last as long as is asked for, by every model."""
+        lives = [self.million_revolutions(number) for number in range(len(self.lives["b"]))]
+        return with_life(of_loads(self.spectrum), min(filter(None, lives), default=None), self.required)
 
     @property
     def warnings(self) -> tuple[str, ...]:

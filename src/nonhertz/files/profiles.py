@@ -150,7 +150,9 @@ def keys_of(kind: str) -> dict[str, Described]:
 def needed_keys(kind: str) -> list[str]:
     """Return those of them that a table must have, if it gives no drop in place of one of them."""
     cls = KINDS[kind]
-    return [name for name in cls.descriptions if name in cls.required - cls.of_body.keys() and kind != _TABULATED]
+    return [
+        name for name in cls.descriptions if name in cls.without_default - cls.of_body.keys() and kind != _TABULATED
+    ]
 
 
 def meaning_of(kind: str) -> str:

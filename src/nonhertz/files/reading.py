@@ -180,7 +180,7 @@ class Reading:
 
     def absent(self, name: str) -> None:
         """Note a field that is not given, if it must be."""
-        if name in (self.named or self.cls).required and name not in self.wrong:
+        if name in (self.named or self.cls).without_default and name not in self.wrong:
             self.mistakes.append(missing(name, self.way_out(name)))
             self.wrong.add(name)
 
@@ -233,7 +233,7 @@ class Reading:
         inner = self.fields[name].inputs.get(name)
         if inner is None:
             return f"give {text_of(self._described(name))}"
-        needed = [each for each in sorted(inner.required) if each in inner.inputs]
+        needed = [each for each in sorted(inner.without_default) if each in inner.inputs]
         headings = [f"[{path_of((*self.place, name, each))}]" for each in needed]
         return "write it under a heading " + (" and ".join(headings) or f"[{path_of((*self.place, name))}]")
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import errno
 import json
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import starmap, zip_longest
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -22,10 +23,13 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.folder import write_files
 from nonhertz.files.held import meant_as
 from nonhertz.findings import said
+from nonhertz.inputs.assumed import restored
 from nonhertz.inputs.files import content
 from nonhertz.result.outcome import Judgement
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.strip.element import ELEMENTS
+
+AnyCase = TypeVar("AnyCase", Case, BearingCase)
 
 LARGEST_RESULT = 200_000_000  # bytes
 _WAY_OUT = "give a result.json that 'nonhertz solve', 'nonhertz bearing' or a page wrote"
@@ -161,9 +165,9 @@ def read_result(path: str | Path) -> Result:
         raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
     try:
         if meant_as(found["case"]) == "bearing":
-            bearing = BearingCase.of(found["case"], path, files=False).with_assumptions(found.get("assumed"))
+            bearing = _with_assumptions(BearingCase.of(found["case"], path, files=False), found)
             return Result(bearing, _bearing_solution(found, bearing))
-        case = Case.of(found["case"], path, files=False).with_assumptions(found.get("assumed"))
+        case = _with_assumptions(Case.of(found["case"], path, files=False), found)
         return Result(case, _solution(found, case))
     except CaseError as error:
         raise InputError("path", str(path), f"hold a case ({error.mistakes[0]})", _WAY_OUT) from None
@@ -254,3 +258,10 @@ def _number(value: float | None) -> float:
 
 def _array(values: list[float | None]) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     return np.array([_number(value) for value in values])
+
+
+def _with_assumptions(case: AnyCase, found: Mapping[str, Any]) -> AnyCase:
+    """Note what the file of a result says was assumed, if it says so, and return the case."""
+    said = found.get("assumed")
+    object.__setattr__(case, "stored_assumptions", None if said is None else restored(said))
+    return case

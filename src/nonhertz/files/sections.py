@@ -31,6 +31,7 @@ from nonhertz.life import MODELS, LoadCase, Model, model
 from nonhertz.life.capacity import ANGLE_REMEDY, contact_angle_at_most
 from nonhertz.life.catalogue import SLOPE_REMEDY, weibull_slope
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
+from nonhertz.life.required import REQUIRED, million_revolutions
 from nonhertz.life.spectrum import refuse_other_than_whole
 from nonhertz.model.body import BODIES, Body, BodyName, convex
 from nonhertz.model.contact import Contact
@@ -256,6 +257,7 @@ class Life(Input):
             LINE_LOADS,
         ),
     ] = None
+    required: Annotated[float | str | None, REQUIRED] = None
     spectrum: Annotated[
         tuple[LoadCase, ...],
         Several(
@@ -281,6 +283,15 @@ class Life(Input):
     def _check_dent(self) -> None:
         if self.dent is not None and self.spectrum:
             raise InputError("dent", "with a spectrum", "be under one load", "leave out the spectrum, or the dent")
+
+    @together("required")
+    def _check_required(self) -> None:
+        _ = self.required_revolutions
+
+    @property
+    def required_revolutions(self) -> float | None:
+        """The life that is asked for [10^6 revolutions]: a contact has no speed for hours."""
+        return None if self.required is None else million_revolutions(self.required, None)
 
     @property
     def steps(self) -> int:

@@ -447,7 +447,7 @@ class Input:
     # a class before those of its bases, each with the names of the fields.
     descriptions: ClassVar[Mapping[str, Described]] = {}
     assumptions: ClassVar[Mapping[str, Assumed]] = {}
-    required: ClassVar[frozenset[str]] = frozenset()
+    without_default: ClassVar[frozenset[str]] = frozenset()
     optional: ClassVar[frozenset[str]] = frozenset()
     inputs: ClassVar[Mapping[str, type[Any]]] = {}
     checks_together: ClassVar[tuple[tuple[Callable[[Any], None], frozenset[str]], ...]] = ()
@@ -509,7 +509,7 @@ def described(**options: Any) -> Callable[[type[AnyClass]], type[AnyClass]]:
         described_by = marks(KINDS)
         cls.descriptions = {each.name: described_by[each.name] for each in dataclasses.fields(cls)}
         cls.assumptions = marks(Assumed)
-        cls.required = frozenset(
+        cls.without_default = frozenset(
             each.name for each in dataclasses.fields(cls) if default_of(each) is dataclasses.MISSING
         )
         bare = get_type_hints(cls)
@@ -684,7 +684,7 @@ def _naming_the_nearest(cls: type[Any]) -> Callable[..., None]:
         for name, value in given.items():
             if name not in names:
                 raise TypeError(str(unknown_key(name, value, names, "field", cls.__name__)))
-        if missing := cls.required.difference(given, names[: len(values)]):
+        if missing := cls.without_default.difference(given, names[: len(values)]):
             remedies = {name: _remedy(cls.descriptions[name]) for name in names if name in missing}
             raise InputsError(InputError(name, None, "be given", remedy) for name, remedy in remedies.items())
         plain(self, *values, **given)

@@ -176,7 +176,9 @@ def assessed(
                 contact_angle=case.life.contact_angle,
                 announce=_announcer(announce, body, len(spectrum)),
             )
-        found = Assessment(case.title, case.life.rollers, spectrum, lives, notes)
+        found = Assessment(
+            case.title, case.life.rollers, spectrum, lives, notes, required=case.life.required_revolutions
+        )
         dent = case.life.dent
         if dent is None:
             return found

@@ -125,7 +125,7 @@ def _check_names(kind: str, free: str, parameters: Mapping[str, Any]) -> None:
         if name not in known.descriptions:
             raise unknown_key(name, value, known.descriptions, "parameter", f"'{kind}'")
     for name in known.descriptions:
-        if name in known.required and name not in parameters and name != free:
+        if name in known.without_default and name not in parameters and name != free:
             raise InputError(name, None, f"be given, because the drop determines {free}", "give both")
 
 
