@@ -26,6 +26,7 @@ from nonhertz.life import (
     zaretsky,
 )
 from nonhertz.life.lamina import LEFT_OUT, edge_function, laminae_of
+from nonhertz.subsurface import passage
 
 RING = nh.Ring(diameter=60)
 
@@ -127,6 +128,17 @@ def test_damage_is_counted_up_to_two_half_widths_beyond_where_a_contact_runs_out
     first = crowned.edges[:-1][crowned.line_load > 0.0][0]
     half_width = crowned.half_width[crowned.line_load > 0.0][0]
     assert 1.0 * half_width < first - seen.y[0] < 2.0 * half_width
+
+
+@pytest.mark.slow
+def test_below_a_thin_wall_nothing_is_counted():
+    thin = solved(load=2e3, strips=21, ring=nh.Plate(depth=0.5))
+    seen, low = exposure(thin, body="b"), VolumeModel("low", "shear", 2.0, 0.0, 1.0, 0.0, "none")
+    station = seen.half_width.argmax()
+    assert 4.0 * seen.half_width[station] > 0.5
+    z = 0.5 * (np.arange(250) + 0.5) / 250.0
+    direct = np.mean(passage(thin, seen.y[station], z, body="b").shear ** 2) * 0.5
+    assert seen.density(low)[station] == pytest.approx(direct, rel=1e-3)
 
 
 @pytest.mark.slow

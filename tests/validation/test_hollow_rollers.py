@@ -7,19 +7,21 @@ import pytest
 from hollow_roller_elements import POINTS, solutions
 
 import nonhertz as nh
+from nonhertz.life.volume import section_exposure
 from nonhertz.strength import assess
 from nonhertz.subsurface import extremes, stress
+from nonhertz.subsurface.rolling import revolution
 
 DATA = Path(__file__).parent / "data"
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
 
-def solved(diameter, bore, load, *, radius=None, length=None, **material):
+def solved(diameter, bore, load, *, radius=None, length=None, options=None, **material):
     profile = nh.profile.straight() if radius is None else nh.profile.crown(radius=radius)
     steel = nh.Material(206e3, 0.3, **material)
     roller = nh.Roller(diameter=diameter, length=length or diameter, bore=bore, profile=profile, material=steel)
-    return nh.solve(nh.Contact(roller, nh.Ring(diameter=4.0 * diameter)), load=load)
+    return nh.solve(nh.Contact(roller, nh.Ring(diameter=4.0 * diameter)), load=load, **(options or {}))
 
 
 # D, bore and load; von Mises stress at the bore under the load in the middle, at half and at 0.98 of the half-length,
@@ -92,6 +94,49 @@ def test_yielding_bore_is_named():
     sentences = assess(solution, largest=found).sentences
     assert any(each.startswith("The bore of body a yields: its largest von Mises stress, 86") for each in sentences)
     assert "at the bore, y = 0 mm and z = 2.00 mm, exceeds the yield strength of 800 MPa by 8" in " ".join(sentences)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("bore", "load"), [(16, 4e3), (14, 7e3), (12, 15e3)])
+def test_volume_life_counts_all_of_the_wall(bore, load):
+    """Gauss sums from surface to bore, of the largest shear at many places in a quarter of a turn."""
+    solution = solved(20, bore, load, radius=2000, options={"strips": 15})
+    seen = nh.life.exposure(solution)
+    assert seen.width.sum() == pytest.approx(20.0, rel=1e-12)  # from face to face
+    node, weight = np.polynomial.legendre.leggauss(6)
+    for station in np.searchsorted(seen.y, [0.0, 5.0, 9.5]):
+        b = seen.half_width[station]
+        panels = np.append(
+            b * np.array([0.0, 0.1, 0.3, 0.6, 1.0, 1.5, 2.5]), np.linspace(2.5 * b, 10.0 - 0.5 * bore, 5)[1:]
+        )
+        half = 0.5 * np.diff(panels)[:, None]
+        z, height = (panels[:-1, None] + half * (1.0 + node)).reshape(-1, 1), (half * weight).ravel()
+        # Next to the contact the surface is flat: points pass by on straight lines.
+        steps = np.linspace(0.0, 1.0, 26)
+        arc = np.concatenate([b * steps[:-1:4], b + b * steps**2, 2.0 * b + (5.0 * np.pi - 2.0 * b) * steps[1:] ** 2])
+        radius = 10.0 - z
+        below = np.where(arc < 1.2 * b, z, 10.0 - radius * np.cos(arc / radius))
+        shear = stress(solution, radius * np.sin(arc / radius), seen.y[station], below).max_shear.max(axis=-1)
+        for model in (nh.life.zaretsky(), nh.life.weibull()):
+            direct = np.sum(shear**model.exponent * height)
+            assert seen.density(model)[station] == pytest.approx(direct, rel=0.01)
+
+
+@pytest.mark.slow
+def test_lives_by_sections_take_the_whole_field_of_a_hollow_roller():
+    """By sections in plane strain this one would live 50 times as long, by maximum shear."""
+    solution = solved(20, 16, 4e3, radius=2000, options={"strips": 7})
+    whole, sections = nh.life.exposure(solution, "a"), section_exposure(solution, "a")
+    np.testing.assert_array_equal(sections.shear, whole.shear)
+
+
+@pytest.mark.slow
+def test_shear_between_arc_and_depth_vanishes_at_the_bore():
+    solution = solved(20, 16, 4e3, radius=2000, options={"strips": 7})
+    found = revolution(solution, 0.0, [1.0, 2.0])
+    assert found.orthogonal_shear[1] < 0.03 * found.shear[1]
+    # Planes that do not turn have shear there.
+    assert abs(stress(solution, 8.0 * np.sin(0.3), 0.0, 10.0 - 8.0 * np.cos(0.3)).tau_xz) > 0.1 * found.shear[1]
 
 
 def test_displacement_knows_no_bending():

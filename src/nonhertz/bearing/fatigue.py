@@ -152,7 +152,8 @@ def volume_life(
         Which ring turns against the load.
     field : {"sections", "whole"}
         ``"sections"``: from cross-sections in plane strain, within seconds. ``"whole"``: the stress below the whole
-        contact, as in `nonhertz.life.exposure`, a minute for each contact of another load.
+        contact, as in `nonhertz.life.exposure`, a minute for each contact of another load. Hollow rollers take that of
+        the whole contact in either case, since their walls bend.
     dynamic : float, optional
         C of a catalogue [N], for which rows must be alike, in place of that of ISO 281's formula.
 

@@ -33,7 +33,7 @@ from nonhertz.result.brief import plain_text
 from nonhertz.result.ends import ends_in_words, outermost, step_at
 from nonhertz.result.solution import EdgeKind, ReadOnly, SingularEnd, Solution, Solved
 from nonhertz.subsurface.evaluation import Running, refuse_options
-from nonhertz.subsurface.inside import checked_body, checked_solution
+from nonhertz.subsurface.inside import Inside, checked_body, checked_solution
 
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[Solved, float]]
@@ -261,7 +261,8 @@ def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], sh
             for (each, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
         ]
         absolute = miner(of_loads, shares.tolist())
-    found = _findings(spectrum, sharp)
+    below = dict.fromkeys(found for each, _ in spectrum for found in Inside.of(each, body).findings)
+    found = (*_findings(spectrum, sharp), *below)
     return Life(chosen, body, damage, reference, absolute, unrated, ring, y, _over(density, reference / length), found)
 
 

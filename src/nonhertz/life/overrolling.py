@@ -31,7 +31,7 @@ from nonhertz.findings import Finding, HasFindings
 from nonhertz.inputs.checks import callback, flag, not_negative, positive, whole
 from nonhertz.life.assessment import ratio
 from nonhertz.life.catalogue import STRESSES, VolumeModel
-from nonhertz.life.volume import Exposure, exposure, levels, over_depth
+from nonhertz.life.volume import Exposure, depths, exposure, levels, over_depth
 from nonhertz.model.body import BodyName
 from nonhertz.patch.features import Dent
 from nonhertz.patch.solution import PatchSolution
@@ -123,7 +123,8 @@ class Overrolled(HasFindings, ReadOnly):
             raise InputError("model", model, "be an integral over the volume", "give a VolumeModel")
         evaluated, fill = levels()
         stresses = np.maximum(getattr(self, model.stress if dented else f"smooth_{model.stress}") @ fill.T, 0.0)
-        return over_depth(model, stresses, self.z[-1] / evaluated[-1])
+        scale = self.z[-1] / evaluated[-1]
+        return over_depth(model, stresses, *(scale * each for each in depths()))
 
     def relative_life(
         self,

@@ -3,7 +3,9 @@
 The stresses over a pass are evaluated at one or two Gauss points along every strip, and beyond both ends of the
 contact, at equal steps of the square root of the depth, in which the amplitude of the orthogonal shear stress is smooth
 up to the surface. A spline through them gives the stress at many more depths, so that tenth powers and fatigue limits
-are integrated as accurately as the stress itself.
+are integrated as accurately as the stress itself. Four half-widths deep there is hardly any damage left, but for a
+hollow roller, whose wall bends: there the integral goes on to the bore and, along the roller, to its side faces, at
+points that turn with it.
 
 Towards a sharp end, or a corner of the profile where the contact ends, the stress grows without bound, and so fast that
 its tenth power is not integrable. The volume around such an end is left out, to a tenth of the largest half-width: the
@@ -17,7 +19,7 @@ from functools import cache
 from typing import Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.hertz import line_contact
@@ -29,16 +31,18 @@ from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import ReadOnly, Solved
 from nonhertz.subsurface.evaluation import Running, across_at, refuse_options
 from nonhertz.subsurface.inside import Inside
-from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage
+from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage, revolution
 
 Array = NDArray[np.float64]
 
 LEVELS = 32
 # Between these depths, in half-widths, ten Gauss points each; the volume below contributes less than 1e-4.
 PANELS = np.array([0.0, 0.05, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.6, 2.2, 3.0, 4.0])
+DEEP = 12  # Gauss points from there to the bore
 SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across breaks down
 NARROW = 0.25  # half-widths
 BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # distances beyond the contact's ends, in half-widths
+TO_FACES = 5  # stretches from there to the side faces of a hollow roller
 MOST_ROWS = 128  # of a plane grid
 # Half-widths: the distance from its line at which a line load acts like a pressure spread across. Found by comparison
 # with the whole field at corners of 0.3 and 1 mm; 0.2 and 0.8 are 5 to 18 % off in life.
@@ -57,9 +61,11 @@ class Exposure(ReadOnly):
     y, width : ndarray, shape (stations,)
         Stations [mm], and their weights in an integral along y [mm].
     half_width : ndarray, shape (stations,)
-        Half-width that scales the depths [mm].
+        Half-width of the contact, or what its field is as wide as beyond its ends [mm].
+    z, height : ndarray, shape (stations, depths)
+        Depths [mm], and their weights in an integral over z [mm].
     orthogonal_shear, shear, von_mises : ndarray, shape (stations, depths)
-        Largest values over a pass [MPa] at the depths ``half_width * depth``.
+        Largest values over a pass [MPa], or over a revolution deep in the wall of a hollow roller.
     counted : ndarray of bool, shape (stations, depths)
         False within a tenth of the largest half-width of an end in ``sharp``.
     reference : Exposure or None
@@ -74,6 +80,8 @@ class Exposure(ReadOnly):
     y: Array
     width: Array
     half_width: Array
+    z: Array
+    height: Array
     orthogonal_shear: Array
     shear: Array
     von_mises: Array
@@ -81,29 +89,22 @@ class Exposure(ReadOnly):
     reference: Exposure | None
     sharp: tuple[float, ...]
 
-    @property
-    def depth(self) -> Array:
-        """Depths over the half-width [-], shape (depths,)."""
-        return depths()[0]
-
     def density(self, model: VolumeModel) -> Array:
         """Return the integral over the depth of ``<s - s_u>^k / z^h`` [MPa^k mm^(1-h)] at every station."""
         if not isinstance(model, VolumeModel):
             raise InputError("model", model, "be an integral over the volume", "give a VolumeModel")
         counted = np.where(self.counted, getattr(self, model.stress), 0.0)
-        return over_depth(model, counted, self.half_width)
+        return over_depth(model, counted, self.z, self.height)
 
     def damage(self, model: VolumeModel) -> float:
         """Return the integral over y and z of ``<s - s_u>^k / z^h`` [MPa^k mm^(2-h)]."""
         return float(self.width @ self.density(model))
 
 
-def over_depth(model: VolumeModel, stresses: Array, half_width: ArrayLike) -> Array:
-    """Return the integral of ``<s - s_u>^k / z^h`` [MPa^k mm^(1-h)] over the last axis, at all `depths`."""
-    depth, weight = depths()
+def over_depth(model: VolumeModel, stresses: Array, z: Array, height: Array) -> Array:
+    """Return the integral of ``<s - s_u>^k / z^h`` [MPa^k mm^(1-h)] over depths z with their weights, the last axis."""
     suffered = np.maximum(stresses - model.fatigue_limit, 0.0) ** model.exponent
-    over: Array = suffered @ (weight * depth**-model.depth_exponent)
-    return over * np.asarray(half_width) ** (1.0 - model.depth_exponent)
+    return np.asarray(np.sum(suffered * height * z**-model.depth_exponent, axis=-1))
 
 
 @cache
@@ -148,13 +149,25 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     refuse_options("exposure", options, Running)
     refuse_rolling_on(solution)
     inside = Inside.of(solution, body)
-    y, width, half_width = _stations(solution, inside.body.faces)
-    depth, fill = levels()
-    seen = passage(solution, y[:, None], half_width[:, None] * depth, body=body, **options)
+    bends = inside.wall is not None
+    y, width, half_width = _stations(solution, inside.body.faces, TO_FACES if bends else 0)
+    thickness = inside.extent.thickness(y)[:, None]
     # There is nothing where a thin wall ends.
-    amplitudes = {name: np.maximum(np.nan_to_num(getattr(seen, name)) @ fill.T, 0.0) for name in QUANTITIES}
-    within = half_width[:, None] * depths()[0] <= inside.extent.thickness(y)[:, None]
-    return _exposed(solution, body, (y, width, half_width), amplitudes, within)
+    scale = np.minimum(half_width[:, None], thickness / PANELS[-1])
+    evaluated, fill = levels()
+    depth = scale * evaluated
+    z, height = (scale * each for each in depths())
+    if bends:
+        from scipy.linalg import block_diag
+
+        node, weight = np.polynomial.legendre.leggauss(DEEP)
+        half = 0.5 * (thickness - scale * PANELS[-1])
+        deep = thickness - half * (1.0 - node)
+        depth, z, height = np.hstack([depth, deep]), np.hstack([z, deep]), np.hstack([height, half * weight])
+        fill = block_diag(fill, np.eye(DEEP))
+    seen = (revolution if bends else passage)(solution, y[:, None], depth, body=body, **options)
+    amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
+    return _exposed(solution, body, (y, width, half_width, z, height), amplitudes)
 
 
 def section_exposure(solution: Solved, body: BodyName) -> Exposure:
@@ -168,6 +181,8 @@ def section_exposure(solution: Solved, body: BodyName) -> Exposure:
     large at a peak that is narrower than a half-width.
     """
     inside = Inside.of(solution, body)
+    if inside.wall is not None:
+        return exposure(solution, body)
     y, width, half_width = _stations(solution, inside.body.faces)
     touching = solution.line_load > 0.0
     pressure = np.interp(y, solution.y[touching], solution.largest_across[touching])
@@ -176,7 +191,8 @@ def section_exposure(solution: Solved, body: BodyName) -> Exposure:
     plane = _plane_strain(inside.body.material.poisson)
     amplitudes = {name: pressure[:, None] * each for name, each in plane.items()}
     amplitudes["orthogonal_shear"] = _from_nearby(solution, y, half_width, plane["orthogonal_shear"])
-    return _exposed(solution, body, (y, width, half_width), amplitudes, True)
+    z, height = (half_width[:, None] * each for each in depths())
+    return _exposed(solution, body, (y, width, half_width, z, height), amplitudes)
 
 
 def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) -> Array:
@@ -220,27 +236,29 @@ def _plane_strain(poisson: float) -> dict[str, Array]:
 def _exposed(
     solution: Solved,
     body: BodyName,
-    stations: tuple[Array, Array, Array],
+    points: tuple[Array, Array, Array, Array, Array],
     amplitudes: dict[str, Array],
-    counted: NDArray[np.bool_] | bool,
 ) -> Exposure:
-    """Return the exposure by stresses at stations, of which what is too near to sharp ends does not count."""
-    y, _, half_width = stations
+    """Return the exposure by stresses at points, of which what is too near to sharp ends does not count."""
+    y, _, _, z, _ = points
     sharp = tuple(end.y for end in solution.singular_ends)
-    below = half_width[:, None] * depths()[0]
-    away = [np.hypot(y[:, None] - end, below) >= LEFT_OUT * solution.max_half_width for end in sharp]
+    away = [np.hypot(y[:, None] - end, z) >= LEFT_OUT * solution.max_half_width for end in sharp]
+    counted = np.logical_and.reduce([np.ones(z.shape, dtype=bool), *away])
     reference = even_exposure(solution.contact, solution.load, body)
-    every = np.logical_and.reduce([np.broadcast_to(counted, below.shape), *away])
-    return Exposure(body, *stations, **amplitudes, counted=every, reference=reference, sharp=sharp)
+    return Exposure(body, *points, **amplitudes, counted=counted, reference=reference, sharp=sharp)
 
 
-def _stations(solution: Solved, faces: tuple[float, float]) -> tuple[Array, Array, Array]:
-    """Return stations over and beyond the contact, their widths in an integral, and the half-widths there."""
+def _stations(solution: Solved, faces: tuple[float, float], to_faces: int = 0) -> tuple[Array, Array, Array]:
+    """Return stations over and beyond the contact, their widths in an integral, and the half-widths there.
+
+    There are a number of stretches ``to_faces``, from where the field of the contact hardly reaches to either face.
+    """
     edges = _edges_in_contact(solution)
     half_width = across_at(solution, 0.5 * (edges[1:] + edges[:-1]))[1]
     below = np.maximum(edges[0] - half_width[0] * BEYOND[1:], faces[0])[::-1]
     above = np.minimum(edges[-1] + half_width[-1] * BEYOND[1:], faces[1])
-    edges = np.unique(np.concatenate([below, edges, above]))
+    outside = [np.linspace(*ends, to_faces + 1) for ends in ((faces[0], below[0]), (above[-1], faces[1])) if to_faces]
+    edges = np.unique(np.concatenate([below, edges, above, *outside]))
     middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
     # One Gauss point suffices for a strip that is narrow compared with the half-width.
     wide = 2.0 * half > NARROW * across_at(solution, middle)[1]
@@ -281,8 +299,9 @@ def even_exposure(
     half_width = np.array([line.half_width for line in lines])
     pressure = np.array([line.max_pressure for line in lines])
     amplitudes = {name: pressure[:, None] * each for name, each in _plane_strain(poisson).items()}
-    counted = np.ones(amplitudes["shear"].shape, dtype=bool)
-    return Exposure(body, y, width, half_width, **amplitudes, counted=counted, reference=None, sharp=())
+    z, height = (half_width[:, None] * each for each in depths())
+    counted = np.ones(z.shape, dtype=bool)
+    return Exposure(body, y, width, half_width, z, height, **amplitudes, counted=counted, reference=None, sharp=())
 
 
 def _even(contact: Contact) -> bool:

@@ -3,6 +3,10 @@
 At each y and z the stress over a pass is the stress along the line in x. Its largest values are found on samples that
 are denser at the edge of the contact, where just below the surface the peak is as narrow as the depth, and that reach
 further out the deeper they lie; they are refined by the vertex of a parabola through three neighbours.
+
+The bending of the wall of a hollow roller reaches all around it, and its points turn with it on circles. Both halves
+are loaded alike, so that a quarter of a turn is enough, or half of one where the pressure is not symmetric. Where the
+bodies touch the surface is flat, and so are the paths just below; further away they approach the circles.
 """
 
 from __future__ import annotations
@@ -19,7 +23,16 @@ from nonhertz.inputs.checks import broadcast
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import ReadOnly, Solved
 from nonhertz.subsurface.evaluation import POINTS_REMEDY, Within, across_at, field_at, finite_numbers, refuse_options
-from nonhertz.subsurface.field import TAU_XZ, max_shear_of, orthogonal_shear_of, von_mises_of
+from nonhertz.subsurface.field import (
+    SIGMA_X,
+    SIGMA_Z,
+    TAU_XY,
+    TAU_XZ,
+    TAU_YZ,
+    max_shear_of,
+    orthogonal_shear_of,
+    von_mises_of,
+)
 from nonhertz.subsurface.inside import Inside, checked_solution
 
 Array = NDArray[np.float64]
@@ -36,6 +49,8 @@ QUANTITIES: dict[str, StressMeasure] = {
 WITHIN, OUTSIDE = 12, 6  # samples from the middle to the edge, and beyond
 # How far the samples reach, in half-widths and in depths: far below, |tau_xz| is largest at x = z / sqrt(3).
 WIDER, DEEPER = 1.15, 0.8
+FLAT = 3.0  # half-widths deep: there points next to the contact turn half with the body
+AROUND = 12  # samples beyond these in a quarter of a turn
 REFINEMENTS = 3
 POINTS_AT_ONCE = 2**18
 
@@ -97,6 +112,20 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
     pressure on the surface may hide narrower peaks at depths below 0.05 half-widths.
     """
     refuse_options("passage", options, Within)
+    return _passage(solution, y, z, options, turning=False)
+
+
+def revolution(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
+    """Return the largest stresses that points in a round body undergo in a revolution.
+
+    As `passage`, but the points turn with the body: in place of x there are lengths of arc, and in place of tau_xz the
+    shear stress between the directions of the arc and of the depth.
+    """
+    return _passage(solution, y, z, options, turning=True)
+
+
+def _passage(solution: Solved, y: ArrayLike, z: ArrayLike, options: Within, *, turning: bool) -> Passage:
+    """Return the largest stresses along straight lines, or along circles about the axis."""
     checked_solution(solution)
     along, below = broadcast(POINTS_REMEDY, finite_numbers("y", y), finite_numbers("z", z))
     inside = Inside.of(solution, options.get("body", "a"))
@@ -106,22 +135,39 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
     at_once = POINTS_AT_ONCE // (2 * (WITHIN + OUTSIDE))
     for start in range(0, along.size, at_once):
         part = slice(start, start + at_once)
-        found[:, part] = _over(solution, inside, along.flat[part], below.flat[part], options.get("threads"))
+        found[:, part] = _over(solution, inside, along.flat[part], below.flat[part], options.get("threads"), turning)
         if announce is not None:
             announce(min(start + at_once, along.size), along.size)
     largest = [values.reshape(along.shape) for values in found]
     return Passage(inside.name, along, below, *largest)
 
 
-def _over(solution: Solved, inside: Inside, y: Array, z: Array, threads: int | None) -> Array:
+def _over(solution: Solved, inside: Inside, y: Array, z: Array, threads: int | None, turning: bool) -> Array:
     """Return the largest values, their x, and the range of tau_xz, shape (7, points)."""
     centre, half_width = across_at(solution, y)
-    x = _samples(half_width, z)
+    along, below = y[:, None], z[:, None]
+    if not turning:
+        x = _samples(half_width, WIDER * half_width + DEEPER * z)
+    else:
+        outer = inside.extent.radii(along)[0]
+        radius = outer - below
+        quarter = 0.5 * np.pi * radius[:, 0]
+        flat = np.minimum(half_width, 0.25 * quarter)
+        x = _samples(flat, np.minimum(WIDER * flat + DEEPER * z, 0.5 * quarter))
+        around = np.linspace(0.0, 1.0, AROUND + 1)[1:] ** 2
+        x = np.concatenate([x, x[:, -1:] + (quarter[:, None] - x[:, -1:]) * around], axis=1)
     if not solution.symmetric_across:
         x = centre[:, None] + np.concatenate([-x[:, :0:-1], x], axis=1)
 
     def at(x: Array) -> Array:
-        return field_at(inside, np.broadcast_arrays(x, y[:, None], z[:, None]), threads=threads).stress
+        if not turning:
+            return field_at(inside, np.broadcast_arrays(x, along, below), threads=threads).stress
+        wide = half_width[:, None]
+        apart = np.maximum(np.abs(x - centre[:, None]), WIDER * wide)
+        curved = 1.0 - (WIDER * wide / apart) ** 2 / (1.0 + (below / (FLAT * wide)) ** 4)
+        angle = x / radius
+        path = np.broadcast_arrays(radius * np.sin(angle), along, below + curved * radius * (1.0 - np.cos(angle)))
+        return _turned(field_at(inside, path, threads=threads).stress, curved * angle)
 
     sampled = at(x)
     if not solution.symmetric_across:
@@ -134,9 +180,22 @@ def _over(solution: Solved, inside: Inside, y: Array, z: Array, threads: int | N
     return np.stack([*values, *places, reach])
 
 
+def _turned(stresses: Array, angle: Array) -> Array:
+    """Return stresses in the directions of the arc, of y and of the depth, at an angle from the line of contact."""
+    cosine, sine = np.cos(angle), np.sin(angle)
+    x, z, yz, xz, xy = (stresses[..., each] for each in (SIGMA_X, SIGMA_Z, TAU_YZ, TAU_XZ, TAU_XY))
+    turned = stresses.copy()
+    turned[..., SIGMA_X] = cosine**2 * x + sine**2 * z + 2.0 * sine * cosine * xz
+    turned[..., SIGMA_Z] = sine**2 * x + cosine**2 * z - 2.0 * sine * cosine * xz
+    turned[..., TAU_XZ] = (cosine**2 - sine**2) * xz + sine * cosine * (z - x)
+    turned[..., TAU_XY], turned[..., TAU_YZ] = cosine * xy + sine * yz, cosine * yz - sine * xy
+    return turned
+
+
 def plane_strain_passage(line: LineContact, z: Array, poisson: float) -> dict[str, Array]:
     """Return the largest stresses [MPa] over a pass of Hertz's line contact at depths ``z`` [mm], by quantity."""
-    x = _samples(np.full(z.shape, line.half_width), z)
+    half_width = np.full(z.shape, line.half_width)
+    x = _samples(half_width, WIDER * half_width + DEEPER * z)
 
     def at(x: Array) -> Array:
         return line.stress(x, z[:, None], poisson)
@@ -144,11 +203,11 @@ def plane_strain_passage(line: LineContact, z: Array, poisson: float) -> dict[st
     return {name: _largest(quantity, x, at(x), at)[0] for name, quantity in QUANTITIES.items()}
 
 
-def _samples(half_width: Array, z: Array) -> Array:
-    """Return the initial samples of x [mm], from the middle outwards, shape (points, samples)."""
+def _samples(half_width: Array, reach: Array) -> Array:
+    """Return the initial samples of x [mm], from the middle outwards up to ``reach``, shape (points, samples)."""
     inwards = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, WITHIN))
     outwards = np.linspace(0.0, 1.0, OUTSIDE + 1)[1:] ** 2
-    beyond = (WIDER - 1.0) * half_width + DEEPER * z
+    beyond = reach - half_width
     return np.concatenate([half_width[:, None] * inwards, half_width[:, None] + beyond[:, None] * outwards], axis=1)
 
 
