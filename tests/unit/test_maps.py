@@ -285,7 +285,8 @@ def test_a_range_of_approaches_includes_lift_off(tmp_path):
 def test_a_straight_roller_that_tips_over_its_ends_is_mapped():
     """Its first touch jumps from one end to the other: the hardest case for anything smooth."""
     contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
-    made = nh.contact_map(contact, load=(0, 40e3), tilt=(-2e-3, 2e-3), accuracy=5e-3, checks=60)
+    with pytest.warns(AccuracyWarning, match="Beside load and moment, the map is off by more than 2 %: by "):
+        made = nh.contact_map(contact, load=(0, 40e3), tilt=(-2e-3, 2e-3), accuracy=5e-3, checks=60)
     random = np.random.default_rng(3)
     load, tilt = 40e3 * random.uniform(0.01, 1.0, 60), 2e-3 * random.uniform(-1.0, 1.0, 60)
     with pytest.warns(AccuracyWarning):
@@ -304,6 +305,23 @@ def test_an_accuracy_out_of_reach_is_warned_of():
     with pytest.warns(AccuracyWarning, match="not to the requested 1e-06; see its sampled_error"):
         made = nh.contact_map(contact, load=(0, 100.0), accuracy=1e-6, checks=20)
     assert made.sampled_error.load > 1e-6
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mirror", [1, -1])
+def test_loads_on_strips_between_two_crowns_are_warned_of(mirror):
+    """Where two stretches bear, places up to which shares are borne jump from one to the other."""
+    relief = 4e-3 * np.array([6.0, 1.2, 0.0, 1.5, 2.2, 1.5, 0.0, 1.2, 6.0])
+    profile = nh.profile.tabulated(np.linspace(-10.0, 10.0, 9), relief)
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, corner_radius=0.8, profile=profile), nh.Plate())
+    with pytest.warns(AccuracyWarning, match=r"off by more than 5 %.* \d+ % of the load on each of 20 strips\. "):
+        made = nh.contact_map(contact, load=(0.0, 1.5e3), tilt=mirror * 1e-4, stations=20, accuracy=5e-2, checks=40)
+    solution = nh.solve(contact, load=800.0, tilt=mirror * 1e-4)
+    summed = np.concatenate([[0.0], np.cumsum(solution.line_load * solution.strip_width)])
+    error = made.strip_loads(made.under(load=800.0, tilt=mirror * 1e-4)) - np.diff(
+        np.interp(made.stations, solution.edges, summed)
+    )
+    assert 0.05 < np.abs(error).max() / 800.0 < made.sampled_error.strip_loads
 
 
 @pytest.mark.parametrize(

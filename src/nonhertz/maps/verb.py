@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.findings import finding, warn
+from nonhertz.findings import Finding, finding, warn
 from nonhertz.inputs.checks import callback, finite, number_that, numbers, thread_count, whole
 from nonhertz.maps.build import FIRST_CELLS, Building, built
 from nonhertz.maps.fitting import Shape
@@ -28,6 +28,7 @@ Range = tuple[float, float]
 
 STATIONS, MOST_STATIONS = 21, 200
 CHECKS, FEWEST_CHECKS, MOST_CHECKS = 300, 20, 100_000
+BESIDE = 0.02  # error of what a map has beside load and moment that is not warned of
 _SINGLE = 5e-5  # rad to both sides of a single tilt, for the derivatives
 _END_TILTS = 9
 _BEYOND = 1.02  # the largest load between those tilts, over the largest at them
@@ -65,6 +66,7 @@ def contact_map(
     accuracy : float
         Largest error of load and moment, relative as `SampledErrors` says, from 1e-6; what was reached is in
         ``ContactMap.sampled_error``. The solutions scatter by some 1e-5 from grid to grid, which no map undercuts.
+        Stiffness, pressures, half-widths and loads on strips are less accurate, usually within 1 %.
     element : Element or str
         As in `nonhertz.solve`.
     stations : int or array_like
@@ -88,7 +90,8 @@ def contact_map(
     Warns
     -----
     AccuracyWarning
-        If a sampled error, times 1.5, exceeds the accuracy.
+        If the sampled error of load or moment exceeds the accuracy, or that of anything else 2 % and the accuracy, as
+        that of loads on strips where the bodies touch in separate stretches.
 
     Notes
     -----
@@ -117,12 +120,8 @@ def contact_map(
     building = replace(building, stations=_stations(stations, ends))
     shape = _shape(relief, max_load, rise, tilts)
     found = built(building, shape, relief, accuracy, announce or (lambda _: None))
-    reached = max(found["sampled_error"].load, found["sampled_error"].moment)
-    if reached > accuracy:
-        words = "The map is accurate to {reached:.2g}, not to the requested {accuracy:g}; see its sampled_error."
-        warn([finding("inaccurate-map", words, reached=reached, accuracy=accuracy)])
     bodies = f"{brief.body_line(contact.a)} against {brief.body_line(contact.b)}"
-    return ContactMap(
+    made = ContactMap(
         description=f"{bodies}, {building.element.name} strips",
         given="load" if by_load else "approach",
         pressed=pressed,
@@ -130,6 +129,23 @@ def contact_map(
         accuracy=float(accuracy),
         **found,
     )
+    warn(_inaccuracies(made))
+    return made
+
+
+def _inaccuracies(made: ContactMap) -> Iterator[Finding]:
+    """Yield what of a map is not accurate."""
+    reached = max(made.sampled_error.load, made.sampled_error.moment)
+    if reached > made.accuracy:
+        words = "The map is accurate to {reached:.2g}, not to the requested {accuracy:g}; see its sampled_error."
+        yield finding("inaccurate-map", words, reached=reached, accuracy=made.accuracy)
+    permitted = max(made.accuracy, BESIDE)
+    if off := made.errors_beside(permitted):
+        words = (
+            "Beside load and moment, the map is off by more than {percent:g} %: by {off}. Where these matter, take "
+            "them from nonhertz.solve_many."
+        )
+        yield finding("inaccurate-beside", words, percent=100.0 * permitted, off=" and by ".join(off))
 
 
 def _pressed(contact: Contact, load: Range | None, approach: Range | None) -> tuple[bool, Range]:
