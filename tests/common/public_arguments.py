@@ -31,7 +31,7 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     LIFE = life.assess(SOLUTION, "iso-16281", body="b")[0]
     EXPOSURE = life.exposure(SOLUTION, body="b")
     DENT = nh.patch.Dent(depth=0.002, diameter=0.4)
-    COARSELY = {"cell": 0.05, "station": 1.0, "reach": 0.5}
+    COARSELY = {"cell": 0.05, "reach": 0.5}
     OVERROLLED = life.overrolled(SOLUTION, DENT, **COARSELY)
 SWEPT = nh.sweep(nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": [6e3]})
 TOLERANCE = nh.tolerance(

@@ -1,11 +1,11 @@
 """The life of a raceway with a dent that is rolled over.
 
 A dent rolls with its surface through the contact, so that one solution with a dent is a moment of its passage. Here the
-contact is solved on a plane grid with the dent at a row of positions, from where it does not change the pressure to
-where it no longer does, at the approach of the smooth contact: what a dent takes from the load is too little to move
-the bodies. Each point of the raceway travels with the dent, and takes the largest value of its criterion, or half the
-range of the orthogonal shear stress, over the whole passage. What the dent adds to the damage is the integral over its
-surroundings, less that of the same points on the smooth raceway.
+contact is solved on a plane grid with the dent in the middle of each cell across, from where it does not change the
+pressure to where it no longer does, at the approach of the smooth contact: what a dent takes from the load is too
+little to move the bodies. Each point of the raceway travels with the dent, and takes the largest value of its
+criterion, or half the range of the orthogonal shear stress, over the whole passage. What the dent adds to the damage is
+the integral over its surroundings, less that of the same points on the smooth raceway.
 
 The stress is that of the smooth strips plus that of the difference which the dent makes to the pressure of the cells.
 That difference is local, so at each depth it is a convolution on the grid of the cells, by FFT, with the stress below
@@ -27,7 +27,7 @@ from scipy.fft import irfft2, next_fast_len, rfft2
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, without_accuracy_warnings
-from nonhertz.findings import Finding, HasFindings
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import callback, flag, not_negative, positive, whole
 from nonhertz.life.assessment import ratio
 from nonhertz.life.catalogue import STRESSES, VolumeModel
@@ -44,7 +44,6 @@ from nonhertz.subsurface.rectangles import Rectangles
 
 Array = NDArray[np.float64]
 
-STATION = 0.1  # half-widths from one position of the dent to the next
 ACROSS_DENT, ACROSS_SHOULDER, ACROSS_CONTACT = 24, 8, 20  # cells at least, of the contact to either side
 EVERY = 2  # cells in either direction: the points at which the passage is followed
 REACH = 3.0  # half-widths beyond the rim: the surroundings
@@ -79,7 +78,7 @@ class Overrolled(HasFindings, ReadOnly):
     smooth_orthogonal_shear, smooth_shear, smooth_von_mises : ndarray, shape (nx, ny, depths)
         The same without the dent.
     findings : tuple of Finding
-        What strains the solution with the dent where the pressure is largest.
+        What strains the solution with the dent where the pressure is largest, and whether cells were coarse.
     """
 
     dent: Dent
@@ -181,7 +180,6 @@ def overrolled(
     *,
     body: BodyName = "b",
     cell: float | None = None,
-    station: float = STATION,
     reach: float = REACH,
     announce: Callable[[int, int], object] | None = None,
 ) -> Overrolled:
@@ -192,15 +190,12 @@ def overrolled(
     solution : Solution or PatchSolution
         The contact without the dent.
     dent : Dent
-        The dent. Its ``y`` is where it lies along the contact; its ``x`` shifts the row of positions, and should change
-        nothing.
+        The dent. Its ``y`` is where it lies along the contact; its ``x`` plays no part, since it rolls through.
     body : {"a", "b"}
         The body whose raceway has the dent.
     cell : float, optional
         Side of the cells [mm]; if left out, the least of a 24th of the dent's diameter, an 8th of the width of its
         shoulder and a 20th of the half-width.
-    station : float
-        From one position of the dent to the next, in half-widths; rounded to whole cells.
     reach : float
         How far the surroundings reach beyond the rim of the dent, in half-widths.
     announce : callable, optional
@@ -220,7 +215,7 @@ def overrolled(
     Notes
     -----
     The dent keeps its shape: elastic stress only, without the residual stress of the material pushed aside. It takes
-    one to two minutes. The effect of side faces on what the dent adds is left out.
+    two to three minutes. The effect of side faces on what the dent adds is left out.
 
     Examples
     --------
@@ -230,7 +225,7 @@ def overrolled(
     >>> roller = nh.Roller(diameter=20, length=8, profile=nh.profile.crown(radius=100))
     >>> dent = nh.patch.Dent(depth=0.002, diameter=0.3, shoulder=0.0005)
     >>> solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=300)
-    >>> found = overrolled(solution, dent, cell=0.035, station=0.25, reach=1)
+    >>> found = overrolled(solution, dent, cell=0.035, reach=1)
     >>> round(found.relative_life(nh.life.zaretsky(), dents=10), 1)
     0.9
     """
@@ -239,20 +234,23 @@ def overrolled(
     _refuse_place(solution, dent)
     callback("announce", announce)
     least = min(dent.diameter, half_width)
-    side = cell
-    if side is None:
-        side = min(dent.diameter / ACROSS_DENT, half_width / ACROSS_CONTACT)
-        side = min(side, 0.5 * (outer(dent) - dent.diameter) / ACROSS_SHOULDER) if dent.shoulder > 0.0 else side
-    for name, value, most in (("station", station, 1.0), ("reach", reach, 10.0), ("cell", side, 0.25 * least)):
+    usual = min(dent.diameter / ACROSS_DENT, half_width / ACROSS_CONTACT)
+    if dent.shoulder > 0.0:
+        usual = min(usual, 0.5 * (outer(dent) - dent.diameter) / ACROSS_SHOULDER)
+    side = usual if cell is None else cell
+    for name, value, most in (("reach", reach, 10.0), ("cell", side, 0.25 * least)):
         positive(name, value, f"give a number up to {most:.3g}, or leave it out")
         if value > most:
             raise InputError(name, value, f"not exceed {most:.3g}", "leave it out for the usual one")
     rim = 0.5 * outer(dent)
+    words = (
+        "Cells of {side:.3g} are coarser than the usual {usual:.3g}: what the dent adds may be wrong by half of it by "
+        "orthogonal shear, by some per cent by other stresses."
+    )
+    coarse = [finding("coarse-cells", words, side=mm(side), usual=mm(usual))] if side > usual else []
     with without_accuracy_warnings():
         smooth, options = _grid(solution, dent, side)
-        step = max(round(station * half_width / smooth.dx), 1)
-        start = round(dent.x / smooth.dx) % step
-        passed = _passed(smooth, options, dent, range(start, start + step), announce)
+        passed = _passed(smooth, options, dent, announce)
     around = _Surroundings.of(solution, dent, body, smooth, rim + reach * half_width)
     differences = {place: each.pressure - smooth.pressure for place, each in passed.items()}
     places, near = sorted(passed), np.abs(smooth.y - dent.y) <= rim + half_width
@@ -268,8 +266,8 @@ def overrolled(
         x=around.x,
         y=around.y,
         z=half_width * levels()[0],
-        **dict(zip(names, around.largest(differences, step, start), strict=True)),
-        findings=max(passed.values(), key=lambda each: each.max_pressure).findings if passed else (),
+        **dict(zip(names, around.largest(differences), strict=True)),
+        findings=(*(max(passed.values(), key=lambda each: each.max_pressure).findings if passed else ()), *coarse),
     )
 
 
@@ -308,31 +306,20 @@ def _grid(solution: Solved, dent: Dent, side: float) -> tuple[PatchSolution, dic
 
 
 def _passed(
-    smooth: PatchSolution,
-    options: dict[str, Any],
-    dent: Dent,
-    between: range,
-    announce: Callable[[int, int], object] | None,
+    smooth: PatchSolution, options: dict[str, Any], dent: Dent, announce: Callable[[int, int], object] | None
 ) -> dict[int, PatchSolution]:
-    """Return the solutions with the dent at all positions, in cells, where it changes the pressure.
-
-    The first lies at the beginning of ``between``, the others as many cells apart as that has.
-    """
-    step, found = len(between), dict[int, PatchSolution]()
-    expected = math.ceil((0.5 * outer(dent) - smooth.x[0]) / (step * smooth.dx))
+    """Return the solutions with the dent at all positions, in cells from the middle, where it changes the pressure."""
+    found = dict[int, PatchSolution]()
+    expected = math.ceil((0.5 * outer(dent) - smooth.x[0]) / smooth.dx)
     least = UNCHANGED * float(smooth.pressure.max())
-    for first, onwards in ((between.start, step), (between.start - step, -step)):
-        for place in count(first, onwards):
-            if -place in found:
-                mirrored = found[-place]
-                found[place] = replace(mirrored, pressure=mirrored.pressure[::-1], gap=mirrored.gap[::-1])
-                continue
-            solution = solve(smooth.contact, features=replace(dent, x=place * smooth.dx), **options)
-            if np.abs(solution.pressure - smooth.pressure).max() < least:
-                break
-            found[place] = solution
-            if announce is not None:
-                announce(len(found), max(expected, len(found)))
+    for place in count():
+        solution = solve(smooth.contact, features=replace(dent, x=place * smooth.dx), **options)
+        if np.abs(solution.pressure - smooth.pressure).max() < least:
+            break
+        found[-place] = replace(solution, pressure=solution.pressure[::-1], gap=solution.gap[::-1])
+        found[place] = solution
+        if announce is not None:
+            announce(place + 1, max(expected, place + 1))
     return found
 
 
@@ -368,35 +355,23 @@ class _Surroundings:
         x = cells.dx * np.concatenate([-columns[:0:-1], columns])
         return cls(x, y, columns, window, shallow, smooth, added)
 
-    def largest(self, differences: dict[int, Array], step: int, start: int) -> list[Array]:
+    def largest(self, differences: dict[int, Array]) -> list[Array]:
         """Return half the range of tau_xz and the largest stresses, over the passage: with the dent, then without."""
         alone = _measures(self.smooth)
         tops = [_Top(np.zeros((4, self.columns.size, *self.smooth.shape[1:3]))) for _ in range(2)]
-        furthest = self.window + int(self.columns[-1]) + 2 * step
-        after: Array | None = None
-        for place in range(start - step * (furthest // step + 1), furthest + step):
+        furthest = self.window + int(self.columns[-1]) + 2
+        for place in range(-furthest, furthest + 1):
             at = place + self.columns + self.window
             seen = (at >= 0) & (at <= 2 * self.window)
-            share = (place - start) % step / step
-            if share == 0.0:
-                before, after = after, self._added_at(differences, place + step)
             without = np.zeros_like(tops[0].last)
             without[:, seen] = alone[:, at[seen]]
             having = without
-            if before is not None or after is not None:
-                added = sum(w * each[seen] for w, each in ((1.0 - share, before), (share, after)) if each is not None)
+            if place in differences and seen.any():
                 having = np.zeros_like(without)
-                having[:, seen] = _measures(self.smooth[at[seen]] + added)
+                having[:, seen] = _measures(self.smooth[at[seen]] + self.added(differences[place])[at[seen]])
             for top, values in zip(tops, (having, without), strict=True):
                 top.pass_by(values)
         return [each for top in tops for each in self._on_both_sides(top.best)]
-
-    def _added_at(self, differences: dict[int, Array], place: int) -> Array | None:
-        """Return the stress that the dent adds to its surroundings in a position, shape (columns, ny, depths, 6)."""
-        if place not in differences:
-            return None
-        # Beyond the window a point takes no part, whatever stands for its stress.
-        return self.added(differences[place])[np.clip(place + self.columns + self.window, 0, 2 * self.window)]
 
     def _on_both_sides(self, best: Array) -> list[Array]:
         """Return the stresses on both sides of the dent, the orthogonal shear without the steps of cells."""

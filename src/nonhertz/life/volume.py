@@ -257,7 +257,11 @@ def _stations(solution: Solved, faces: tuple[float, float], to_faces: int = 0) -
     half_width = across_at(solution, 0.5 * (edges[1:] + edges[:-1]))[1]
     below = np.maximum(edges[0] - half_width[0] * BEYOND[1:], faces[0])[::-1]
     above = np.minimum(edges[-1] + half_width[-1] * BEYOND[1:], faces[1])
-    outside = [np.linspace(*ends, to_faces + 1) for ends in ((faces[0], below[0]), (above[-1], faces[1])) if to_faces]
+    outside = [
+        np.linspace(face, float(last), to_faces + 1)
+        for face, last in zip(faces, (below[0], above[-1]), strict=True)
+        if to_faces
+    ]
     edges = np.unique(np.concatenate([below, edges, above, *outside]))
     middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
     # One Gauss point suffices for a strip that is narrow compared with the half-width.
