@@ -148,12 +148,6 @@ class ContactMap(ReadOnly):
         strips = self.stations.size - 1
         return [(in_share(getattr(self.sampled_error, name)), of.format(strips=strips)) for name, of in _OF.items()]
 
-    def errors_beside(self, permitted: float) -> list[str]:
-        """Return in words each sampled error above a limit of what the map has beside load and moment."""
-        words = dict(zip(_OF, self.errors_in_words, strict=True))
-        beside = [name for name in _OF if name not in ("load", "moment")]
-        return [" ".join(words[name]) for name in beside if getattr(self.sampled_error, name) > permitted]
-
     @property
     def max_load(self) -> float:
         """The largest load of the map [N]."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
+from dataclasses import astuple, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -140,12 +140,13 @@ def _inaccuracies(made: ContactMap) -> Iterator[Finding]:
         words = "The map is accurate to {reached:.2g}, not to the requested {accuracy:g}; see its sampled_error."
         yield finding("inaccurate-map", words, reached=reached, accuracy=made.accuracy)
     permitted = max(made.accuracy, BESIDE)
-    if off := made.errors_beside(permitted):
-        words = (
+    beside = zip(made.errors_in_words[2:], astuple(made.sampled_error)[2:-1], strict=True)
+    if off := [" ".join(words) for words, error in beside if error > permitted]:
+        sentence = (
             "Beside load and moment, the map is off by more than {percent:g} %: by {off}. Where these matter, take "
             "them from nonhertz.solve_many."
         )
-        yield finding("inaccurate-beside", words, percent=100.0 * permitted, off=" and by ".join(off))
+        yield finding("inaccurate-beside", sentence, percent=100.0 * permitted, off=" and by ".join(off))
 
 
 def _pressed(contact: Contact, load: Range | None, approach: Range | None) -> tuple[bool, Range]:
