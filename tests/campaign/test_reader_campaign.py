@@ -36,6 +36,10 @@ UM = -12.0 * ((Y - 5.0) / 5.0) ** 2 + 0.2 * np.sin(40.0 * Y)
 PAIRS = list(zip(Y.tolist(), UM.tolist(), strict=True))
 
 
+SDF = "aBCR - 1.0\nNumPoints = 120\nNumProfiles = 1\nXscale = 8.4E-05\nYscale = 0\nZscale = 1.0e-6\n*\n"
+PTB = "Profil a.pr\nX-len = 9996.0 X-resolution 11.9 points/scanline: 120\n"
+
+heights = partial(trace_files.heights_alone, UM)
 text, marwin = partial(trace_files.lines, PAIRS), partial(trace_files.marwin, PAIRS)
 smd, prf, x3p = (partial(each, UM, 0.084) for each in (trace_files.smd, trace_files.prf, trace_files.x3p))
 
@@ -53,6 +57,20 @@ SEEDS: dict[str, list[bytes]] = {
         text("{:.3f};{:.4f}", "Prüfer: Müller\r\n", "\r\n").decode().encode("latin-1"),
         text("{:.3f} nan") + text("{:.3f} {:.4f}"),
     ],
+    "heads of columns": [
+        text("{:.3f},{:.4f},", "X (mm),Z (um),Remark\n"),
+        text("{:.3f}\t{:.4f}", "Y unit: um\nX unit: mm\n"),
+        text("P;{:.3f};{:.4f};ok", "Point;X (mm);Z (um);Note\nCutoff (mm);none\n"),
+        text("{:.3f} {:.4f} !", "Z (um)\nX (mm)\n"),
+        text("{:.3f} No Data") + text("{:.3f} {:.4f}"),
+    ],
+    "heights alone": [
+        heights(SDF) + b"*\n",
+        heights(PTB, end="\r\n"),
+        heights("SPACING_UM: 84.0\nNUMBER_OF_POINTS: 120\nPROFILE_UM:\n"),
+        heights("84.000\n"),
+        heights("Schrittweite: 0,084 mm\nZ [um]\n").replace(b".", b","),
+    ],
     "marwin": [marwin()],
     "records": [smd(), prf()],
     "x3p": [x3p(storage=x3pio.DataStorage.BINARY), x3p(storage=x3pio.DataStorage.XML)],
@@ -64,11 +82,13 @@ TOKENS = [
     b"PK\3\4", b"PK\1\2", b"<", b"/>", b"<a>", b"&a;", b"<!DOCTYPE a>", b"<![CDATA[", b"CX", b"CZ", b"EOR", b"\x03",
     b"NO_POINTS=", b"=", b"SPACING CX", b"[PROFILE_VALUES]", b"depth", b"drop", b"\x80", "\u0663".encode(),
     "\U0001f600".encode(), b"I", b"D", b"PRF", b"SUR", b"PCL", b"A", b"L", b"F", b"<SizeX>99999999</SizeX>",
+    b"um", b"X (mm)", b"Z unit: um", b"No Data", b"Spacing: 84 um", b"NumPoints = 7", b"Xscale = nan", b"e-400 m",
     b"encoding='utf-7'", b"encoding='klingon'",
 ]  # fmt: skip
 
 OPTIONS: list[dict[str, object]] = [
     {}, {"height_unit": "um"}, {"height_unit": "mm"}, {"position_column": 2, "height_column": 4}, {"sense": "drop"},
+    {"step": "84 um"}, {"step": 1e-300},
 ]  # fmt: skip
 
 places = st.floats(0.0, 1.0)
@@ -152,7 +172,7 @@ def test_a_damaged_file_is_a_trace_or_one_sentence(name):
             return data
 
         data = with_description(seed, change) if name == "description of x3p" else change(seed)
-        said = outcome(data, **options if name.endswith("columns") else {})
+        said = outcome(data, **options if name.endswith(("columns", "alone")) else {})
         assert "\n" not in said
         assert len(said) < 500
 
@@ -189,6 +209,10 @@ LARGE: dict[str, Callable[[], bytes]] = {
     "all points": lambda: b"".join(
         b"%d.%03d 0.%06d\n" % (*divmod(k, 1000), k * 7919 % 1000) for k in range(MOST_POINTS)
     ),
+    "heights": lambda: filled(b"0.001\n", b"spacing: 0.1 um\n"),
+    "all heights": lambda: b"spacing: 2 um\n" + b"".join(b"0.%06d\n" % (k * 7919 % 1000) for k in range(MOST_POINTS)),
+    "words": lambda: b"".join(b"%d.%03d no data\n" % divmod(k, 1000) for k in range(MOST_POINTS)),
+    "marks": lambda: b"".join(b"%d.%03d 0.1 !\n" % divmod(k, 1000) for k in range(MOST_POINTS)),
     "marwin": lambda: b"[PROFILE_VALUES]\n" + b"".join(b"%d=%d 0 0.1 0 0\n" % (k, k) for k in range(MOST_POINTS)),
     "records": lambda: filled(b"1\r\n", smd()[:200]),
     "elements": lambda: packed(b"<r>" + b"<a/>" * 1_900_000 + b"</r>"),

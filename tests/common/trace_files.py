@@ -12,6 +12,10 @@ def lines(pairs: Sequence[tuple[float, float]], form: str, head: str = "", end: 
     return (head + end.join(form.format(y, z) for y, z in pairs) + end).encode()
 
 
+def heights_alone(um: np.ndarray, head: str = "", form: str = "{:.6f}", end: str = "\n") -> bytes:
+    return (head + end.join(map(form.format, um.tolist())) + end).encode()
+
+
 def smd(um: np.ndarray, step: float, count: int = 0, heights: str | None = None, kind: str = "I") -> bytes:
     count, heights = count or len(um), "\r\n".join(str(z) for z in um) if heights is None else heights
     head = f"ISO 5436-2:2012\0roller\0\r\nPRF\0 1 ISO5436\0\r\nCX\0 {kind}\0 {count} mm\0 1.0e0 D\0 {step:.5e} \r\n"

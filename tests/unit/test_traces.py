@@ -7,6 +7,7 @@ import struct
 import tracemalloc
 import zipfile
 import zlib
+from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -27,6 +28,18 @@ PAIRS = list(zip(Y, UM, strict=True))
 
 
 lines = partial(trace_files.lines, PAIRS)
+
+
+def workbook_of(rows: Iterable[Sequence[object]]) -> bytes:
+    import openpyxl
+
+    book, stream = openpyxl.Workbook(), io.BytesIO()
+    book.active.append(["made", "by", "hand"])
+    sheet = book.create_sheet("Data")
+    for row in rows:
+        sheet.append(row)
+    book.save(stream)
+    return stream.getvalue()
 
 
 def with_comma(data: bytes) -> bytes:
@@ -68,7 +81,7 @@ def test_all_dialects_of_columns_are_the_same_line(name):
     assert_allclose(trace.y, Y, rtol=1e-12)
     assert_allclose(trace.height, 1e-3 * UM, rtol=1e-9)
     assert trace.gaps == ()
-    assert "mark beside" not in " ".join(trace.notes)
+    assert "beside" not in " ".join(trace.notes)
 
 
 @pytest.mark.parametrize(
@@ -108,6 +121,21 @@ def test_all_dialects_of_columns_are_the_same_line(name):
         ("Units: um, nm", 1e-3, 1e-6),
         ("X unit = mm\nZ unit = um\nX;Z", 1.0, 1e-3),
         ("X mm;Z um\nLength;10 cm", 1.0, 1e-3),
+        ("X unit: mm\nZ unit: um", 1.0, 1e-3),
+        ("Z unit: um\nX unit: mm", 1.0, 1e-3),
+        ("Y unit: um\nX unit: mm", 1.0, 1e-3),
+        ("z unit: nm\ny unit: mm", 1.0, 1e-6),
+        ("# Y unit: um\n# X unit: mm", 1.0, 1e-3),
+        ("Y_Unit_Label\tum\nX0\t0.0\nDelta_X\t0.25", 1.0, 1e-3),
+        ("Z (um)\nX (mm)", 1.0, 1e-3),
+        ("Unit-Z;um\nUnit-X;mm", 1.0, 1e-3),
+        ("Vertical units: um\nHorizontal units: mm", 1.0, 1e-3),
+        ("ZUnit=um, XUnit=mm", 1.0, 1e-3),
+        ("X (mm);Z (um)\nFilter;none\nSpeed;0.5 mm/s\nTip radius (um);2", 1.0, 1e-3),
+        ("X (mm);Z (um)\nCutoff (mm);none", 1.0, 1e-3),
+        ("X (um);Z (nm);Remark", 1e-3, 1e-6),
+        ("X (um),Z (nm),Remark,Flag", 1e-3, 1e-6),
+        ("X (um) Z (nm) Remark", 1e-3, 1e-6),
     ],
 )
 def test_units_are_taken_from_the_head(head, position, height):
@@ -116,7 +144,9 @@ def test_units_are_taken_from_the_head(head, position, height):
     assert_allclose(trace.height, height * UM, rtol=1e-12)
 
 
-@pytest.mark.parametrize("head", ["all values in um", "[um]", "X [?m];Z [?m]", "X ?m;Z ?m", "X (A);Z (A)", "# um"])
+@pytest.mark.parametrize(
+    "head", ["all values in um", "[um]", "X [?m];Z [?m]", "X ?m;Z ?m", "X (A);Z (A)", "# um", "Unit: um", "Y unit: um"]
+)
 def test_a_unit_that_belongs_to_no_column_or_is_none_of_length_is_asked_for(head):
     text = (head + "\n").encode() + lines("{};{}")
     with pytest.raises(InputError, match=r"must state (the|a) unit of .*give position_unit and height_unit"):
@@ -192,18 +222,75 @@ def test_what_stands_below_the_points_is_left_out_with_a_note(footer):
     assert "The text below the points was ignored, from line " in " ".join(trace.notes)
 
 
-@pytest.mark.parametrize("mark", ["{} *", "* {}", "{};*", "{}*", "{}!", "> {}", '" {}', '"{}"', "{} # outlier"])
-def test_marks_beside_numbers_are_left_out(mark):
+@pytest.mark.parametrize("where", [(2, 4), (0, 1), (4, 5)], ids=["inside", "first", "last"])
+@pytest.mark.parametrize(
+    "mark",
+    ["{} *", "* {}", "{};*", "{}*", "{}!", "{};#", "{}#", "> {}", "{};x", "{};see note 3", '" {}', '"{}"', "{} # a"],
+)
+def test_marks_and_words_beside_numbers_are_left_out(mark, where):
     rows = [f"{y};{z}" for y, z in PAIRS]
-    rows[2], rows[4] = mark.format(rows[2]), mark.format(rows[4])
-    trace = read_trace("\n".join(rows).encode(), height_unit="um")
+    for row in where:
+        rows[row] = mark.format(rows[row])
+    trace = read_trace(("y;z\n" + "\n".join(rows)).encode(), height_unit="um")
     assert_allclose(trace.height, 1e-3 * UM, rtol=1e-12)
-    notes = " ".join(trace.notes)
-    assert ("mark beside" in notes) == ("2 lines have a mark beside" in notes)
+    # A star in a cell of its own is a missing value, and a comment is one.
+    noted = mark not in {"{};*", "{};#", "{} # a", '" {}', '"{}"'}
+    assert ("2 lines have a mark or text beside" in " ".join(trace.notes)) == noted
+
+
+def test_a_word_beside_the_first_points_between_blanks_is_asked_about():
+    """It may be a setting."""
+    with pytest.raises(InputError, match=r"must hold 2 columns in line 2 as elsewhere \(there are 3: '0.0 -3.125 x'\)"):
+        read_trace(lines("{} {}", "y z\n").replace(b"-3.125", b"-3.125 x"), height_unit="um")
+
+
+def test_lines_of_numbers_that_are_comments_are_counted():
+    trace = read_trace(b"! 7.0 1\n# 8.0 2\n" + lines("{} {}"), height_unit="um")
+    assert "2 lines of numbers above or between the points are comments and were left out." in trace.notes
+
+
+TEXT_COLUMNS = {
+    "empty": "X (mm),Z (um),Remark\n" + "".join(f"{y},{z},\n" for y, z in PAIRS),
+    "some": "X (mm),Z (um),Remark\n"
+    + "".join(f"{y},{z},{'bump, 3' if y == 0.5 else ''}\n" for y, z in PAIRS).replace("bump, 3", '"bump, 3"'),
+    "first": "X (mm),Z (um),Remark\n" + "".join(f"{y},{z},{'begin' if y == 0.0 else ''}\n" for y, z in PAIRS),
+    "in front": "Point;X (mm);Z (um)\n" + "".join(f"P{k};{y};{z}\n" for k, (y, z) in enumerate(PAIRS)),
+    "between, decimal commas": "X (mm);at;Z (um)\n" + "".join(f"{y};10:12.5;{z}\n".replace(".", ",") for y, z in PAIRS),
+    "a number in the remarks": "X (mm);Z (um);Note\n"
+    + "".join(f"{y};{z};\n" for y, z in PAIRS * 4).replace("-4.0;", "-4.0;7", 1),
+}
+
+
+@pytest.mark.parametrize("name", TEXT_COLUMNS)
+def test_columns_of_text_are_not_needed(name):
+    trace = read_trace(TEXT_COLUMNS[name].encode())
+    assert_allclose(trace.y, Y, rtol=1e-12)
+    assert_allclose(trace.height, 1e-3 * UM, rtol=1e-12)
+
+
+def test_a_column_of_text_cannot_be_chosen():
+    with pytest.raises(InputError, match=r"must hold a number in line 2, column 1 \(there is 'P0'\)"):
+        read_trace(TEXT_COLUMNS["in front"].encode(), position_column=1, height_column=3)
 
 
 MISSING = ["", "NaN", "*****", "BAD", "-", "n/a", "1.#QNAN", "1.#QNAN00", "-1.#IND", "1.#INF", "1.#J", "1,#QNAN"]
-MISSING += ["-nan(ind)", "-nan", "nan(0x8000)", "NaNQ", "Infinity", "#N/A", "#NV", "#DIV/0!", "#####", "<NA>", "\u221e"]
+MISSING += [
+    "-nan(ind)",
+    "-nan",
+    "nan(0x8000)",
+    "NaNQ",
+    "Infinity",
+    "No Data",
+    "NoData",
+    "---",
+    "not measured",
+    "#N/A",
+    "#NV",
+    "#DIV/0!",
+    "#####",
+    "<NA>",
+    "\u221e",
+]
 
 
 @pytest.mark.parametrize("cell", MISSING)
@@ -218,6 +305,91 @@ def test_points_that_were_not_measured_are_gaps(cell):
         f"y;z\n{cell};{cell}x\n".replace("x", "" if cell else "nan").encode() + lines("{};{}"), height_unit="um"
     )
     assert "1 of 7 points have no value" in " ".join(begun.notes) or not any(map(str.isalnum, cell))
+
+
+@pytest.mark.parametrize("separator", [";", " ", "\t"])
+@pytest.mark.parametrize("words", ["No Data", "lost contact", "dropout", "n.a."])
+def test_words_in_place_of_a_height_are_a_gap(words, separator):
+    rows = [f"{y}{separator}{z}" for y, z in PAIRS]
+    rows[2] = f"{PAIRS[2][0]}{separator}{words}"
+    trace = read_trace("\n".join(rows).encode(), height_unit="um")
+    assert trace.gaps == ((0.25, 0.75),)
+    assert "1 of 6 points have no value" in " ".join(trace.notes)
+    with pytest.raises(InputError, match=r"must hold .* in line 3"):
+        read_trace("\n".join(rows).replace(words, "x7").encode(), height_unit="um")
+
+
+SDF = "aBCR - 1.0\nManufacID = a 2\nNumPoints = 6\nNumProfiles = 1\nXscale = 2.5E-04\nYscale = 0\nZscale = 1.0e-7\n*\n"
+PTB = "Profil a.pr\r\nX-{} = 1250.0 X-{} 4.0 {}: 6\r\n"
+ALONE = {
+    "SDF": trace_files.heights_alone(10.0 * UM, SDF) + b"*\nTrimmedLength = 10\n*\n",
+    "SDF of ISO 25178-71": trace_files.heights_alone(10.0 * UM, SDF.replace("aBCR - 1.0", "aISO-1.0"), "{!r}"),
+    "PTB": trace_files.heights_alone(UM, PTB.format("len", "resolution", "points/scanline"), end="\r\n"),
+    "PTB in German": PTB.format("Maß", "Auflösung", "Punkte/Zeile ").encode("cp850") + trace_files.heights_alone(UM),
+    "SigmaSurf": trace_files.heights_alone(
+        UM, "SigmaSurf_Data 1.0\nSPACING_UM: 250.0\nNUMBER_OF_POINTS: 6\nPROFILE_UM:\n"
+    ),
+    "softgauge": trace_files.heights_alone(UM, "250.000\r\n", end="\r\n"),
+    "number and step": trace_files.heights_alone(UM, "Spacing: 0.25 mm\nz [um]\n6\n"),
+    "step in words": trace_files.heights_alone(
+        UM, "Sampling interval [um];250\nY spacing;1 mm\nStep height: 5 um\nHeight [um]\n"
+    ),
+    "step as a comment": trace_files.heights_alone(UM, "# dx = 0.25 mm\n# unit: um\n"),
+    "decimal commas": with_comma(trace_files.heights_alone(UM, "Schrittweite: 0,25 mm\nZ [µm]\n")),
+    "semicolons": trace_files.heights_alone(UM, "Delta X (mm): 0.25\nZ unit: um\nX unit: mm\n", "{:.6f};"),
+    "marks": trace_files.heights_alone(UM, "increment = 250 um\nz um\n").replace(b"-1.500000", b"-1.5 *"),
+    "workbook": workbook_of([["Spacing (um)", 250], ["Z (um)"], *([z] for z in UM.tolist())]),
+}
+
+
+@pytest.mark.parametrize("name", ALONE)
+def test_heights_alone_have_the_step_that_the_file_states(name):
+    trace = read_trace(ALONE[name], "roller")
+    assert_allclose(trace.y, Y, rtol=1e-12)
+    assert_allclose(trace.height, 1e-3 * UM, rtol=1e-9)
+    assert "Heights alone, 250 um apart: positions count from the first." in trace.notes
+
+
+@pytest.mark.parametrize("step", [0.25, "250 um", "0.25mm"])
+@pytest.mark.parametrize("text", ["", "made by hand\n", "250.000\n"])
+def test_heights_alone_have_the_step_that_is_given(text, step):
+    """Which may stand before them too."""
+    for data in (trace_files.heights_alone(UM, text), with_comma(trace_files.heights_alone(UM, text))):
+        trace = read_trace(data, step=step, height_unit="um")
+        assert_allclose(trace.y, Y, rtol=1e-12)
+        assert_allclose(trace.height, 1e-3 * UM, rtol=1e-12)
+
+
+def test_a_height_that_was_not_measured_is_a_gap_of_heights_alone():
+    data = trace_files.heights_alone(UM, "spacing 0.25 mm\nz (um)\n").replace(b"-0.250000", b"No Data")
+    assert read_trace(data).gaps == ((0.5, 1.0),)
+
+
+def test_the_step_goes_with_numbers_of_points_and_with_no_positions():
+    counted = trace_files.lines(list(enumerate(UM)), "{};{}", "n;z (um)\n")
+    assert_allclose(read_trace(counted, step="250 um").y, Y, rtol=1e-12)
+    with pytest.raises(InputError, match=r"step = 0\.25 must not be given for a file that has positions"):
+        read_trace(lines("{};{}"), step=0.25, height_unit="um")
+
+
+ASKED_OF_HEIGHTS = {
+    "no step": ("z (um)\n", r"must say how far apart its points are .*: give step, such as"),
+    "a first number that may be it": (
+        "z (um)\n900\n",
+        r"must say .* \(there is one number .*; the first, 900, may be it\)",
+    ),
+    "step without a unit": ("spacing: 250\nz (um)\n", r"must state the unit of its positions \(in mm the line"),
+    "cut off": ("Number of points: 7\nspacing: 250 um\nz (um)\n", r"must hold the 7 heights stated"),
+    "an area": (SDF.replace("les = 1", "les = 3"), r"must hold one profile \(it states 3"),
+    "text": ("spacing: 250 um\nz (um)\n1.0\na7\n", r"must hold one number in line 4 as elsewhere \(there is 'a7'\)"),
+}
+
+
+@pytest.mark.parametrize("name", ASKED_OF_HEIGHTS)
+def test_heights_alone_without_what_is_needed_are_asked_about(name):
+    head, sentence = ASKED_OF_HEIGHTS[name]
+    with pytest.raises(InputError, match=sentence):
+        read_trace(trace_files.heights_alone(UM, head))
 
 
 def written(y: np.ndarray, height: np.ndarray) -> bytes:
@@ -332,15 +504,8 @@ def miniprof() -> bytes:
 
 
 def workbook(*rows: object) -> bytes:
-    import openpyxl
-
-    book, stream = openpyxl.Workbook(), io.BytesIO()
-    book.active.append(["made", "by", "hand"])
-    sheet = book.create_sheet("Data")
-    for row in (["Instrument", 7], [], *(rows or ([None, "X (mm)", "Z (µm)"], *([None, *pair] for pair in PAIRS)))):
-        sheet.append(row)
-    book.save(stream)
-    return stream.getvalue()
+    whole = (["Instrument", 7], [], *(rows or ([None, "X (mm)", "Z (µm)"], *([None, *pair] for pair in PAIRS))))
+    return workbook_of(whole)
 
 
 def lines_of(head: str, form) -> bytes:
@@ -352,6 +517,9 @@ FORMATS = {
     "Simpack wheel in metres": simpack(kind=1, factor=1.0),
     "MiniProf": miniprof(),
     "workbook": workbook(),
+    "workbook with a column of remarks": workbook(
+        ["X (mm)", "Z (µm)", "Remark"], *([*pair, "!" if k == 0 else None] for k, pair in enumerate(PAIRS))
+    ),
     "workbook of text": workbook(["X um", "Z nm"], *([f"{1e3 * y:.1f}", f"{1e3 * z:.0f}"] for y, z in PAIRS)),
     "smd": smd(),
     "prf": prf(),
@@ -441,7 +609,7 @@ DAMAGED = {
     "empty": (b"", r"must not be empty"),
     "blank": (b" \r\n\t\n", r"must not be empty"),
     "only a head": (b"y [mm];z [um]\n", r"must hold two columns of numbers \(no line has any\)"),
-    "one point": (b"0 1\n", r"must hold at least 5 positions \(there is one position\)"),
+    "one point": (b"0 1\n", r"must hold at least 5 positions \(there is only one\)"),
     "text in a cell": (lines("{} {}") + b"1.5 x7\n", r"must hold a number in line 7, column 2 \(there is 'x7'\)"),
     "text between": (lines("{} {}") + b"end of data\n1.5 -3\n", r"must hold 2 columns in line 7 as elsewhere \(there"),
     "a row of one": (lines("{} {}") + b"1.5\n", r"must hold 2 columns in line 7 as elsewhere \(there are 1: '1\.5'\)"),
@@ -449,10 +617,10 @@ DAMAGED = {
     "workbook cut off": (workbook()[:-99], r"must be an intact workbook \(file is not a zip file\): save it as CSV"),
     "workbook of words": (workbook(["a", "b"]), r"must hold two columns of numbers"),
     "three columns": (lines("{0};{1};0"), r"must hold two columns, or have two of its 3 chosen: give"),
-    "one column": (b"1\n2\n3\n4\n5\n6\n", r"must hold two columns of numbers \(there is only one number per line\)"),
+    "one column": (b"1\n2\n3\n4\n5\n6\n", r"must say how far apart its points are \(there is one number per line"),
     "nothing measured": (b"nan nan\n" * 9, r"must hold two columns of numbers"),
     "no height measured": (b"".join(b"%d nan\n" % k for k in range(9)), r"must hold measured points"),
-    "one position": (b"1 2\n1 3\n1 4\n1 5\n1 6\n", r"must hold at least 5 positions \(there is one position\)"),
+    "one position": (b"1 2\n1 3\n1 4\n1 5\n1 6\n", r"must hold at least 5 positions \(there is only one\)"),
     "a number for nothing": (lines("{} {}") + b"1.5 3.4e38\n", r"must hold .* within a kilometre \(there is one of 3"),
     "no length": (b"".join(b"%de-9 0.%d\n" % (k, k) for k in range(7)), r"must hold positions that are further apart"),
     "binary": (bytes(range(256)) * 4, r"must be text in columns, a MarWin text export, .smd, .prf, .x3p or .xlsx"),
@@ -484,7 +652,7 @@ DAMAGED = {
     "smd with text": (smd(heights="\r\n".join("123x56")), r"must hold a height in line 12 \(there is 'x'\)"),
     "marwin cut off": (marwin(count=7), r"must hold the 7 points stated in its header \(there are 6\)"),
     "marwin of too many": (marwin(count=10**30), r"must hold the 10000000000000000000 points"),
-    "marwin with text": (marwin(along="x y z"), r"must hold two columns of numbers \(line 8 is 'x y z"),
+    "marwin with text": (marwin(along="x y z"), r"must hold a number in line 8, column 1 \(there is 'x'\)"),
     "zip cut off": (x3p()[:-60], r"must be an intact X3P file"),
     "zip of something": (altered(x3p(), "main.xml", b"<a/>"), r"must be an intact X3P file"),
     "checksum of points": (altered(x3p(), "data.bin"), r"must match its checksum"),
@@ -511,7 +679,7 @@ DAMAGED = {
     "head without end": (b"9 a\n" * 1001 + lines("{} {}"), r"must hold two columns of numbers \(line 1 is '9 a'\)"),
     "parted digits": (lines("{} {}") + b"1_5 2\n", r"must hold a number in line 7, column 1 \(there is '1_5'\)"),
     "smd of parted digits": (smd(heights="1_5\r\n" * 5 + "2"), r"must hold a height in line \d+ \(there is '1_5'\)"),
-    "marwin of parted digits": (marwin(along="1_5 0 0"), r"must hold two columns of numbers \(line 8 is '1_5"),
+    "marwin of parted digits": (marwin(along="1_5 0 0"), r"must hold a number in line 8, column 1 \(there is '1_5'\)"),
     "marwin with a bad line": (marwin().replace(b"3=0.75", b"3=0,75x"), r"must hold a number in line 11, column 1"),
 }  # fmt: skip
 

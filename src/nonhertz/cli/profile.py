@@ -38,6 +38,7 @@ def profile(
     position_column: str | None = None,
     height_column: str | None = None,
     sense: str | None = None,
+    step: str | None = None,
     level: Annotated[bool | None, Parameter(show_default=False)] = None,
     align: str | None = None,
     trim: str | None = None,
@@ -55,7 +56,7 @@ def profile(
     Parameters
     ----------
     file : Path
-        The measuring machine's file: text in columns, a MarWin text export, .smd, .prf or .x3p.
+        The measuring machine's file: text in columns or of heights alone, a workbook, .smd, .prf or .x3p.
     position_unit : str
         Unit of the positions in a text file; by default what the file states, or mm.
     height_unit : str
@@ -66,6 +67,8 @@ def profile(
         Column of the heights.
     sense : str
         height (positive where there is material) or drop (positive where material is removed).
+    step : str
+        Distance between neighbouring points, such as 0.5um, where the file has heights alone, one per line.
     level : bool
         Remove the tilt at which the body lay in the machine; --no-level keeps it.
     align : str
@@ -117,7 +120,8 @@ def _options_named() -> Iterator[None]:
     except InputError as error:
         remedy, field = error.remedy, "--" + error.field.replace("_", "-")
         if error.field == "file":
-            remedy, field = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", remedy), "FILE"
+            remedy = re.sub(r"\b(position|height)_(unit|column)\b", r"--\1-\2", remedy)
+            remedy, field = re.sub(r"\bgive step, such as '(\S+) um'", r"give --step, such as \1um", remedy), "FILE"
         raise InputError(field, error.value, error.condition, remedy) from None
 
 

@@ -43,6 +43,7 @@ class MeasuredProfile(ProfileKind):
     position_column: Annotated[int | str | None, _COLUMNS["position_column"]] = None
     height_column: Annotated[int | str | None, _COLUMNS["height_column"]] = None
     sense: Annotated[str | None, _COLUMNS["sense"]] = None
+    step: Annotated[float | None, _COLUMNS["step"]] = None
     level: Annotated[bool | None, _STEPS["level"]] = None
     align: Annotated[bool | Middle | None, _STEPS["align"]] = None
     trim: Annotated[bool | float | str | None, _STEPS["trim"]] = None

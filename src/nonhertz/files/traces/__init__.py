@@ -1,8 +1,8 @@
 """From files of measuring machines to a `nonhertz.measured.Trace`.
 
 The format is recognised from the content, not from the file's extension: text in columns, that of MiniProf and Simpack
-included, a workbook, a text export of Mahr's MarWin, a profile in the records of ISO 5436-2 (.smd, and the .prf of
-Taylor Hobson's instruments), or an X3P container.
+included, or of heights alone, one per line, a workbook, a text export of Mahr's MarWin, a profile in the records of ISO
+5436-2 (.smd, and the .prf of Taylor Hobson's instruments), or an X3P container.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import os
 
 from nonhertz.errors import InputError
 from nonhertz.files.traces.columns import read_columns
+from nonhertz.files.traces.heights import heights_alone, read_heights
 from nonhertz.files.traces.line import Line, Request, made
 from nonhertz.files.traces.mahr import is_marwin, read_marwin
 from nonhertz.files.traces.records import is_records, read_records
@@ -18,6 +19,7 @@ from nonhertz.files.traces.sheets import is_workbook, lines_of_workbook
 from nonhertz.files.traces.text import decoded
 from nonhertz.files.traces.x3p import is_container, read_container
 from nonhertz.inputs.files import readable
+from nonhertz.inputs.units import in_unit
 from nonhertz.measured.trace import Trace
 
 __all__ = ["LARGEST_FILE", "read_trace"]
@@ -35,6 +37,7 @@ def read_trace(
     position_column: int | str | None = None,
     height_column: int | str | None = None,
     sense: str | None = None,
+    step: float | str | None = None,
 ) -> Trace:
     r"""Return the trace in a file.
 
@@ -52,6 +55,9 @@ def read_trace(
     sense : str or None
         ``"height"``, positive where there is material; ``"drop"``, positive where material is removed. None means
         heights, unless the column is called relief or drop; one called depth or wear is ambiguous and is refused.
+    step : float, str or None
+        Distance between neighbouring points [mm], or text with its unit, where the file holds heights alone, one per
+        line, or numbers of points in place of positions; None takes that which the file states.
 
     Returns
     -------
@@ -75,7 +81,8 @@ def read_trace(
     (-0.0031, 'roller.csv')
     """
     data, name = _content(source, name)
-    request = Request(name, position_unit, height_unit, position_column, height_column, sense)
+    length = in_unit("step", step, "mm")
+    request = Request(name, position_unit, height_unit, position_column, height_column, sense, length)
     return made(_line(data, request), request)
 
 
@@ -98,7 +105,7 @@ def _bounded(data: bytes, name: str) -> bytes:
 def _line(data: bytes, request: Request) -> Line:
     if is_workbook(data):
         lines, notes = lines_of_workbook(data, request)
-        return read_columns(lines, request).noted(*notes)
+        return _of_text(lines, request).noted(*notes)
     if is_container(data):
         return read_container(data, request)
     if is_records(data):
@@ -106,4 +113,9 @@ def _line(data: bytes, request: Request) -> Line:
     lines, notes = decoded(data, request.name)
     if is_marwin(lines):
         return read_marwin(lines, request).noted(*notes)
-    return read_columns(lines, request).noted(*notes)
+    return _of_text(lines, request).noted(*notes)
+
+
+def _of_text(lines: list[str], request: Request) -> Line:
+    heights = heights_alone(lines, request)
+    return read_columns(lines, request) if heights is None else read_heights(heights, request)

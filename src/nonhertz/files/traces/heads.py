@@ -16,38 +16,79 @@ _NUMBER = re.compile(r"[-+]?\d[\d.,]*(?:e[-+]?\d+)?", re.IGNORECASE)
 # "Z ?m": the Greek letter was lost on the way to ASCII.
 _LOST = re.compile(r"[?\ufffd]m")
 _SAYS_UNIT = re.compile(r"units?(?![a-z])|einheit", re.IGNORECASE)
-_OF_POSITIONS, _OF_HEIGHTS = re.compile(r"\bx|lateral|pos|length", re.I), re.compile(r"\bz|height|vertical|depth", re.I)
+_BETWEEN_UNITS = re.compile(r"[\s;,:=|()\[\]{}\"']+")
+# The letter of an axis: "Y_Unit", "Delta_X", "X0", "z-axis" and "xUnit", but none of "xyz" or "mix".
+_AXIS = re.compile(r"(?<![^\W_])[xyz](?![^\W\d_])|\b[xyz](?=unit|axis|scale)", re.IGNORECASE)
+_OF_POSITIONS = re.compile(r"lateral|horizontal|\bpos|length|distance|abscissa", re.IGNORECASE)
+_OF_HEIGHTS = re.compile(r"height|vertical|depth|profile|deviation|h(?:ö|oe)he|ordinate", re.IGNORECASE)
+# Words of the setting that is the distance between neighbouring points, and words that make it another one.
+_STEP = re.compile(
+    r"spacing|step(?!s)|increment|interval|pitch|pixel|(?<![a-z])d\W?x(?![a-z])|delta\W?x|x\W?scale|(?:x|lateral)\W?resolution"
+    r"|distance (?:between|of)|abstand|schritt",
+    re.IGNORECASE,
+)
+_NO_STEP = re.compile(
+    r"(?<![a-z])[yz](?![a-z])|\b[yz](?=scale|step|spacing|res)|time|zeit|height|h(?:ö|oe)he|vertical|depth|tip|force"
+    r"|profile|line|mean|peak",
+    re.IGNORECASE,
+)
+_SETTING = re.compile(
+    r"([^\W\d][^=:;\t\d]*)[=:;\t ]*([-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+]?\d+)?)\s*([^\W\d]+(?![\w/]))?",
+    re.IGNORECASE,
+)
 _DROP = re.compile(r"relief|drop", re.IGNORECASE)
 # A depth may be positive downwards from the surface, or be the height to which a stylus descended.
 _EITHER = re.compile(r"\b(?:depth|wear)", re.IGNORECASE)
-_SHOWN, _LISTED, _WORDS_BEHIND_UNIT = 40, 8, 2
+_SHOWN, _LISTED, _WORDS_BEHIND_UNIT, _WORDS_OF_AXIS = 40, 8, 2, 6
 
 
-def names_of_columns(head: Sequence[str], remarks: Sequence[str], width: int, separator: str | None) -> list[str]:
+def names_of_columns(
+    head: Sequence[str], remarks: Sequence[str], needed: Sequence[int], width: int, separator: str | None
+) -> list[str]:
     """Return the names of the columns, "" for each if there are none.
 
-    They are the last line of the header with as many cells as there are columns, one with units before one without;
-    a line of nothing but units is added to the line above it. If the header has no such line, comments above the
+    They are the line of the header that states most units of length for the columns of numbers, names most axes and
+    stands lowest, in this order; a line of nothing but units is added to the line above it. It may hold more cells than
+    the lines of numbers, whose last columns may be empty or text. If the header has no such line, comments above the
     numbers are searched: `numpy.savetxt` writes names that way.
+
+    Parameters
+    ----------
+    head, remarks : sequence of str
+        Lines above the numbers, and comments there.
+    needed : sequence of int
+        The columns of numbers.
+    width : int
+        Number of columns, with those of text.
+    separator : str or None
+        What separates the numbers.
     """
-    rows = [cells for line in head if (cells := _cells(line, width, separator)) and not _SAYS_UNIT.search(cells[0])]
-    stated = [cells for line in remarks if (cells := _cells(line, width, separator)) and _are_names(cells, line)]
-    for k in range(len(rows) - 1, -1, -1):
-        if all(millimetres(cell) for cell in rows[k]):
-            above = rows[k - 1] if k else [""] * width
-            return [f"{name} [{unit.strip('[](){}<> ')}]" for name, unit in zip(above, rows[k], strict=True)]
-        if any(map(_stated, rows[k])):
-            return rows[k]
-    return (stated[-1:] or rows[-1:] or [[""] * width])[0]
+    rows = [(k, cells) for k, line in enumerate(head) if (cells := _names_in(line, needed, width, separator))]
+
+    def rank(row: tuple[int, list[str]]) -> tuple[int, int, int]:
+        return _units(row[1], needed), sum(map(_names_axis, row[1])), row[0]
+
+    place, names = max(rows, key=rank, default=(0, [""] * width))
+    if not _units(names, needed):
+        stated = [
+            cells for line in remarks if (cells := _cells(line, needed, width, separator)) and _are_names(cells, line)
+        ]
+        return stated[-1] if stated else names
+    if not all(millimetres(names[k]) for k in needed):
+        return names
+    above = dict(rows).get(place - 1, [""] * width)
+    return [f"{name} [{unit.strip('[](){}<> ')}]" for name, unit in zip(above, names, strict=True)]
 
 
 def units_of_columns(names: Sequence[str], lines: Iterable[str], request: Request) -> list[str | None]:
     """Return the units of positions and heights, as options or file state them; None where neither does.
 
+    A line of its own states the unit of the axis that it names, or of both with two units.
+
     Parameters
     ----------
     names : (str, str)
-        Names of the two columns.
+        Names of the two columns; the first is "" where the file holds heights alone.
     lines : iterable of str
         The other lines above the numbers.
 
@@ -58,8 +99,9 @@ def units_of_columns(names: Sequence[str], lines: Iterable[str], request: Reques
     """
     found = [request.position_unit or _unit_in(names[0], request), None]
     found[1] = request.height_unit or _unit_in(names[1], request)
+    lines = list(lines)
     others = [line for line in lines if not all(name and name in line for name in names)]
-    declared = _declared([line for line in others if _SAYS_UNIT.search(line)])
+    declared = _declared(others, _order_of_axes(names, lines))
     found = [unit or other for unit, other in zip(found, declared, strict=True)]
     stray = next((line for line in others if _stated(line, at_end=True)), None)
     if None in found and not any(declared) and stray is not None:
@@ -67,6 +109,28 @@ def units_of_columns(names: Sequence[str], lines: Iterable[str], request: Reques
         condition = f"state the unit of its {what} beside the name of their column (there is {shown(stray)})"
         raise request.refuse(condition, "give position_unit and height_unit, such as 'mm' and 'um'")
     return found
+
+
+def unit_of_heights(lines: Sequence[str], request: Request) -> tuple[str | None, str]:
+    """Return the unit of heights alone, None if it is not stated, and the line above them that states it."""
+    stated = [line for line in lines if _stated(line, at_end=True) and not _STEP.search(line)]
+    axes = _order_of_axes(("", ""), lines)
+    stated = [line for line in stated if not any(map(_NUMBER.fullmatch, _BETWEEN_WORDS.split(line)))]
+    line = next((line for line in reversed(stated) if _column_of(line, axes) != 0), "")
+    return request.height_unit or _stated(line, at_end=True), line
+
+
+def step_in(lines: Iterable[str], request: Request) -> tuple[float, str | None] | None:
+    """Return the distance between points that lines above the numbers state, and its unit, or None."""
+    stated = []
+    for key, number, behind in (found.groups() for line in lines for found in _SETTING.finditer(line)):
+        value = float(number.replace(",", "."))
+        if value <= 0.0 or not _STEP.search(key) or _NO_STEP.search(key):
+            continue
+        unit = behind if behind and millimetres(behind) else _stated(key.strip(" \"',"))
+        if unit or not (behind or _BRACKETS.search(key) or "resolution" in key.lower()):
+            stated.append((value, request.position_unit or unit))
+    return max(stated, key=lambda step: step[1] is not None, default=None)
 
 
 def counts_drop(name: str, request: Request) -> bool:
@@ -113,6 +177,11 @@ def listed(names: Sequence[str]) -> str:
     return ", ".join(map(shown, names[:_LISTED])) + (", ..." if len(names) > _LISTED else "")
 
 
+def lines_have(count: int) -> str:
+    """Return "1 line has" or "2 lines have"."""
+    return "1 line has" if count == 1 else f"{count} lines have"
+
+
 def shown(text: str) -> str:
     """Return text from a file in quotes, shortened if it is long."""
     return repr(text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "...")
@@ -131,26 +200,56 @@ def cells_of(line: str, separator: str | None) -> list[str]:
     return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
 
 
-def _cells(line: str, width: int, separator: str | None) -> list[str]:
+def _cells(line: str, needed: Sequence[int], width: int, separator: str | None) -> list[str]:
     """Return the cells of a line of names, which may be separated differently from the numbers; [] if it is none."""
-    splits = [cells_of(line, each) for each in (separator, ";", "\t", ",", "|")]
-    for cells in (*splits, re.split(r"\s{2,}", line), _closed_by_units(line)):
+    splits = [(cells_of(line, each), each is not None) for each in (separator, ";", "\t", ",", "|")]
+    for cells, apart in (*splits, (re.split(r"\s{2,}", line), True), (_closed_by_units(line), True)):
         plain = [cell.strip(" \"'") for cell in cells]
-        while len(plain) > width and not plain[-1]:
+        while len(plain) > needed[-1] + 1 and not plain[-1]:
             plain.pop()
-        if len(plain) == width:
-            return plain
+        beyond = plain[width:]
+        # A name too many belongs to a column that is empty, if those of the columns of numbers have their units.
+        if (
+            len(plain) == width
+            or (apart and needed[-1] < len(plain) <= width)
+            or (beyond and apart and all(_stated(plain[k]) for k in needed) and not any(map(_stated, beyond)))
+        ):
+            return [*plain, *[""] * width][:width]
     return []
 
 
+def _names_in(line: str, needed: Sequence[int], width: int, separator: str | None) -> list[str]:
+    """Return the cells of a line of the header that may be names, or units of all columns of numbers; [] if not."""
+    cells = _cells(line, needed, width, separator)
+    if not cells or _SAYS_UNIT.search(cells[0]) or any(_is_value(cells[k]) for k in needed):
+        return []
+    # "X mm" is the unit of one axis, not the names of two columns.
+    units = [millimetres(cells[k]) is not None for k in needed]
+    return cells if all(units) or not any(units) else []
+
+
 def _closed_by_units(line: str) -> list[str]:
-    """Return the names in "y [mm] z [um]" or "y mm z um", with one blank between all words."""
+    """Return the names in "y [mm] z [um] note" or "y mm z um", with one blank between all words."""
     names: list[str] = [""]
     for word in re.findall(r"[^\s\[(]+|\[[^][]*\]|\([^()]*\)", line):
         names[-1] = f"{names[-1]} {word}".strip()
         if _stated(names[-1]) not in (None, "in"):  # "all values in um" is no column of inches
             names.append("")
-    return names[:-1] if len(names) > 1 and not names[-1] else line.split()
+    return [name for name in names if name] if len(names) > 1 else line.split()
+
+
+def _units(cells: Sequence[str], needed: Sequence[int]) -> int:
+    """Return how many columns of numbers have a name with a unit of length, or are a unit."""
+    return sum(_stated(cells[k]) is not None for k in needed)
+
+
+def _is_value(cell: str) -> bool:
+    """Return whether a cell is a number, with a unit behind it or without, and so no name."""
+    return bool(_NUMBER.match(cell)) and not millimetres(cell)
+
+
+def _names_axis(name: str) -> bool:
+    return bool(_AXIS.search(name) or _OF_POSITIONS.search(name) or _OF_HEIGHTS.search(name))
 
 
 def _are_names(cells: list[str], line: str) -> bool:
@@ -165,7 +264,7 @@ def _stated(name: str, *, at_end: bool = False) -> str | None:
     """Return the unit of length in a name, in brackets or as a word that follows no number; None if there is none."""
     for found in reversed(list(_BRACKETS.finditer(name))):
         unit = next(group for group in found.groups() if group is not None)
-        if millimetres(unit) and not (at_end and name[found.end() :].strip(" .,:;")):
+        if millimetres(unit) and not (at_end and name[found.end() :].strip(" .,:;\"'")):
             return unit.strip()
     words = [word for word in _BETWEEN_WORDS.split(_BRACKETS.sub(" ", name)) if word]
     for last in range(len(words), 0, -1):
@@ -187,14 +286,45 @@ def _unit_in(name: str, request: Request) -> str | None:
     return unit
 
 
-def _declared(lines: Sequence[str]) -> list[str | None]:
-    """Return the units of positions and heights in lines such as "Units: mm, um" or "Z unit = um"."""
+def _order_of_axes(names: Sequence[str], lines: Iterable[str]) -> str:
+    """Return the letters of the axes of positions and of heights, " " for one that is not known.
+
+    They are those of the names of the columns, or the first and the last of those that occur above the numbers: x and
+    y, x and z, or y and z. A y alone may be either.
+    """
+    letters = [str(found[0]).lower() if (found := _AXIS.search(name)) else " " for name in names]
+    if " " not in letters and letters[0] != letters[1]:
+        return "".join(letters)
+    known = sorted({str(letter).lower() for line in lines for letter in _AXIS.findall(line)})
+    if len(known) > 1:
+        return known[0] + known[-1]
+    return "".join(letter if letter in known else " " for letter in "xz")
+
+
+def _declared(lines: Iterable[str], axes: str) -> list[str | None]:
+    """Return the units of positions and heights in lines such as "Units: mm, um", "Z unit = um" or "X (mm)"."""
     found: list[str | None] = [None, None]
     for line in lines:
-        axis, tail = _SAYS_UNIT.split(line, maxsplit=1)
-        units = [word for word in re.split(r"[\s;,:=|()\[\]{}\"']+", tail) if millimetres(word)][:2]
-        if units and not (len(units) == 1 and _OF_HEIGHTS.search(axis)):
-            found[0] = found[0] or units[0]
-        if units and not (len(units) == 1 and _OF_POSITIONS.search(axis)):
-            found[1] = found[1] or units[-1]
+        _, *behind = _SAYS_UNIT.split(line, maxsplit=1)
+        units = [word for word in _BETWEEN_UNITS.split(behind[0]) if millimetres(word)] if behind else []
+        parts = [part for part in re.split(r"[;,\t|]", line) if _stated(part, at_end=True)]
+        if len(units) == 2 and len(_SAYS_UNIT.findall(line)) == 1:
+            found = [mine or unit for mine, unit in zip(found, units, strict=True)]
+            continue
+        for part in parts if len(parts) > 1 else [line]:
+            column = _column_of(part, axes)
+            if column is not None and (behind or len(part.split()) <= _WORDS_OF_AXIS):
+                found[column] = found[column] or _stated(part, at_end=True)
     return found
+
+
+def _column_of(line: str, axes: str) -> int | None:
+    """Return which column a line without numbers is about: 0 for positions, 1 for heights, None if it does not say."""
+    if any(_NUMBER.fullmatch(word) for word in _BETWEEN_WORDS.split(line)):
+        return None
+    letters = {letter.lower() for letter in _AXIS.findall(line)}
+    about = [
+        axes[column] in letters or bool(not letters and words.search(line))
+        for column, words in enumerate((_OF_POSITIONS, _OF_HEIGHTS))
+    ]
+    return about.index(True) if sum(about) == 1 else None

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.files.traces.lengths import millimetres
-from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Custom, Input, Word, described
+from nonhertz.inputs.checks import positive, text
+from nonhertz.inputs.fields import Custom, Input, Quantity, Word, described
 from nonhertz.measured.trace import FEWEST_POINTS, LONGEST, Array, Trace, dropouts, holes, usual_step
 
 #: Points of the longest line that is read.
@@ -70,6 +70,16 @@ class Request(Input):
             ("height", "drop"),
         ),
     ] = None
+    step: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "distance between neighbouring points where the file has heights alone, one per line, or numbers of points "
+            "for positions; what the file states, if left out",
+            positive,
+            "give it with its unit, such as '0.5 um'",
+        ),
+    ] = None
 
     def refuse(self, condition: str, remedy: str) -> InputError:
         """Return an error about the file."""
@@ -77,7 +87,7 @@ class Request(Input):
 
     def refuse_choices(self, what: str) -> None:
         """Refuse units and columns for a format that states its own."""
-        for field in ("position_unit", "height_unit", "position_column", "height_column"):
+        for field in ("position_unit", "height_unit", "position_column", "height_column", "step"):
             value = getattr(self, field)
             if value is not None:
                 raise InputError(field, value, f"not be given for {what}, which states its own", "leave it out")
@@ -123,7 +133,7 @@ def in_mm(field: str, unit: str) -> float:
     from nonhertz.inputs.units import in_unit
 
     try:
-        return float(in_unit(field, f"1 {unit}", "mm"))
+        return float(in_unit(field, unit if unit[:1].isdigit() else f"1 {unit}", "mm"))
     except InputError:
         raise InputError(field, unit, "be a unit of length", "write mm, um, nm, m or in") from None
 
@@ -147,8 +157,8 @@ def made(line: Line, request: Request) -> Trace:
         raise request.refuse("hold measured points (there is no pair of numbers)", "export the profile again")
     y, height = _sorted(y, height, notes)
     if len(y) < FEWEST_POINTS:
-        found = "one position" if len(y) == 1 else f"{len(y)} positions"
-        raise request.refuse(f"hold at least {FEWEST_POINTS} positions (there is {found})", "measure more points")
+        found = "is only one" if len(y) == 1 else f"are only {len(y)}"
+        raise request.refuse(f"hold at least {FEWEST_POINTS} positions (there {found})", "measure more points")
     _check_size(y, height, request)
     _check_plausible(y, height, line.units_known, request)
     unknown = [what for what, known in zip(("positions", "heights"), line.units_known, strict=True) if not known]

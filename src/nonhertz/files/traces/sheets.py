@@ -49,7 +49,9 @@ def lines_of_workbook(data: bytes, request: Request) -> tuple[list[str], tuple[s
         raise
     except Exception as error:  # noqa: BLE001  (zip, XML and openpyxl raise a dozen kinds of errors over damaged files)
         raise request.refuse(f"be an intact workbook ({reason_of(error)})", _AS_CSV) from None
-    name = max(sheets, key=lambda name: sum(count > 1 for _, count in sheets[name]), default="")
+    # A sheet of heights alone has one number per row.
+    rows = {name: [count for _, count in sheet] for name, sheet in sheets.items()}
+    name = max(rows, key=lambda name: (sum(n > 1 for n in rows[name]), sum(map(bool, rows[name]))), default="")
     if not name:
         raise request.refuse("be a workbook with a sheet of cells", _AS_CSV)
     others = f", one of {len(sheets)}," if len(sheets) > 1 else ""

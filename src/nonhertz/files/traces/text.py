@@ -10,6 +10,8 @@ from nonhertz.files.traces.line import MOST_POINTS
 
 #: Most lines above the points of a text.
 LONGEST_HEAD = 1000
+#: Lines, at most, by which the layout of a text is recognised.
+SAMPLED = 400
 #: Characters of the longest line that is read: three hundred columns of numbers.
 LONGEST_LINE = 5000
 
@@ -18,14 +20,19 @@ _NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eEdD][-+]?[0-9]+)?")
 # "Not measured" as written by hand, by C runtimes (Microsoft's 1.#QNAN, -1.#IND and 1.#J, glibc's -nan(0x8)), by
 # Fortran (a field of asterisks), Java, and by spreadsheets, in German too.
 _OF_SHEETS = r"#{3,}(?=\s*(?:$|[;,|\t]))|#(?:n/?a|nv|div/0|num|ref|null|value|name|wert|zahl|bezug)\b[!?]?"
+_IN_WORDS = "no[ _-]?(?:data|value|signal|contact)|not[ _-]?(?:measured|valid)|out of range"
 _MISSING = re.compile(
     r"[-+]?(?:nan[qs]?(?:\(\w*\))?|inf(?:inity)?|\d[.,]#\w*(?:e[-+]?\d+)?)"
-    rf"|{_OF_SHEETS}|<?n/?a>?|null|nil|none|bad|invalid|missing|void|-*|\*+|\?+|\.+|\u221e",
+    rf"|{_OF_SHEETS}|{_IN_WORDS}|<?n/?a>?|null|nil|none|bad|invalid|missing|void|-*|\*+|\?+|\.+|\u221e",
     re.IGNORECASE,
 )
 #: What a line of comment begins with.
 COMMENT = re.compile(rf"\s*(?!{_OF_SHEETS})(?:#|%|//|'|!)+\s*", re.IGNORECASE)
 _COMMENT_BEHIND = re.compile(rf"(?:^|(?<=[\s;|])|(?<=\D,))(?!{_OF_SHEETS})#.*", re.IGNORECASE)
+#: The same in words that blanks may separate.
+NOT_MEASURED = re.compile(rf"(?<!\w)(?:{_IN_WORDS})(?!\w)", re.IGNORECASE)
+#: A mark before or behind the numbers of a line.
+MARK = re.compile(r"^[*!>~&+]\s+|\s*[;,|\t]?\s*[*!<~&#\u2020]+$")
 # Bytes at the beginning of a file that are searched for what text does not hold.
 _LOOKED_AT = 65536
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x1a")

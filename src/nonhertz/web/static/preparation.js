@@ -23,6 +23,12 @@ const CHOICES = [
   ["sense", "positive is", [["", "material (height)"], ["drop", "material removed (drop)"]]],
   ["cutoff", "cutoff", [["", "0.8 mm"], ["0.25", "0.25 mm"], ["2.5", "2.5 mm"], ["8", "8 mm"]]],
 ];
+/** What is typed: the option, its words, and what an empty field shows. */
+const TYPED = [
+  ["step", "points apart", "with positions in the file"],
+  ["position_column", "column of positions", "number or name"],
+  ["height_column", "column of heights", "number or name"],
+];
 
 /**
  * Where a file is chosen.
@@ -70,9 +76,15 @@ export function options(upload, set) {
       element("select", { id: `option-${option}`, change }, entries),
     ]);
   });
+  const typed = TYPED.map(([option, words, placeholder]) => {
+    const value = upload.options[option] ?? "";
+    const change = (event) => set(option, event.target.value.trim());
+    const field = { type: "text", id: `option-${option}`, value, placeholder, change };
+    return element("label", { class: "choice" }, [`${words} `, element("input", field)]);
+  });
   return element("div", { class: "measured-options" }, [
     element("fieldset", {}, [element("legend", {}, ["Steps"]), ...switches]),
-    element("fieldset", {}, [element("legend", {}, ["Reading"]), ...choices]),
+    element("fieldset", {}, [element("legend", {}, ["Reading"]), ...choices, ...typed]),
   ]);
 }
 
