@@ -13,7 +13,7 @@ from nonhertz.files.traces.dialects import stated_by
 from nonhertz.files.traces.heads import counts_drop, lines_have, shown, step_in, unit_of_heights
 from nonhertz.files.traces.line import Line, Request, in_mm
 from nonhertz.files.traces.text import COMMENT, LONGEST_HEAD, MARK, SAMPLED, value_in, without_comment
-from nonhertz.measured.trace import Array
+from nonhertz.measured.trace import FEWEST_POINTS, Array
 
 _STATED_COUNT = re.compile(
     r"(?:num(?:ber)?[\W_]*(?:of[\W_]*)?points|points/scanline|punkte/zeile)\W+(\d{1,9})\b", re.IGNORECASE
@@ -110,7 +110,10 @@ def _without_settings(found: Heights, values: Array, step: float, request: Reque
         If the step is not known.
     """
     notes = []
-    if values[0] in (len(values) - 1, len(values) - 2):  # of heights, or of heights below their step
+    if len(values) > FEWEST_POINTS and values[0] in (
+        len(values) - 1,
+        len(values) - 2,
+    ):  # of heights, or of heights below their step
         notes.append(f"The first number, {values[0]:g}, is the number of points.")
         values = values[1:]
     first, apart = float(values[0]), _is_apart(found, values)
