@@ -219,15 +219,17 @@ def _check(kind: str, shift: bool, tilt: bool, fixed: Mapping[str, float]) -> No
 
 
 def _gathered(points: Points, highest: float | None) -> tuple[Array, Array]:
-    """Return means over equal numbers of neighbouring points, at most two thousand, which is enough for a fit."""
+    """Return means over neighbouring points, about two thousand at most, which is enough for a fit.
+
+    They are counted from both ends, so that a mirror image has the same ones.
+    """
     y, relief = points.y, (points.height.max() if highest is None else highest) - points.height
     share = -(-len(y) // _MOST_POINTS)
-    count = len(y) // share * share
-    return _means(y[:count], share), _means(relief[:count], share)
-
-
-def _means(values: Array, share: int) -> Array:
-    return np.asarray(values.reshape(-1, share).mean(axis=1))
+    beside = share * np.arange(len(y) // share // 2)
+    starts = np.unique([*beside, len(beside) * share, *(len(y) - share - beside)])
+    starts = starts[starts < len(y)]
+    counts = np.diff(starts, append=len(y))
+    return np.add.reduceat(y, starts) / counts, np.add.reduceat(relief, starts) / counts
 
 
 def _start(kind: str, y: Array, relief: Array, fixed: Mapping[str, float]) -> dict[str, float]:
