@@ -3,41 +3,31 @@
 A chamfer is steep, a profile is not: the steepest roller profiles drop by a few hundredths of a millimetre per
 millimetre, a chamfer by tenths. So the land is the longest stretch whose slope stays within a limit of the slope of the
 whole trace. Slopes are those of short chords, after a running median of five points has removed single spikes. A
-scratch does not end the land, because the surface continues beyond it at the same height. Nor does a step of some
-micrometres beyond which it continues at the same slope: no chamfer is so narrow and low. `steps_in` returns all steps,
-including those too high to be part of one land.
+scratch does not end the land, because the surface continues beyond it at the same height. Nor does a low step
+(`nonhertz.measured.jumps`), since no chamfer is so narrow and low; a higher one does, unless the surface comes back as
+beyond a groove. `steps_in` returns both, and what else separates the land from a neighbouring stretch.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from itertools import pairwise
+from dataclasses import replace
 
 import numpy as np
 
 from nonhertz.errors import InputError
+from nonhertz.measured.jumps import BESIDE_STEP, ROUNDING, SurfaceStep, despiked, half_chord, jumps
 from nonhertz.measured.outlying import runs
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 
 #: Slope exceeded by every chamfer and by no profile, 3 degrees.
 CHAMFER_SLOPE = 0.05
-# Half-length of a chord over the length of the trace. At most this much of the land is lost at an edge.
-_CHORD = 0.0025
-_SPIKE = 5  # points
-# A step: its greatest width (half of which is due to the chords) and the least length of surface on either side, both
-# over the length of the trace. Up to the first height [mm] the land continues beyond it; above the second it is a rib
-# or another body, which is never part of the land.
-_STEP_WIDTH, _BESIDE_STEP = 0.01, 0.02
+# The width of a step without the chord over it, over the length of the trace and in points.
+_STEP_WIDTH, _POINTS_ACROSS = 0.005, 2
+# Heights of steps [mm]: up to the first the land continues; above the second it is a rib or another body that is never
+# part of the land.
 _LOW_STEP, _HIGH_STEP = 0.02, 0.2
-
-
-@dataclass(frozen=True)
-class SurfaceStep:
-    """A step from one height of a surface to another at the same slope."""
-
-    y: float  # where it is [mm]
-    height: float  # by how much the surface rises towards positive y [mm]
-    within: bool  # whether both sides of it belong to the land
+# What a land may differ more from its mirror image without its steps than with them: a fraction, and mm.
+_WORSE, _WORSE_BY = 1.1, 1e-4
 
 
 def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
@@ -60,8 +50,8 @@ def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
     InputError
         If hardly anything is less steep.
     """
-    level, runs = _gentle(points, slope)
-    first, last = _extended(points, runs, level, slope) if runs else (0, 0)
+    steps, level, runs = _gentle(points, slope)
+    first, last = _extended(points, steps, runs, level, slope) if runs else (0, 0)
     if last - first + 1 < FEWEST_POINTS:
         condition = f"leave {FEWEST_POINTS} neighbouring points that are less steep"
         raise InputError("slope", slope, condition, "give a larger one, or leave out level, align and trim")
@@ -77,7 +67,8 @@ def corner_ends(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, fl
     Arguments and errors are those of `land`.
     """
     low, high = land(points, slope)
-    level, runs = _gentle(points, slope)
+    steps, level, runs = _gentle(points, slope)
+    walls = [step.y for step in steps if _LOW_STEP < abs(step.height) <= _HIGH_STEP]
     others = [run for run in runs if _is_long(points, run)]
     bounds = (
         max((points.y[last] for _, last in others if points.y[last] < low), default=points.y[0]),
@@ -85,6 +76,9 @@ def corner_ends(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, fl
     )
     found = []
     for end, bound in zip((low, high), bounds, strict=True):
+        if any(min(end, bound) <= wall <= max(end, bound) for wall in walls):
+            found.append(end)  # a step is no corner
+            continue
         among = np.flatnonzero((points.y >= min(end, bound)) & (points.y <= max(end, bound)))
         levelled = points.height[among] - level * points.y[among]
         found.append(float(points.y[among[int(np.argmin(levelled))]]))
@@ -92,28 +86,36 @@ def corner_ends(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, fl
 
 
 def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep, ...]:
-    """Return the steps of up to 0.2 mm in a line, both those within the land and those that end it.
+    """Return the steps of up to 0.2 mm in a line: those within the land, and what parts it from another stretch.
 
     Arguments and errors are those of `land`.
     """
     low, high = land(points, slope)
-    level, runs = _gentle(points, slope)
-    found = []
-    for before, behind in pairwise(run for run in runs if _is_long(points, run)):
-        step = _step(points, before, behind, level)
-        if step is None or abs(step) > _HIGH_STEP or _goes_on(points, before[1], behind[0], level, slope):
-            continue
-        within = bool(low <= points.y[before[1]] and points.y[behind[0]] <= high)
-        found.append(SurfaceStep(float(0.5 * (points.y[before[1]] + points.y[behind[0]])), step, within))
-    return tuple(found)
+    steps, level, runs = _gentle(points, slope)
+    within = [step for step in steps if low < step.y < high and abs(step.height) <= _HIGH_STEP]
+    # What makes the two halves less alike when it is taken off was a wave, and none of its steps is one.
+    worse = _unlike(points, (low, high), within)[0] > _WORSE * _unlike(points, (low, high), [])[0] + _WORSE_BY
+    found = [] if worse else [step for step in within if abs(step.height) <= _LOW_STEP]
+    long = [run for run in runs if _is_long(points, run)]
+    at_low = [(points.y[run[1]], low) for run in long if points.y[run[1]] < low][-1:]
+    at_high = [(high, points.y[run[0]]) for run in long if points.y[run[0]] > high][:1]
+    for side, end, parted in ((-1.0, low, at_low), (1.0, high, at_high)):
+        walls = [replace(step, within=False) for step in steps if side * step.y >= side * end]
+        walls += [] if walls else [_parting(points, before, behind, level) for before, behind in parted]
+        nearest = min(walls, key=lambda step: abs(step.y - 0.5 * (low + high)), default=None)
+        found += [nearest] if nearest is not None and abs(nearest.height) <= _HIGH_STEP else []
+    return tuple(sorted(found, key=lambda step: step.y))
+
+
+def _parting(points: Points, before: float, behind: float, level: float) -> SurfaceStep:
+    """Return what parts two stretches that end and begin at two positions, of a line with a slope."""
+    z0, z1 = np.interp((before, behind), points.y, points.height)
+    return SurfaceStep(0.5 * (before + behind), float(z1 - z0 - level * (behind - before)), within=False)
 
 
 def chord_slopes(points: Points) -> Array:
     """Return the slope of a short chord around every point, one-sided at the outermost ones."""
-    from scipy.ndimage import median_filter
-
-    height = median_filter(points.height, _SPIKE, mode="nearest")
-    half = max(_CHORD * points.span, 2.0 * float(np.median(np.diff(points.y))))
+    height, half = despiked(points.height), half_chord(points)
     low = np.maximum(points.y - half, points.y[0])
     high = np.minimum(points.y + half, points.y[-1])
     rise = np.interp(high, points.y, height) - np.interp(low, points.y, height)
@@ -133,13 +135,22 @@ def tilt(points: Points, slope: float = CHAMFER_SLOPE) -> float:
     tilt.
     """
     low, high = land(points, slope)
+    steps = [step for step in jumps(points) if low < step.y < high and abs(step.height) <= _HIGH_STEP]
+    return min(_unlike(points, (low, high), steps), _unlike(points, (low, high), []))[1]
+
+
+def _unlike(points: Points, ends: tuple[float, float], steps: list[SurfaceStep]) -> tuple[float, float]:
+    """Return by how much a land without some steps differs from its mirror image [mm], less the tilt, and that."""
+    low, high = ends
     middle = 0.5 * (low + high)
-    height = points.height - sum(step.height * (points.y > step.y) for step in steps_in(points, slope) if step.within)
-    inside = (points.y > middle) & (points.y <= high)
-    distance = points.y[inside] - middle
-    mirrored = np.interp(middle - distance, points.y, height)
-    odd = 0.5 * (height[inside] - mirrored)
-    return weighted_median(odd / distance, distance * points.weights[inside])
+    height = points.height - sum((step.height * (points.y > step.y) for step in steps), np.zeros(len(points)))
+    # Both halves, each with its points: then the mirror image of a line has the opposite tilt, however it is spaced.
+    inside = (points.y >= low) & (points.y <= high) & (points.y != middle)
+    offset, weights = points.y[inside] - middle, points.weights[inside]
+    odd = 0.5 * np.sign(offset) * (height[inside] - np.interp(middle - offset, points.y, height))
+    distance = np.abs(offset)
+    lean = weighted_median(odd / distance, distance * weights)
+    return float(np.average(np.abs(odd - lean * distance), weights=weights)), lean
 
 
 def symmetry(points: Points, slope: float = CHAMFER_SLOPE) -> float | None:
@@ -163,10 +174,11 @@ def symmetry(points: Points, slope: float = CHAMFER_SLOPE) -> float | None:
 
 
 def weighted_median(values: Array, weights: Array) -> float:
-    """Return the value with half the weight on either side."""
+    """Return the value with half the weight on either side, the mean of two where half of it lies between them."""
     order = np.argsort(values, kind="stable")
     heaped = np.cumsum(weights[order])
-    return float(values[order][int(np.searchsorted(heaped, 0.5 * heaped[-1]))])
+    halves = 0.5 * heaped[-1] * np.array([1.0 - ROUNDING, 1.0 + ROUNDING])
+    return float(np.mean(values[order][np.searchsorted(heaped, halves)]))
 
 
 def _oddness(points: Points, place: float, distance: Array) -> float:
@@ -177,42 +189,55 @@ def _oddness(points: Points, place: float, distance: Array) -> float:
     return float(np.mean((odd - slope * distance) ** 2))
 
 
-def _gentle(points: Points, slope: float) -> tuple[float, list[tuple[int, int]]]:
-    """Return the slope of the whole line, and first and last index of every stretch within the limit of it."""
+def _gentle(points: Points, slope: float) -> tuple[list[SurfaceStep], float, list[tuple[int, int]]]:
+    """Return the steps in a line, its slope, and first and last index of every stretch within the limit of that.
+
+    A high step ends a stretch however gentle the chords over the step are.
+    """
+    steps, half = jumps(points), half_chord(points)
     steepness = chord_slopes(points)
     level = weighted_median(steepness, points.weights)
-    return level, list(runs((np.abs(steepness - level) <= slope).astype(np.int8)))
+    gentle = np.abs(steepness - level) <= slope * (1.0 + ROUNDING)
+    for step in steps:
+        if abs(step.height) > _LOW_STEP:
+            gentle &= np.abs(points.y - step.y) >= half * (1.0 - ROUNDING)
+    return steps, level, list(runs(gentle.astype(np.int8)))
 
 
-def _extended(points: Points, runs: list[tuple[int, int]], level: float, slope: float) -> tuple[int, int]:
-    """Return the longest stretch extended by neighbouring ones at which the surface is back at its height."""
-    longest = max(runs, key=lambda run: points.y[run[1]] - points.y[run[0]])
+def _extended(
+    points: Points, steps: list[SurfaceStep], runs: list[tuple[int, int]], level: float, slope: float
+) -> tuple[int, int]:
+    """Return the longest stretch extended by neighbouring ones at which the surface is back at its height.
+
+    Of two that are as long the higher one counts: it is what another body touches.
+    """
+    half, usual = half_chord(points), float(np.median(np.diff(points.y)))
+    widest = (2.0 * half + max(_STEP_WIDTH * points.span, _POINTS_ACROSS * usual)) * (1.0 + ROUNDING)
+
+    def goes_on(before: tuple[int, int], behind: tuple[int, int]) -> bool:
+        y0, y1 = points.y[before[1]], points.y[behind[0]]
+        rise = float(points.height[behind[0]] - points.height[before[1]] - level * (y1 - y0))
+        height = sum(step.height for step in steps if y0 < step.y < y1)
+        if abs(rise - height) <= 0.5 * abs(height):  # the step explains the rise; the walls of a groove do not
+            if abs(height) > _LOW_STEP:
+                return False
+            rise = height
+        low = abs(rise) <= _LOW_STEP and y1 - y0 <= widest and _is_long(points, before) and _is_long(points, behind)
+        return low or bool(abs(rise) <= slope * (y1 - y0))
+
+    lengths = [points.y[last] - points.y[first] for first, last in runs]
+    alike = [run for run, length in zip(runs, lengths, strict=True) if length >= max(lengths) - 2.0 * half]
+    levelled = points.height - level * points.y
+    longest = max(alike, key=lambda run: float(np.mean(levelled[run[0] : run[1] + 1])))
     first, last = longest
     for run in runs[runs.index(longest) + 1 :]:
-        if _goes_on(points, last, run[0], level, slope) or _is_low(_step(points, (first, last), run, level)):
+        if goes_on((first, last), run):
             last = run[1]
     for run in reversed(runs[: runs.index(longest)]):
-        if _goes_on(points, run[1], first, level, slope) or _is_low(_step(points, run, (first, last), level)):
+        if goes_on(run, (first, last)):
             first = run[0]
     return first, last
 
 
-def _step(points: Points, before: tuple[int, int], behind: tuple[int, int], level: float) -> float | None:
-    """Return the height of the step between two stretches; None if there is no step between them."""
-    way = float(points.y[behind[0]] - points.y[before[1]])
-    if way > _STEP_WIDTH * points.span or not (_is_long(points, before) and _is_long(points, behind)):
-        return None
-    return float(points.height[behind[0]] - points.height[before[1]]) - level * way
-
-
-def _is_low(step: float | None) -> bool:
-    return step is not None and abs(step) <= _LOW_STEP
-
-
 def _is_long(points: Points, run: tuple[int, int]) -> bool:
-    return bool(points.y[run[1]] - points.y[run[0]] >= _BESIDE_STEP * points.span)
-
-
-def _goes_on(points: Points, before: int, after: int, level: float, slope: float) -> bool:
-    way = points.y[after] - points.y[before]
-    return bool(abs(points.height[after] - points.height[before] - level * way) <= slope * way)
+    return bool(points.y[run[1]] - points.y[run[0]] >= BESIDE_STEP * points.span)
