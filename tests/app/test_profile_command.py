@@ -34,6 +34,15 @@ def test_the_steps_the_roughness_and_the_best_fit_are_printed(file, run):
     assert "warning" not in printed
 
 
+def test_heights_alone_take_their_step_from_the_option(file, run):
+    heights = [line.split("\t")[1] for line in Path(file).read_text(encoding="utf-8").splitlines()]
+    Path("alone.txt").write_text("\n".join(heights), encoding="utf-8")
+    assert "give --step, such as 0.5um" in run("profile", "alone.txt", code=2).err
+    found = run("profile", "alone.txt", "--step", "5um", "--height-unit", "um", "--fit", "crown", "--json").json
+    pairs = run("profile", file, "--height-unit", "um", "--fit", "crown", "--json").json
+    assert_allclose(found["fits"][0]["parameters"]["radius"], pairs["fits"][0]["parameters"]["radius"], rtol=1e-9)
+
+
 def test_roughness_that_is_left_in_is_warned_of(file, run):
     assert "warning: Waves shorter than" in run("profile", file, "--height-unit", "um", "--smooth", "no").out
 

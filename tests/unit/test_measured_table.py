@@ -78,6 +78,7 @@ def test_roughness_that_is_left_in_is_warned_of(folder):
         ('height_unit = "um", points = 3', "points = 3 must be true or false, or 'auto' or a"),
         ("height_unit = true", "height_unit = True must be text: put it in quotes"),
         ('height_unit = "um", slope = -1', "slope = -1.0 must be positive"),
+        ('height_unit = "um", step = "5 um"', "step = '5 um' must not be given for a file that has positions"),
         ('height_unit = "um", interpolation = "spline"', "interpolation = 'spline' must be one of 'pchip', 'linear'"),
         ('height_unit = "um", scale = nan', "scale = nan must be a finite number"),
         ('height_unit = "um", shift = inf', "shift = inf must be a finite number"),
@@ -86,7 +87,7 @@ def test_roughness_that_is_left_in_is_warned_of(folder):
         ('height_unit = "um", height_column = 1.5', "height_column = 1.5 must be the name of a column"),
         ('position_column = 1, height_column = 1', "height_column = 1 must differ from position_column"),
     ],
-    ids=range(19),
+    ids=range(20),
 )  # fmt: skip
 def test_a_mistake_is_told_at_its_key(folder, keys, sentence):
     with pytest.raises(CaseError) as caught:
