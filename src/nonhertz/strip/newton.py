@@ -35,6 +35,7 @@ from nonhertz.strip.records import (
     STAGNATED,
     Array,
     BoundaryConditions,
+    Flags,
     Indices,
     Kernel,
     NewtonOptions,
@@ -55,6 +56,8 @@ LEAST_CHANGE = 0.3  # smallest factor by which r may change in one step; its inv
 WIDEST = 1e4  # half-width over half the total length of the strips, beyond which the iteration has diverged
 # A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
 LET_SETTLE = 0.1
+# Of a step, while a strip that has left and entered again is far from settled: whole steps would drive it out again.
+AFTER_RETURN = 0.5
 
 
 class _Equations(NamedTuple):
@@ -120,7 +123,7 @@ def newton(
     half = 0.5 * (strips.high[-1] - strips.low[0])
     rough = options.tolerance > TOLERANCE
     nearly, small_step = (ROUGHLY_NEARLY, ROUGHLY_SMALL) if rough else (NEARLY, SMALL_STEP)
-    step, residual = 0, np.inf
+    step, residual, returned, has_left = 0, np.inf, False, np.zeros(unknowns.m.size, np.bool_)
     for step in range(FOLLOWING if options.follows else STEP_LIMIT):
         pair_lone_strip(strips, conditions, unknowns)
         active = touching(unknowns.m)
@@ -155,10 +158,12 @@ def newton(
                 resultant[1] += equations.weights[k] * equations.lever[k]
             resultant[1] *= half
             return CONVERGED, step, residual
-        unknowns.rigid[0] += options.relaxation * first
-        unknowns.rigid[1] += options.relaxation * second / half
-        changed = _update(strips, kernel, equations, d_r, d_q, options.relaxation, unknowns)
+        relaxation = AFTER_RETURN if returned and residual > ROUGHLY_NEARLY else options.relaxation
+        unknowns.rigid[0] += relaxation * first
+        unknowns.rigid[1] += relaxation * second / half
+        changed = _update(strips, kernel, equations, d_r, d_q, relaxation, unknowns)
         entered = _enter(strips, kernel, active, noise + LET_SETTLE * unsettled * scale, unknowns)
+        returned |= _returned(active, unknowns.m, has_left)
         if not options.follows and residual < nearly and largest < small_step and not changed and not entered:
             keep_up(strips, kernel, unknowns.m, remote)
             left = violation(strips, conditions, kernel, remote, unknowns)
@@ -504,6 +509,17 @@ def _enter(strips: Strips, kernel: Kernel, active: Indices, overlap: float, unkn
             unknowns.r[i] = unknowns.r[nearest] * strips.curvature[i] / strips.curvature[nearest]
             unknowns.m[i] = _own_width(-unknowns.gap[i] / unknowns.r[i], strips.high[i] - strips.low[i], kernel.table)
     return entered
+
+
+@compiled
+def _returned(active: Indices, m: Array, has_left: Flags) -> bool:
+    """Mark the ``active`` strips that have left in ``has_left``; return whether one that had left before is back."""
+    returned = False
+    for i in range(m.size):
+        returned |= has_left[i] and m[i] > 0.0
+    for i in active:
+        has_left[i] |= not m[i] > 0.0
+    return returned
 
 
 @compiled
