@@ -14,7 +14,7 @@ from nonhertz.result.estimate import left_of_change
 from nonhertz.solver.one import problem_of
 from nonhertz.strip import levels as strip_levels
 from nonhertz.strip.levels import ACCURACY
-from nonhertz.strip.records import ITERATION_LIMIT
+from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, States
 
 
 @pytest.mark.parametrize(
@@ -28,6 +28,30 @@ from nonhertz.strip.records import ITERATION_LIMIT
 )  # fmt: skip
 def test_what_is_left_follows_from_the_last_changes(values, whole, left):
     assert left_of_change(np.array(values), whole) == pytest.approx(left)
+
+
+@pytest.mark.parametrize(
+    "pressure",
+    [
+        (0.5, 0.9, 1.0, 0.9, 0.5),
+        (0.5, 0.99, 0.97, 1.0, 0.98, 0.9, 0.5),
+        (0.5, 0.8, 0.6, 1.0, 0.99, 0.995, 0.5),
+        (0.2, 0.995, 0.2, 0.994, 0.3, 0.1, 0.0),
+    ],
+)
+def test_peaks_are_looked_for_alike_on_both_sides(pressure):
+    """A strip on y = 0 belongs to both."""
+
+    def peaks(pressure):
+        m, n = np.square(pressure), len(pressure)
+        state = States.unsolved(np.array([n]), np.linspace(-n, n, n + 1)[None], 1)
+        state = state._replace(r=np.ones((1, n)), m=m[None], status=np.array([CONVERGED]))
+        return strip_levels._peaks(state, np.zeros(0), 1e-4)[0]
+
+    found, mirrored = peaks(pressure), peaks(pressure[::-1])
+    np.testing.assert_array_equal(found[0], -mirrored[0, ::-1])
+    np.testing.assert_array_equal(found[1:], mirrored[1:, ::-1])
+    assert np.isfinite(found).any()
 
 
 def test_levels_that_failed_do_not_count():

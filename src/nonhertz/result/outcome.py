@@ -177,8 +177,8 @@ class Judgement:
 
     @cached_property
     def _errors(self) -> Array:
-        highest, at_corner = self._largest[0], np.array([self.peaks_at_corner])
-        return estimates(self.problem, self._rows, self.levels.accuracy, self._ends, highest, at_corner)
+        at_corner = np.array([self.peaks_at_corner])
+        return estimates(self.problem, self._rows, self.levels.accuracy, self._ends, at_corner)
 
     @cached_property
     def error_estimate(self) -> ErrorEstimate:

@@ -403,9 +403,9 @@ class Block:
         if self.error is not None:
             return
         problem, states, ends = self.problem, self.states, self._ends
-        highest, at = largest_of(self.finest, problem.model.element.hertz_ratio, ends.singular)
+        _, at = largest_of(self.finest, problem.model.element.hertz_ratio, ends.singular)
         # Those whose largest pressure may be at a corner are suspected for it.
-        errors = estimates(problem, states, problem.accuracy, ends, highest, np.zeros(highest.shape, dtype=bool))
+        errors = estimates(problem, states, problem.accuracy, ends, np.zeros(at.shape, dtype=bool))
         found = suspicions(problem, self._grids, states, ends, errors, at)
         for row in np.flatnonzero(np.logical_or.reduce(found)).tolist():
             if found.certain[row] or self._has_finding(row, found.strained[row]):

@@ -34,6 +34,7 @@ from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
 from nonhertz.strip.problem import Problem, padded_rows, solved_on, winkler_state
 from nonhertz.strip.records import Array, Flags, Grids, Indices, States
+from nonhertz.strip.summit import CUSP, is_cusp, is_summit, sagitta
 
 Interval = tuple[float, float]
 
@@ -46,7 +47,6 @@ FEWER_STRIPS = (1.0, 0.94, 0.88, 0.82, 0.76)  # tried in turn where a grid has n
 # often again, if the solution shows that another contact was missed or strips are too wide.
 ROUGH, HALF, REPEATS = 0.4, 0.5, 2
 WELL_FILLED = 0.4  # fraction of the region that the contact must fill before a grid is graded from it
-SAFETY = 2.0
 # Measured on 300 random contacts of the usual profiles: at a coarseness of COARSENESS the error of the approach is
 # below ACCURACY; it falls with about the power ORDER of the width, on coarser grids faster and less regularly, and is
 # mostly less than this share of the change from half the strips.
@@ -56,10 +56,7 @@ FULL = 0.97
 # At the largest pressure: its sagitta in a strip over the accuracy, how much narrower strips may become at once, below
 # which share of their width they are solved again, and by what share of it another may be less and yet count as the
 # largest.
-POINTED, LEAST_AT_PEAK, TOO_WIDE, ALIKE, SAME, AT_KINK = 5.0, 0.2, 0.7, 0.01, 1e-9, 3.0
-# A summit towards which the pressure rises ever faster is narrower than its strips, as on a rounded corner. It may
-# stand out by this many of the sagittas that they show, if these are large at all.
-CUSP, LEAST_SAGITTA = 8.0, 0.01
+POINTED, LEAST_AT_PEAK, TOO_WIDE, ALIKE, AT_KINK = 5.0, 0.2, 0.7, 0.01, 3.0
 
 
 class Solved(NamedTuple):
@@ -258,9 +255,14 @@ class Refinement:
 
     def pointed(self, states: States) -> Flags:
         """Return in which cases the largest pressure is far too pointed for its strips."""
-        peaks = _peaks(states, self.kinks[0], self.problem.accuracy or ACCURACY)
+        peaks = _peaks(states, self.kinks[0], self._sagitta)
         pointed: Flags = np.any(peaks[:, 1] < TOO_WIDE * peaks[:, 2], axis=1)
         return pointed
+
+    @property
+    def _sagitta(self) -> float:
+        """By what share of itself the largest pressure may bend within a strip."""
+        return POINTED * (self.problem.accuracy or ACCURACY)
 
     def _surface(self, states: States) -> Surface:
         low, high = np.broadcast_to(states.edges[:, [0, -1]], (states.status.size, 2)).T
@@ -279,19 +281,19 @@ class Refinement:
         suspected = suspects(self.problem, states, self.finite).tolist()
         found = [overlaps(self.problem, states.one(row), self.finite) if it else [] for row, it in enumerate(suspected)]
         extras = np.full((len(found), 2, 2 + max(map(len, found))), np.nan)
-        extras[..., :2] = _peaks(states, self.kinks[0], self.problem.accuracy or ACCURACY)[:, :2]
+        extras[..., :2] = _peaks(states, self.kinks[0], self._sagitta)[:, :2]
         for row, places in enumerate(found):
             extras[row, :, 2 : 2 + len(places)] = np.array(places).reshape(-1, 2).T
         return extras
 
 
 @compiled
-def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
+def _peaks(states: States, kinks: Array, allowed: float) -> Array:
     """Return where the largest pressure is too pointed for its strips, and widths, shape (cases, 3, 2).
 
     Places, the widths wanted there, and those that the strips have. What a strip bears is the mean over it: a sagitta
-    of the pressure within it is missing from the maximum. On either side of y = 0, where pressures are equal that
-    mirror each other.
+    of the pressure within it, of which a share of the pressure is ``allowed``, is missing from the maximum. On either
+    side of y = 0, where pressures are equal that mirror each other; a strip on y = 0 is on both.
     """
     found = np.full((states.status.size, 3, 2), np.nan)
     for case in range(found.shape[0]):
@@ -305,52 +307,20 @@ def _peaks(states: States, kinks: Array, accuracy: float) -> Array:
             at, reached = -1, (1.0 - ALIKE) * highest
             for i in range(1, n - 1):
                 # A lower summit may be the largest pressure, if it is more pointed than its strips can tell.
-                if (edges[i] + edges[i + 1] >= 0.0) == (side == 1):
-                    sagittas = CUSP if _is_cusp(pressure, i) else 1.0
-                    reach = pressure[i] * (1.0 + sagittas * max(0.0, _sagitta(pressure, i)))
-                    if reach > reached and _is_summit(pressure, i):
+                if (edges[i + 1] > 0.0) if side == 1 else (edges[i] < 0.0):
+                    sagittas = CUSP if is_cusp(pressure, i) else 1.0
+                    reach = pressure[i] * (1.0 + sagittas * max(0.0, sagitta(pressure, i)))
+                    if reach > reached and is_summit(pressure, i):
                         at, reached = i, reach
             if at > 0:
-                sagitta, place = _sagitta(pressure, at), 0.5 * (edges[at] + edges[at + 1])
-                wide, pointed = edges[at + 1] - edges[at], sagitta > POINTED * accuracy
+                bend, place = sagitta(pressure, at), 0.5 * (edges[at] + edges[at + 1])
+                wide, pointed = edges[at + 1] - edges[at], bend > allowed
                 for kink in kinks:  # there it has no limit
                     pointed = pointed and not abs(place - kink) < AT_KINK * wide
                 if pointed:
-                    wanted = wide * max(math.sqrt(POINTED * accuracy / sagitta), LEAST_AT_PEAK)
+                    wanted = wide * max(math.sqrt(allowed / bend), LEAST_AT_PEAK)
                     found[case, 0, side], found[case, 1, side], found[case, 2, side] = place, wanted, wide
     return found
-
-
-@compiled
-def cusp(pressure: Array, at: int) -> float:
-    """Return how high the pressure of a strip may reach that is narrower than its summit, zero if there is none."""
-    narrow = _is_cusp(pressure, at) and _is_summit(pressure, at)
-    return pressure[at] * (1.0 + CUSP * _sagitta(pressure, at)) if narrow else 0.0
-
-
-@compiled
-def _is_cusp(pressure: Array, at: int) -> bool:
-    """Return whether the pressure rises ever faster to within two strips of a strip, at least on one side."""
-    rising = False
-    for i in range(max(at - 2, 1), min(at + 3, pressure.size - 1)):
-        rising |= _sagitta(pressure, i) < 0.0
-    return rising and _sagitta(pressure, at) > LEAST_SAGITTA
-
-
-@compiled
-def _is_summit(pressure: Array, at: int) -> bool:
-    """Return whether the pressure falls on both sides of a strip, and reaches further on one of them at least."""
-    before, peak, after = pressure[at - 1], pressure[at], pressure[at + 1]
-    # Two strips beside the middle may differ by rounding. A contact may run out beside its largest pressure, as on the
-    # corner of a roller.
-    return bool(max(before, after) > 0.0 and peak >= (1.0 - SAME) * max(before, after))
-
-
-@compiled
-def _sagitta(pressure: Array, at: int) -> float:
-    """Return by what share of itself the pressure bends within a strip; 0 without pressure."""
-    peak = pressure[at]
-    return (2.0 * peak - pressure[at - 1] - pressure[at + 1]) / (8.0 * peak) if peak > 0.0 else 0.0
 
 
 def _located(problem: Problem, finite: Interval, targets: Array) -> States:
