@@ -76,9 +76,14 @@ def error_at_summit(strips: Pressures, at: int, before: Pressures, before_that: 
     last, earlier = abs(p[at] - coarse) / p[at], abs(coarse - _pressure_at(before_that, y)) / p[at]
     of_grids = SAFETY * max(last, 0.5 * earlier)
     if regular:
-        is_corner = strips.edges[at + 1] - strips.edges[at] < CORNER_STRIP * strips.half_width[at]
-        of_grids = (CORNER_LEFT if is_corner else SMOOTH_LEFT) * last
+        of_grids = (CORNER_LEFT if is_on_corner(strips, at) else SMOOTH_LEFT) * last
     return float(of_grids + beside + SAGITTA_LEFT * bend)
+
+
+@compiled
+def is_on_corner(strips: Pressures, at: int) -> bool:
+    """Return whether a strip is so narrow that it lies on a corner of the profile."""
+    return bool(strips.edges[at + 1] - strips.edges[at] < CORNER_STRIP * strips.half_width[at])
 
 
 @compiled
