@@ -79,13 +79,14 @@ def assert_same(found: nh.Solutions, expected: nh.Solutions) -> None:
         (CROWNED, {"load": [[2e3], [9e3]], "moment": [0.0, 2e3, 4e3]}),
         (CROWNED, {"load": [2e3, 3e3], "strips": 12, "element": nh.PARABOLIC}),
         (CROWNED, {"load": 2e3, "accuracy": 1e-3}),
+        (CROWNED, {"load": 2e3, "accuracy": 1e-4, "accuracy_of": "pressure"}),
         ([CROWNED, STRAIGHT, LAYERED, CROWNED], {"load": [[5e3], [8e3]], "strips": 15}),
         ([CROWNED, STRAIGHT, BALL], {"load": [5e3, 8e3, 800.0]}),
         (BALL, {"load": [500.0, 900.0], "strips": 30}),
         (CROWNED, {"load": [2e3, 4e6], "strips": [-8.0, -2.0, 1.0, 8.0]}),
         (CROWNED, {"approach": [0.01, -0.5, 0.012], "strips": 15}),
     ],
-    ids=["equal", "automatic", "parabolic", "accuracy", "contacts", "own grids", "ball", "edges", "failure"],
+    ids=["equal", "automatic", "parabolic", "accuracy", "pressure", "contacts", "grids", "ball", "edges", "failure"],
 )
 def test_saved_solutions_are_the_same_to_the_last_bit(contacts, case, tmp_path):
     many = nh.solve_many(contacts, **case)

@@ -151,6 +151,13 @@ def test_impossible_edges_are_refused(edges, condition):
 # Contacts
 
 
+def test_what_the_accuracy_is_of_is_a_word_beside_an_automatic_grid():
+    assert refusal(**LOAD, accuracy_of="load") == "accuracy_of = 'load' must be one of 'approach', 'pressure'"
+    said = refusal(**LOAD, accuracy_of="pressure", strips=41)
+    assert said == "accuracy_of = 'pressure' must be given only where the grid is automatic"
+    assert "accuracy = 0.1 must lie between" in refusal(**LOAD, accuracy_of="pressure", accuracy=0.1)
+
+
 def test_a_relief_without_end_is_refused():
     said = refusal(nh.Contact(roller(profile=Gone()), nh.Plate()), **LOAD)
     assert said == "profile = inf must leave a finite separation somewhere on the bodies"

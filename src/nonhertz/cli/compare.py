@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 from cyclopts import Parameter
 
@@ -46,7 +46,7 @@ def compare(
     """
     read = read_case(case, changes)
     refuse_unwritable_out(out)
-    given: dict[str, Any] = {"strips": read.solver.strips, "accuracy": read.solver.accuracy}
+    given = {name: value for name, value in read.solver.keywords.items() if name != "element"}
     try:
         with Progress(_METHODS) as progress:
             found = methods.compare(

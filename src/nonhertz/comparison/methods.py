@@ -16,7 +16,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.patch import solve as solve_patch
 from nonhertz.patch.resources import checked_cells
 from nonhertz.result.solution import Solution
-from nonhertz.solver.one import Strips, solve
+from nonhertz.solver.one import Goal, Strips, solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 
 RUNS = 5
@@ -33,6 +33,7 @@ def compare(
     cells: tuple[int, int] | None = None,
     strips: Strips = None,
     accuracy: float | None = None,
+    accuracy_of: Goal | None = None,
     threads: int | None = None,
     announce: Callable[[str], object] | None = None,
 ) -> Comparison:
@@ -48,7 +49,7 @@ def compare(
         Number of cells (across, along) of the plane grid, as in `nonhertz.patch.solve`.
     strips : int or array_like or "auto", optional
         As in `nonhertz.solve`.
-    accuracy : float, optional
+    accuracy, accuracy_of : optional
         As in `nonhertz.solve`.
     threads : int, optional
         Threads for the plane grid.
@@ -102,8 +103,8 @@ def compare(
         return outcome, statistics.median(times[1:] or times)
 
     def on_strips(element: Element) -> tuple[Solution, float]:
-        options: dict[str, Any] = {"element": element, "strips": strips, "accuracy": accuracy}
-        return timed(f"{element.name} strips", RUNS, lambda: solve(contact, **given, **options))
+        aim: dict[str, Any] = {"strips": strips, "accuracy": accuracy, "accuracy_of": accuracy_of}
+        return timed(f"{element.name} strips", RUNS, lambda: solve(contact, **given, element=element, **aim))
 
     with without_accuracy_warnings():
         (semi, of_semi), (parabola, of_parabola) = on_strips(SEMI_ELLIPTIC), on_strips(PARABOLIC)

@@ -37,7 +37,7 @@ from nonhertz.model.body import BODIES, Body, BodyName, convex
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch import Dent
-from nonhertz.solver.one import FEWEST_STRIPS, MOST_STRIPS, refuse_accuracy
+from nonhertz.solver.one import FEWEST_STRIPS, GOALS, MOST_STRIPS, refuse_accuracy
 from nonhertz.strip.element import ELEMENTS
 
 _FAR_AWAY = 1e3  # mm; how far out an unbounded contact is checked before it is solved
@@ -134,10 +134,18 @@ class Solver(Input):
         float | None,
         Quantity("", "target relative error of approach or load on the automatic grid; 1e-4 if left out"),
     ] = None
+    accuracy_of: Annotated[
+        str | None,
+        Word(
+            "what the accuracy is of: 'approach' (or load), or 'pressure', the largest, where it is 1e-3 if left out",
+            "leave it out for the accuracy of the approach",
+            GOALS,
+        ),
+    ] = None
 
-    @together("strips", "accuracy")
+    @together("strips", "accuracy", "accuracy_of")
     def _check_accuracy(self) -> None:
-        refuse_accuracy(self.strips, self.accuracy)
+        refuse_accuracy(self.strips, self.accuracy, self.accuracy_of)
 
 
 @described(kw_only=True)

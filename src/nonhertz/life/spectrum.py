@@ -12,7 +12,7 @@ from nonhertz.inputs.fields import Input, Quantity, described
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
 from nonhertz.solver.many import solve_many
-from nonhertz.solver.one import Strips
+from nonhertz.solver.one import Goal, Strips
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
 WHOLE = 1e-3  # tolerance for the sum of shares, so that three of 0.333, for example, are accepted
@@ -105,6 +105,7 @@ def solve_spectrum(
     element: Element = SEMI_ELLIPTIC,
     strips: Strips = None,
     accuracy: float | None = None,
+    accuracy_of: Goal | None = None,
     threads: int | None = None,
 ) -> tuple[tuple[Solution, float], ...]:
     """Solve a contact under every load of a spectrum.
@@ -115,7 +116,7 @@ def solve_spectrum(
         The two bodies.
     cases : sequence of LoadCase
         The loads; their shares add up to 1.
-    element, strips, accuracy, threads
+    element, strips, accuracy, accuracy_of, threads
         As in `nonhertz.solve_many`.
 
     Returns
@@ -141,6 +142,6 @@ def solve_spectrum(
     cases = checked_cases("cases", cases, LoadCase)
     total = refuse_other_than_whole("share", cases, "give all loads with their shares of the revolutions")
     loads, tilts = [case.load for case in cases], [case.tilt for case in cases]
-    options: dict[str, Any] = {"element": element, "strips": strips, "accuracy": accuracy, "threads": threads}
-    found = solve_many(contact, load=loads, tilt=tilts, **options)
+    aim: dict[str, Any] = {"strips": strips, "accuracy": accuracy, "accuracy_of": accuracy_of}
+    found = solve_many(contact, load=loads, tilt=tilts, element=element, **aim, threads=threads)
     return tuple((found[number], case.share / total) for number, case in enumerate(cases))

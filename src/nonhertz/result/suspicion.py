@@ -20,6 +20,7 @@ from nonhertz.result.estimate import (
     LEVELS,
     LOAD,
     MAX_PRESSURE,
+    PRESSURE_LEFT_BY_MODES,
     has_whole_roller,
 )
 from nonhertz.result.validity import AT_CORNER, searched
@@ -84,7 +85,10 @@ def suspicions(
     if problem.accuracy_given and problem.accuracy is not None:
         large = min(LARGE_ERROR, problem.accuracy + LEFT_BY_MODES * has_whole_roller(problem))
     uncertain = np.maximum(errors[:, APPROACH], errors[:, LOAD]) > large
-    uncertain |= errors[:, MAX_PRESSURE] > LARGE_PRESSURE_ERROR
+    large = LARGE_PRESSURE_ERROR
+    if problem.pressure_accuracy is not None:
+        large = problem.pressure_accuracy + PRESSURE_LEFT_BY_MODES * has_whole_roller(problem)
+    uncertain |= errors[:, MAX_PRESSURE] > large
     region = searched(contact, float(finest.edges[:, 0].min()), float(finest.edges[:, -1].max()))
     missed = goes_on | suspects(problem, finest, region)
     return Suspicions(uncertain & ~strained, missed & ~strained & ~uncertain, strained)

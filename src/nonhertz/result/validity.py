@@ -19,6 +19,7 @@ from nonhertz.result.estimate import (
     LARGE_PRESSURE_ERROR,
     LEFT_BY_MODES,
     MISSED,
+    PRESSURE_LEFT_BY_MODES,
     has_whole_roller,
 )
 from nonhertz.result.penetration import is_noticeable
@@ -61,9 +62,12 @@ def _short_of_accuracy(solution: Solution, problem: Problem) -> Iterator[Finding
     """Yield that the accuracy that was asked for is not met; larger errors have findings of their own."""
     estimate, asked = solution.error_estimate, problem.accuracy
     name, error = max(("approach", estimate.approach), ("load", estimate.load), key=lambda each: each[1])
+    is_given, by_modes, large = problem.accuracy_given, LEFT_BY_MODES, LARGE_ERROR
+    if problem.pressure_accuracy is not None:
+        name, error, asked = "largest pressure", estimate.max_pressure, problem.pressure_accuracy
+        is_given, by_modes, large = True, PRESSURE_LEFT_BY_MODES, LARGE_PRESSURE_ERROR
     # Strips have no part in what the modes of a whole roller leave.
-    by_strips = error - LEFT_BY_MODES * has_whole_roller(problem)
-    if problem.accuracy_given and asked is not None and asked < by_strips <= LARGE_ERROR:
+    if is_given and asked is not None and asked < error - by_modes * has_whole_roller(problem) <= large:
         yield finding(
             "short-of-accuracy",
             "The accuracy of {asked:g} asked for is not met: the error of the {quantity} is estimated at {error:.2g}, "

@@ -12,7 +12,7 @@ import json
 import math
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -68,7 +68,7 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
         "element": np.asarray(problem.model.element.name),
         "prescribed": np.array(problem.prescribed),
         "accuracy": np.array(
-            [math.nan if problem.accuracy is None else problem.accuracy, float(problem.accuracy_given)]
+            [problem.accuracy or math.nan, float(problem.accuracy_given), problem.pressure_accuracy or math.nan]
         ),
         "blocks": np.array(
             [
@@ -221,11 +221,12 @@ class _Problems:
         """Return the problem of a given contact that should be a stored one."""
         contact, fields = given[at], self._fields
         if (stored, id(contact)) not in self._known:
-            accuracy, accuracy_given = fields["accuracy"].tolist()
+            accuracy, accuracy_given, of_pressure = fields["accuracy"].tolist()
             problem = posed(
                 contact, _ELEMENTS[str(fields["element"])], fields["prescribed"], fields["problems"][stored].copy(),
                 None if math.isnan(accuracy) else accuracy, accuracy_given=bool(accuracy_given),
             )  # fmt: skip
+            problem = replace(problem, pressure_accuracy=None if math.isnan(of_pressure) else of_pressure)
             part = slice(self._ends[stored] - fields["contact_sizes"][stored], self._ends[stored])
             places = fields["contact_places"][part]
             expected = _Likeness(places, fields["contact_surfaces"][:, part], fields["contact_numbers"][stored])

@@ -20,7 +20,7 @@ from nonhertz.findings import warn
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
-from nonhertz.solver.one import Strips, element_of, is_automatic, problem_of, requested_strips
+from nonhertz.solver.one import Goal, Strips, element_of, is_automatic, problem_of, requested_strips
 from nonhertz.solver.portions import Portion, Run, Task, Work
 from nonhertz.solver.solutions import Solutions, case_label, several
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -43,6 +43,7 @@ def solve_many(
     element: Element | str = SEMI_ELLIPTIC,
     strips: Strips = None,
     accuracy: float | None = None,
+    accuracy_of: Goal | None = None,
     threads: int | None = None,
     announce: Callable[[Portion], object] | None = None,
 ) -> Solutions:
@@ -61,7 +62,7 @@ def solve_many(
     strips : int or array_like or "auto", optional
         As in `nonhertz.solve`, for all cases. A number of strips is several times as fast as the automatic grid, and
         scales to any number of cores.
-    accuracy : float, optional
+    accuracy, accuracy_of : optional
         As in `nonhertz.solve`, for all cases.
     threads : int, optional
         Number of threads; all cores if left out. The results do not depend on it.
@@ -108,7 +109,7 @@ def solve_many(
     """
     callback("announce", announce)
     prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
-    shape, tasks = _laid_out(contacts, prescribed, _Options(element_of(element), strips, accuracy))
+    shape, tasks = _laid_out(contacts, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
     solutions, found = Run(shape, tuple(_works(tasks)), thread_count(threads)).outcome(announce)
     warn(found)
     return solutions
@@ -121,6 +122,7 @@ def solve_in_silence(
     element: Element | str,
     strips: Strips,
     accuracy: float | None = None,
+    accuracy_of: Goal | None = None,
 ) -> Solutions:
     """Return what `solve_many` does, in the caller's thread and without warnings.
 
@@ -131,7 +133,7 @@ def solve_in_silence(
     InputError
         As `solve_many` does.
     """
-    shape, tasks = _laid_out(contact, prescribed, _Options(element_of(element), strips, accuracy))
+    shape, tasks = _laid_out(contact, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
     never = Event()
     return Solutions(shape, tuple(block for work in _works(tasks) for block in work.solved(never)))
 
@@ -143,6 +145,7 @@ class _Options:
     element: Element
     strips: Strips
     accuracy: float | None
+    accuracy_of: Goal | None
 
 
 def _laid_out(
@@ -230,7 +233,8 @@ def _tasks(
         requested_strips(contact, options.strips)
         try:
             number = numbers[0]
-            problem = problem_of(contact, case(number), options.element, options.strips, options.accuracy)
+            aim = options.accuracy, options.accuracy_of
+            problem = problem_of(contact, case(number), options.element, options.strips, *aim)
             # A moment may act outside the bodies in any case; a load out of range shows in the extreme cases.
             loads = given["load"][numbers] if "load" in given else np.zeros(1)
             outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError, shown
 from nonhertz.findings import warn
-from nonhertz.inputs.checks import finite, numbers
+from nonhertz.inputs.checks import finite, numbers, one_of
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile.base import at_ends
@@ -32,10 +33,14 @@ from nonhertz.strip.records import Flags
 Array = NDArray[np.float64]
 #: A number of equal strips, the edges of strips, or an automatic grid.
 Strips = int | Literal["auto"] | ArrayLike | None
+#: What the accuracy is of.
+Goal = Literal["approach", "pressure"]
+GOALS: tuple[Goal, ...] = ("approach", "pressure")
 
 FEWEST_STRIPS, MOST_STRIPS = 1, 2000
 # Coarser grids take as long, and some miss peaks of the pressure in silence.
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-6, 1e-3
+PRESSURE_ACCURACY = 1e-3  # of the largest pressure, if no other is asked for
 
 
 def solve(
@@ -48,6 +53,7 @@ def solve(
     element: Element | str = SEMI_ELLIPTIC,
     strips: Strips = None,
     accuracy: float | None = None,
+    accuracy_of: Goal | None = None,
 ) -> Solution:
     """Press the bodies of a contact together.
 
@@ -75,6 +81,9 @@ def solve(
         The target relative error of the approach, or of the load where the approach is given, from 1e-6 to 1e-3; the
         automatic grid gets as many strips as that needs. If left out, 1e-4. Whether it was met is told by
         ``solution.error_estimate``.
+    accuracy_of : str, optional
+        ``"approach"``, or ``"pressure"`` for a grid that aims at this relative error of the largest pressure, and at
+        no less than the usual accuracy of the approach; ``accuracy`` is then 1e-3 if left out.
 
     Returns
     -------
@@ -103,7 +112,7 @@ def solve(
     0.81
     """
     given = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
-    problem = problem_of(contact, given, element, strips, accuracy)
+    problem = problem_of(contact, given, element, strips, accuracy, accuracy_of)
     (solved,) = states_of(problem, strips, problem.target[None])
     solution = outcome(problem, solved)
     warn(solution.findings)
@@ -116,6 +125,7 @@ def problem_of(
     element: Element | str,
     strips: Strips = None,
     accuracy: float | None = None,
+    accuracy_of: Goal | None = None,
 ) -> Problem:
     """Return what the strips have to satisfy.
 
@@ -123,16 +133,23 @@ def problem_of(
     ------
     InputError
         If ``contact`` or ``element`` is not a Contact or an Element, no pressure between the ends of the bodies can
-        produce the moment, or ``accuracy`` is out of range.
+        produce the moment, or ``accuracy`` or ``accuracy_of`` is out of range.
     """
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     element = element_of(element)
-    refuse_accuracy(strips, accuracy)
+    refuse_accuracy(strips, accuracy, accuracy_of)
     given.refuse_outside(contact)
     prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
-    aim = (accuracy or ACCURACY) if is_automatic(strips) else None
-    return posed(contact, element, prescribed, target, aim, accuracy_given=accuracy is not None)
+    problem = posed(
+        contact, element, prescribed, target, (accuracy or ACCURACY) if is_automatic(strips) else None,
+        accuracy_given=accuracy is not None,
+    )  # fmt: skip
+    if accuracy_of != "pressure":
+        return problem
+    of_pressure = accuracy or PRESSURE_ACCURACY
+    # The estimate of the largest pressure is never less than what the grid aims for in the approach.
+    return replace(problem, accuracy=min(0.5 * of_pressure, ACCURACY), pressure_accuracy=of_pressure)
 
 
 def posed(
@@ -157,8 +174,13 @@ def element_of(given: Element | str) -> Element:
     return found
 
 
-def refuse_accuracy(strips: Strips, accuracy: float | None) -> None:
+def refuse_accuracy(strips: Strips, accuracy: float | None, accuracy_of: str | None = None) -> None:
     """Refuse an accuracy that no grid has, and any beside strips that are given: both say how many there are."""
+    if accuracy_of is not None:
+        one_of("accuracy_of", accuracy_of, GOALS, "leave it out for the accuracy of the approach")
+        if not is_automatic(strips):
+            remedy = "leave out one of the two"
+            raise InputError("accuracy_of", accuracy_of, "be given only where the grid is automatic", remedy)
     if accuracy is None:
         return
     remedy = f"leave it out for {ACCURACY:g}"

@@ -34,7 +34,7 @@ from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
 from nonhertz.strip.problem import Problem, padded_rows, solved_on, winkler_state
 from nonhertz.strip.records import Array, Flags, Grids, Indices, States
-from nonhertz.strip.summit import CUSP, is_cusp, is_summit, sagitta
+from nonhertz.strip.summit import CUSP, is_cusp, is_summit, largest_summit_errors, sagitta
 
 Interval = tuple[float, float]
 
@@ -53,6 +53,8 @@ WELL_FILLED = 0.4  # fraction of the region that the contact must fill before a 
 ACCURACY, COARSENESS, ORDER, ORDER_COARSER, LEFT_OF_CHANGE = 1e-4, 0.28, 2.2, 3.0, 0.4
 LEAST_FINER, MARGIN = 0.4, 0.95
 FULL = 0.97
+# The change of the largest pressure is to be so much less than its accuracy, and its sagitta in a strip so many times.
+OF_PRESSURE, PER_SAGITTA = 0.7, 8.0
 # At the largest pressure: its sagitta in a strip over the accuracy, how much narrower strips may become at once, below
 # which share of their width they are solved again, and by what share of it another may be less and yet count as the
 # largest.
@@ -190,15 +192,19 @@ class Refinement:
 
     def finer_wanted(self, levels: Sequence[States]) -> Array:
         """Return by what share strips have to be narrower for the accuracy to be met; 1 where it is or cannot be."""
-        (finest, half), accuracy = levels[:2], self.problem.accuracy or ACCURACY
+        (finest, half), problem = levels[:2], self.problem
         samples, h = self.problem.model.sampled(*self.finite, SAMPLES)
-        by_load = self.problem.prescribed[0]
+        by_load = problem.prescribed[0]
         fine, coarse = (finest.rigid[:, 0], half.rigid[:, 0]) if by_load else (finest.scaled_load, half.scaled_load)
         with np.errstate(divide="ignore", invalid="ignore"):  # a case that has not converged may be infinite
             pressed = np.max(finest.rigid[:, :1] + finest.rigid[:, 1:] * samples - h, axis=1)
             error = LEFT_OF_CHANGE * np.abs(fine - coarse) / (np.abs(pressed) if by_load else fine)
-            finer = np.maximum(LEAST_FINER, MARGIN * (accuracy / error) ** (1.0 / ORDER))
-        met = ~(error > accuracy) | ~(finest.converged & half.converged)
+            missing = error / (problem.accuracy or ACCURACY)
+            if problem.pressure_accuracy is not None:
+                of_pressure = largest_summit_errors(finest, half, problem.model.element.hertz_ratio)
+                missing = np.maximum(missing, of_pressure / (OF_PRESSURE * problem.pressure_accuracy))
+            finer = np.maximum(LEAST_FINER, MARGIN * missing ** (-1.0 / ORDER))
+        met = ~(missing > 1.0) | ~(finest.converged & half.converged)
         # More strips than the limit are not laid, whatever is asked for.
         spent = finest.counts >= FULL * STRIP_LIMIT / np.minimum(self.coarseness, 1.0)
         return np.where(met | spent, 1.0, finer)
@@ -262,7 +268,8 @@ class Refinement:
     @property
     def _sagitta(self) -> float:
         """By what share of itself the largest pressure may bend within a strip."""
-        return POINTED * (self.problem.accuracy or ACCURACY)
+        of_pressure = (self.problem.pressure_accuracy or math.inf) / PER_SAGITTA
+        return min(POINTED * (self.problem.accuracy or ACCURACY), of_pressure)
 
     def _surface(self, states: States) -> Surface:
         low, high = np.broadcast_to(states.edges[:, [0, -1]], (states.status.size, 2)).T

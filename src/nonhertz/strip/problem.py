@@ -159,6 +159,8 @@ class Problem:
         Relative error of approach or load that the automatic grid aims for; None where strips are given.
     accuracy_given : bool
         Whether the user gave that.
+    pressure_accuracy : float or None
+        Relative error of the largest pressure that it aims for too, if any.
     """
 
     contact: Contact
@@ -167,6 +169,7 @@ class Problem:
     target: Array
     accuracy: float | None = None
     accuracy_given: bool = False
+    pressure_accuracy: float | None = None
 
     def of(self, target: Array) -> Problem:
         """Return the problem with another target."""

@@ -40,6 +40,30 @@ def pressures_of(states: States, hertz_ratio: float, case: int) -> Pressures:
 
 
 @compiled
+def largest_summit_errors(finest: States, half: States, hertz_ratio: float) -> Array:
+    """Return the relative errors of the largest pressures, zero where strips resolve no summit there.
+
+    Parameters
+    ----------
+    finest, half : States
+        The states of all cases on a graded grid and on half of its strips.
+    hertz_ratio : float
+        As in `nonhertz.strip.records.Kernel`.
+    """
+    found = np.zeros(finest.status.size)
+    for case in range(found.size):
+        strips = pressures_of(finest, hertz_ratio, case)
+        at = 0
+        for i in range(1, strips.y.size):
+            at = i if strips.pressure[i] > strips.pressure[at] else at
+        at = resolved_summit(strips, strips.y[at])
+        if at > 0:
+            before = pressures_of(half, hertz_ratio, case)
+            found[case] = error_at_summit(strips, at, before, before, True)
+    return found
+
+
+@compiled
 def resolved_summit(strips: Pressures, y: float) -> int:
     """Return the strip centred on ``y`` if it resolves a summit of the pressure within the contact, else zero."""
     p = strips.pressure
