@@ -25,7 +25,7 @@ const CHOICES = [
 ];
 /** What is typed: the option, its words, and what an empty field shows. */
 const TYPED = [
-  ["step", "points apart", "with positions in the file"],
+  ["step", "points apart", "such as 0.5 um"],
   ["position_column", "column of positions", "number or name"],
   ["height_column", "column of heights", "number or name"],
 ];
