@@ -251,3 +251,17 @@ def test_dents_are_refused_by_their_keys(tmp_path, monkeypatch, run):
         ),
     ):
         assert words in refused([changed(old, new, text=DENTED)], run)
+
+
+def test_what_models_assume_is_said_where_it_is_left_out(case, run):
+    def defaults(*words: str) -> list[str]:
+        found = run("life", case, "--json", *words).json["assumed"]
+        return [each["numbers"]["default"] for each in found]
+
+    by_laminae = ("--model", "iso-16281")
+    assert defaults(*by_laminae) == ["edge stress as solved", "line loads as solved"]
+    assert defaults(*by_laminae, "--set", "life.line_loads=standard") == ["edge stress as solved"]
+    # What a file gives is not assumed, even if it is the default.
+    assert defaults(*by_laminae, "--set", "life.edge_stress=pressure") == ["line loads as solved"]
+    printed = run("life", case, *by_laminae).out
+    assert re.search(r"assumed +edge stress as solved +for life.edge_stress; decides the life by iso-16281", printed)

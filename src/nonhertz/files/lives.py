@@ -50,6 +50,8 @@ class Assessment:
         How many there are: keywords of `Overrolled.relative_life`.
     required : float or None
         The life that is asked for [10^6 revolutions].
+    assumed : tuple of Finding
+        What is assumed of the models, where the case leaves it out.
     """
 
     title: str
@@ -60,6 +62,7 @@ class Assessment:
     dent: Overrolled | None = None
     dents: Mapping[str, Any] = field(default_factory=dict)
     required: float | None = None
+    assumed: tuple[Finding, ...] = ()
 
     @property
     def dent_lives(self) -> dict[str, float]:
@@ -178,5 +181,6 @@ def _own(found: Assessment, against: Assessment | None = None) -> dict[str, Any]
         "models": models,
         "spectrum": spectrum,
         "verdict": given_verdict(found.verdict),
+        "assumed": [each.as_object() for each in found.assumed],
         **as_warnings(found.findings, found.notes),
     }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -15,6 +15,7 @@ from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS, MISTAKES
 from nonhertz.files.reading import BROKEN, Surroundings, read
 from nonhertz.files.title_block import TitleBlock
+from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import not_negative, one_line, positive
 from nonhertz.inputs.fields import (
     Count,
@@ -199,6 +200,11 @@ class OverrolledDent(Input):
         return density | ({} if self.raceway_diameter is None else {"raceway_diameter": self.raceway_diameter})
 
 
+def _by(*names: str) -> Callable[[Life], bool]:
+    """Return whether lives are asked by one of these models."""
+    return lambda given: not given.models or not set(names).isdisjoint(given.models)
+
+
 @described(kw_only=True)
 class Life(Input):
     """How long the bodies last."""
@@ -235,6 +241,7 @@ class Life(Input):
     slope: Annotated[
         float | None,
         Quantity("", "Weibull's slope e of the volume models, 9/8 if left out", weibull_slope, SLOPE_REMEDY),
+        Assumed("slope of 9/8", "lives by stressed volume", _by(*(set(MODELS) - {"iso-16281"}))),
     ] = None
     fatigue_limit: Annotated[
         float | None,
@@ -244,6 +251,7 @@ class Life(Input):
             not_negative,
             "give a limit in MPa, 0 for none",
         ),
+        Assumed("fatigue limit of 360 MPa", "the life by ioannides-harris", _by("ioannides-harris")),
     ] = None
     laminae: Annotated[
         int | None,
@@ -256,6 +264,7 @@ class Life(Input):
             "use 'pressure' for what was solved",
             EDGE_STRESS,
         ),
+        Assumed("edge stress as solved", "the life by iso-16281", _by("iso-16281")),
     ] = None
     line_loads: Annotated[
         str | None,
@@ -264,6 +273,7 @@ class Life(Input):
             "use 'solution' for what was solved",
             LINE_LOADS,
         ),
+        Assumed("line loads as solved", "the life by iso-16281", _by("iso-16281")),
     ] = None
     required: Annotated[float | str | None, REQUIRED] = None
     spectrum: Annotated[

@@ -17,6 +17,7 @@ from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warni
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.lives import Assessment
 from nonhertz.findings import finding
+from nonhertz.inputs.assumed import assumed
 from nonhertz.life import Model, VolumeModel, overrolled, solve_spectrum
 from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName
@@ -176,9 +177,10 @@ def assessed(
                 contact_angle=case.life.contact_angle,
                 announce=_announcer(announce, body, len(spectrum)),
             )
-        found = Assessment(
-            case.title, case.life.rollers, spectrum, lives, notes, required=case.life.required_revolutions
-        )
+        asked = replace(case.life, models=tuple(model.name for model in models))
+        of_models = assumed({"life": asked}, None if case.origin is None else case.origin.document)
+        required = case.life.required_revolutions
+        found = Assessment(case.title, case.life.rollers, spectrum, lives, notes, required=required, assumed=of_models)
         dent = case.life.dent
         if dent is None:
             return found

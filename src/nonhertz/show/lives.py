@@ -8,7 +8,7 @@ from nonhertz.amounts import digits, mpa, mrad, newton
 from nonhertz.files.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.model.body import BODIES
-from nonhertz.show.sections import Said, Section, Table
+from nonhertz.show.sections import Said, Section, Table, assumed_rows, summary
 from nonhertz.verdict import of_contact
 
 _IDEAL = (
@@ -30,7 +30,8 @@ def sections(found: Assessment) -> list[Section]:
         for number, life in enumerate(found.lives["a"])
     ]
     heads = (*_HEADS, "damage")
-    return [Section("Life", [loads_table(found), Table(rows, heads, (0, 4)), Said(sentences(found))])]
+    assumptions = [summary(assumed_rows(found.assumed))] if found.assumed else []
+    return [Section("Life", [loads_table(found), Table(rows, heads, (0, 4)), *assumptions, Said(sentences(found))])]
 
 
 def compared_sections(found: Assessment, other: Assessment) -> list[Section]:
