@@ -145,15 +145,15 @@ def conforming():
     return wide, {"load": 1.15e6, "moment": 9.6e6, "strips": 50}
 
 
-def test_a_share_of_the_load_is_no_solution():
-    # Rises in steps from a small load, and gets stuck at a share of it.
+def test_a_solution_that_is_reached_in_steps_is_refused_for_its_width():
+    # Rises in steps from a small load: a share of it is no solution, and the whole one is wider than the roller.
     contact, given = conforming()
     with without_accuracy_warnings():
         many = nh.solve_many(contact, **given)
-        with pytest.raises(nh.ConvergenceError) as caught:
+        with pytest.raises(nh.InputError, match=r"load = 1150000\.0 must leave the half-width, 80\.7 mm"):
             nh.solve(contact, **given)
-    assert caught.value.solution.status is not nh.Status.CONVERGED
     assert not np.any(many.converged)
+    assert isinstance(many.failures[0], nh.InputError)
 
 
 class Broken(nh.profile.Straight):

@@ -158,7 +158,7 @@ def test_what_the_case_gives_and_places_are_no_results_and_a_load_is_no_toleranc
     remarks = {row[0]: row[3] for each in tables if "in total" in each.heads for row in each.rows}
     assert remarks["load.load"] == "operating load"
     assert remarks["body.a.profile.radius"] in {"tighten this first", "tighten one of these first"}
-    assert sum(len(each.rows) for each in tables) < 12
+    assert sum(len(each.rows) for each in tables) - len(found.sweep.assumed) < 12
 
 
 @pytest.mark.parametrize(("limit", "sign"), [(2.0, 1.0), (-1.0, 1.0), (1.0, -1.0)])
@@ -203,7 +203,10 @@ def test_limits_are_counted_of_what_is_drawn():
 @pytest.mark.parametrize(
     ("limits", "what"),
     [
-        ({"max_presure": "at most 3 GPa"}, "limits.max_presure.* the nearest is 'max_pressure'"),
+        (
+            {"max_presure": "at most 3 GPa"},
+            r"Unknown quantity limits\.max_presure\. Did you mean limits\.max_pressure\?",
+        ),
         ({"max_pressure": "3 GPa"}, "begin with 'at most' or 'at least'"),
         ({"max_pressure": "at most 3 mm"}, "must have a unit of stress"),
         (["max_pressure"], "limits = .* must be a dictionary"),

@@ -100,7 +100,7 @@ def test_json_has_all_checks_and_no_infinity():
 def test_sections_come_in_reading_order_and_unknown_ones_are_refused():
     assert verify.chosen() == tuple(verify.CATALOGUE)
     assert verify.chosen(["quarter-space", "half-space", "quarter-space"]) == ("half-space", "quarter-space")
-    with pytest.raises(nh.InputError, match="choose from hertz-ellipse, line-limits, "):
+    with pytest.raises(nh.InputError, match="choose from 'hertz-ellipse', 'line-limits', "):
         verify.chosen(["half-space", "nonsense"])
 
 
