@@ -181,7 +181,7 @@ def _exponents(pressures: Sequence[float], lives: Sequence[life.Life]) -> np.nda
 def _nearer(solution: nh.Solution) -> dict[str, float]:
     """Return relative lives with only a twentieth of the half-width around sharp ends left out, not a tenth."""
     seen = life.exposure(solution, body="b")
-    away = [np.hypot(seen.y[:, None] - end, seen.half_width[:, None] * seen.depth) for end in seen.sharp]
+    away = [np.hypot(seen.y[:, None] - end, seen.z) for end in seen.sharp]
     seen = replace(seen, counted=np.min(away, axis=0) >= 0.05 * seen.half_width.max())
     return {
         label: (seen.reference.damage(model) / seen.damage(model)) ** (1.0 / model.slope)
