@@ -252,8 +252,8 @@ def judge(
         Whether the stress below the surface is searched where the pressure does not decide, which takes seconds; the
         question is left open otherwise.
     called, where : str
-        What sentences call the body, such as ``"the inner ring"``, and where they say that the pressure is; if left
-        out, ``"body a"`` and nothing.
+        Of a contact in a bearing, what sentences call the body, such as ``"the inner ring"``, and where they say that
+        the pressure is; if left out, ``"body a"`` and nothing.
 
     Returns
     -------
@@ -362,10 +362,11 @@ class _Question:
             words = f"Static safety is not known: the material of {self.name} has no pressure_limit."
             return _unknown("pressure", words, unasked=True)
         ratio = found / allowed
-        safety = f"static safety S0 = {digits(ratio**-2.0, 3)}"
+        # A bearing has an S0 of its own, C0 / P0.
+        safety = "" if self.where else f"static safety S0 = {digits(ratio**-2.0, 3)}"
         limit = f"the limit of {name_of(self.body.material) or self.name}, {{allowed:g}},"
         if self.limit:
-            what = f"The largest pressure{self.where} of {{pressure}}"
+            what = f"The largest pressure of {{pressure}}{self.where}"
             return _known("pressure", ratio, what, allowed, limit, safety, pressure=mpa(found))
         towards = "he pressure grows without limit towards {ends}"
         if ratio <= 1.0 or not self.limit.away:

@@ -279,7 +279,7 @@ def _of_contacts(solution: BearingSolution) -> Iterator[Check]:
         roller = int(np.argmax(solution.max_pressure[:, k]))
         contact = solution.contact(roller, ring)
         if contact is not None:
-            where = f" between {solution.place_of(roller)} and the {ring} ring"
+            where = f", between {solution.place_of(roller)} and the {ring} ring,"
             for body, called in zip(BODIES, ("the roller", f"the {ring} ring"), strict=True):
                 yield from judge(contact, body=body, called=called, where=where)
 
