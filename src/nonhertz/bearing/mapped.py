@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.findings import warn
 from nonhertz.inputs.checks import positive
-from nonhertz.maps.value import ContactMap
+from nonhertz.maps.value import INACCURATE, ContactMap
 from nonhertz.maps.verb import contact_map
 from nonhertz.model.contact import Contact
 
@@ -62,6 +63,9 @@ def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, ac
     for row in bearing.rows:
         for contact in row.bearing.contacts:
             if contact not in known:
-                known[contact] = contact_map(contact, load=(0.0, load), tilt=(-tilt, tilt), accuracy=accuracy)
+                with without_accuracy_warnings():
+                    known[contact] = contact_map(contact, load=(0.0, load), tilt=(-tilt, tilt), accuracy=accuracy)
+    # Of a map a bearing takes loads and moments alone.
+    warn(each for made in known.values() for each in made.findings if each.kind == INACCURATE)
     pairs = [row.bearing.contacts for row in bearing.rows]
     return BearingMaps(bearing, tuple((known[inner], known[outer]) for inner, outer in pairs))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import warnings
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -14,8 +13,10 @@ from nonhertz import ContactMap, InputError, read_case
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, named_as, refuse_unwritable_out
 from nonhertz.cli.printing import Progress
+from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.folder import write_files
 from nonhertz.files.spreads import number_in, range_in
+from nonhertz.findings import as_warnings
 from nonhertz.maps import contact_map as map_of
 from nonhertz.maps.value import ROWS, TILTS
 from nonhertz.show.maps import sections
@@ -76,20 +77,19 @@ def contact_map(
     elif tilt is not None:
         turned = number_in("--tilt", tilt, "rad")
     refuse_unwritable_out(out, file=True)
-    with named_as(**_OPTIONS), Progress(None) as progress, warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with named_as(**_OPTIONS), Progress(None) as progress, without_accuracy_warnings():
         found = map_of(
             read.contact, **pressed, tilt=turned, accuracy=accuracy, element=read.solver.element,
             announce=progress.announce,
         )  # fmt: skip
-    for each in caught:
-        warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
     made: tuple[Path, ...] = ()
     if out is not None and out.suffix.lower() == ".csv":
         made = write_files(out.parent, {out.name: found.csv(found.grid(rows or ROWS, tilts or TILTS))})
     elif out is not None:
         made = write_files(out.parent, {}, lambda folder: found.save(folder / out.name))
-    return Answer(read.title, sections(found), lambda: _as_json(found, read.title), written=made)
+    return Answer(
+        read.title, sections(found), lambda: _as_json(found, read.title), warnings=found.findings, written=made
+    )
 
 
 def _as_json(found: ContactMap, title: str) -> str:
@@ -105,6 +105,7 @@ def _as_json(found: ContactMap, title: str) -> str:
         "cases": found.cases,
         "failed": found.failed,
         "stations": found.stations.tolist(),
+        **as_warnings(found.findings),
         "units": {"load": "N", "approach": "mm", "tilt": "rad", "max_load": "N", "stations": "mm"},
     }
     return json.dumps(content, indent=2)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import astuple, dataclass
 from functools import cached_property
 from typing import Any
 
@@ -14,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import digits, mm, mrad, newton, um
 from nonhertz.compiled import numba_for_us, plain_array
 from nonhertz.errors import InputError
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import broadcast, numbers, whole
 from nonhertz.maps import files
 from nonhertz.maps.evaluation import MOST_LOAD, TILT_HIGH, TILT_LOW, Tables, all_shares, all_states
@@ -32,6 +34,9 @@ COLUMNS = (
     "max_pressure", "max_half_width",
 )  # fmt: skip
 ROWS, TILTS = 41, 21
+#: What is found of a map whose loads or moments are not as accurate as asked.
+INACCURATE = "inaccurate-map"
+BESIDE = 0.02  # error of what a map has beside load and moment that is not warned of
 _TILT_ROUNDING = 1e-12  # of the range
 _OF = {
     "load": "of the load",
@@ -87,7 +92,7 @@ class MapPoint(ReadOnly):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ContactMap(ReadOnly):
+class ContactMap(HasFindings, ReadOnly):
     """A stand-in for a contact with sampled errors; made by `nonhertz.maps.contact_map`.
 
     Attributes
@@ -147,6 +152,25 @@ class ContactMap(ReadOnly):
         """Each sampled error, and what it is relative to."""
         strips = self.stations.size - 1
         return [(in_share(getattr(self.sampled_error, name)), of.format(strips=strips)) for name, of in _OF.items()]
+
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
+        """What of the map is not accurate."""
+        return tuple(self._inaccuracies())
+
+    def _inaccuracies(self) -> Iterator[Finding]:
+        reached = max(self.sampled_error.load, self.sampled_error.moment)
+        if reached > self.accuracy:
+            words = "The map is accurate to {reached:.2g}, not to the requested {accuracy:g}; see its sampled_error."
+            yield finding(INACCURATE, words, reached=reached, accuracy=self.accuracy)
+        permitted = max(self.accuracy, BESIDE)
+        beside = zip(self.errors_in_words[2:], astuple(self.sampled_error)[2:-1], strict=True)
+        if off := [" ".join(words) for words, error in beside if error > permitted]:
+            sentence = (
+                "Beside load and moment, the map is off by more than {percent:g} %: by {off}. Where these matter, take "
+                "them from nonhertz.solve_many."
+            )
+            yield finding("inaccurate-beside", sentence, percent=100.0 * permitted, off=" and by ".join(off))
 
     @property
     def max_load(self) -> float:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import astuple, replace
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, finding, warn
+from nonhertz.findings import warn
 from nonhertz.inputs.checks import callback, finite, number_that, numbers, thread_count, whole
 from nonhertz.maps.build import FIRST_CELLS, Building, built
 from nonhertz.maps.fitting import Shape
@@ -28,7 +28,6 @@ Range = tuple[float, float]
 
 STATIONS, MOST_STATIONS = 21, 200
 CHECKS, FEWEST_CHECKS, MOST_CHECKS = 300, 20, 100_000
-BESIDE = 0.02  # error of what a map has beside load and moment that is not warned of
 _SINGLE = 5e-5  # rad to both sides of a single tilt, for the derivatives
 _END_TILTS = 9
 _BEYOND = 1.02  # the largest load between those tilts, over the largest at them
@@ -129,24 +128,8 @@ def contact_map(
         accuracy=float(accuracy),
         **found,
     )
-    warn(_inaccuracies(made))
+    warn(made.findings)
     return made
-
-
-def _inaccuracies(made: ContactMap) -> Iterator[Finding]:
-    """Yield what of a map is not accurate."""
-    reached = max(made.sampled_error.load, made.sampled_error.moment)
-    if reached > made.accuracy:
-        words = "The map is accurate to {reached:.2g}, not to the requested {accuracy:g}; see its sampled_error."
-        yield finding("inaccurate-map", words, reached=reached, accuracy=made.accuracy)
-    permitted = max(made.accuracy, BESIDE)
-    beside = zip(made.errors_in_words[2:], astuple(made.sampled_error)[2:-1], strict=True)
-    if off := [" ".join(words) for words, error in beside if error > permitted]:
-        sentence = (
-            "Beside load and moment, the map is off by more than {percent:g} %: by {off}. Where these matter, take "
-            "them from nonhertz.solve_many."
-        )
-        yield finding("inaccurate-beside", sentence, percent=100.0 * permitted, off=" and by ".join(off))
 
 
 def _pressed(contact: Contact, load: Range | None, approach: Range | None) -> tuple[bool, Range]:
