@@ -171,11 +171,11 @@ def test_the_estimate_of_an_ellipse_bounds_the_error_against_hertz():
 
 @pytest.mark.slow
 def test_a_maximum_in_a_smooth_stretch_is_not_as_uncertain_as_a_corner_elsewhere():
-    # The roughest strips on the corners of a hollow roller made 5 % of 3e-5; 475 strips give 2109.5 MPa.
+    # The roughest strips on the corners of a hollow roller made 5 % of 3e-5; 1500 strips give 2145.35 MPa.
     bored = nh.Case.of(tomllib.loads(starting_case("cylindrical")), Path(), changes={"body.a.bore": 6.0})
     found = bored.solve()
     assert abs(found.max_pressure_y) < 2.0
-    assert abs(found.max_pressure / 2109.5 - 1.0) <= found.error_estimate.max_pressure < 1e-3
+    assert abs(found.max_pressure / 2145.35 - 1.0) <= found.error_estimate.max_pressure < 1e-3
 
 
 def cornered(radius):
