@@ -5,9 +5,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from nonhertz.errors import InputError
-from nonhertz.measured import Points, fit, fit_best
+from nonhertz.measured import Points, ProfileFit, fit, fit_best
 from nonhertz.measured.fit import KINDS
 from nonhertz.model.profile import CATALOGUE
+from nonhertz.show.measured import _parameter
 
 Y = np.linspace(-5.0, 5.0, 1001)
 NOISE = 1e-4
@@ -122,3 +123,18 @@ def test_the_standard_error_of_a_height_is_that_of_a_mean():
 def test_a_fit_is_asked_for_places_and_parameters(asked, given):
     with pytest.raises(InputError, match=r"^(y|name) = "):
         getattr(fit(line("crown"), "crown"), asked)(given)
+
+
+def test_nothing_is_said_of_a_parameter_that_its_error_swallows():
+    # Of a line with a step in it: a circle of any radius, far away, fits as well.
+    numbers = {"offset": 0.28, "tilt": 0.0, "rms": 2e-3, "largest": 6e-3, "points": 12.0, "penalised": -137.0}
+    lost = ProfileFit("crown", {"radius": -347e3}, {"radius": 22.5e6, "shift": 28e3}, shift=434.0, **numbers)
+    assert [_parameter(lost, name) for name in ("radius", "shift")] == [
+        "radius not determined by the points",
+        "shift not determined by the points",
+    ]
+    kept = ProfileFit("crown", {"radius": 500.0}, {"radius": 0.5, "shift": 0.02}, shift=0.0, **numbers)
+    assert [_parameter(kept, name) for name in ("radius", "shift")] == [
+        "radius 500.00 +- 0.50 mm",
+        "shift 0 +- 20 \u00b5m",
+    ]

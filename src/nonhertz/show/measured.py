@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 from nonhertz.amounts import mm, of_dimension, um, with_error
 from nonhertz.measured import Measured, ProfileFit
 from nonhertz.show.sections import Row, Said, Section, Table, summary
 
+# An error of a length [mm] and of so many times the value: of "0 +- 28000 mm" nothing is known.
+_METRES, _SWALLOWED = 1e3, 10.0
 _FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
 
 
@@ -49,7 +50,7 @@ def _parameter(fit: ProfileFit, name: str) -> str:
     value = fit.parameters.get(name, fit.shift)
     unit = fit.unit_of(name)
     error = fit.standard_errors.get(name)
-    if error is not None and not math.isfinite(error):
+    if error is not None and not error < max(_METRES, _SWALLOWED * abs(value)):
         return f"{name} not determined by the points"  # any value fits as well
     shown = of_dimension((value,), unit)
     return f"{name} {shown if error is None else with_error(shown, error)}"
