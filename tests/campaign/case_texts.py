@@ -270,4 +270,9 @@ def read_all(numbers: range, folder: str, kind: str) -> Outcome:
 
 def is_sentence(text: str) -> bool:
     """Return whether a complaint is one: on one line, ended, and no longer than a person reads."""
-    return text.endswith(".") and "\n" not in text and len(text) < 1000 and not text.partition(":")[0].endswith("Error")
+    return (
+        text.endswith((".", "?"))
+        and "\n" not in text
+        and len(text) < 1000
+        and not text.partition(":")[0].endswith("Error")
+    )

@@ -13,6 +13,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 import nonhertz as nh
 from nonhertz.bearing import strips
 from nonhertz.bearing.strips import StripLaw, StrippedContact
+from nonhertz.errors import without_accuracy_warnings
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NU206 = nu206(corner_radius=0.3, profile=nh.profile.crown(1200.0))
@@ -260,9 +261,9 @@ def test_light_contacts_take_no_more_strips_than_by_themselves():
     contact = nh.Contact(nh.Roller(diameter=4.0, length=5.2, corner_radius=0.153), nh.Ring(diameter=31.0))
     law, approach = law_of(contact), np.array([1.5e-4, 1e-4, 3e-8])
     law.answer(np.arange(3), np.stack([approach, np.zeros(3)], axis=1)[:, None])
-    assert [law.edges(row).size - 1 for row in range(3)] == [
-        nh.solve(contact, approach=each).strips for each in approach
-    ]
+    with without_accuracy_warnings():  # a speck at a corner: its largest pressure is not known to be within its size
+        alone = [nh.solve(contact, approach=each).strips for each in approach]
+    assert [law.edges(row).size - 1 for row in range(3)] == alone
 
 
 def test_few_strips_bear_close_to_a_corner():

@@ -251,7 +251,7 @@ class Life(Input):
             not_negative,
             "give a limit in MPa, 0 for none",
         ),
-        Assumed("fatigue limit of 360 MPa", "the life by ioannides-harris", _by("ioannides-harris")),
+        Assumed("usual fatigue limit of bearing steel", "the life by ioannides-harris", _by("ioannides-harris")),
     ] = None
     laminae: Annotated[
         int | None,
