@@ -138,7 +138,8 @@ def kind(key: Key) -> str:
         case Flag():
             found = ["``true``, ``false``"]
         case Custom():
-            found = [f"``{one.json['const']}``"]
+            types = [{"string": "text"}.get(each["type"], each["type"]) for each in one.json.get("anyOf", ())]
+            found = types or [f"``{one.json['const']}``"]
         case _:
             found = ["text"] if getattr(one, "named", ()) else []
     found += ["table"] if key.tables and not isinstance(one, Several) else []
