@@ -145,9 +145,7 @@ def with_life(found: Verdict | None, life: float | None, required: float | None)
     """Return a verdict that counts whether a life [10^6 revolutions] is as long as is asked for, if any is."""
     if found is None or required is None:
         return found
-    level, lasting = _lasting(life, required)
-    findings = (*found.findings, lasting) if level.rank <= found.level.rank else (lasting, *found.findings)
-    return replace(found, level=max(level, found.level, key=lambda each: each.rank), findings=findings)
+    return _beside(found, [_lasting(life, required)])
 
 
 def worst_of(found: Mapping[str, Verdict | None]) -> Verdict | None:
@@ -204,15 +202,14 @@ def of_rows(
     strained = int(np.count_nonzero(np.asarray(warned, dtype=float) > 0.0))
     if worst is None or len(solved) == 1:
         return worst
-    found = [(worst.level, each) for each in worst.findings]
+    found: list[tuple[Level, Finding]] = []
     if len(largest) == 1:
         worst = replace(worst, where=f"in {what} {largest.popitem()[1]}")
         found += _beyond(known[solved], worst, f"{what}s")
     if strained:
         words = f"{{strained}} of {{rows}} {what}s have warnings: solve one of them to read which."
         found.append((Level.STRAINED, finding("rows-warned", words, strained=strained, rows=len(solved))))
-    level = max((level for level, _ in found), key=lambda level: level.rank)
-    return replace(worst, level=level, findings=tuple(each for _, each in found))
+    return _beside(worst, found)
 
 
 def _beyond(pressures: NDArray[np.float64], worst: Verdict, what: str) -> Iterator[tuple[Level, Finding]]:
@@ -327,6 +324,12 @@ def _unlimited(solution: Solution) -> Iterator[tuple[Level, Finding]]:
 
 def _strained(found: Iterable[Finding]) -> Iterator[tuple[Level, Finding]]:
     return ((Level.STRAINED, each) for each in found if each.kind not in _OF_ENDS)
+
+
+def _beside(verdict: Verdict, more: Iterable[tuple[Level, Finding]]) -> Verdict:
+    """Return a verdict that counts more than it did, what decides it first."""
+    together = _worst([*((verdict.level, each) for each in verdict.findings), *more], ())
+    return replace(verdict, level=together.level, findings=together.findings)
 
 
 def _worst(found: Sequence[tuple[Level, Finding]], checks: Iterable[Check], pressure: float = 0.0) -> Verdict:
