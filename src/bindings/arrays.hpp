@@ -1,0 +1,44 @@
+// Arrays of numpy as spans of the core, and the other way round.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "numbers/array.hpp"
+
+namespace nonhertz {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+/// Arrays that Python passes: of doubles, in C order, read only.
+using VectorIn = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using MatrixIn = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+using VectorOut = nb::ndarray<nb::numpy, const double, nb::ndim<1>>;
+using MatrixOut = nb::ndarray<nb::numpy, const double, nb::ndim<2>>;
+
+inline View view(const VectorIn& array) { return {array.data(), array.size()}; }
+inline Numbers numbers(const VectorIn& array) { return {array.data(), array.data() + array.size()}; }
+
+inline std::shared_ptr<const Matrix> matrix(const MatrixIn& array) {
+  auto copy = std::make_shared<Matrix>(array.shape(0), array.shape(1));
+  std::copy_n(array.data(), array.size(), copy->all().begin());
+  return copy;
+}
+
+/// Numbers as an array that cannot be written to and keeps their owner.
+inline VectorOut view_of(View values, nb::handle owner) { return VectorOut(values.data(), {values.size()}, owner); }
+
+/// Numbers as an array that owns them.
+inline VectorOut array_of(Numbers values) {
+  auto kept = std::make_unique<Numbers>(std::move(values));
+  const double* data = kept->data();
+  const std::size_t size = kept->size();
+  nb::capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<Numbers*>(p); });
+  return VectorOut(data, {size}, owner);
+}
+
+}  // namespace nonhertz

@@ -1,0 +1,15 @@
+// The module that Python imports. No numbers are worked out in src/bindings.
+#include "bindings/rooms.hpp"
+
+NB_MODULE(NONHERTZ_MODULE, m) {
+  using namespace nonhertz;
+  m.doc() = "The numbers of nonhertz in C++: arrays in, arrays out.";
+  bind_strips(m);
+  bind_bodies(m);
+  bind_grids(m);
+  bind_judging(m);
+  bind_solve(m);
+  bind_bearing(m);
+  bind_maps(m);
+  bind_subsurface(m);
+}

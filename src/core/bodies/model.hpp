@@ -1,0 +1,87 @@
+// A contact as strips of one element see it, whatever is prescribed and wherever they lie. Nothing in it changes after
+// it is made, so that any number of threads may solve with it.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "bodies/reference.hpp"
+#include "bodies/relief.hpp"
+#include "strips/strips.hpp"
+
+namespace nonhertz {
+
+inline constexpr int SAMPLES = 600;  // intervals along the bodies
+
+struct Body {
+  Relief relief;
+  double curvature;  ///< across the contact [1/mm], negative where concave
+  double modulus;    ///< [MPa]
+};
+
+/// A side face that images are about, at low (-1) or high y.
+struct FreedFace {
+  double y, side, image_weight, free;
+};
+
+/// Places [mm] and the separation there [mm].
+struct Samples {
+  Numbers y, h;
+};
+
+/// Where the slope of the separation jumps [mm], ascending, and by how much [rad].
+struct Kinks {
+  Numbers place, turn;
+};
+
+struct Contact {
+  std::array<Body, 2> bodies;
+  Kernel kernel;
+  std::vector<Reference> references;
+  std::vector<FreedFace> freed;
+  double compliance;      ///< K [1/MPa]
+  Pair interval;          ///< where both can touch [mm], finite
+  Numbers bends, crests;  ///< where a relief bends, or may stand out between samples [mm], ascending
+};
+
+class Model {
+ public:
+  explicit Model(Contact contact);
+
+  const Contact& contact() const { return contact_; }
+  const Kernel& kernel() const { return contact_.kernel; }
+  double hertz_ratio() const { return contact_.kernel.element->hertz_ratio; }
+  double low() const { return contact_.interval[0]; }
+  double high() const { return contact_.interval[1]; }
+  double curvature() const { return contact_.bodies[0].curvature + contact_.bodies[1].curvature; }
+
+  Numbers separation(View y) const;
+  double separation(double y) const;
+  /// Strips between these edges, with all that is known about them.
+  std::shared_ptr<const Grid> grid(Numbers edges) const;
+  /// The same for springs, which do not move one another: thousands of them stand without a matrix of all by all.
+  std::shared_ptr<Grid> springs(Numbers edges) const;
+  /// Displacement at any places of what it is measured against, per unit of K q of each strip.
+  Matrix at_depth(View y, View edges) const;
+  double min_depth() const;
+
+  /// The separation at even places along the bodies; with the crests between them; and on another interval.
+  const Samples& sampled() const { return sampled_; }
+  const Samples& surveyed() const { return surveyed_.y.empty() ? sampled_ : surveyed_; }
+  Samples sampled(double low, double high) const;
+  Samples surveyed(double low, double high) const;
+  const Kinks& kinks() const { return kinks_; }
+  /// Those of the bends between two places whose slope jumps, looked at in steps of a fraction of their distance.
+  Kinks kinks_among(View bends, double length) const;
+
+ private:
+  Contact contact_;
+  Samples sampled_, surveyed_;  // surveyed only where there are crests
+  Kinks kinks_;
+};
+
+/// Edges of equal strips.
+Numbers uniform(double low, double high, Index count);
+
+}  // namespace nonhertz

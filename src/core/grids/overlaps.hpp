@@ -1,0 +1,22 @@
+// Where the bodies overlap although no strip is in contact: another contact that the strips have missed.
+//
+// Contact conditions are enforced only at strip centres. So the bodies are sampled again along their whole length,
+// including every crest of the profiles and the vertices of parabolas through the samples.
+#pragma once
+
+#include "grids/laying.hpp"
+
+namespace nonhertz {
+
+/// Whether there may be a contact where no strip is: where the undeformed surfaces overlap most.
+bool suspect(const Level& level, const Samples& along);
+
+/// Places [mm], ascending, and by how much the surfaces overlap there although no strip is in contact [mm].
+///
+/// Zero in contact and beside it, negative where the undeformed surfaces are apart; none where all is in contact.
+Samples overlapping(const Model& model, const Level& level, const Samples& along);
+
+/// The midpoints of intervals where the surfaces overlap between strips out of contact, and widths for strips there.
+std::vector<Extra> overlaps(const Model& model, const Level& level);
+
+}  // namespace nonhertz

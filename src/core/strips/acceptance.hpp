@@ -1,0 +1,27 @@
+// The final check of a solution: whether it meets what was prescribed, computed from its own arrays alone.
+//
+// It shares nothing with the loop but the element's table and the images: from edges, loads, half-widths and motion it
+// recomputes displacement and curvature at every strip. A state that fails it is no solution, whatever the loop
+// reported.
+#pragma once
+
+#include "strips/kernel.hpp"
+#include "strips/strips.hpp"
+
+namespace nonhertz {
+
+enum class Unmet { none, not_finite, first, second, tension, unclosed, overlap, bent, hidden };
+
+/// The first condition that is not met, the value found, and the strip where it was found.
+struct Shortfall {
+  Unmet condition = Unmet::none;
+  double found = 0.0;
+  Index at = 0;
+};
+
+Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const State& state);
+
+/// Whether the bodies resist being pressed together and being tilted; spurious solutions do not.
+bool steady(const Grid& grid, const State& state);
+
+}  // namespace nonhertz

@@ -1,0 +1,67 @@
+// From strip loads to displacement and curvature on the centre line, per unit of compliance.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "strips/free_end.hpp"
+#include "strips/kernel.hpp"
+#include "strips/strips.hpp"
+
+namespace nonhertz {
+
+/// [A], [t A'], [B] and [t B'] of some strips (columns) at the centres of all (rows).
+using Blocks = std::array<Matrix, 4>;
+
+/// How the strips of one grid act on one another.
+///
+/// What a strip does far away needs a short series in m only: all its terms, hundreds of images among them, are added
+/// up once, and serve for as long as the strip is not much wider than it was then (`keep_up`).
+class Influence {
+ public:
+  Influence(const Grid& grid, const Kernel& kernel);
+
+  /// Forget what strips do far away.
+  void restart();
+  /// Work out what those strips do far away that are wider than it holds for.
+  void keep_up(View m);
+  /// Fill in the coefficients of the strips `active`.
+  void coefficients(View m, const std::vector<Index>& active, Blocks& out);
+  /// Fill in the displacement at all centres under loads K q.
+  void lift(View m, View q, Row out);
+
+ private:
+  struct Range {
+    Index begin, end;
+  };
+  Row power(Index source, int k) { return powers_[source * (1 + POWERS) + k]; }
+  Range& near(Index term, Index source) { return near_[term * n_ + source]; }
+  void add_far_term(const Term& term, Index at);
+  void add_beyond_face(const Face& face, Index at);
+  void seen_from(Index source, double m);
+
+  const Grid& grid_;
+  const Kernel& kernel_;
+  Index n_;
+  std::vector<Range> near_;  // of each term and face, and source: the places that are not far
+  Matrix powers_;            // of each source: the logarithm of far edge over near, and differences of 1 / y'^2k
+  Numbers limits_;           // largest m for which this holds, 0 where nothing is known
+  std::vector<char> wider_;  // which strips are wider than that
+  std::vector<Four> seen_;   // what one source does at all places
+  Numbers distance_;         // room to work in
+};
+
+/// What a free side face adds to [A], [t A'], [B] and [t B'] at y of a strip with 1/a = inverse.
+Four added_by_face(double y, double low, double high, double inverse, const Face& face, const Element& element,
+                   Squares& kept);
+
+/// Displacement on the surface at any places, per unit of compliance, points at depth left out.
+Numbers on_the_surface(View places, const Grid& grid, const State& state, const Kernel& kernel);
+
+/// [A] of a strip at its own centre and d(m [A])/dm.
+inline Pair self_displacement(double width, double m, const double* table) {
+  const Four s = evaluate(0.5 * width / std::sqrt(m), table);
+  return {2.0 * s.a(), 2.0 * s.a() - s.ta()};
+}
+
+}  // namespace nonhertz

@@ -1,0 +1,37 @@
+// Small dense linear equations, by Gaussian elimination with row pivoting, in a fixed order of operations.
+//
+// With a hundred unknowns, a call to LAPACK loses in copies and threads what it saves in arithmetic. Nearly all of the
+// work is one matrix product, in tiles of 4 x 8 numbers that stay in registers. Systems are padded to whole blocks with
+// equations x = 0, so that tiles never meet an edge.
+#pragma once
+
+#include "numbers/array.hpp"
+
+namespace nonhertz {
+
+inline constexpr Index BLOCK = 8;  // rows and columns eliminated at a time, also the width of a tile
+
+inline constexpr Index padded(Index count) { return (count + BLOCK - 1) / BLOCK * BLOCK; }
+
+/// A system of equations: the matrix, and from column `sides()` on its right-hand sides, which become the solutions.
+class System {
+ public:
+  /// Make it all zero, but for the padding.
+  void reset(Index unknowns, Index sides);
+  /// Replace the right-hand sides by the solutions; not finite where the matrix, which is overwritten, is singular.
+  void solve();
+  /// Subtract the product of a padded square matrix and the right-hand sides of another system from the matrix.
+  void subtract_product(const Matrix& left, const System& right);
+
+  Index sides() const { return values_.rows(); }
+  double& operator()(Index i, Index j) { return values_(i, j); }
+  double operator()(Index i, Index j) const { return values_(i, j); }
+
+ private:
+  void pivot(Index first);
+
+  Index unknowns_ = 0;
+  Matrix values_, panel_;
+};
+
+}  // namespace nonhertz

@@ -1,0 +1,350 @@
+#include "strips/newton.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace nonhertz {
+namespace {
+
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
+// Once residual and step are this small, the error left is the square of the step, and the stiffness is accurate to
+// SMALL_STEP. The same on the way to a finer grid, where the stiffness is not needed.
+constexpr double NEARLY = 1e-8, SMALL_STEP = 1e-5, ROUGHLY_NEARLY = 1e-3, ROUGHLY_SMALL = 0.1;
+constexpr int STEP_LIMIT = 60;
+constexpr double LEAST_CHANGE = 0.3;  // smallest factor by which r may change in one step; its inverse is the largest
+constexpr double WIDEST = 1e4;        // half-width over half the length, beyond which the iteration has diverged
+// A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
+constexpr double LET_SETTLE = 0.1;
+
+double imbalance(const Prescription& given, const Pair& off, double load) {
+  double largest = 0.0;
+  const double reference = given.by_force[0] ? given.target[0] : load;
+  for (int k = 0; k < 2; ++k)
+    if (given.by_force[k]) largest = worse(largest, std::fabs(off[k]) / reference);
+  return largest;
+}
+
+double sum(View values) {
+  double total = 0.0;
+  for (double each : values) total += each;
+  return total;
+}
+
+double largest_of(View values) {
+  double largest = 0.0;
+  for (double each : values) largest = worse(largest, each);
+  return largest;
+}
+
+}  // namespace
+
+Newton::Newton(const Grid& grid, const Kernel& kernel)
+    : grid_(grid), kernel_(kernel), half_(grid.half_length()), influence_(grid, kernel) {}
+
+void Newton::run(const Prescription& given, const Options& options, State& state) {
+  const bool rough = options.tolerance > TOLERANCE;
+  const double nearly = rough ? ROUGHLY_NEARLY : NEARLY, small_step = rough ? ROUGHLY_SMALL : SMALL_STEP;
+  const auto ends = [&state](Status status, int steps, double residual) {
+    state.status = status, state.steps = steps, state.residual = residual;
+  };
+  influence_.restart();
+  double residual = INFINITE;
+  for (int step = 0; step < STEP_LIMIT; ++step) {
+    pair_lone_strip(given, state);
+    find_active(state);
+    if (active_.empty()) return ends(Status::stagnated, step, residual);
+    influence_.keep_up(state.m);
+    const auto [scale, noise, unsettled] = weigh(given, options, state);
+    double least = state.gap[0];
+    for (double gap : state.gap) least = -worse(-least, -gap);
+    residual = worse(unsettled, -(least + noise) / scale);
+    // A strip whose m is NaN is not active and appears in no residual.
+    if (!std::isfinite(residual) || !std::isfinite(sum(state.m))) return ends(Status::stagnated, step, residual);
+    find_directions();
+    border(state);
+    if (residual < options.tolerance) {
+      for (std::size_t k = 0; k < active_.size(); ++k) state.gap[active_[k]] = unclosed_[k];
+      return ends(Status::converged, step, residual);
+    }
+    const Pair rigid = rigid_step(given);
+    const double largest = combine(rigid);
+    const double widest = largest_of(state.m), limit = WIDEST * half_;
+    if (widest > limit * limit || !std::isfinite(largest)) return ends(Status::stagnated, step, residual);
+    state.rigid[0] += options.relaxation * rigid[0];
+    state.rigid[1] += options.relaxation * rigid[1] / half_;
+    const bool changed = update(options.relaxation, state);
+    const bool entered = enter(noise + LET_SETTLE * unsettled * scale, state);
+    if (residual < nearly && largest < small_step && !changed && !entered) {
+      influence_.keep_up(state.m);
+      const double left = violation(given, state);
+      if (left < options.tolerance) return ends(Status::converged, step + 1, left);
+    }
+  }
+  ends(Status::iteration_limit, STEP_LIMIT, residual);
+}
+
+/// Put a neighbour in contact beside a lone strip that must carry load and moment: one strip cannot.
+void Newton::pair_lone_strip(const Prescription& given, State& state) const {
+  if (!given.both()) return;
+  Index alone = 0, count = 0;
+  for (Index i = 0; i < grid_.count(); ++i)
+    if (state.m[i] > 0.0) alone = i, ++count;
+  if (count != 1) return;
+  const double arm = given.target[1] / given.target[0] - grid_.y[alone];
+  const Index other = alone + (arm > 0.0 ? 1 : -1);
+  if (std::fabs(arm) > 1e-12 * grid_.width(alone) && 0 <= other && other < grid_.count()) {
+    state.m[other] = 1e-3 * state.m[alone];
+    state.r[other] = state.r[alone];
+  }
+}
+
+void Newton::find_active(const State& state) {
+  active_.clear();
+  for (Index i = 0; i < grid_.count(); ++i)
+    if (state.m[i] > 0.0) active_.push_back(i);
+}
+
+/// Linearise; fill in the gap of idle strips, and return the largest residual that they are not yet part of.
+Newton::Weighed Newton::weigh(const Prescription& given, const Options& options, State& state) {
+  const double unbent = linearise(given, options, state);
+  auto [scale, noise, unsettled] = scales(state);
+  for (Index i = 0; i < grid_.count(); ++i) {
+    // Where the bodies never meet the gap is infinite, whatever the displacement.
+    const bool idle = !(state.m[i] > 0.0);
+    double gap = idle ? -state.interference(grid_, i) : 0.0;
+    if (idle && std::isfinite(gap))
+      for (std::size_t j = 0; j < r_.size(); ++j) gap += blocks_[0](i, j) * (r_[j] * m_[j]);
+    state.gap[i] = gap;
+  }
+  double largest = 0.0;
+  for (double each : unclosed_) largest = worse(largest, std::fabs(each));
+  unsettled = worse((largest - noise) / scale, unbent);
+  return {scale, noise, worse(unsettled, imbalance(given, off_, sum(weights_)))};
+}
+
+/// Return the deepest interference in contact, and the rounding error of a gap, a difference of large lengths.
+Newton::Weighed Newton::scales(const State& state) const {
+  double deepest = -INFINITE, longest = 0.0;
+  for (Index i : active_) {
+    deepest = worse(deepest, state.interference(grid_, i));
+    longest = worse(longest, std::fabs(grid_.separation[i]));
+  }
+  const double moved = std::fabs(state.rigid[0]) + std::fabs(state.rigid[1]) * half_;
+  return {deepest > 0.0 ? deepest : moved, 1e-15 * (moved + longest), 0.0};
+}
+
+/// Set up the equations at a state, whose r is brought to the curvature rows; return these rows' largest residual.
+double Newton::linearise(const Prescription& given, const Options& options, State& state) {
+  const Index k = static_cast<Index>(active_.size()), at = padded(k);
+  influence_.coefficients(state.m, active_, blocks_);
+  solve_curvature();
+  for (Numbers* each : {&r_, &m_, &missing_, &weights_, &lever_, &unclosed_}) each->resize(k);
+  for (Index i = 0; i < k; ++i) {
+    const Index source = active_[i];
+    const double required = curved_(i, at + k), before = state.r[source];
+    m_[i] = state.m[source];
+    // Far from the solution it may not even be positive.
+    r_[i] = options.eager ? std::min(std::max(required, LEAST_CHANGE * before), before / LEAST_CHANGE) : before;
+    if (std::isnan(before)) r_[i] = before;
+    missing_[i] = required - r_[i];
+    state.r[source] = r_[i];
+    weights_[i] = r_[i] * m_[i] * grid_.width(source);
+    lever_[i] = grid_.y[source] / half_;
+  }
+  double load = 0.0, moment = 0.0, unbent = 0.0;
+  for (Index i = 0; i < k; ++i) {
+    const Index source = active_[i];
+    double lift = 0.0, bend = 0.0;
+    for (Index j = 0; j < k; ++j) {
+      lift += blocks_[0](source, j) * (r_[j] * m_[j]);
+      bend += blocks_[2](source, j) * r_[j];
+    }
+    unclosed_[i] = lift - state.interference(grid_, source);
+    unbent = worse(unbent, std::fabs(bend / grid_.curvature[source] - 1.0));
+    load += weights_[i];
+    moment += weights_[i] * lever_[i];
+  }
+  off_ = balance(given, state.rigid, load, moment);
+  return unbent;
+}
+
+/// Return target minus current approach or load, and tilt or moment; a tilt as the approach it gives at the end.
+Pair Newton::balance(const Prescription& given, const Pair& rigid, double load, double moment) const {
+  return {given.by_force[0] ? given.target[0] - load : given.target[0] - rigid[0],
+          given.by_force[1] ? given.target[1] / half_ - moment : (given.target[1] - rigid[1]) * half_};
+}
+
+/// Solve the curvature rows for F = d r / d (r mu), mu being the relative changes of m, and for r itself.
+void Newton::solve_curvature() {
+  const Index k = static_cast<Index>(active_.size()), at = padded(k);
+  curved_.reset(k, k + 1);
+  for (Index i = 0; i < k; ++i) {
+    const Index source = active_[i];
+    for (Index j = 0; j < k; ++j) {
+      curved_(i, j) = blocks_[2](source, j);
+      curved_(i, at + j) = 0.5 * blocks_[3](source, j);
+    }
+    curved_(i, at + k) = grid_.curvature[source];
+  }
+  curved_.solve();
+}
+
+/// Find the relative changes of r and of q for the residual and both rigid motions.
+///
+/// With v = r mu the gap rows are [A] m (missing + F v) + ([A] - [t A'] / 2) m v = sides.
+void Newton::find_directions() {
+  const Index k = static_cast<Index>(active_.size()), at = padded(k);
+  step_.reset(k, 3);
+  loaded_.resize(at, at);
+  std::fill(loaded_.all().begin(), loaded_.all().end(), 0.0);
+  for (Index i = 0; i < k; ++i) {
+    const Index source = active_[i];
+    for (Index j = 0; j < k; ++j) {
+      const double own = blocks_[0](source, j), change = blocks_[1](source, j);
+      loaded_(i, j) = -own * m_[j];
+      step_(i, j) = (own - 0.5 * change) * m_[j];
+    }
+  }
+  step_.subtract_product(loaded_, curved_);
+  // Clear what the product left in the padding, so that it stays decoupled.
+  for (Index i = 0; i < at; ++i)
+    for (Index j = k; j < at; ++j) step_(i, j) = i == j ? 1.0 : 0.0;
+  for (Index i = 0; i < k; ++i) {
+    double total = 0.0;
+    for (Index j = 0; j < k; ++j) total += loaded_(i, j) * missing_[j];
+    step_(i, at) = total - unclosed_[i];
+    step_(i, at + 1) = 1.0;
+    step_(i, at + 2) = lever_[i];
+  }
+  step_.solve();
+  d_r_.resize(k), d_q_.resize(k);
+  for (Index i = 0; i < k; ++i) {
+    std::array<double, 3> change{missing_[i], 0.0, 0.0};
+    for (Index j = 0; j < k; ++j)
+      for (int side = 0; side < 3; ++side) change[side] += curved_(i, at + j) * step_(j, at + side);
+    for (int side = 0; side < 3; ++side) {
+      d_r_[i][side] = change[side] / r_[i];
+      d_q_[i][side] = d_r_[i][side] + step_(i, at + side) / r_[i];
+    }
+  }
+}
+
+/// Find the changes of load and of moment / half for the residual and both rigid motions, and the stiffness.
+void Newton::border(State& state) {
+  response_ = {};
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double change = weights_[i] * d_q_[i][k];
+      response_[0][k] += change;
+      response_[1][k] += change * lever_[i];
+    }
+  state.stiffness[0] = {response_[0][1], response_[0][2] * half_};
+  state.stiffness[1] = {response_[1][1] * half_, response_[1][2] * half_ * half_};
+}
+
+/// Return the changes of approach and of tilt times half length that meet the prescribed pair.
+Pair Newton::rigid_step(const Prescription& given) const {
+  double a = 1.0, b = 0.0, c = 0.0, d = 1.0;
+  auto [first, second] = off_;
+  // A single strip has no stiffness against tilt, like a ball: a tiny addition to the diagonal leaves its tilt alone.
+  const double ridge = 1e-14 * std::fabs(response_[0][1]);
+  if (given.by_force[0]) {
+    a = response_[0][1] + ridge, b = response_[0][2];
+    first -= response_[0][0];
+  }
+  if (given.by_force[1]) {
+    c = response_[1][1], d = response_[1][2] + ridge;
+    second -= response_[1][0];
+  }
+  const double determinant = a * d - b * c;
+  return {(first * d - second * b) / determinant, (second * a - first * c) / determinant};
+}
+
+/// Put the step for this motion in the first columns, and return the largest change of r or of m.
+double Newton::combine(const Pair& rigid) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < d_r_.size(); ++i) {
+    d_r_[i][0] += rigid[0] * d_r_[i][1] + rigid[1] * d_r_[i][2];
+    d_q_[i][0] += rigid[0] * d_q_[i][1] + rigid[1] * d_q_[i][2];
+    largest = worse(largest, worse(std::fabs(d_r_[i][0]), std::fabs(d_q_[i][0] - d_r_[i][0])));
+  }
+  return largest;
+}
+
+/// Apply the relative steps of r and q; return whether a strip left or was held back.
+bool Newton::update(double relaxation, State& state) const {
+  bool changed = false;
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    const Index i = active_[k];
+    const double rho = d_r_[k][0], sigma = d_q_[k][0], mu = relaxation * (sigma - rho);
+    const double old_r = state.r[i], old_m = state.m[i];
+    state.r[i] = old_r * std::min(std::max(1.0 + relaxation * rho, LEAST_CHANGE), 1.0 / LEAST_CHANGE);
+    if (mu > 15.0) {
+      changed = true;
+      state.m[i] = 16.0 * old_m;
+    } else if (mu < -0.9) {
+      // Its own effect, m [A](m), is a concave function through zero: a leaving strip takes the m that satisfies its
+      // own equation, which stops nearly idle strips from oscillating in and out.
+      changed = true;
+      const double required = blocks_[0](i, k) * (1.0 + relaxation * sigma) - 0.5 * blocks_[1](i, k) * mu;
+      state.m[i] = required > 0.0 ? own_width(old_m * required * old_r / state.r[i], grid_.width(i)) : 0.0;
+    } else {
+      state.m[i] = old_m * (1.0 + mu);
+    }
+  }
+  return changed;
+}
+
+/// Put strips with more than this overlap in contact, with r from the nearest strip in contact.
+bool Newton::enter(double overlap, State& state) const {
+  bool entered = false;
+  for (Index i = 0; i < grid_.count(); ++i) {
+    if (!(state.gap[i] < -overlap)) continue;
+    entered = true;
+    Index nearest = active_[0];
+    for (Index j : active_)
+      if (std::abs(j - i) < std::abs(nearest - i)) nearest = j;
+    state.r[i] = state.r[nearest] * grid_.curvature[i] / grid_.curvature[nearest];
+    state.m[i] = own_width(-state.gap[i] / state.r[i], grid_.width(i));
+  }
+  return entered;
+}
+
+/// Return m with m [A](m) = required, by Newton's method on a concave increasing function.
+double Newton::own_width(double required, double width) const {
+  double m = 0.25 * required;
+  for (int i = 0; i < 40; ++i) {
+    const auto [value, slope] = self_displacement(width, m, kernel_.element->table.data());
+    const double better = std::max(m - (m * value - required) / slope, 0.05 * m);
+    if (std::fabs(better - m) < 1e-6 * m) return better;
+    m = better;
+  }
+  return m;
+}
+
+/// Fill the gap everywhere and return the largest relative violation of contact and balance.
+double Newton::violation(const Prescription& given, State& state) {
+  const Index n = grid_.count();
+  q_.resize(n), raised_.resize(n);
+  for (Index i = 0; i < n; ++i) q_[i] = state.r[i] * state.m[i];
+  influence_.lift(state.m, q_, raised_);
+  double worst = 0.0, deepest = -INFINITE, load = 0.0, moment = 0.0;
+  for (Index i = 0; i < n; ++i) {
+    const double depth = state.interference(grid_, i);
+    state.gap[i] = std::isfinite(depth) ? raised_[i] - depth : -depth;
+    if (!(state.m[i] > 0.0)) {
+      worst = worse(worst, -state.gap[i]);
+      continue;
+    }
+    worst = worse(worst, std::fabs(state.gap[i]));
+    deepest = worse(deepest, depth);
+    const double carried = q_[i] * grid_.width(i);
+    load += carried;
+    moment += carried * grid_.y[i];
+  }
+  const Pair off = balance(given, state.rigid, load, moment / half_);
+  find_active(state);
+  return worse((worst - scales(state).noise) / deepest, imbalance(given, off, load));
+}
+
+}  // namespace nonhertz

@@ -1,0 +1,74 @@
+// The one loop: a semi-smooth Newton method for loads and half-widths of all strips at once.
+//
+// For each strip in contact the gap and its second derivative across vanish on the centre line; a strip whose m would
+// turn negative leaves, one whose gap is negative enters. The curvature rows are linear in r: every step first solves
+// them for r at the current m, so the step itself is a system in m alone, bordered by approach and tilt.
+#pragma once
+
+#include "strips/influence.hpp"
+#include "strips/linear.hpp"
+#include "strips/strips.hpp"
+
+namespace nonhertz {
+
+// For a solution, and for one that only serves as the start on the next grid.
+inline constexpr double TOLERANCE = 1e-11, ROUGH_TOLERANCE = 1e-6;
+
+struct Options {
+  double tolerance = TOLERANCE;  ///< largest relative residual of a solution
+  double relaxation = 1.0;       ///< fraction of each step to take
+  bool eager = true;             ///< whether the curvature rows are solved for r before every step
+};
+
+/// A Newton loop on one grid, with the room it works in.
+class Newton {
+ public:
+  Newton(const Grid& grid, const Kernel& kernel);
+
+  /// Solve from the r, m and rigid motion in `state`, and leave there what is reached.
+  void run(const Prescription& given, const Options& options, State& state);
+
+ private:
+  struct Weighed {
+    double scale, noise, unsettled;
+  };
+  struct Largest {
+    double residual, step;
+  };
+
+  void pair_lone_strip(const Prescription& given, State& state) const;
+  void find_active(const State& state);
+  Weighed weigh(const Prescription& given, const Options& options, State& state);
+  double linearise(const Prescription& given, const Options& options, State& state);
+  void solve_curvature();
+  void find_directions();
+  void border(State& state);
+  Pair rigid_step(const Prescription& given) const;
+  double combine(const Pair& rigid);
+  bool update(double relaxation, State& state) const;
+  bool enter(double overlap, State& state) const;
+  double violation(const Prescription& given, State& state);
+  Weighed scales(const State& state) const;
+  Pair balance(const Prescription& given, const Pair& rigid, double load, double moment) const;
+  double own_width(double required, double width) const;
+
+  const Grid& grid_;
+  const Kernel& kernel_;
+  const double half_;
+  Influence influence_;
+  // The equations of the strips in contact, linearised at a state; one entry per such strip.
+  std::vector<Index> active_;
+  Blocks blocks_;
+  System curved_, step_;  // F = d r / d (r mu) and r itself; the step for three right-hand sides
+  Matrix loaded_;
+  Numbers r_, m_, missing_, weights_, lever_, unclosed_;
+  std::vector<std::array<double, 3>> d_r_, d_q_;  // relative changes for the residual and both rigid motions
+  std::array<std::array<double, 3>, 2> response_{};
+  Pair off_{};  // target minus current approach or load, and tilt or moment
+  Numbers q_, raised_;
+};
+
+/// Return the larger of two numbers, or NaN if either is.
+inline double worse(double one, double other) { return std::isnan(one) || other <= one ? one : other; }
+
+}  // namespace nonhertz

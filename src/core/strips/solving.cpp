@@ -1,0 +1,133 @@
+#include "strips/solving.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "strips/start.hpp"
+
+namespace nonhertz {
+namespace {
+
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
+constexpr double NEARBY = 0.1;       // relative change up to which the case before serves as the start
+constexpr double LEAST_RISE = 1e-3;  // of the load: a smaller increment is not attempted
+// Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin. Below the
+// first no loop is started, below the second a failed start is not retried.
+constexpr double HOPELESS = 0.7, BEYOND_HELP = 2.0;
+constexpr int RISES = 40;
+// Up to so many strips all starts are tried. On more, a step costs the cube of the strips: no other start is tried once
+// those that failed have cost so many steps on the first, nor is the load raised.
+constexpr Index PATIENT_STRIPS = 400;
+constexpr double RETRIED = 360.0;
+
+enum Start { BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS };
+
+bool within_reach(const Grid& grid, const Prescription& given) {
+  std::optional<Index> first, last;
+  for (Index i = 0; i < grid.count(); ++i)
+    if (std::isfinite(grid.separation[i])) last = i, first = first ? first : last;
+  if (!first || !given.both()) return first.has_value();
+  const double arm = given.target[1] / given.target[0];
+  return grid.y[*first] <= arm && arm <= grid.y[*last];
+}
+
+/// Begin where a similar case ended; return whether it is similar enough.
+bool start_from_before(const Grid& grid, const Prescription& given, const Attempt& attempt, State& state) {
+  if (attempt.before == nullptr || !attempt.before->converged()) return false;
+  const Pair &target = given.target, &before = attempt.of_before.target;
+  const double half = grid.half_length();
+  double scale = std::fabs(target[1]);
+  if (!given.by_force[1])
+    scale = std::fabs(attempt.before->rigid[0]) / half;
+  else if (given.by_force[0])
+    scale = target[0] * half;
+  const bool near_first = std::fabs(target[0] - before[0]) <= NEARBY * std::fabs(target[0]);
+  if (!near_first || !(std::fabs(target[1] - before[1]) <= NEARBY * scale)) return false;
+  state = *attempt.before;
+  for (int k = 0; k < 2; ++k)
+    if (!given.by_force[k]) state.rigid[k] = target[k];
+  return true;
+}
+
+/// Run the loop from where the state stands, unless a body is thinner there than its contact is wide.
+void run(Newton& loop, const Grid& grid, const Prescription& given, const Kernel& kernel, const Options& options,
+         State& state) {
+  std::fill(state.gap.begin(), state.gap.end(), 0.0);
+  state.stiffness = {};
+  state.status = Status::stagnated, state.steps = 0, state.residual = INFINITE;
+  if (!too_thin(grid, kernel, state.m, HOPELESS)) loop.run(given, options, state);
+}
+
+/// Run it from springs under a small load, and on in steps as large as it allows.
+///
+/// A state that converged only at a share of the load is not a solution and is not marked as one.
+void raise_load(Newton& loop, const Grid& grid, const Prescription& given, const Kernel& kernel, const Options& options,
+                State& state) {
+  double reached = 0.0, share = 0.01;
+  State last = state;
+  for (int i = 0; i < RISES; ++i) {
+    Prescription part = given;
+    for (int k = 0; k < 2; ++k)
+      if (given.by_force[k]) part.target[k] *= share;
+    if (reached > 0.0)
+      state = last;
+    else
+      start_from_springs(grid, part, kernel, state);
+    run(loop, grid, part, kernel, options, state);
+    if (state.converged() && share == 1.0) return;
+    if (share - reached < LEAST_RISE) break;
+    if (state.converged()) {
+      last = state;
+      reached = share, share = std::min(1.0, 2.0 * share);
+    } else {
+      share = 0.5 * (reached + share);
+    }
+  }
+  state.status = Status::stagnated, state.residual = INFINITE;
+}
+
+}  // namespace
+
+bool too_thin(const Grid& grid, const Kernel& kernel, View m, double least) {
+  for (Index i = 0; i < count_of(m); ++i)
+    if (grid.min_depth[i] < least * kernel.element->hertz_ratio * std::sqrt(m[i])) return true;
+  return false;
+}
+
+State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel, const Attempt& attempt) {
+  const Index n = grid.count();
+  State best(n), trial(n);
+  best.residual = INFINITE;
+  if (!within_reach(grid, given)) return best;
+  Newton loop(grid, kernel);
+  double spent = 0.0;
+  for (int start = BEFORE; start < (attempt.patient ? STARTS : TOGETHER); ++start) {
+    if (n > PATIENT_STRIPS && (spent > RETRIED || start == RAISED)) break;
+    if (start == BEFORE) {
+      if (!start_from_before(grid, given, attempt, trial)) continue;
+    } else if (start == NEAR) {
+      if (attempt.near == nullptr || !attempt.near->state.converged()) continue;
+      if (!start_from_other(*attempt.near, grid, given, trial)) continue;
+    } else {
+      start_from_springs(grid, given, kernel, trial);
+      if (start >= SHORTENED && too_thin(grid, kernel, trial.m, BEYOND_HELP)) continue;
+      if (start == RAISED && !given.by_force[0]) continue;
+    }
+    Options options{attempt.tolerance, 1.0, start != TOGETHER};
+    if (start == SHORTENED) options.relaxation = 0.5;
+    if (start == RAISED) {
+      options.tolerance = TOLERANCE;
+      raise_load(loop, grid, given, kernel, options, trial);
+    } else {
+      run(loop, grid, given, kernel, options, trial);
+    }
+    const double of_patient = static_cast<double>(n) / PATIENT_STRIPS;
+    spent += trial.steps * of_patient * of_patient * of_patient;
+    if (start <= SPRINGS || trial.converged() || trial.residual < best.residual) best = trial;
+    if (best.converged()) break;
+  }
+  return best;
+}
+
+}  // namespace nonhertz

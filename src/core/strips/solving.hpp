@@ -1,0 +1,22 @@
+// One case on given strips: where the loop fails from one start, the next is tried.
+#pragma once
+
+#include "strips/newton.hpp"
+
+namespace nonhertz {
+
+/// Which starts there are beside springs, and how hard to try.
+struct Attempt {
+  const Level* near = nullptr;    ///< a solution on other strips
+  const State* before = nullptr;  ///< of a similar case on the same strips
+  Prescription of_before{};       ///< what was prescribed there
+  double tolerance = TOLERANCE;
+  bool patient = true;  ///< whether to try hard
+};
+
+State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel, const Attempt& attempt);
+
+/// Return whether a body is less than `least` half-widths deep: then the equations have no meaningful solution.
+bool too_thin(const Grid& grid, const Kernel& kernel, View m, double least);
+
+}  // namespace nonhertz

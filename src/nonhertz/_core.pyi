@@ -1,0 +1,213 @@
+"""The numbers of nonhertz in C++: arrays in, arrays out."""
+
+from collections.abc import Callable, Sequence
+import enum
+from typing import Annotated
+
+import numpy
+from numpy.typing import NDArray
+
+
+class Element:
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def hertz_ratio(self) -> float: ...
+
+    @property
+    def table(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+SEMI_ELLIPTIC: Element = ...
+
+PARABOLIC: Element = ...
+
+def element(arg0: Element, arg1: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> Element: ...
+
+def evaluate(arg0: Element, arg1: float, /) -> list[float]: ...
+
+class Arcs:
+    def __init__(self, arg0: float, arg1: float, arg2: float, arg3: float, /) -> None: ...
+
+class Logarithmic:
+    def __init__(self, arg0: float, arg1: float, arg2: float, arg3: float, arg4: float, /) -> None: ...
+
+class Function:
+    def __init__(self, arg: Callable[[Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]], Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]], /) -> None: ...
+
+class Moved:
+    def __init__(self, arg0: Arcs | Logarithmic | Function, arg1: float, arg2: float, arg3: bool, arg4: float, arg5: float, /) -> None: ...
+
+class Relief:
+    def __init__(self, arg0: Sequence[Moved], arg1: float, arg2: float, arg3: float, /) -> None: ...
+
+class Body:
+    def __init__(self, arg0: Relief, arg1: float, arg2: float, /) -> None: ...
+
+class Term:
+    def __init__(self, arg0: float, arg1: float, arg2: float, /) -> None: ...
+
+class FreedFace:
+    def __init__(self, arg0: float, arg1: float, arg2: float, arg3: float, /) -> None: ...
+
+class FaceTable:
+    def __init__(self, arg: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
+
+class Face:
+    def __init__(self, arg0: float, arg1: float, arg2: float, arg3: FaceTable, /) -> None: ...
+
+class FreeFace:
+    def __init__(self, arg0: float, arg1: float, arg2: float, /) -> None: ...
+
+class PointsAtDepth:
+    def __init__(self, arg0: float, arg1: float, arg2: Sequence[Term], arg3: Sequence[FreeFace], arg4: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
+
+class AxisOfRoller:
+    def __init__(self, arg0: float, arg1: float, arg2: float, arg3: float, arg4: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], arg5: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], arg6: float, arg7: float, /) -> None: ...
+
+class Model:
+    def __init__(self, arg0: Sequence[Body], arg1: Element, arg2: Sequence[Term], arg3: Sequence[Face], arg4: Sequence[PointsAtDepth | AxisOfRoller], arg5: Sequence[FreedFace], arg6: float, arg7: Sequence[float], arg8: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], arg9: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
+
+    def separation(self, arg: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> object: ...
+
+class Status(enum.Enum):
+    CONVERGED = 0
+
+    ITERATION_LIMIT = 1
+
+    STAGNATED = 2
+
+class EndKind(enum.IntEnum):
+    RUN_OUT = 0
+
+    FINITE = 1
+
+    SINGULAR = 2
+
+    CORNER = 3
+
+    CUT_OFF = 4
+
+class End:
+    @property
+    def kind(self) -> EndKind: ...
+
+    @property
+    def y(self) -> float: ...
+
+    @property
+    def width(self) -> float: ...
+
+    @property
+    def image_weight(self) -> float: ...
+
+    @property
+    def exponent(self) -> float: ...
+
+    @property
+    def correction_exponent(self) -> float: ...
+
+class Checks:
+    @property
+    def length_ratio(self) -> float: ...
+
+    @property
+    def radius_ratio(self) -> float: ...
+
+    @property
+    def unevenness(self) -> float: ...
+
+    @property
+    def deepest(self) -> float: ...
+
+    @property
+    def mean_pressure(self) -> float: ...
+
+    @property
+    def depth_ratio(self) -> float: ...
+
+    @property
+    def missed(self) -> float: ...
+
+    @property
+    def missed_y(self) -> float: ...
+
+    @property
+    def pressed(self) -> float: ...
+
+class Result:
+    @property
+    def status(self) -> Status: ...
+
+    @property
+    def rigid(self) -> list[float]: ...
+
+    @property
+    def stiffness(self) -> list[list[float]]: ...
+
+    @property
+    def steps(self) -> int: ...
+
+    @property
+    def edges(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def r(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def m(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def gap(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def q(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def a(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def resultant(self) -> list[float]: ...
+
+    @property
+    def grids(self) -> int: ...
+
+    @property
+    def unmet(self) -> tuple[int, float, int]: ...
+
+    @property
+    def is_steady(self) -> bool: ...
+
+    @property
+    def contact(self) -> list[list[float]]: ...
+
+    @property
+    def ends(self) -> list[End]: ...
+
+    @property
+    def singular(self) -> list[float]: ...
+
+    @property
+    def largest(self) -> list[float]: ...
+
+    @property
+    def peaks_at_corner(self) -> bool: ...
+
+    @property
+    def penetration(self) -> float: ...
+
+    @property
+    def checks(self) -> Checks: ...
+
+    @property
+    def errors(self) -> list[float]: ...
+
+class Refused(Exception):
+    pass
+
+class Automatic:
+    def __init__(self, arg: float, /) -> None: ...
+
+def solve(model: Model, by_force: Sequence[bool], target: Sequence[float], strips: Automatic | int | Sequence[float]) -> Result: ...
+
+def solve_many(model: Model, by_force: Sequence[bool], targets: Sequence[Sequence[float]], strips: Automatic | int | Sequence[float], threads: int = 1) -> list[Result]: ...
