@@ -7,6 +7,7 @@
 #include "grids/overlaps.hpp"
 #include "strips/acceptance.hpp"
 #include "strips/start.hpp"
+#include "strips/summit.hpp"
 
 namespace nonhertz {
 namespace {
@@ -28,27 +29,7 @@ constexpr double COARSENESS = 0.28, ORDER = 2.2, ORDER_COARSER = 3.0;
 constexpr double LEAST_FINER = 0.4, MARGIN = 0.95, FULL = 0.97;
 // At the largest pressure: its sagitta in a strip over the accuracy, how much narrower strips may become at once, below
 // which share of their width they are solved again, by what share another may be less and yet count as the largest.
-constexpr double POINTED = 5.0, LEAST_AT_PEAK = 0.2, TOO_WIDE = 0.7, ALIKE = 0.01, SAME = 1e-9, AT_KINK = 3.0;
-// A summit towards which the pressure rises ever faster is narrower than its strips. It may stand out by this many of
-// the sagittas that they show, if these are large at all.
-constexpr double CUSP = 8.0, LEAST_SAGITTA = 0.01;
-
-/// By what share of itself the pressure bends within a strip; 0 without pressure.
-double sagitta(View p, Index at) { return p[at] > 0.0 ? (2.0 * p[at] - p[at - 1] - p[at + 1]) / (8.0 * p[at]) : 0.0; }
-
-/// Whether the pressure rises ever faster to within two strips of a strip, at least on one side.
-bool is_cusp(View pressure, Index at) {
-  bool rising = false;
-  for (Index i = std::max(at - 2, Index{1}); i < std::min(at + 3, count_of(pressure) - 1); ++i)
-    rising = rising || sagitta(pressure, i) < 0.0;
-  return rising && sagitta(pressure, at) > LEAST_SAGITTA;
-}
-
-/// Whether the pressure falls on both sides of a strip, and reaches further on one of them at least.
-bool is_summit(View pressure, Index at) {
-  const double beside = std::max(pressure[at - 1], pressure[at + 1]);
-  return beside > 0.0 && pressure[at] >= (1.0 - SAME) * beside;
-}
+constexpr double POINTED = 5.0, LEAST_AT_PEAK = 0.2, TOO_WIDE = 0.7, ALIKE = 0.01, AT_KINK = 3.0;
 
 /// Where the largest pressure is too pointed for its strips, the width wanted there, and what they have.
 struct Peak {
@@ -306,11 +287,6 @@ class Search {
 };
 
 }  // namespace
-
-double cusp(View pressure, Index at) {
-  const bool narrow = is_cusp(pressure, at) && is_summit(pressure, at);
-  return narrow ? pressure[at] * (1.0 + CUSP * sagitta(pressure, at)) : 0.0;
-}
 
 void refuse_infeasible(const Model& model, const Grid& grid, const Prescription& given) {
   refuse_endless_relief(grid.y, grid.separation);

@@ -38,11 +38,7 @@ Levels solve_on_grids(const Model& model, const std::vector<std::shared_ptr<cons
 /// Refuse what no loads on these strips can meet.
 void refuse_infeasible(const Model& model, const Grid& grid, const Prescription& given);
 
-/// How high the pressure of a strip may reach that is narrower than its summit, zero if there is none.
-double cusp(View pressure, Index at);
-
 inline constexpr double ACCURACY = 1e-4;       // that of the automatic grid if none is given
 inline constexpr double LEFT_OF_CHANGE = 0.4;  // the error is mostly less than this share of the last change
-inline constexpr double SAFETY = 2.0;
 
 }  // namespace nonhertz

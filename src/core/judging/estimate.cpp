@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "judging/judgement.hpp"
+#include "strips/summit.hpp"
 
 namespace nonhertz {
 namespace {
