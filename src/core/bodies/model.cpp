@@ -19,12 +19,19 @@ Numbers uniform(double low, double high, Index count) {
 }
 
 Model::Model(Contact contact) : contact_(std::move(contact)) {
-  sampled_ = sampled(low(), high());
-  const auto within = [this](double y) { return low() < y && y < high(); };
-  if (std::any_of(contact_.crests.begin(), contact_.crests.end(), within)) surveyed_ = surveyed(low(), high());
+  if (std::isfinite(low()) && std::isfinite(high())) region_ = region(low(), high());
+}
+
+std::shared_ptr<const Region> Model::region(double low, double high) const {
   Numbers bends;
-  std::copy_if(contact_.bends.begin(), contact_.bends.end(), std::back_inserter(bends), within);
-  kinks_ = kinks_among(bends, high() - low());
+  for (double bend : contact_.bends)
+    if (low < bend && bend < high) bends.push_back(bend);
+  Samples even = sampled(low, high);
+  const auto is_within = [low, high](double y) { return low < y && y < high; };
+  const bool has_crests = std::any_of(contact_.crests.begin(), contact_.crests.end(), is_within);
+  Samples all = has_crests ? surveyed(low, high) : even;
+  return std::make_shared<const Region>(
+      Region{low, high, std::move(even), std::move(all), kinks_among(bends, high - low)});
 }
 
 Numbers Model::separation(View y) const {

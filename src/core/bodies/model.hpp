@@ -35,13 +35,21 @@ struct Kinks {
   Numbers place, turn;
 };
 
+/// A finite part of the axis, and what is known of the bodies along it.
+struct Region {
+  double low, high;
+  Samples sampled;   ///< the separation at even places
+  Samples surveyed;  ///< the same with the crests between them
+  Kinks kinks;
+};
+
 struct Contact {
   std::array<Body, 2> bodies;
   Kernel kernel;
   std::vector<Reference> references;
   std::vector<FreedFace> freed;
   double compliance;      ///< K [1/MPa]
-  Pair interval;          ///< where both can touch [mm], finite
+  Pair interval;          ///< where both can touch [mm], infinite on a side where neither ends
   Numbers bends, crests;  ///< where a relief bends, or may stand out between samples [mm], ascending
 };
 
@@ -66,19 +74,18 @@ class Model {
   Matrix at_depth(View y, View edges) const;
   double min_depth() const;
 
-  /// The separation at even places along the bodies; with the crests between them; and on another interval.
-  const Samples& sampled() const { return sampled_; }
-  const Samples& surveyed() const { return surveyed_.y.empty() ? sampled_ : surveyed_; }
+  /// The whole interval where both can touch; nullptr where that is endless.
+  const std::shared_ptr<const Region>& region() const { return region_; }
+  std::shared_ptr<const Region> region(double low, double high) const;
+  /// The separation at even places between two; with the crests between them.
   Samples sampled(double low, double high) const;
   Samples surveyed(double low, double high) const;
-  const Kinks& kinks() const { return kinks_; }
   /// Those of the bends between two places whose slope jumps, looked at in steps of a fraction of their distance.
   Kinks kinks_among(View bends, double length) const;
 
  private:
   Contact contact_;
-  Samples sampled_, surveyed_;  // surveyed only where there are crests
-  Kinks kinks_;
+  std::shared_ptr<const Region> region_;
 };
 
 /// Edges of equal strips.

@@ -129,7 +129,7 @@ Sizes::Sizes(const Level& from, const Model& model, const std::vector<Extra>& ex
   const State& state = from.state;
   const bool whole = low_ == model.low() && high_ == model.high();
   const Samples of_part = whole ? Samples{} : model.sampled(low_, high_);
-  const Samples& samples = whole ? model.sampled() : of_part;
+  const Samples& samples = whole ? model.region()->sampled : of_part;
   const double first = low_, step = (high_ - low_) / SAMPLES;
   add_ends(from, model, coarseness);
   double deepest = -INFINITE;
@@ -176,7 +176,7 @@ void Sizes::add_ends(const Level& from, const Model& model, double coarseness) {
 void Sizes::add_kinks(const Level& from, const Model& model, double depth) {
   const Grid& grid = *from.grid;
   const View m = from.state.m;
-  const Kinks& kinks = model.kinks();
+  const Kinks& kinks = model.region()->kinks;
   int beside = 0;
   for (double place : kinks.place) beside += nearly_touching(grid, m, place);
   if (beside > MOST_BENDS) return;

@@ -234,9 +234,9 @@ class Search {
   Level finer(const Level& from, const Level& near, double share) const {
     if (!from.state.converged()) return from;
     std::vector<Extra> extras;
-    for (const Peak& peak : peaks_of(from, model_.kinks().place, accuracy_))
+    for (const Peak& peak : peaks_of(from, model_.region()->kinks.place, accuracy_))
       extras.push_back({peak.place, peak.wanted});
-    if (suspect(from, model_.surveyed()))
+    if (suspect(from, model_.region()->surveyed))
       for (const Extra& each : overlaps(model_, from)) extras.push_back(each);
     Level found = near;
     for (double fewer : FEWER_STRIPS) {
@@ -251,7 +251,7 @@ class Search {
   /// By what share strips have to be narrower for the accuracy to be met; 1 where it is or cannot be.
   double finer_wanted(const std::vector<Level>& levels) const {
     const Level &finest = levels[0], &half = levels[1];
-    const Samples& along = model_.sampled();
+    const Samples& along = model_.region()->sampled;
     double pressed = -INFINITE;
     for (Index i = 0; i < count_of(along.y); ++i)
       pressed = std::max(pressed, finest.state.rigid[0] + finest.state.rigid[1] * along.y[i] - along.h[i]);
@@ -271,12 +271,12 @@ class Search {
     const View m = level.state.m;
     if (reaches(grid, m, -1) && grid.edges.front() > model_.low()) return true;
     if (reaches(grid, m, 1) && grid.edges.back() < model_.high()) return true;
-    return suspect(level, model_.surveyed()) && !overlaps(model_, level).empty();
+    return suspect(level, model_.region()->surveyed) && !overlaps(model_, level).empty();
   }
 
   /// Whether the largest pressure is far too pointed for its strips.
   bool pointed(const Level& level) const {
-    const auto peaks = peaks_of(level, model_.kinks().place, accuracy_);
+    const auto peaks = peaks_of(level, model_.region()->kinks.place, accuracy_);
     return std::any_of(peaks.begin(), peaks.end(),
                        [](const Peak& each) { return each.wanted < TOO_WIDE * each.width; });
   }

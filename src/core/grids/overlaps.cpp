@@ -122,7 +122,7 @@ Samples overlapping(const Model& model, const Level& level, const Samples& along
 }
 
 std::vector<Extra> overlaps(const Model& model, const Level& level) {
-  const Samples found = overlapping(model, level, model.surveyed());
+  const Samples found = overlapping(model, level, model.region()->surveyed);
   const double step = (model.high() - model.low()) / SAMPLES;
   std::vector<Extra> extras;
   const Index n = count_of(found.y);

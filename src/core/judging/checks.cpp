@@ -41,7 +41,7 @@ void find_missed(const Model& model, const Level& level, Checks& found) {
   const double low = std::max(model.low(), 2.0 * first - last), high = std::min(model.high(), 2.0 * last - first);
   const bool whole = low == model.low() && high == model.high();
   const Samples of_part = whole ? Samples{} : model.surveyed(low, high);
-  const Samples along = overlapping(model, level, whole ? model.surveyed() : of_part);
+  const Samples along = overlapping(model, level, whole ? model.region()->surveyed : of_part);
   const Numbers& m = level.state.m;
   const auto beside_contact = [&](double y) {
     for (Index i = 0; i < grid.count(); ++i)

@@ -50,6 +50,7 @@ void Newton::run(const Prescription& given, const Options& options, State& state
   influence_.restart();
   double residual = INFINITE;
   for (int step = 0; step < STEP_LIMIT; ++step) {
+    if (options.stop.stop_requested()) throw Stopped{};
     pair_lone_strip(given, state);
     find_active(state);
     if (active_.empty()) return ends(Status::stagnated, step, residual);

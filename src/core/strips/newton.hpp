@@ -5,6 +5,8 @@
 // them for r at the current m, so the step itself is a system in m alone, bordered by approach and tilt.
 #pragma once
 
+#include <stop_token>
+
 #include "strips/influence.hpp"
 #include "strips/linear.hpp"
 #include "strips/strips.hpp"
@@ -18,7 +20,11 @@ struct Options {
   double tolerance = TOLERANCE;  ///< largest relative residual of a solution
   double relaxation = 1.0;       ///< fraction of each step to take
   bool eager = true;             ///< whether the curvature rows are solved for r before every step
+  std::stop_token stop{};        ///< looked at before every step
 };
+
+/// Thrown by a loop that is asked to stop.
+struct Stopped {};
 
 /// A Newton loop on one grid, with the room it works in.
 class Newton {

@@ -114,7 +114,7 @@ State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel
       if (start >= SHORTENED && too_thin(grid, kernel, trial.m, BEYOND_HELP)) continue;
       if (start == RAISED && !given.by_force[0]) continue;
     }
-    Options options{attempt.tolerance, 1.0, start != TOGETHER};
+    Options options{attempt.tolerance, 1.0, start != TOGETHER, attempt.stop};
     if (start == SHORTENED) options.relaxation = 0.5;
     if (start == RAISED) {
       options.tolerance = TOLERANCE;

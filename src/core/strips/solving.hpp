@@ -12,6 +12,7 @@ struct Attempt {
   Prescription of_before{};       ///< what was prescribed there
   double tolerance = TOLERANCE;
   bool patient = true;  ///< whether to try hard
+  std::stop_token stop{};
 };
 
 State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel, const Attempt& attempt);
