@@ -23,10 +23,14 @@ using MatrixOut = nb::ndarray<nb::numpy, const double, nb::ndim<2>>;
 inline View view(const VectorIn& array) { return {array.data(), array.size()}; }
 inline Numbers numbers(const VectorIn& array) { return {array.data(), array.data() + array.size()}; }
 
-inline std::shared_ptr<const Matrix> matrix(const MatrixIn& array) {
-  auto copy = std::make_shared<Matrix>(array.shape(0), array.shape(1));
-  std::copy_n(array.data(), array.size(), copy->all().begin());
+inline Matrix copy_of(const MatrixIn& array) {
+  Matrix copy(static_cast<Index>(array.shape(0)), static_cast<Index>(array.shape(1)));
+  std::copy_n(array.data(), array.size(), copy.all().begin());
   return copy;
+}
+
+inline std::shared_ptr<const Matrix> matrix(const MatrixIn& array) {
+  return std::make_shared<const Matrix>(copy_of(array));
 }
 
 /// Numbers as an array that cannot be written to and keeps their owner.

@@ -28,22 +28,6 @@ Function function(nb::callable profile) {
 }  // namespace
 
 void bind_bodies(nb::module_& m) {
-  nb::class_<Element>(m, "Element")
-      .def_ro("name", &Element::name)
-      .def_ro("hertz_ratio", &Element::hertz_ratio)
-      .def_prop_ro(
-          "table", [](nb::handle self) { return view_of(nb::cast<const Element&>(self).table, self); },
-          nb::rv_policy::reference);
-  m.attr("SEMI_ELLIPTIC") = nb::cast(std::make_shared<const Element>(semi_elliptic()));
-  m.attr("PARABOLIC") = nb::cast(std::make_shared<const Element>(parabolic()));
-  m.def("element", [](const Element& of, const VectorIn& table) {  // with a table made elsewhere: for comparisons
-    return std::make_shared<const Element>(
-        Element{of.name, of.line_factor, of.hertz_ratio, of.far_constant, numbers(table)});
-  });
-  m.def("evaluate", [](const Element& of, double t) {
-    const Four s = evaluate(t, of.table.data());
-    return std::array{s.a(), s.ta(), s.b(), s.tb()};
-  });
   nb::class_<Arcs>(m, "Arcs").def(nb::init<double, double, double, double>());
   nb::class_<Logarithmic>(m, "Logarithmic").def(nb::init<double, double, double, double, double>());
   nb::class_<Function>(m, "Function")
@@ -53,15 +37,7 @@ void bind_bodies(nb::module_& m) {
   nb::class_<Moved>(m, "Moved").def(nb::init<Formula, double, double, bool, double, double>());
   nb::class_<Relief>(m, "Relief").def(nb::init<std::vector<Moved>, double, double, double>());
   nb::class_<Body>(m, "Body").def(nb::init<Relief, double, double>());
-  nb::class_<Term>(m, "Term").def(nb::init<double, double, double>());
   nb::class_<FreedFace>(m, "FreedFace").def(nb::init<double, double, double, double>());
-  nb::class_<FaceTable>(m, "FaceTable").def("__init__", [](FaceTable* self, const VectorIn& of) {
-    new (self) FaceTable{numbers(of)};
-  });
-  nb::class_<Face>(m, "Face").def(
-      "__init__", [](Face* self, double place, double side, double weight, std::shared_ptr<FaceTable> table) {
-        new (self) Face{place, side, weight, std::move(table)};
-      });
   nb::class_<PointsAtDepth::FreeFace>(m, "FreeFace").def(nb::init<double, double, double>());
   nb::class_<PointsAtDepth>(m, "PointsAtDepth")
       .def("__init__", [](PointsAtDepth* self, double depth, double factor, std::vector<Term> terms,

@@ -28,10 +28,6 @@ VectorOut made(const Result& result, Value value) {
 }  // namespace
 
 void bind_solve(nb::module_& m) {
-  nb::enum_<Status>(m, "Status")
-      .value("CONVERGED", Status::converged)
-      .value("ITERATION_LIMIT", Status::iteration_limit)
-      .value("STAGNATED", Status::stagnated);
   nb::enum_<EndKind>(m, "EndKind", nb::is_arithmetic())
       .value("RUN_OUT", EndKind::run_out)
       .value("FINITE", EndKind::finite)

@@ -1,8 +1,165 @@
+// How strips act, the loop on one grid, and the check of what it ends with.
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
+#include "strips/acceptance.hpp"
+#include "strips/follow.hpp"
+#include "strips/solving.hpp"
+#include "strips/start.hpp"
 
 namespace nonhertz {
+namespace {
 
-void bind_strips(nb::module_&) {}
+using Flags = std::array<bool, 2>;
+using Released = nb::call_guard<nb::gil_scoped_release>;
+
+/// A property that is a view of numbers of its owner.
+template <class Owner, class Of>
+void view_property(nb::class_<Owner>& owner, const char* name, Of of) {
+  owner.def_prop_ro(
+      name, [of](nb::handle self) { return view_of(nb::cast<const Owner&>(self).*of, self); },
+      nb::rv_policy::reference);
+}
+
+template <class Owner>
+void matrix_property(nb::class_<Owner>& owner, const char* name, Matrix Owner::*of) {
+  owner.def_prop_ro(
+      name,
+      [of](nb::handle self) {
+        const Matrix& found = nb::cast<const Owner&>(self).*of;
+        const auto rows = static_cast<std::size_t>(found.rows()), columns = static_cast<std::size_t>(found.columns());
+        return MatrixOut(found.all().data(), {rows, columns}, self);
+      },
+      nb::rv_policy::reference);
+}
+
+void bind_kernel(nb::module_& m) {
+  nb::class_<Element> element(m, "Element");
+  element
+      .def("__init__",
+           [](Element* self, const std::string& name, double line_factor, double hertz_ratio, double far_constant,
+              const VectorIn& table) {
+             new (self) Element{name, line_factor, hertz_ratio, far_constant, numbers(table)};
+           })
+      .def_ro("name", &Element::name)
+      .def_ro("line_factor", &Element::line_factor)
+      .def_ro("hertz_ratio", &Element::hertz_ratio)
+      .def_ro("far_constant", &Element::far_constant);
+  view_property(element, "table", &Element::table);
+  m.attr("SEMI_ELLIPTIC") = nb::cast(std::make_shared<const Element>(semi_elliptic()));
+  m.attr("PARABOLIC") = nb::cast(std::make_shared<const Element>(parabolic()));
+  m.def(
+      "evaluate",
+      [](const Element& of, const VectorIn& t) {
+        Numbers found;
+        for (std::size_t i = 0; i < t.size(); ++i) {
+          const Four s = evaluate(t.data()[i], of.table.data());
+          found.insert(found.end(), {s.a(), s.ta(), s.b(), s.tb()});
+        }
+        return array_of(std::move(found));
+      },
+      "element"_a, "t"_a, "A, t A', B and t B' of each t, one after the other.");
+  nb::class_<Term>(m, "Term").def(nb::init<double, double, double>(), "sign"_a, "offset"_a, "weight"_a);
+  nb::class_<FaceTable>(m, "FaceTable").def("__init__", [](FaceTable* self, const VectorIn& of) {
+    new (self) FaceTable{numbers(of)};
+  });
+  nb::class_<Face>(m, "Face").def(
+      "__init__",
+      [](Face* self, double place, double side, double weight, std::shared_ptr<FaceTable> table) {
+        new (self) Face{place, side, weight, std::move(table)};
+      },
+      "place"_a, "side"_a, "weight"_a, "table"_a);
+  nb::class_<Kernel>(m, "Kernel")
+      .def(
+          "__init__",
+          [](Kernel* self, std::shared_ptr<Element> of, std::vector<Term> terms, std::vector<Face> faces) {
+            new (self) Kernel{std::move(of), std::move(terms), std::move(faces)};
+          },
+          "element"_a, "terms"_a, "faces"_a)
+      .def_prop_ro("element", [](const Kernel& self) { return self.element; });
+}
+
+void bind_states(nb::module_& m) {
+  nb::class_<Grid> grid(m, "Grid", "Strips side by side, with everything that is known before their loads are.");
+  grid.def(
+      "__init__",
+      [](Grid* self, const VectorIn& edges, const VectorIn& curvature, const VectorIn& separation,
+         const VectorIn& min_depth, const VectorIn& sharper, const MatrixIn& at_depth, const MatrixIn& by_width) {
+        new (self) Grid{numbers(edges),      {},
+                        numbers(separation), numbers(curvature),
+                        numbers(min_depth),  numbers(sharper),
+                        copy_of(at_depth),   copy_of(by_width)};
+        for (std::size_t i = 0; i + 1 < self->edges.size(); ++i)
+          self->y.push_back(0.5 * (self->edges[i + 1] + self->edges[i]));
+      },
+      "edges"_a, "curvature"_a, "separation"_a, "min_depth"_a, "sharper"_a, "at_depth"_a, "by_width"_a);
+  view_property(grid, "edges", &Grid::edges);
+  view_property(grid, "y", &Grid::y);
+  view_property(grid, "separation", &Grid::separation);
+  view_property(grid, "curvature", &Grid::curvature);
+  view_property(grid, "min_depth", &Grid::min_depth);
+  view_property(grid, "sharper", &Grid::sharper);
+  matrix_property(grid, "at_depth", &Grid::at_depth);
+  matrix_property(grid, "by_width", &Grid::by_width);
+  nb::enum_<Status>(m, "Status", nb::is_arithmetic())
+      .value("CONVERGED", Status::converged)
+      .value("ITERATION_LIMIT", Status::iteration_limit)
+      .value("STAGNATED", Status::stagnated);
+  nb::class_<State> state(m, "State", "The unknowns of strips, and what follows from them.");
+  state
+      .def(
+          "__init__",
+          [](State* self, const VectorIn& r, const VectorIn& m, const VectorIn& gap, Pair rigid,
+             std::array<Pair, 2> stiffness, Status status, int steps, double residual) {
+            new (self) State(0);
+            self->r = numbers(r), self->m = numbers(m), self->gap = numbers(gap);
+            self->rigid = rigid, self->stiffness = stiffness;
+            self->status = status, self->steps = steps, self->residual = residual;
+          },
+          "r"_a, "m"_a, "gap"_a, "rigid"_a, "stiffness"_a, "status"_a, "steps"_a, "residual"_a)
+      .def_ro("rigid", &State::rigid)
+      .def_ro("stiffness", &State::stiffness)
+      .def_ro("status", &State::status)
+      .def_ro("steps", &State::steps)
+      .def_ro("residual", &State::residual);
+  view_property(state, "r", &State::r);
+  view_property(state, "m", &State::m);
+  view_property(state, "gap", &State::gap);
+}
+
+void bind_solving(nb::module_& m) {
+  m.def(
+      "solve_on",
+      [](const Grid& grid, Flags by_force, Pair target, const Kernel& kernel, std::shared_ptr<Grid> near_grid,
+         std::shared_ptr<State> near_state, double tolerance, bool patient) {
+        std::optional<Level> near;
+        if (near_grid && near_state) near = Level{std::move(near_grid), *near_state};
+        Attempt attempt;
+        attempt.near = near ? &*near : nullptr, attempt.tolerance = tolerance, attempt.patient = patient;
+        return solve_on(grid, {by_force, target}, kernel, attempt);
+      },
+      "grid"_a, "by_force"_a, "target"_a, "kernel"_a, "near_grid"_a.none() = nb::none(),
+      "near_state"_a.none() = nb::none(), "tolerance"_a = TOLERANCE, "patient"_a = true, Released());
+  m.def("steady", [](std::array<Pair, 2> stiffness, const VectorIn& edges) { return steady(stiffness, view(edges)); });
+  m.def(
+      "by_own_width",
+      [](const MatrixIn& by_width, Index strip, double a) { return by_own_width(copy_of(by_width), strip, a); },
+      "by_width"_a, "strip"_a, "a"_a);
+}
+
+}  // namespace
+
+void bind_strips(nb::module_& m) {
+  bind_kernel(m);
+  bind_states(m);
+  bind_solving(m);
+}
 
 }  // namespace nonhertz

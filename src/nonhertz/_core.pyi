@@ -9,11 +9,19 @@ from numpy.typing import NDArray
 
 
 class Element:
+    def __init__(self, arg0: str, arg1: float, arg2: float, arg3: float, arg4: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
+
     @property
     def name(self) -> str: ...
 
     @property
+    def line_factor(self) -> float: ...
+
+    @property
     def hertz_ratio(self) -> float: ...
+
+    @property
+    def far_constant(self) -> float: ...
 
     @property
     def table(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
@@ -22,9 +30,96 @@ SEMI_ELLIPTIC: Element = ...
 
 PARABOLIC: Element = ...
 
-def element(arg0: Element, arg1: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> Element: ...
+def evaluate(element: Element, t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]:
+    """A, t A', B and t B' of each t, one after the other."""
 
-def evaluate(arg0: Element, arg1: float, /) -> list[float]: ...
+class Term:
+    def __init__(self, sign: float, offset: float, weight: float) -> None: ...
+
+class FaceTable:
+    def __init__(self, arg: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
+
+class Face:
+    def __init__(self, place: float, side: float, weight: float, table: FaceTable) -> None: ...
+
+class Kernel:
+    def __init__(self, element: Element, terms: Sequence[Term], faces: Sequence[Face]) -> None: ...
+
+    @property
+    def element(self) -> Element: ...
+
+class Grid:
+    """
+    Strips side by side, with everything that is known before their loads are.
+    """
+
+    def __init__(self, edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], curvature: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], separation: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], min_depth: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], sharper: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], at_depth: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], by_width: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> None: ...
+
+    @property
+    def edges(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def y(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def separation(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def curvature(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def min_depth(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def sharper(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def at_depth(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]: ...
+
+    @property
+    def by_width(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]: ...
+
+class Status(enum.IntEnum):
+    CONVERGED = 0
+
+    ITERATION_LIMIT = 1
+
+    STAGNATED = 2
+
+class State:
+    """The unknowns of strips, and what follows from them."""
+
+    def __init__(self, r: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gap: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], rigid: Sequence[float], stiffness: Sequence[Sequence[float]], status: Status, steps: int, residual: float) -> None: ...
+
+    @property
+    def rigid(self) -> list[float]: ...
+
+    @property
+    def stiffness(self) -> list[list[float]]: ...
+
+    @property
+    def status(self) -> Status: ...
+
+    @property
+    def steps(self) -> int: ...
+
+    @property
+    def residual(self) -> float: ...
+
+    @property
+    def r(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def m(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    @property
+    def gap(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+def solve_on(grid: Grid, by_force: Sequence[bool], target: Sequence[float], kernel: Kernel, near_grid: Grid | None = None, near_state: State | None = None, tolerance: float = 1e-11, patient: bool = True) -> State: ...
+
+def steady(arg0: Sequence[Sequence[float]], arg1: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> bool: ...
+
+def by_own_width(by_width: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], strip: int, a: float) -> list[float]: ...
 
 class Arcs:
     def __init__(self, arg0: float, arg1: float, arg2: float, arg3: float, /) -> None: ...
@@ -44,17 +139,8 @@ class Relief:
 class Body:
     def __init__(self, arg0: Relief, arg1: float, arg2: float, /) -> None: ...
 
-class Term:
-    def __init__(self, arg0: float, arg1: float, arg2: float, /) -> None: ...
-
 class FreedFace:
     def __init__(self, arg0: float, arg1: float, arg2: float, arg3: float, /) -> None: ...
-
-class FaceTable:
-    def __init__(self, arg: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
-
-class Face:
-    def __init__(self, arg0: float, arg1: float, arg2: float, arg3: FaceTable, /) -> None: ...
 
 class FreeFace:
     def __init__(self, arg0: float, arg1: float, arg2: float, /) -> None: ...
@@ -69,13 +155,6 @@ class Model:
     def __init__(self, arg0: Sequence[Body], arg1: Element, arg2: Sequence[Term], arg3: Sequence[Face], arg4: Sequence[PointsAtDepth | AxisOfRoller], arg5: Sequence[FreedFace], arg6: float, arg7: Sequence[float], arg8: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], arg9: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
 
     def separation(self, arg: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> object: ...
-
-class Status(enum.Enum):
-    CONVERGED = 0
-
-    ITERATION_LIMIT = 1
-
-    STAGNATED = 2
 
 class EndKind(enum.IntEnum):
     RUN_OUT = 0

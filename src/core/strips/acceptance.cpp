@@ -15,41 +15,26 @@ constexpr double ROUNDING = 1e-14;    // relative to the largest of the lengths 
 constexpr double MOST_HIDDEN = 1e-2;  // largest rounding as a fraction of the interference
 constexpr double UNSTEADY = -1e-6;    // of stiffness against approach times reach^2: less is rounding
 
-/// The solution, as the check looks at it.
-struct Answer {
-  const Grid& grid;
-  const State& state;
-  Numbers q, half_width;
-
-  Answer(const Grid& of, const State& reached) : grid(of), state(reached), q(of.count()), half_width(of.count()) {
-    for (Index i = 0; i < of.count(); ++i) {
-      q[i] = state.r[i] * state.m[i];
-      half_width[i] = std::sqrt(state.m[i]);
-    }
-  }
-};
-
-Shortfall unusable(const Answer& answer) {
-  const auto& [grid, state, q, half_width] = answer;
+Shortfall unusable(const Grid& grid, const Answer& answer) {
+  const auto& [q, half_width, gap, motion] = answer;
   for (Index i = 0; i < grid.count(); ++i) {
-    const bool unknown = std::isnan(state.gap[i]) || std::isnan(grid.separation[i]);
-    const bool known =
-        std::isfinite(state.rigid[0] + state.rigid[1]) && std::isfinite(q[i]) && std::isfinite(half_width[i]);
-    if (unknown || !known || (q[i] > 0.0 && !(half_width[i] > 0.0))) return {Unmet::not_finite, q[i], i};
+    const bool unknown = std::isnan(gap[i]) || std::isnan(grid.separation[i]);
+    const bool known = std::isfinite(motion[0] + motion[1]) && std::isfinite(q[i]) && std::isfinite(half_width[i]);
+    const bool has_pressure = half_width[i] > 0.0 && std::isfinite(q[i] / half_width[i]);
+    if (unknown || !known || (q[i] > 0.0 && !has_pressure)) return {Unmet::not_finite, q[i], i};
     if (q[i] < 0.0) return {Unmet::tension, q[i], i};
   }
   return {};
 }
 
-Shortfall unbalanced(const Answer& answer, const Prescription& given) {
-  const Grid& grid = answer.grid;
+Shortfall unbalanced(const Grid& grid, const Answer& answer, const Prescription& given) {
   double load = 0.0, moment = 0.0;
   for (Index i = 0; i < grid.count(); ++i) {
     const double carried = answer.q[i] * grid.width(i);
     load += carried;
     moment += carried * grid.y[i];
   }
-  const Pair &target = given.target, &rigid = answer.state.rigid;
+  const Pair &target = given.target, &rigid = answer.motion;
   const double first = given.by_force[0] ? load : rigid[0], second = given.by_force[1] ? moment : rigid[1];
   if (!(std::fabs(first - target[0]) <= TOLERANCE * std::fabs(target[0]))) return {Unmet::first, first, 0};
   // A moment is as accurate as the load at the longest lever arm.
@@ -60,8 +45,8 @@ Shortfall unbalanced(const Answer& answer, const Prescription& given) {
 }
 
 /// Add what a free side face adds: by its table where place and source are close to it, else by its series.
-void add_face(const Answer& answer, const Kernel& kernel, const Face& face, Row lift, Row bend) {
-  const auto& [grid, state, q, half_width] = answer;
+void add_face(const Grid& grid, const Answer& answer, const Kernel& kernel, const Face& face, Row lift, Row bend) {
+  const Numbers &q = answer.q, &half_width = answer.half_width;
   const Index n = grid.count();
   const double *powers = kernel.element->table.data() + POWERS_AT, *table = face.table->data();
   double unit = 0.0;
@@ -112,8 +97,7 @@ void add_face(const Answer& answer, const Kernel& kernel, const Face& face, Row 
 }
 
 /// Find displacement [mm] and curvature [1/mm] of both surfaces together at every strip, on the centre line.
-std::array<Numbers, 2> lift_and_bend(const Answer& answer, const Kernel& kernel) {
-  const Grid& grid = answer.grid;
+std::array<Numbers, 2> lift_and_bend(const Grid& grid, const Answer& answer, const Kernel& kernel) {
   const Numbers& q = answer.q;
   const double* table = kernel.element->table.data();
   const Index n = grid.count();
@@ -132,38 +116,48 @@ std::array<Numbers, 2> lift_and_bend(const Answer& answer, const Kernel& kernel)
         bend[i] += by_bend * weight * s.b();
       }
     }
+    lift[j] += q[j] * by_own_width(grid.by_width, j, answer.half_width[j])[0];
     if (!grid.at_depth.empty())
       for (Index i = 0; i < n; ++i)
         if (looked_at(i)) lift[i] -= q[j] * grid.at_depth(i, j);
   }
-  for (const Face& face : kernel.faces) add_face(answer, kernel, face, lift, bend);
+  for (const Face& face : kernel.faces) add_face(grid, answer, kernel, face, lift, bend);
   return {lift, bend};
 }
 
 }  // namespace
 
 Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const State& state) {
-  const Answer answer(grid, state);
-  if (const Shortfall found = unusable(answer); found.condition != Unmet::none) return found;
-  if (const Shortfall found = unbalanced(answer, given); found.condition != Unmet::none) return found;
-  const Pair& rigid = state.rigid;
+  const Index n = grid.count();
+  Answer answer{Numbers(n), Numbers(n), state.gap, state.rigid};
+  for (Index i = 0; i < n; ++i) {
+    answer.q[i] = state.r[i] * state.m[i];
+    answer.half_width[i] = std::sqrt(state.m[i]);
+  }
+  return first_unmet(grid, given, kernel, answer);
+}
+
+Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const Answer& answer) {
+  if (const Shortfall found = unusable(grid, answer); found.condition != Unmet::none) return found;
+  if (const Shortfall found = unbalanced(grid, answer, given); found.condition != Unmet::none) return found;
+  const Pair& rigid = answer.motion;
   double deepest = 0.0;
   double longest =
       std::fabs(rigid[0]) + std::fabs(rigid[1]) * std::max(std::fabs(grid.y.front()), std::fabs(grid.y.back()));
   for (Index i = 0; i < grid.count(); ++i)
     if (answer.q[i] > 0.0) {
-      deepest = std::max(deepest, state.interference(grid, i));
+      deepest = std::max(deepest, answer.interference(grid, i));
       longest = std::max(longest, std::fabs(grid.separation[i]));
     }
   if (!(deepest > 0.0)) deepest = longest;
   if (ROUNDING * longest > MOST_HIDDEN * deepest) return {Unmet::hidden, deepest, 0};
   const double allowed = TOLERANCE * deepest + ROUNDING * longest;
-  const auto [lift, bend] = lift_and_bend(answer, kernel);
+  const auto [lift, bend] = lift_and_bend(grid, answer, kernel);
   for (Index i = 0; i < grid.count(); ++i) {
     const bool bears = answer.q[i] > 0.0;
     if (!std::isfinite(grid.separation[i]) && !bears) continue;
-    const double opening = lift[i] - state.interference(grid, i), curvature = grid.curvature[i];
-    const bool as_said = std::fabs(opening - state.gap[i]) <= allowed + TOLERANCE * std::fabs(opening);
+    const double opening = lift[i] - answer.interference(grid, i), curvature = grid.curvature[i];
+    const bool as_said = std::fabs(opening - answer.gap[i]) <= allowed + TOLERANCE * std::fabs(opening);
     if (!as_said || (bears && std::fabs(opening) > allowed)) return {Unmet::unclosed, opening, i};
     if (opening < -allowed) return {Unmet::overlap, -opening, i};
     if (bears && !(std::fabs(bend[i] - curvature) <= CURVATURE_TOLERANCE * curvature))
@@ -172,12 +166,11 @@ Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel&
   return {};
 }
 
-bool steady(const Grid& grid, const State& state) {
-  const auto& k = state.stiffness;
+bool steady(const std::array<Pair, 2>& k, View edges) {
   for (const Pair& row : k)
     for (double each : row)
       if (!std::isfinite(each)) return false;
-  const double reach = std::max(std::fabs(grid.edges.front()), std::fabs(grid.edges.back()));
+  const double reach = std::max(std::fabs(edges.front()), std::fabs(edges.back()));
   return k[0][0] > 0.0 && k[1][1] >= UNSTEADY * k[0][0] * reach * reach;
 }
 

@@ -19,9 +19,20 @@ struct Shortfall {
   Index at = 0;
 };
 
+/// What is claimed to be a solution: K q, half-width and gap of every strip, approach and tilt.
+struct Answer {
+  Numbers q, half_width, gap;
+  Pair motion;
+  double interference(const Grid& grid, Index i) const {
+    return motion[0] + motion[1] * grid.y[i] - grid.separation[i];
+  }
+};
+
+Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const Answer& answer);
 Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const State& state);
 
 /// Whether the bodies resist being pressed together and being tilted; spurious solutions do not.
-bool steady(const Grid& grid, const State& state);
+bool steady(const std::array<Pair, 2>& stiffness, View edges);
+inline bool steady(const Grid& grid, const State& state) { return steady(state.stiffness, grid.edges); }
 
 }  // namespace nonhertz

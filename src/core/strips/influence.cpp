@@ -164,6 +164,8 @@ void Influence::seen_from(Index source, double m) {
     for (Index i = begin; i < end; ++i)
       seen_[i] += face.weight * added_by_face(y[i], low, high, inverse, face, element, kept);
   }
+  const auto [own, slope] = by_own_width(grid_.by_width, source, 1.0 / inverse);
+  seen_[source] += {own, -slope, 0.0, 0.0};
 }
 
 void Influence::coefficients(View m, const std::vector<Index>& active, Blocks& out) {
@@ -207,9 +209,11 @@ Numbers on_the_surface(View places, const Grid& grid, const State& state, const 
   Squares kept;
   for (Index j = 0; j < grid.count(); ++j) {
     if (!(state.m[j] > 0.0)) continue;
-    const double inverse = 1.0 / std::sqrt(state.m[j]), q = state.r[j] * state.m[j];
+    const double a = std::sqrt(state.m[j]), inverse = 1.0 / a, q = state.r[j] * state.m[j];
+    const double own = by_own_width(grid.by_width, j, a)[0];
     for (Index i = 0; i < count_of(places); ++i) {
-      double seen = 0.0;
+      const bool at_end = j == grid.count() - 1 && places[i] == grid.high(j);
+      double seen = at_end || (grid.low(j) <= places[i] && places[i] < grid.high(j)) ? own : 0.0;
       for (const Term& term : kernel.terms) {
         const double offset = term.offset - places[i];
         const double upper = evaluate((term.sign * grid.high(j) + offset) * inverse, table).a();

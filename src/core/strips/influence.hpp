@@ -58,6 +58,15 @@ Four added_by_face(double y, double low, double high, double inverse, const Face
 /// Displacement on the surface at any places, per unit of compliance, points at depth left out.
 Numbers on_the_surface(View places, const Grid& grid, const State& state, const Kernel& kernel);
 
+/// What its half-width a changes in [A] of a strip on itself, C0 + C1 a + (C2 ln a + C3) a^2, and a times the
+/// derivative.
+inline Pair by_own_width(const Matrix& by_width, Index strip, double a) {
+  if (by_width.empty() || by_width(2, strip) == 0.0) return {};
+  const double logarithmic = by_width(2, strip), linear = by_width(1, strip);
+  const double square = logarithmic * std::log(a) + by_width(3, strip);
+  return {by_width(0, strip) + a * (linear + a * square), a * (linear + a * (2.0 * square + logarithmic))};
+}
+
 /// [A] of a strip at its own centre and d(m [A])/dm.
 inline Pair self_displacement(double width, double m, const double* table) {
   const Four s = evaluate(0.5 * width / std::sqrt(m), table);

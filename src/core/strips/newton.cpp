@@ -10,11 +10,13 @@ constexpr double INFINITE = std::numeric_limits<double>::infinity();
 // Once residual and step are this small, the error left is the square of the step, and the stiffness is accurate to
 // SMALL_STEP. The same on the way to a finer grid, where the stiffness is not needed.
 constexpr double NEARLY = 1e-8, SMALL_STEP = 1e-5, ROUGHLY_NEARLY = 1e-3, ROUGHLY_SMALL = 0.1;
-constexpr int STEP_LIMIT = 60;
+constexpr int STEP_LIMIT = 60, FOLLOWING = 12;  // from nothing, and where a contact follows another approach and tilt
 constexpr double LEAST_CHANGE = 0.3;  // smallest factor by which r may change in one step; its inverse is the largest
 constexpr double WIDEST = 1e4;        // half-width over half the length, beyond which the iteration has diverged
 // A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
 constexpr double LET_SETTLE = 0.1;
+// Of a step, while a strip that has left and entered again is far from settled: whole steps would drive it out again.
+constexpr double AFTER_RETURN = 0.5;
 
 double imbalance(const Prescription& given, const Pair& off, double load) {
   double largest = 0.0;
@@ -47,9 +49,12 @@ void Newton::run(const Prescription& given, const Options& options, State& state
   const auto ends = [&state](Status status, int steps, double residual) {
     state.status = status, state.steps = steps, state.residual = residual;
   };
-  influence_.restart();
+  if (!options.follows) influence_.restart();
+  has_left_.assign(grid_.count(), false);
+  bool has_returned = false;
   double residual = INFINITE;
-  for (int step = 0; step < STEP_LIMIT; ++step) {
+  const int limit = options.follows ? FOLLOWING : STEP_LIMIT;
+  for (int step = 0; step < limit; ++step) {
     if (options.stop.stop_requested()) throw Stopped{};
     pair_lone_strip(given, state);
     find_active(state);
@@ -63,19 +68,25 @@ void Newton::run(const Prescription& given, const Options& options, State& state
     if (!std::isfinite(residual) || !std::isfinite(sum(state.m))) return ends(Status::stagnated, step, residual);
     find_directions();
     border(state);
-    if (residual < options.tolerance) {
+    if (residual < options.tolerance && !options.follows) {
       for (std::size_t k = 0; k < active_.size(); ++k) state.gap[active_[k]] = unclosed_[k];
       return ends(Status::converged, step, residual);
     }
     const Pair rigid = rigid_step(given);
     const double largest = combine(rigid);
-    const double widest = largest_of(state.m), limit = WIDEST * half_;
-    if (widest > limit * limit || !std::isfinite(largest)) return ends(Status::stagnated, step, residual);
-    state.rigid[0] += options.relaxation * rigid[0];
-    state.rigid[1] += options.relaxation * rigid[1] / half_;
-    const bool changed = update(options.relaxation, state);
+    const double widest = largest_of(state.m), too_wide = WIDEST * half_;
+    if (widest > too_wide * too_wide || !std::isfinite(largest)) return ends(Status::stagnated, step, residual);
+    if (options.follows && residual < nearly && largest < small_step) {
+      sum_up();
+      return ends(Status::converged, step, residual);
+    }
+    const double relaxation = has_returned && residual > ROUGHLY_NEARLY ? AFTER_RETURN : options.relaxation;
+    state.rigid[0] += relaxation * rigid[0];
+    state.rigid[1] += relaxation * rigid[1] / half_;
+    const bool changed = update(relaxation, state);
     const bool entered = enter(noise + LET_SETTLE * unsettled * scale, state);
-    if (residual < nearly && largest < small_step && !changed && !entered) {
+    has_returned = returned(state) || has_returned;
+    if (!options.follows && residual < nearly && largest < small_step && !changed && !entered) {
       influence_.keep_up(state.m);
       const double left = violation(given, state);
       if (left < options.tolerance) return ends(Status::converged, step + 1, left);
@@ -261,6 +272,16 @@ Pair Newton::rigid_step(const Prescription& given) const {
   return {(first * d - second * b) / determinant, (second * a - first * c) / determinant};
 }
 
+/// Add up load and moment, with what the step would add.
+void Newton::sum_up() {
+  resultant_ = {response_[0][0], response_[1][0]};
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    resultant_[0] += weights_[k];
+    resultant_[1] += weights_[k] * lever_[k];
+  }
+  resultant_[1] *= half_;
+}
+
 /// Put the step for this motion in the first columns, and return the largest change of r or of m.
 double Newton::combine(const Pair& rigid) {
   double largest = 0.0;
@@ -309,6 +330,14 @@ bool Newton::enter(double overlap, State& state) const {
     state.m[i] = own_width(-state.gap[i] / state.r[i], grid_.width(i));
   }
   return entered;
+}
+
+/// Mark the strips that have left; return whether one that had left before is back.
+bool Newton::returned(const State& state) {
+  bool found = false;
+  for (Index i = 0; i < grid_.count(); ++i) found = found || (has_left_[i] && state.m[i] > 0.0);
+  for (Index i : active_) has_left_[i] = has_left_[i] || !(state.m[i] > 0.0);
+  return found;
 }
 
 /// Return m with m [A](m) = required, by Newton's method on a concave increasing function.

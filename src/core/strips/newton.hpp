@@ -20,6 +20,7 @@ struct Options {
   double tolerance = TOLERANCE;  ///< largest relative residual of a solution
   double relaxation = 1.0;       ///< fraction of each step to take
   bool eager = true;             ///< whether the curvature rows are solved for r before every step
+  bool follows = false;          ///< whether a solved contact follows another motion: see `Newton::resultant`
   std::stop_token stop{};        ///< looked at before every step
 };
 
@@ -32,7 +33,12 @@ class Newton {
   Newton(const Grid& grid, const Kernel& kernel);
 
   /// Solve from the r, m and rigid motion in `state`, and leave there what is reached.
+  ///
+  /// A contact that follows stops as soon as load and moment are accurate, and is not checked. What strips do far away
+  /// is kept for the next one.
   void run(const Prescription& given, const Options& options, State& state);
+  /// K Q and K T of a contact that followed, with what the last step would still add: their errors are its square.
+  const Pair& resultant() const { return resultant_; }
 
  private:
   struct Weighed {
@@ -50,9 +56,11 @@ class Newton {
   void find_directions();
   void border(State& state);
   Pair rigid_step(const Prescription& given) const;
+  void sum_up();
   double combine(const Pair& rigid);
   bool update(double relaxation, State& state) const;
   bool enter(double overlap, State& state) const;
+  bool returned(const State& state);
   double violation(const Prescription& given, State& state);
   Weighed scales(const State& state) const;
   Pair balance(const Prescription& given, const Pair& rigid, double load, double moment) const;
@@ -70,6 +78,8 @@ class Newton {
   Numbers r_, m_, missing_, weights_, lever_, unclosed_;
   std::vector<std::array<double, 3>> d_r_, d_q_;  // relative changes for the residual and both rigid motions
   std::array<std::array<double, 3>, 2> response_{};
+  std::vector<char> has_left_;  // strips that have been in contact and are not, or were not
+  Pair resultant_{};
   Pair off_{};  // target minus current approach or load, and tilt or moment
   Numbers q_, raised_;
 };

@@ -12,9 +12,7 @@ namespace {
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 constexpr double NEARBY = 0.1;       // relative change up to which the case before serves as the start
 constexpr double LEAST_RISE = 1e-3;  // of the load: a smaller increment is not attempted
-// Depths in half-widths of independent springs, which may be half of the true ones where bodies are thin. Below the
-// first no loop is started, below the second a failed start is not retried.
-constexpr double HOPELESS = 0.7, BEYOND_HELP = 2.0;
+constexpr double BEYOND_HELP = 2.0;  // depth in half-widths below which a failed start is not retried
 constexpr int RISES = 40;
 // Up to so many strips all starts are tried. On more, a step costs the cube of the strips: no other start is tried once
 // those that failed have cost so many steps on the first, nor is the load raised.
@@ -114,7 +112,8 @@ State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel
       if (start >= SHORTENED && too_thin(grid, kernel, trial.m, BEYOND_HELP)) continue;
       if (start == RAISED && !given.by_force[0]) continue;
     }
-    Options options{attempt.tolerance, 1.0, start != TOGETHER, attempt.stop};
+    Options options;
+    options.tolerance = attempt.tolerance, options.eager = start != TOGETHER, options.stop = attempt.stop;
     if (start == SHORTENED) options.relaxation = 0.5;
     if (start == RAISED) {
       options.tolerance = TOLERANCE;

@@ -5,6 +5,10 @@
 
 namespace nonhertz {
 
+// Depth in half-widths below which no loop is started. Those of independent springs may be half of the true ones where
+// bodies are thin.
+inline constexpr double HOPELESS = 0.7;
+
 /// Which starts there are beside springs, and how hard to try.
 struct Attempt {
   const Level* near = nullptr;    ///< a solution on other strips

@@ -19,6 +19,7 @@ struct Grid {
   Numbers separation, curvature;  ///< h [mm] and 1/rho [1/mm] at the centres
   Numbers min_depth, sharper;     ///< the smaller of both depths [mm], the larger of both curvatures in magnitude
   Matrix at_depth;                ///< displacement per K q of what it is measured against; empty where that is at rest
+  Matrix by_width;                ///< what a changes on the strip itself, rows C0 to C3; empty on flat surfaces
 
   Index count() const { return count_of(y); }
   double low(Index i) const { return edges[i]; }
