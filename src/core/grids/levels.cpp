@@ -164,8 +164,8 @@ void drop_unsolved(std::vector<Level>& levels) {
 /// Solves one case on ever better grids.
 class Search {
  public:
-  Search(const Model& model, const Prescription& given, double accuracy)
-      : model_(model), given_(given), accuracy_(accuracy) {
+  Search(const Model& model, const Prescription& given, double accuracy, const Stop* stop)
+      : model_(model), given_(given), accuracy_(accuracy), stop_(stop) {
     const double order = accuracy > ACCURACY ? ORDER_COARSER : ORDER;
     coarseness_ = COARSENESS * std::pow(accuracy / ACCURACY, 1.0 / order);
   }
@@ -188,7 +188,7 @@ class Search {
  private:
   Level solved(std::shared_ptr<const Grid> grid, const Level* near, double tolerance, bool patient) const {
     Attempt attempt;
-    attempt.near = near, attempt.tolerance = tolerance, attempt.patient = patient;
+    attempt.near = near, attempt.tolerance = tolerance, attempt.patient = patient, attempt.stop = stop_;
     State state = solve_on(*grid, given_, model_.kernel(), attempt);
     return {std::move(grid), std::move(state)};
   }
@@ -284,6 +284,7 @@ class Search {
   const Model& model_;
   const Prescription& given_;
   double accuracy_, coarseness_;
+  const Stop* stop_;
 };
 
 }  // namespace
@@ -307,8 +308,8 @@ void refuse_infeasible(const Model& model, const Grid& grid, const Prescription&
   }
 }
 
-Levels solve_automatically(const Model& model, const Prescription& given, double accuracy) {
-  std::vector<Level> levels = Search(model, given, accuracy).run();
+Levels solve_automatically(const Model& model, const Prescription& given, double accuracy, const Stop* stop) {
+  std::vector<Level> levels = Search(model, given, accuracy, stop).run();
   const bool regular = levels[1].state.converged();
   drop_unsolved(levels);
   return {std::move(levels), regular ? accuracy : 0.0};
@@ -323,13 +324,13 @@ std::vector<std::shared_ptr<const Grid>> equal_grids(const Model& model, Index c
 }
 
 Levels solve_on_grids(const Model& model, const std::vector<std::shared_ptr<const Grid>>& grids,
-                      const Prescription& given, const State* before, const Prescription& of_before) {
+                      const Prescription& given, const State* before, const Prescription& of_before, const Stop* stop) {
   Levels found;
   for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid) {
     const bool last = *grid == grids.front();
     Attempt attempt;
     attempt.near = found.levels.empty() ? nullptr : &found.levels[0];
-    attempt.tolerance = last ? TOLERANCE : ROUGH_TOLERANCE, attempt.patient = last;
+    attempt.tolerance = last ? TOLERANCE : ROUGH_TOLERANCE, attempt.patient = last, attempt.stop = stop;
     if (last) attempt.before = before, attempt.of_before = of_before;
     State state = solve_on(**grid, given, model.kernel(), attempt);
     found.levels.insert(found.levels.begin(), {*grid, std::move(state)});

@@ -26,14 +26,15 @@ struct Levels {
 };
 
 /// Solve one case on a graded grid that is adapted to the contact.
-Levels solve_automatically(const Model& model, const Prescription& given, double accuracy);
+Levels solve_automatically(const Model& model, const Prescription& given, double accuracy, const Stop* stop = nullptr);
 
 /// Edges given or equal, and coarser ones that leave out every other one or are fewer; finest first.
 std::vector<std::shared_ptr<const Grid>> equal_grids(const Model& model, Index count);
 
 /// Solve one case on given grids; `before`: a similar case, solved on the finest.
 Levels solve_on_grids(const Model& model, const std::vector<std::shared_ptr<const Grid>>& grids,
-                      const Prescription& given, const State* before, const Prescription& of_before);
+                      const Prescription& given, const State* before, const Prescription& of_before,
+                      const Stop* stop = nullptr);
 
 /// Refuse what no loads on these strips can meet.
 void refuse_infeasible(const Model& model, const Grid& grid, const Prescription& given);

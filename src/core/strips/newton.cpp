@@ -55,7 +55,7 @@ void Newton::run(const Prescription& given, const Options& options, State& state
   double residual = INFINITE;
   const int limit = options.follows ? FOLLOWING : STEP_LIMIT;
   for (int step = 0; step < limit; ++step) {
-    if (options.stop.stop_requested()) throw Stopped{};
+    if (options.stop != nullptr) options.stop->look();
     pair_lone_strip(given, state);
     find_active(state);
     if (active_.empty()) return ends(Status::stagnated, step, residual);

@@ -5,8 +5,7 @@
 // them for r at the current m, so the step itself is a system in m alone, bordered by approach and tilt.
 #pragma once
 
-#include <stop_token>
-
+#include "numbers/stop.hpp"
 #include "strips/influence.hpp"
 #include "strips/linear.hpp"
 #include "strips/strips.hpp"
@@ -21,11 +20,8 @@ struct Options {
   double relaxation = 1.0;       ///< fraction of each step to take
   bool eager = true;             ///< whether the curvature rows are solved for r before every step
   bool follows = false;          ///< whether a solved contact follows another motion: see `Newton::resultant`
-  std::stop_token stop{};        ///< looked at before every step
+  const Stop* stop = nullptr;    ///< looked at before every step
 };
-
-/// Thrown by a loop that is asked to stop.
-struct Stopped {};
 
 /// A Newton loop on one grid, with the room it works in.
 class Newton {

@@ -15,8 +15,8 @@ struct Attempt {
   const State* before = nullptr;  ///< of a similar case on the same strips
   Prescription of_before{};       ///< what was prescribed there
   double tolerance = TOLERANCE;
-  bool patient = true;  ///< whether to try hard
-  std::stop_token stop{};
+  bool patient = true;         ///< whether to try hard
+  const Stop* stop = nullptr;  ///< looked at before every step
 };
 
 State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel, const Attempt& attempt);
