@@ -1,8 +1,96 @@
+// How a solution is judged: what Python compares with limits and puts into words.
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/vector.h>
+
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
+#include "judging/judgement.hpp"
 
 namespace nonhertz {
+namespace {
 
-void bind_judging(nb::module_&) {}
+/// A state that Python has kept, with the strips that it is of.
+Level level_of(const Model& model, const VectorIn& edges, const VectorIn& r, const VectorIn& m, const VectorIn& gap,
+               Pair rigid, const std::array<Pair, 2>& stiffness, Status status) {
+  const Index n = static_cast<Index>(r.size());
+  if (static_cast<Index>(edges.size()) != n + 1 || m.size() != r.size() || gap.size() != r.size())
+    throw std::invalid_argument("strips must have an edge more than loads, half-widths and gaps");
+  Level level{model.springs(numbers(edges)), State(n)};
+  level.state.r = numbers(r), level.state.m = numbers(m), level.state.gap = numbers(gap);
+  level.state.rigid = rigid, level.state.stiffness = stiffness, level.state.status = status;
+  return level;
+}
+
+}  // namespace
+
+void bind_judging(nb::module_& m) {
+  nb::enum_<EndKind>(m, "EndKind", nb::is_arithmetic())
+      .value("RUN_OUT", EndKind::run_out)
+      .value("FINITE", EndKind::finite)
+      .value("SINGULAR", EndKind::singular)
+      .value("CORNER", EndKind::corner)
+      .value("CUT_OFF", EndKind::cut_off);
+  nb::class_<End>(m, "End")
+      .def_ro("kind", &End::kind)
+      .def_ro("y", &End::y)
+      .def_ro("width", &End::width)
+      .def_ro("pressure", &End::pressure)
+      .def_ro("image_weight", &End::image_weight)
+      .def_ro("exponent", &End::exponent)
+      .def_ro("correction_exponent", &End::correction_exponent);
+  nb::class_<SingularEnd>(m, "SingularEnd")
+      .def_ro("y", &SingularEnd::y)
+      .def_ro("is_corner", &SingularEnd::is_corner)
+      .def_ro("width", &SingularEnd::width);
+  nb::class_<Errors>(m, "Errors")
+      .def_ro("approach", &Errors::approach)
+      .def_ro("load", &Errors::load)
+      .def_ro("max_pressure", &Errors::max_pressure)
+      .def_ro("moment", &Errors::moment)
+      .def_ro("tilt", &Errors::tilt);
+  nb::class_<Checks>(m, "Checks")
+      .def_ro("length_ratio", &Checks::length_ratio)
+      .def_ro("radius_ratio", &Checks::radius_ratio)
+      .def_ro("depth_ratio", &Checks::depth_ratio)
+      .def_ro("half_width", &Checks::half_width)
+      .def_ro("unevenness", &Checks::unevenness)
+      .def_ro("deepest", &Checks::deepest)
+      .def_ro("pressed", &Checks::pressed)
+      .def_ro("mean_pressure", &Checks::mean_pressure)
+      .def_ro("missed", &Checks::missed)
+      .def_ro("missed_y", &Checks::missed_y);
+  nb::class_<Judgement>(m, "Judgement")
+      .def_ro("contact", &Judgement::contact)
+      .def_prop_ro("ends", [](const Judgement& self) { return self.ends.ends; })
+      .def_prop_ro("singular", [](const Judgement& self) { return self.ends.singular; })
+      .def_prop_ro("max_pressure", [](const Judgement& self) { return self.pressure.value; })
+      .def_prop_ro("max_pressure_y", [](const Judgement& self) { return self.pressure.y; })
+      .def_ro("max_half_width", &Judgement::half_width)
+      .def_ro("peaks_at_corner", &Judgement::peaks_at_corner)
+      .def_ro("penetration", &Judgement::penetration)
+      .def_ro("errors", &Judgement::errors)
+      .def_ro("checks", &Judgement::checks);
+  nb::class_<Level>(m, "Level")
+      .def("__init__",
+           [](Level* self, const Model& model, const VectorIn& edges, const VectorIn& r, const VectorIn& squares,
+              const VectorIn& gap, Pair rigid, const std::array<Pair, 2>& stiffness,
+              Status status) { new (self) Level(level_of(model, edges, r, squares, gap, rigid, stiffness, status)); });
+  m.def(
+      "judge",
+      [](const Model& model, std::array<bool, 2> by_force, Pair target, std::vector<Level> levels, double accuracy) {
+        const nb::gil_scoped_release unlocked;
+        return judge(model, {by_force, target}, {std::move(levels), accuracy});
+      },
+      "model"_a, "by_force"_a, "target"_a, "levels"_a, "accuracy"_a);
+  m.def(
+      "counted",
+      [](const VectorIn& y, const VectorIn& values, const VectorIn& half_width, const VectorIn& ends) {
+        if (y.size() == 0 || values.size() != y.size() || half_width.size() != y.size())
+          throw std::invalid_argument("places, values and half-widths must be as many");
+        Counted found = counted(view(y), view(values), view(half_width), view(ends));
+        return nb::make_tuple(array_of(std::move(found.places)), array_of(std::move(found.values)));
+      },
+      "y"_a, "values"_a, "half_width"_a, "ends"_a);
+}
 
 }  // namespace nonhertz

@@ -28,29 +28,6 @@ VectorOut made(const Result& result, Value value) {
 }  // namespace
 
 void bind_solve(nb::module_& m) {
-  nb::enum_<EndKind>(m, "EndKind", nb::is_arithmetic())
-      .value("RUN_OUT", EndKind::run_out)
-      .value("FINITE", EndKind::finite)
-      .value("SINGULAR", EndKind::singular)
-      .value("CORNER", EndKind::corner)
-      .value("CUT_OFF", EndKind::cut_off);
-  nb::class_<End>(m, "End")
-      .def_ro("kind", &End::kind)
-      .def_ro("y", &End::y)
-      .def_ro("width", &End::width)
-      .def_ro("image_weight", &End::image_weight)
-      .def_ro("exponent", &End::exponent)
-      .def_ro("correction_exponent", &End::correction_exponent);
-  nb::class_<Checks>(m, "Checks")
-      .def_ro("length_ratio", &Checks::length_ratio)
-      .def_ro("radius_ratio", &Checks::radius_ratio)
-      .def_ro("unevenness", &Checks::unevenness)
-      .def_ro("deepest", &Checks::deepest)
-      .def_ro("mean_pressure", &Checks::mean_pressure)
-      .def_ro("depth_ratio", &Checks::depth_ratio)
-      .def_ro("missed", &Checks::missed)
-      .def_ro("missed_y", &Checks::missed_y)
-      .def_ro("pressed", &Checks::pressed);
   const auto of_state = [](auto member) {
     return [member](const Result& self) { return self.finest().state.*member; };
   };
@@ -98,20 +75,9 @@ void bind_solve(nb::module_& m) {
                                        self.shortfall.at);
                    })
       .def_ro("is_steady", &Result::is_steady)
-      .def_prop_ro("contact", [](const Result& self) { return self.judgement.value().contact; })
-      .def_prop_ro("ends", [](const Result& self) { return self.judgement.value().ends.ends; })
-      .def_prop_ro("singular", [](const Result& self) { return self.judgement.value().ends.singular; })
-      .def_prop_ro("largest",
-                   [](const Result& self) {
-                     return std::array{self.judgement->largest.pressure, self.judgement->largest.y};
-                   })
-      .def_prop_ro("peaks_at_corner", [](const Result& self) { return self.judgement.value().peaks_at_corner; })
-      .def_prop_ro("penetration", [](const Result& self) { return self.judgement.value().penetration; })
-      .def_prop_ro("checks", [](const Result& self) { return self.judgement.value().checks; })
-      .def_prop_ro("errors", [](const Result& self) {
-        const Errors& e = self.judgement.value().errors;
-        return std::array{e.approach, e.load, e.max_pressure, e.moment, e.tilt};
-      });
+      .def_prop_ro(
+          "judgement", [](const Result& self) -> const Judgement& { return self.judgement.value(); },
+          nb::rv_policy::reference_internal);
   static nb::object refused = nb::exception<Refused>(m, "Refused");
   nb::class_<Automatic>(m, "Automatic").def(nb::init<double>());
   m.def(

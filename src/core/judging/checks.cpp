@@ -5,11 +5,16 @@
 
 #include "grids/overlaps.hpp"
 #include "judging/judgement.hpp"
+#include "judging/resolution.hpp"
 
 namespace nonhertz {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
+constexpr double WIDE_BESIDE = 2.0;  // times the last strip in contact: the one beside it may hide that it goes on
+
+/// The larger of two numbers; NaN if one of them is.
+double larger(double one, double other) { return other > one || std::isnan(other) ? other : one; }
 
 /// How far the bodies depart from parabolas within a half-width to either side, in the mean of all strips by their
 /// loads.
@@ -34,50 +39,75 @@ double unevenness(const Model& model, const Level& level) {
   return total / load;
 }
 
+/// Whether a contact ends beside a strip so wide that it may go on there unseen by its centre.
+bool may_go_on(const Level& level) {
+  const Grid& grid = *level.grid;
+  const auto bears = [&level](Index i) { return level.state.m[i] > 0.0; };
+  for (Index i = 1; i < grid.count(); ++i) {
+    if (bears(i) == bears(i - 1)) continue;
+    const Index in = bears(i) ? i : i - 1, out = bears(i) ? i - 1 : i;
+    if (grid.width(out) > WIDE_BESIDE * grid.width(in)) return true;
+  }
+  return false;
+}
+
+/// Whether a place lies in a strip in contact, or within a strip width beside it, where the contact ends.
+bool is_next_to_contact(const Level& level, double y) {
+  const Grid& grid = *level.grid;
+  const Numbers& m = level.state.m;
+  const Index n = grid.count();
+  for (Index first = 0; first < n; ++first) {
+    if (!(m[first] > 0.0)) continue;
+    Index last = first;
+    while (last + 1 < n && m[last + 1] > 0.0) ++last;
+    if (y >= grid.low(first) - grid.width(first) && y <= grid.high(last) + grid.width(last)) return true;
+    first = last;
+  }
+  return false;
+}
+
 /// The largest overlap where no strip is in contact, away from strips in contact and those beside them.
-void find_missed(const Model& model, const Level& level, Checks& found) {
+void find_missed(const Model& model, const Level& level, Checks& checks) {
   const Grid& grid = *level.grid;
   const double first = grid.edges.front(), last = grid.edges.back();
   const double low = std::max(model.low(), 2.0 * first - last), high = std::min(model.high(), 2.0 * last - first);
   const bool whole = low == model.low() && high == model.high();
   const Samples of_part = whole ? Samples{} : model.surveyed(low, high);
-  const Samples along = overlapping(model, level, whole ? model.region()->surveyed : of_part);
-  const Numbers& m = level.state.m;
-  const auto beside_contact = [&](double y) {
-    for (Index i = 0; i < grid.count(); ++i)
-      if (m[i] > 0.0 && y >= grid.low(i) - grid.width(i) && y <= grid.high(i) + grid.width(i)) return true;
-    return false;
-  };
-  for (std::size_t i = 0; i < along.y.size(); ++i)
-    if (along.h[i] > found.missed && !beside_contact(along.y[i]))
-      found.missed = along.h[i], found.missed_y = along.y[i];
+  const Samples& along = whole ? model.region()->surveyed : of_part;
+  // Away from a contact the displacement falls, so that another one needs a summit of the undeformed overlap.
+  if (!may_go_on(level) && !suspect(level, along)) return;
+  const Samples overlap = overlapping(model, level, along);
+  for (std::size_t i = 0; i < overlap.y.size(); ++i)
+    if (overlap.h[i] > checks.missed && !is_next_to_contact(level, overlap.y[i]))
+      checks.missed = overlap.h[i], checks.missed_y = overlap.y[i];
 }
 
 }  // namespace
 
-Checks check(const Model& model, const Level& level, const std::vector<Pair>& contact) {
+Checks check(const Model& model, const Level& level, const std::vector<Pair>& contact, double half_width) {
   const Grid& grid = *level.grid;
   const State& state = level.state;
-  Checks found{};
-  found.depth_ratio = INFINITE, found.deepest = found.pressed = -INFINITE;
-  double widest = 0.0, area = 0.0, load = 0.0, longest = 0.0;
+  Checks checks{};
+  checks.depth_ratio = INFINITE, checks.deepest = checks.pressed = -INFINITE;
+  double area = 0.0, load = 0.0, longest = 0.0;
   for (Index i = 0; i < grid.count(); ++i) {
     const double half = model.hertz_ratio() * std::sqrt(state.m[i]), depth = state.interference(grid, i);
-    found.deepest = std::max(found.deepest, depth);
-    if (!(state.m[i] > 0.0)) continue;
-    found.pressed = std::max(found.pressed, depth);
-    found.radius_ratio = std::max(found.radius_ratio, half * grid.sharper[i]);
-    found.depth_ratio = std::min(found.depth_ratio, grid.min_depth[i] / half);
-    widest = std::max(widest, half);
+    checks.deepest = std::max(checks.deepest, depth);
+    if (state.m[i] == 0.0) continue;
+    checks.half_width = larger(checks.half_width, half);
+    checks.radius_ratio = larger(checks.radius_ratio, half * grid.sharper[i]);
+    checks.depth_ratio = -larger(-checks.depth_ratio, -grid.min_depth[i] / half);
+    checks.pressed = std::max(checks.pressed, depth);
     area += 2.0 * half * grid.width(i);
     load += state.r[i] * state.m[i] * grid.width(i);
   }
   for (const auto& [low, high] : contact) longest = std::max(longest, high - low);
-  found.length_ratio = 2.0 * widest / longest;
-  found.mean_pressure = load / model.contact().compliance / area;
-  found.unevenness = unevenness(model, level);
-  find_missed(model, level, found);
-  return found;
+  checks.length_ratio = 2.0 * half_width / longest;
+  checks.mean_pressure = load / model.contact().compliance / area;
+  if (!state.converged()) return checks;
+  checks.unevenness = unevenness(model, level);
+  find_missed(model, level, checks);
+  return checks;
 }
 
 }  // namespace nonhertz

@@ -20,6 +20,7 @@ constexpr double COUNTS = 0.02;
 constexpr double LEFT_AT_CORNER = 0.5;  // of the squared pressure in the strip next to it: less is a run-out
 constexpr double RUNS_OUT = 0.05;       // of the largest pressure: where less is left at a corner, it runs out there
 constexpr double STEP = 1e-5;           // of the length: of differences that distinguish a corner from a curve
+constexpr double SAME_PLACE = 1e-9;     // of the length
 
 /// The slope that a pressure s^-alpha leaves on the surfaces of two wedges: zero for that of an end.
 double wedge_slope(double alpha, double kappa, double free) {
@@ -67,25 +68,24 @@ End body_end(const Model& model, const Grid& grid, int side) {
 }
 
 /// Finds the corners of the profile at which a contact ends under pressure.
+///
+/// There the pressure has no limit, as at a sharp end: it does not fall towards the corner, and beyond it the surfaces
+/// are apart. A contact that runs out next to a corner does not count, because its pressure falls to zero.
 class Corners {
  public:
-  Corners(const Model& model, const Level& level) : model_(model), grid_(*level.grid), pressure_(level.state.r.size()) {
-    const double per = 2.0 / (PI * model.hertz_ratio() * model.contact().compliance);
-    for (Index i = 0; i < grid_.count(); ++i) pressure_[i] = per * level.state.r[i] * std::sqrt(level.state.m[i]);
-    largest_ = *std::max_element(pressure_.begin(), pressure_.end());
-    find(level.state);
+  Corners(const Model& model, View edges, View pressure, View half_width)
+      : model_(model), edges_(edges), pressure_(pressure), half_width_(half_width), y_(pressure.size()) {
+    for (std::size_t i = 0; i < y_.size(); ++i) y_[i] = 0.5 * (edges[i + 1] + edges[i]);
+    largest_ = *std::max_element(pressure.begin(), pressure.end());
   }
-  const Numbers& found() const { return found_; }
 
- private:
-  void find(const State& state) {
-    const Index n = grid_.count();
+  Numbers find() {
+    const Index n = count_of(y_);
     for (Index first = 0; first < n; ++first) {
       if (!(pressure_[first] > 0.0)) continue;
       Index last = first;
       while (last + 1 < n && pressure_[last + 1] > 0.0) ++last;
-      double widest = 0.0;
-      for (Index i = first; i <= last; ++i) widest = std::max(widest, model_.hertz_ratio() * std::sqrt(state.m[i]));
+      const double widest = *std::max_element(half_width_.begin() + first, half_width_.begin() + last + 1);
       // Outermost strip first; multiplied by the side, positions increase outwards.
       look_at(first, last, -1, PAST_CORNER * widest);
       look_at(last, first, 1, PAST_CORNER * widest);
@@ -93,14 +93,16 @@ class Corners {
     }
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    return std::move(found_);
   }
 
+ private:
   void look_at(Index outer, Index inner_end, int side, double room) {
     const Index beyond = outer + side;
-    const bool is_strip = 0 <= beyond && beyond < grid_.count();
-    const double outermost = is_strip ? grid_.y[beyond] : side > 0 ? grid_.high(outer) : grid_.low(outer);
-    const double inner_edge = side > 0 ? grid_.low(outer) : grid_.high(outer);
-    const double inner = std::min(side * inner_edge, side * grid_.y[outer] - room);
+    const bool is_strip = 0 <= beyond && beyond < count_of(y_);
+    const double outermost = is_strip ? y_[beyond] : edges_[outer + (side > 0)],
+                 inner_edge = edges_[outer + (side < 0)];
+    const double inner = std::min(side * inner_edge, side * y_[outer] - room);
     for (double bend : model_.contact().bends)
       if (inner < side * bend && side * bend < side * outermost && presses(bend, side, outer, inner_end))
         found_.push_back(bend);
@@ -109,9 +111,9 @@ class Corners {
   /// Whether a bend is a corner that a contact presses against.
   bool presses(double bend, int side, Index outer, Index inner_end) const {
     Index at = outer;  // becomes the outermost strip within
-    for (; !(side * grid_.y[at] < side * bend); at -= side)
+    for (; !(side * y_[at] < side * bend); at -= side)
       if (at == inner_end) return false;
-    const double length = grid_.count() > 1 ? grid_.y.back() - grid_.y.front() : 1.0, step = STEP * length;
+    const double step = y_.size() > 1 ? STEP * (y_.back() - y_.front()) : STEP;
     const double turn = std::min(turn_at(bend, step), 2.0 * turn_at(bend, 0.1 * step)), beside = pressure_[at];
     if (turn < COUNTS * 2.0 * PI * PI * model_.contact().compliance * beside || beside < RUNS_OUT * largest_)
       return false;
@@ -122,9 +124,8 @@ class Corners {
     // left out, because it may carry load for what lies beyond it.
     const Index last = within > 2 ? at - side : at, next_in = last - side;
     const double square = pressure_[last] * pressure_[last];
-    const double fall =
-        (pressure_[next_in] * pressure_[next_in] - square) / std::fabs(grid_.y[next_in] - grid_.y[last]);
-    return square - fall * std::fabs(bend - grid_.y[last]) > LEFT_AT_CORNER * square;
+    const double fall = (pressure_[next_in] * pressure_[next_in] - square) / std::fabs(y_[next_in] - y_[last]);
+    return square - fall * std::fabs(bend - y_[last]) > LEFT_AT_CORNER * square;
   }
 
   double turn_at(double place, double step) const {
@@ -133,12 +134,33 @@ class Corners {
   }
 
   const Model& model_;
-  const Grid& grid_;
-  Numbers pressure_, found_;
+  View edges_, pressure_, half_width_;
+  Numbers y_, found_;
   double largest_;
 };
 
+/// The width of the strip in contact nearest to a place.
+double step_at(const Level& level, double place) {
+  const Grid& grid = *level.grid;
+  Index nearest = -1;
+  for (Index i = 0; i < grid.count(); ++i) {
+    const bool bears = level.state.r[i] * level.state.m[i] > 0.0;
+    if (bears && (nearest < 0 || std::fabs(grid.y[i] - place) < std::fabs(grid.y[nearest] - place))) nearest = i;
+  }
+  return nearest < 0 ? 0.0 : grid.width(nearest);
+}
+
 }  // namespace
+
+Numbers corner_ends(const Model& model, View edges, View pressure, View half_width) {
+  return Corners(model, edges, pressure, half_width).find();
+}
+
+Numbers Ends::singular_places() const {
+  Numbers places;
+  for (const SingularEnd& each : singular) places.push_back(each.y);
+  return places;
+}
 
 Ends ends_of(const Model& model, const Level& level) {
   const Grid& grid = *level.grid;
@@ -148,23 +170,27 @@ Ends ends_of(const Model& model, const Level& level) {
   for (int column = 0; column < 2; ++column) {
     const int side = 2 * column - 1;
     End& end = found.ends[column];
-    end.y = contact.empty() ? (column ? grid.edges.back() : grid.edges.front())
-            : column        ? contact.back()[1]
-                            : contact[0][0];
+    const double last = column ? grid.edges.back() : grid.edges.front();
+    end.y = contact.empty() ? last : column ? contact.back()[1] : contact[0][0];
     // Where undeformed bodies do not overlap at the end of the strips, they cannot touch there: the last strip may be
     // wider than the remainder of a contact that runs out close to the end.
-    const double last = column ? grid.edges.back() : grid.edges.front();
     const bool touching =
         reaches(grid, state.m, side) && state.rigid[0] + state.rigid[1] * last > model.separation(last);
     if (touching) end = body_end(model, grid, side);
-    if (end.kind == EndKind::singular) found.singular.push_back(end.y);
+    if (end.kind == EndKind::singular) found.singular.push_back({end.y, false, step_at(level, end.y)});
   }
-  if (model.contact().bends.empty()) return found;
-  const Corners corners(model, level);
   const auto bears = [](double m) { return m > 0.0; };
   const Index first = std::find_if(state.m.begin(), state.m.end(), bears) - state.m.begin();
+  if (first == grid.count()) return found;
   const Index last = state.m.rend() - std::find_if(state.m.rbegin(), state.m.rend(), bears) - 1;
-  for (double corner : corners.found()) {
+  Numbers pressure(grid.y.size()), half_width(grid.y.size());
+  for (Index i = 0; i < grid.count(); ++i) {
+    const double root = std::sqrt(state.m[i]);
+    pressure[i] = 2.0 * (state.r[i] * root) / (PI * model.hertz_ratio() * model.contact().compliance);
+    half_width[i] = model.hertz_ratio() * root;
+  }
+  const bool may_have_corners = state.converged() && !model.contact().bends.empty();
+  for (double corner : may_have_corners ? corner_ends(model, grid.edges, pressure, half_width) : Numbers{}) {
     for (int column = 0; column < 2; ++column) {
       const int side = 2 * column - 1;
       const Index at = column ? last : first;
@@ -172,8 +198,15 @@ Ends ends_of(const Model& model, const Level& level) {
       if (end.kind == EndKind::run_out && side * corner > side * grid.y[at] - grid.width(at))
         end.kind = EndKind::corner, end.y = corner, end.width = grid.width(at);
     }
-    found.singular.push_back(corner);
+    const double room = SAME_PLACE * (grid.edges.back() - grid.edges.front());
+    const auto is_apart = [&](const SingularEnd& end) { return std::fabs(corner - end.y) > room; };
+    if (std::all_of(found.singular.begin(), found.singular.end(), is_apart))
+      found.singular.push_back({corner, true, step_at(level, corner)});
   }
+  std::sort(found.singular.begin(), found.singular.end(),
+            [](const SingularEnd& one, const SingularEnd& other) { return one.y < other.y; });
+  for (int column = 0; column < 2; ++column)
+    if (found.ends[column].kind != EndKind::run_out) found.ends[column].pressure = pressure[column ? last : first];
   return found;
 }
 

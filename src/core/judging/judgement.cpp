@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace nonhertz {
 namespace {
@@ -30,47 +32,27 @@ bool is_at_kink(const Model& model, const Level& level, double y, View singular)
 
 Judgement judge(const Model& model, const Prescription& given, const Levels& levels) {
   const Level& finest = levels.levels[0];
+  const Grid& grid = *finest.grid;
+  const State& state = finest.state;
+  const Index n = grid.count();
+  Numbers half_width(n), pressure(n);
+  for (Index i = 0; i < n; ++i) {
+    half_width[i] = model.hertz_ratio() * std::sqrt(state.m[i]);
+    const double line_load = state.r[i] * state.m[i] / model.contact().compliance;
+    if (half_width[i] > 0.0) pressure[i] = 2.0 * line_load / (std::numbers::pi * half_width[i]);
+  }
   Judgement found;
-  found.contact = intervals(*finest.grid, finest.state.m);
+  found.contact = intervals(grid, state.m);
   found.ends = ends_of(model, finest);
-  found.largest = largest_pressure(finest, model.hertz_ratio(), found.ends.singular);
-  found.peaks_at_corner = is_at_kink(model, finest, found.largest.y, found.ends.singular);
-  const Estimate estimated = estimate(model, given, levels, found.ends, found.largest, found.peaks_at_corner);
-  found.errors = estimated.errors, found.penetration = estimated.penetration;
-  found.checks = check(model, finest, found.contact);
+  const Numbers singular = found.ends.singular_places();
+  found.pressure = counted(grid.y, pressure, half_width, singular).largest();
+  if (found.contact.empty()) found.pressure.y = std::numeric_limits<double>::quiet_NaN();
+  found.half_width = counted(grid.y, half_width, half_width, singular).largest().value;
+  found.peaks_at_corner = state.converged() && is_at_kink(model, finest, found.pressure.y, singular);
+  found.penetration = penetration_of(model, grid.edges, state.rigid);
+  found.errors = estimate(model, given, levels, found.ends, found.peaks_at_corner);
+  found.checks = check(model, finest, found.contact, found.half_width);
   return found;
-}
-
-/// The parabolas within a strip, as three orthonormal rows over the places.
-static std::array<std::array<double, WITHIN>, 3> parabolas() {
-  std::array<std::array<double, WITHIN>, 3> rows{};
-  for (int power = 0; power < 3; ++power) {
-    for (int k = 0; k < WITHIN; ++k) rows[power][k] = std::pow(within(k), power);
-    for (int other = 0; other < power; ++other) {
-      double along = 0.0;
-      for (int k = 0; k < WITHIN; ++k) along += rows[power][k] * rows[other][k];
-      for (int k = 0; k < WITHIN; ++k) rows[power][k] -= along * rows[other][k];
-    }
-    double square = 0.0;
-    for (double each : rows[power]) square += each * each;
-    for (double& each : rows[power]) each /= std::sqrt(square);
-  }
-  return rows;
-}
-
-double departure(View separation) {
-  static const auto rows = parabolas();
-  std::array<double, 3> share{};
-  for (int k = 0; k < WITHIN; ++k) {
-    if (!std::isfinite(separation[k])) return 0.0;
-    for (int row = 0; row < 3; ++row) share[row] += separation[k] * rows[row][k];
-  }
-  double total = 0.0;
-  for (int k = 0; k < WITHIN; ++k) {
-    const double off = separation[k] - (share[0] * rows[0][k] + share[1] * rows[1][k] + share[2] * rows[2][k]);
-    total += off * off;
-  }
-  return std::sqrt(total / WITHIN);
 }
 
 }  // namespace nonhertz

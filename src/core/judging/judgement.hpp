@@ -3,7 +3,7 @@
 #pragma once
 
 #include "grids/levels.hpp"
-#include "strips/acceptance.hpp"
+#include "judging/maximum.hpp"
 
 namespace nonhertz {
 
@@ -13,16 +13,22 @@ enum class EndKind { run_out, finite, singular, corner, cut_off };
 struct End {
   EndKind kind = EndKind::run_out;
   double y = 0.0, width = 0.0;  ///< where, and the width of the last strip [mm]
+  double pressure = 0.0;        ///< of the last strip in contact [MPa], zero where the contact runs out
   double image_weight = 0.0, exponent = 0.0, correction_exponent = 0.0;
+};
+
+/// A place at which the pressure has no limit: a sharp end, or a corner of the profile.
+struct SingularEnd {
+  double y;
+  bool is_corner;
+  double width;  ///< of the nearest strip in contact [mm]
 };
 
 struct Ends {
   std::array<End, 2> ends;
-  Numbers singular;  ///< all places at which the pressure has no limit [mm]: sharp ends, then corners
-};
+  std::vector<SingularEnd> singular;  ///< ascending
 
-struct Largest {
-  double pressure = 0.0, y = 0.0;  ///< as K q / a, and where [mm]
+  Numbers singular_places() const;
 };
 
 /// Relative errors.
@@ -32,43 +38,37 @@ struct Errors {
 
 /// How a solution stands against each condition of the model.
 struct Checks {
-  double length_ratio;               ///< width / length
-  double radius_ratio;               ///< half-width over the smaller radius of curvature
-  double unevenness;                 ///< departure from parabolas within a half-width [mm]
-  double deepest;                    ///< largest interference at a strip's centre [mm]
-  double mean_pressure;              ///< [MPa]
-  double depth_ratio;                ///< least depth in half-widths, infinite where no depth is given
-  double missed, missed_y, pressed;  ///< largest overlap out of contact [mm], where, and the deepest in contact
+  double length_ratio = 0.0;            ///< width / length
+  double radius_ratio = 0.0;            ///< half-width over the smaller radius of curvature, the largest
+  double depth_ratio = 0.0;             ///< depth in half-widths, the least; infinite where no depth is given
+  double half_width = 0.0;              ///< the largest of any strip [mm]
+  double unevenness = 0.0;              ///< departure from parabolas within a half-width [mm]
+  double deepest = 0.0, pressed = 0.0;  ///< largest interference at a strip's centre, and at one in contact [mm]
+  double mean_pressure = 0.0;           ///< [MPa]
+  double missed = 0.0, missed_y = 0.0;  ///< largest overlap out of contact [mm], and where
 };
 
 struct Judgement {
   std::vector<Pair> contact;  ///< intervals in contact [mm]
   Ends ends;
-  Largest largest;
+  Largest pressure;         ///< the largest that is independent of refinement [MPa], and where [mm]
+  double half_width = 0.0;  ///< the largest one, likewise [mm]
   bool peaks_at_corner = false;
-  double penetration = 0.0;
+  double penetration = 0.0;  ///< largest interference of the undeformed bodies [mm]
   Errors errors{};
   Checks checks{};
 };
 
-/// Judge a converged solution.
+/// Judge a solution, or what a loop that failed has left: that has no corners, and no errors that are known.
 Judgement judge(const Model& model, const Prescription& given, const Levels& levels);
 
 // Its parts, each in a file of its own.
 Ends ends_of(const Model& model, const Level& level);
-Largest largest_pressure(const Level& level, double hertz_ratio, View singular);
-struct Estimate {
-  Errors errors;
-  double penetration;
-};
-Estimate estimate(const Model& model, const Prescription& given, const Levels& levels, const Ends& ends,
-                  const Largest& largest, bool at_corner);
-Checks check(const Model& model, const Level& level, const std::vector<Pair>& contact);
+Errors estimate(const Model& model, const Prescription& given, const Levels& levels, const Ends& ends, bool at_corner);
+Checks check(const Model& model, const Level& level, const std::vector<Pair>& contact, double half_width);
+double penetration_of(const Model& model, View edges, const Pair& rigid);
 
-/// The departure of the separation at nine places within a strip from a parabola, root mean square [mm].
-double departure(View separation);
-inline constexpr int WITHIN = 9;
-/// The k-th of these places, from -1/2 to 1/2.
-inline constexpr double within(int k) { return (k + 0.5) / WITHIN - 0.5; }
+/// The corners of the profile at which a contact ends under pressure [mm], ascending; pressures in MPa.
+Numbers corner_ends(const Model& model, View edges, View pressure, View half_width);
 
 }  // namespace nonhertz

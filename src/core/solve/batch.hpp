@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "judging/judgement.hpp"
+#include "strips/acceptance.hpp"
 
 namespace nonhertz {
 

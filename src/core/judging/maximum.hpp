@@ -1,0 +1,28 @@
+// The largest of some values along a contact that is independent of refinement.
+#pragma once
+
+#include "strips/strips.hpp"
+
+namespace nonhertz {
+
+/// A value, and where it is [mm].
+struct Largest {
+  double value = 0.0, y = 0.0;
+};
+
+/// Places that may have the largest value, and the values there, zero where they do not count.
+///
+/// First those of the strips, then those between each and the next.
+struct Counted {
+  Numbers places, values;
+
+  Largest largest() const;
+};
+
+/// Values of strips, or of rows of cells, that count: more than a half-width from ends at which they have no limit.
+///
+/// Values are zero out of contact. In a contact too short for that, the one farthest from the ends counts, in
+/// half-widths.
+Counted counted(View y, View values, View half_width, View ends);
+
+}  // namespace nonhertz
