@@ -45,4 +45,13 @@ inline VectorOut array_of(Numbers values) {
   return VectorOut(data, {size}, owner);
 }
 
+/// Rows and columns as an array that owns them.
+inline MatrixOut matrix_of(Matrix values) {
+  auto kept = std::make_unique<Matrix>(std::move(values));
+  const double* data = kept->all().data();
+  const auto rows = static_cast<std::size_t>(kept->rows()), columns = static_cast<std::size_t>(kept->columns());
+  nb::capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<Matrix*>(p); });
+  return MatrixOut(data, {rows, columns}, owner);
+}
+
 }  // namespace nonhertz

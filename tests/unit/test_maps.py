@@ -1,23 +1,23 @@
-"""Maps: errors as sampled, exact derivatives, nothing out of contact, files, compiled callers."""
+"""Maps: errors as sampled, exact derivatives, nothing out of contact, files, callers in C."""
 
+import ctypes
 import math
 import pickle
 import zipfile
 from collections.abc import Iterator
 
-import numba
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonhertz as nh
 from nonhertz.errors import AccuracyWarning, InputError
-from nonhertz.maps import ContactMap, loaded, pressed, pressures, share
+from nonhertz.maps import LOADED, PRESSED, PRESSURES, SHARE, ContactMap, State
 from nonhertz.maps.build import Building
-from nonhertz.maps.evaluation import tilt_coordinate
 from nonhertz.maps.spline import cells, rows, size
 from nonhertz.maps.spread import spread
 from nonhertz.maps.touch import Relief
+from nonhertz.native import core
 
 MOST, TILT, ACCURACY = 10e3, 1e-3, 2e-3
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
@@ -137,44 +137,67 @@ def test_scalars_give_floats_and_arrays_their_shape(made):
     assert made.strip_loads(found, [-10.0, 0.0, 10.0]).shape == (3, 4, 2)
 
 
-@numba.njit
-def _borne(tables, approach, tilts):  # type: ignore[no-untyped-def]
-    """Return what equal rollers at given tilts bear together."""
-    total = 0.0
-    for index in range(tilts.size):
-        total += pressed(tables, approach, tilts[index]).load
-    return total
+def written(function, made, first, tilt, count=8):
+    """What a C function writes."""
+    found = np.full(count, np.nan)
+    assert function(made.table.ctypes, first, tilt, found.ctypes) is None
+    return found
 
 
-@pytest.mark.slow
-def test_compiled_code_calls_the_map(made):
-    tilts = np.linspace(-5e-4, 5e-4, 7)
-    assert_allclose(_borne(made.tables, 0.01, tilts), made.at(approach=0.01, tilt=tilts).load.sum(), rtol=1e-12)
+def state(function, made, first, tilt):
+    return State(*written(function, made, first, tilt).tolist())
 
 
-def test_compiled_functions_agree_with_the_methods(made):
-    state = pressed(made.tables, 5e-3, 2e-4)
-    found = made.at(approach=5e-3, tilt=2e-4)
-    assert state.inside
-    assert (state.load, state.moment) == (found.load, found.moment)
-    assert pressures(made.tables, state.load, 2e-4) == (found.max_pressure, found.max_half_width)
+def test_c_functions_agree_with_the_methods(made):
+    at, found = state(PRESSED, made, 5e-3, 2e-4), made.at(approach=5e-3, tilt=2e-4)
+    assert at[:4] == (found.approach, found.tilt, found.load, found.moment)
+    assert [at.load_by_approach, at.load_by_tilt, at.load_by_tilt, at.moment_by_tilt] == [*found.stiffness.ravel()]
+    assert at.inside == 1.0
+    assert tuple(written(PRESSURES, made, at.load, 2e-4, 2)) == (found.max_pressure, found.max_half_width)
     strips = np.empty(made.stations.size - 1)
-    share(made.tables, state.load, 2e-4, made.stations, strips)
+    SHARE(made.table.ctypes, at.load, 2e-4, strips.size, made.stations.ctypes, strips.ctypes)
     assert_array_equal(strips, made.strip_loads(found))
-    assert_allclose(loaded(made.tables, state.load, 2e-4).approach, 5e-3, rtol=1e-9)
+    under = state(LOADED, made, at.load, 2e-4)
+    assert_allclose(under.approach, 5e-3, rtol=1e-9)
+    assert under[2:] == pytest.approx(at[2:], rel=1e-9)
+
+
+def test_a_map_is_called_by_the_address_of_a_function(made):
+    address = ctypes.cast(PRESSED, ctypes.c_void_p).value
+    numbers = ctypes.POINTER(ctypes.c_double)
+    function = ctypes.CFUNCTYPE(None, numbers, ctypes.c_double, ctypes.c_double, numbers)(address)
+    found = np.empty(8)
+    function(*(each.ctypes.data_as(numbers) if np.ndim(each) else each for each in (made.table, 0.01, 3e-4, found)))
+    assert found[2] == made.at(approach=0.01, tilt=3e-4).load
+
+
+def test_code_compiled_at_run_time_calls_the_map(made):
+    """As in the how-to guide: a function of ctypes is one that Numba can call."""
+    numba = pytest.importorskip("numba")
+
+    @numba.njit
+    def borne(table, approach, tilts):
+        at, total = np.empty(8), 0.0
+        for tilt in tilts:
+            PRESSED(table.ctypes, approach, tilt, at.ctypes)
+            total += at[2]
+        return total
+
+    tilts = np.linspace(-5e-4, 5e-4, 7)
+    assert_allclose(borne(made.table, 0.01, tilts), made.at(approach=0.01, tilt=tilts).load.sum(), rtol=1e-12)
 
 
 @pytest.mark.parametrize("tilt", [0.0, 9e-4, 1.5e-3, -0.1])
-def test_outside_compiled_code_continues_without_a_step_and_says_so(made, tilt):
+def test_outside_c_functions_continue_without_a_step_and_say_so(made, tilt):
     within = min(max(tilt, -TILT), TILT)
-    last = loaded(made.tables, MOST, within).approach
+    last = state(LOADED, made, MOST, within).approach
     for approach in (last + 1e-9, 2.0 * last, 10.0, -10.0, 0.5 * last):
-        state = pressed(made.tables, approach, tilt)
-        assert all(math.isfinite(value) for value in state)
-        assert state.load >= 0.0
+        found = state(PRESSED, made, approach, tilt)
+        assert all(math.isfinite(value) for value in found)
+        assert found.load >= 0.0
         if tilt != within:
-            assert not state.inside
-    edge, beyond = pressed(made.tables, last, within), pressed(made.tables, last + 1e-9, within)
+            assert not found.inside
+    edge, beyond = (state(PRESSED, made, approach, within) for approach in (last, last + 1e-9))
     assert_allclose(beyond.load, edge.load, rtol=1e-5)
     assert not beyond.inside
 
@@ -206,8 +229,7 @@ def test_a_saved_map_is_the_same_to_the_last_bit(made, tmp_path):
     assert again.sampled_error == made.sampled_error
     for name in ("numbers", "breaks", "mean_approach", "others", "stations"):
         assert_array_equal(getattr(again, name), getattr(made, name))
-    for ours, theirs in zip(again.tables, made.tables, strict=True):
-        assert_array_equal(ours, theirs)
+    assert_array_equal(again.table, made.table)
     assert again.at(approach=4e-3, tilt=1e-4).load == made.at(approach=4e-3, tilt=1e-4).load
     assert repr(pickle.loads(pickle.dumps(made))) == repr(made)
     with pytest.raises(ValueError, match="read-only"):
@@ -350,8 +372,11 @@ def test_the_tilt_coordinate_has_the_derivatives_that_it_returns():
     numbers = np.array([1.0, -2e-3, 1e-3, 1e-4, 3e-5, 2e-3, 0.0, 0.0, 0.0, 1.0, 1.0])
     x, tilt, by, turn = 0.6, 4e-4, 1e-4, 1e-7
 
+    def coordinate(x: float, tilt: float) -> np.ndarray:
+        return core.map_tilt_coordinates(numbers, np.array([x]), np.array([tilt]))[0]
+
     def z(x: float, tilt: float) -> float:
-        return tilt_coordinate(numbers, x, tilt)[0]
+        return coordinate(x, tilt)[0]
 
     expected = (
         (z(x + by, tilt) - z(x - by, tilt)) / (2 * by),
@@ -362,7 +387,7 @@ def test_the_tilt_coordinate_has_the_derivatives_that_it_returns():
         (z(x, tilt + turn) - 2 * z(x, tilt) + z(x, tilt - turn)) / turn**2,
     )
     # Differences of second order at these steps are off by a few 1e-6.
-    assert_allclose(tilt_coordinate(numbers, x, tilt)[1:], expected, rtol=2e-4)
+    assert_allclose(coordinate(x, tilt)[1:], expected, rtol=2e-4)
     assert (z(x, -2e-3), z(x, 1e-3)) == (0.0, 1.0)
 
 

@@ -13,10 +13,11 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.compiled import compiled, plain_array
+from nonhertz.compiled import compiled
 from nonhertz.life.lamina import STIFFENING
-from nonhertz.maps.evaluation import Tables, all_states, loaded, pressed
+from nonhertz.maps.in_numba import Tables, loaded, pressed
 from nonhertz.maps.value import ContactMap
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -84,8 +85,7 @@ class MapLaw:
 
     def covers(self, approach: Array, tilt: Array) -> Flags:
         """Return which approaches and tilts the map holds."""
-        found = np.empty((approach.size, 8))
-        all_states(self.map_.tables, False, plain_array(approach), plain_array(tilt), found)
+        found = core.map_states(self.map_.table, False, approach, tilt)
         inside: Flags = found[:, 7] != 0.0
         return inside
 
@@ -108,7 +108,7 @@ class Book(NamedTuple):
         """Return laws written down."""
         none, every = np.zeros(0), list(laws)
         sliced = [law if isinstance(law, Slices) else Slices(none, none, 0.0) for law in every]
-        tables = [law.map_.tables.mean_approach if isinstance(law, MapLaw) else none for law in every]
+        tables = [law.map_.table if isinstance(law, MapLaw) else none for law in every]
         stiffness, exponent = (np.array([getattr(law, name) for law in sliced]) for name in ("stiffness", "exponent"))
         y, relief = (_padded([getattr(law, name) for law in sliced]) for name in ("y", "relief"))
         return cls(np.array([law.y.size for law in sliced], dtype=int), stiffness, exponent, y, relief, _padded(tables))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.maps.evaluation import QUANTILES
-from nonhertz.maps.fitting import Samples, Shape, fitted, tables
+from nonhertz.maps.fitting import Samples, Shape, fitted, table
 from nonhertz.maps.misses import SAFETY, Misses
 from nonhertz.maps.spline import jumps
 from nonhertz.maps.spread import spread
@@ -103,7 +103,7 @@ def built(
         nonlocal failed
         checks = building.solved(*_check_points(shape, random, count))
         failed += count - checks.load.size
-        return checks, Misses.of(shape, tables(shape.counted, shape.breaks, *found), building.stations, checks)
+        return checks, Misses.of(shape, table(shape.counted, shape.breaks, *found), building.stations, checks)
 
     while True:
         load, tilt = _new_nodes(shape, asked)

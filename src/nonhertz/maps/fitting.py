@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from nonhertz.compiled import plain_array
-from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING, Tables, tilt_coordinate
+from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING
 from nonhertz.maps.spline import cells, roughness, rows, size
+from nonhertz.native import core
 from nonhertz.result.solution import read_only
 
 Array = NDArray[np.float64]
@@ -71,7 +71,7 @@ class Shape:
     Attributes
     ----------
     numbers : ndarray
-        The first of ``Tables.mean_approach``, without the numbers of cells.
+        The first of ``ContactMap.table``, without the numbers of cells.
     breaks : tuple of ndarray
         Borders of the cells in x and in z, from 0 to 1.
     half_length : float
@@ -84,7 +84,7 @@ class Shape:
 
     @property
     def counted(self) -> Array:
-        """The first eleven of ``Tables.mean_approach``."""
+        """The first eleven of ``ContactMap.table``."""
         return np.concatenate([self.numbers, [each.size - 1 for each in self.breaks]])
 
     @property
@@ -111,8 +111,7 @@ class Shape:
         """Return x, and z with its five derivatives, shape (6, n)."""
         x = np.cbrt(load / self.max_load)
         inside = np.clip(tilt, self.numbers[TILT_LOW], self.numbers[TILT_HIGH])
-        z = [tilt_coordinate(self.numbers, *at) for at in zip(x.tolist(), inside.tolist(), strict=True)]
-        return x, np.array(z).reshape(-1, 6).T
+        return x, core.map_tilt_coordinates(self.counted, x, inside).T
 
 
 def fitted(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> tuple[Array, Array]:
@@ -205,18 +204,18 @@ def _least_squares(
     return improved
 
 
-def tables(numbers: Array, breaks: tuple[Array, Array], mean_approach: Array, others: Array) -> Tables:
-    """Return what compiled code evaluates.
+def table(numbers: Array, breaks: tuple[Array, Array], mean_approach: Array, others: Array) -> Array:
+    """Return all numbers of a map in a row, as they are evaluated.
 
     Parameters
     ----------
     numbers : ndarray, shape (11,)
-        The first of ``Tables.mean_approach``.
+        The first of them.
     breaks : tuple of ndarray
         Borders of the cells in x and in z.
     mean_approach, others : ndarray
-        Coefficients, as `fitted` returns them.
+        Coefficients, as `fitted` returns them. In the table they stand as polynomials of the cells, those of all others
+        cell by cell.
     """
     arranged = np.moveaxis(cells(breaks, others), 0, 2)
-    made = np.concatenate([numbers, *breaks, cells(breaks, mean_approach).ravel()]), plain_array(arranged).ravel()
-    return Tables(*map(read_only, made))
+    return read_only(np.concatenate([numbers, *breaks, cells(breaks, mean_approach).ravel(), arranged.ravel()]))

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.maps.evaluation import Tables, all_shares, all_states
 from nonhertz.maps.fitting import LIGHT, Samples, Shape
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
@@ -58,11 +58,10 @@ class Misses:
     relative: Array
 
     @classmethod
-    def of(cls, shape: Shape, tables: Tables, stations: Array, samples: Samples) -> Misses:
+    def of(cls, shape: Shape, table: Array, stations: Array, samples: Samples) -> Misses:
         """Compare a stand-in with solved cases at the same approach and tilt."""
-        found, strip_loads = np.empty((samples.load.size, 10)), np.empty(samples.strip_loads.shape)
-        all_states(tables, False, samples.approach, samples.tilt, found)
-        all_shares(tables, found[:, 2].copy(), samples.tilt, stations, strip_loads)
+        found = core.map_states(table, False, samples.approach, samples.tilt)
+        strip_loads = core.map_shares(table, np.ascontiguousarray(found[:, 2]), samples.tilt, stations)
         light = np.maximum(samples.load, LIGHT * shape.max_load)
         half, solid = shape.half_length, samples.stiffness
         # The stiffness grows about as the cube root of the load.

@@ -13,14 +13,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import digits, mm, mrad, newton, um
-from nonhertz.compiled import numba_for_us, plain_array
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import broadcast, numbers, whole
-from nonhertz.maps import files
-from nonhertz.maps.evaluation import MOST_LOAD, TILT_HIGH, TILT_LOW, Tables, all_shares, all_states
-from nonhertz.maps.fitting import tables
+from nonhertz.maps import files, fitting
+from nonhertz.maps.evaluation import MOST_LOAD, TILT_HIGH, TILT_LOW
 from nonhertz.maps.misses import SAFETY, SampledErrors
+from nonhertz.native import core
 from nonhertz.result.brief import plain_text
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import ReadOnly
@@ -183,11 +182,10 @@ class ContactMap(HasFindings, ReadOnly):
         return float(self.numbers[TILT_LOW]), float(self.numbers[TILT_HIGH])
 
     @cached_property
-    def tables(self) -> Tables:
-        """What compiled code needs: an argument of `nonhertz.maps.pressed`, `loaded` and `pressures`."""
-        numba_for_us()  # who asks for these may be about to compile a function that calls ours
+    def table(self) -> Array:
+        """All numbers in a row, which C functions such as `nonhertz.maps.PRESSED` take."""
         count = self.breaks.size - int(self.numbers[-1]) - 1
-        return tables(self.numbers, (self.breaks[:count], self.breaks[count:]), self.mean_approach, self.others)
+        return fitting.table(self.numbers, (self.breaks[:count], self.breaks[count:]), self.mean_approach, self.others)
 
     def at(self, *, approach: ArrayLike, tilt: ArrayLike = 0.0) -> MapPoint:
         """Return load, moment, stiffness and the rest at approaches and tilts.
@@ -237,9 +235,8 @@ class ContactMap(HasFindings, ReadOnly):
         remedy = f"give the {name} in {unit} and the tilt in rad"
         values, tilts = broadcast(remedy, numbers(name, value, remedy), numbers("tilt", tilt, remedy))
         shape = values.shape
-        first, second = plain_array(values).ravel(), plain_array(self._within(tilts)).ravel()
-        found = np.empty((first.size, 10))
-        all_states(self.tables, name == "load", first, second, found)
+        first, second = values.ravel(), self._within(tilts).ravel()
+        found = core.map_states(self.table, name == "load", first, second)
         outside = np.flatnonzero(found[:, 7] == 0.0)
         if outside.size:
             self._refuse(name, float(first[outside[0]]), float(second[outside[0]]))
@@ -272,9 +269,8 @@ class ContactMap(HasFindings, ReadOnly):
         edges = self.stations if stations is None else numbers("stations", stations, remedy)
         if edges.ndim != 1 or edges.size < 2 or np.any(np.diff(edges) <= 0.0):
             raise InputError("stations", stations, "be ascending", remedy)
-        load, tilt = (plain_array(each).ravel() for each in (point.load, point.tilt))
-        found = np.empty((load.size, edges.size - 1))
-        all_shares(self.tables, load, tilt, plain_array(edges), found)
+        load, tilt = (np.asarray(each, dtype=float).ravel() for each in (point.load, point.tilt))
+        found = core.map_shares(self.table, load, tilt, np.ascontiguousarray(edges))
         return found.reshape(*np.shape(point.load), -1)
 
     def _within(self, tilt: Array) -> Array:
