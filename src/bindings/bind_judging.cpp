@@ -7,22 +7,6 @@
 #include "judging/judgement.hpp"
 
 namespace nonhertz {
-namespace {
-
-/// A state that Python has kept, with the strips that it is of.
-Level level_of(const Model& model, const VectorIn& edges, const VectorIn& r, const VectorIn& m, const VectorIn& gap,
-               Pair rigid, const std::array<Pair, 2>& stiffness, Status status) {
-  const Index n = static_cast<Index>(r.size());
-  if (static_cast<Index>(edges.size()) != n + 1 || m.size() != r.size() || gap.size() != r.size())
-    throw std::invalid_argument("strips must have an edge more than loads, half-widths and gaps");
-  Level level{model.springs(numbers(edges)), State(n)};
-  level.state.r = numbers(r), level.state.m = numbers(m), level.state.gap = numbers(gap);
-  level.state.rigid = rigid, level.state.stiffness = stiffness, level.state.status = status;
-  return level;
-}
-
-}  // namespace
-
 void bind_judging(nb::module_& m) {
   nb::enum_<EndKind>(m, "EndKind", nb::is_arithmetic())
       .value("RUN_OUT", EndKind::run_out)
@@ -70,11 +54,14 @@ void bind_judging(nb::module_& m) {
       .def_ro("penetration", &Judgement::penetration)
       .def_ro("errors", &Judgement::errors)
       .def_ro("checks", &Judgement::checks);
-  nb::class_<Level>(m, "Level")
-      .def("__init__",
-           [](Level* self, const Model& model, const VectorIn& edges, const VectorIn& r, const VectorIn& squares,
-              const VectorIn& gap, Pair rigid, const std::array<Pair, 2>& stiffness,
-              Status status) { new (self) Level(level_of(model, edges, r, squares, gap, rigid, stiffness, status)); });
+  nb::class_<Level>(m, "Level", "A state with the strips that it is of.")
+      .def(
+          "__init__",
+          [](Level* self, const Model& model, const VectorIn& edges, const State& state) {
+            if (edges.size() != state.m.size() + 1) throw std::invalid_argument("strips must have one edge more");
+            new (self) Level{model.springs(numbers(edges)), state};
+          },
+          "model"_a, "edges"_a, "state"_a);
   m.def(
       "judge",
       [](const Model& model, std::array<bool, 2> by_force, Pair target, std::vector<Level> levels, double accuracy) {

@@ -39,8 +39,10 @@ double unevenness(const Model& model, const Level& level) {
   return total / load;
 }
 
-/// Whether a contact ends beside a strip so wide that it may go on there unseen by its centre.
-bool may_go_on(const Level& level) {
+/// Whether a contact goes on beyond its strips, or ends beside one so wide that its centre may not see it go on.
+bool may_go_on(const Level& level, const Ends& ends) {
+  for (const End& end : ends.ends)
+    if (end.kind == EndKind::cut_off) return true;
   const Grid& grid = *level.grid;
   const auto bears = [&level](Index i) { return level.state.m[i] > 0.0; };
   for (Index i = 1; i < grid.count(); ++i) {
@@ -67,7 +69,7 @@ bool is_next_to_contact(const Level& level, double y) {
 }
 
 /// The largest overlap where no strip is in contact, away from strips in contact and those beside them.
-void find_missed(const Model& model, const Level& level, Checks& checks) {
+void find_missed(const Model& model, const Level& level, const Ends& ends, Checks& checks) {
   const Grid& grid = *level.grid;
   const double first = grid.edges.front(), last = grid.edges.back();
   const double low = std::max(model.low(), 2.0 * first - last), high = std::min(model.high(), 2.0 * last - first);
@@ -75,7 +77,7 @@ void find_missed(const Model& model, const Level& level, Checks& checks) {
   const Samples of_part = whole ? Samples{} : model.surveyed(low, high);
   const Samples& along = whole ? model.region()->surveyed : of_part;
   // Away from a contact the displacement falls, so that another one needs a summit of the undeformed overlap.
-  if (!may_go_on(level) && !suspect(level, along)) return;
+  if (!may_go_on(level, ends) && !suspect(level, along)) return;
   const Samples overlap = overlapping(model, level, along);
   for (std::size_t i = 0; i < overlap.y.size(); ++i)
     if (overlap.h[i] > checks.missed && !is_next_to_contact(level, overlap.y[i]))
@@ -84,7 +86,7 @@ void find_missed(const Model& model, const Level& level, Checks& checks) {
 
 }  // namespace
 
-Checks check(const Model& model, const Level& level, const std::vector<Pair>& contact, double half_width) {
+Checks check(const Model& model, const Level& level, const Judgement& known) {
   const Grid& grid = *level.grid;
   const State& state = level.state;
   Checks checks{};
@@ -101,12 +103,12 @@ Checks check(const Model& model, const Level& level, const std::vector<Pair>& co
     area += 2.0 * half * grid.width(i);
     load += state.r[i] * state.m[i] * grid.width(i);
   }
-  for (const auto& [low, high] : contact) longest = std::max(longest, high - low);
-  checks.length_ratio = 2.0 * half_width / longest;
+  for (const auto& [low, high] : known.contact) longest = std::max(longest, high - low);
+  checks.length_ratio = 2.0 * known.half_width / longest;
   checks.mean_pressure = load / model.contact().compliance / area;
   if (!state.converged()) return checks;
   checks.unevenness = unevenness(model, level);
-  find_missed(model, level, checks);
+  find_missed(model, level, known.ends, checks);
   return checks;
 }
 

@@ -51,7 +51,7 @@ Judgement judge(const Model& model, const Prescription& given, const Levels& lev
   found.peaks_at_corner = state.converged() && is_at_kink(model, finest, found.pressure.y, singular);
   found.penetration = penetration_of(model, grid.edges, state.rigid);
   found.errors = estimate(model, given, levels, found.ends, found.peaks_at_corner);
-  found.checks = check(model, finest, found.contact, found.half_width);
+  found.checks = check(model, finest, found);
   return found;
 }
 

@@ -65,7 +65,7 @@ Judgement judge(const Model& model, const Prescription& given, const Levels& lev
 // Its parts, each in a file of its own.
 Ends ends_of(const Model& model, const Level& level);
 Errors estimate(const Model& model, const Prescription& given, const Levels& levels, const Ends& ends, bool at_corner);
-Checks check(const Model& model, const Level& level, const std::vector<Pair>& contact, double half_width);
+Checks check(const Model& model, const Level& level, const Judgement& known);
 double penetration_of(const Model& model, View edges, const Pair& rigid);
 
 /// The corners of the profile at which a contact ends under pressure [mm], ascending; pressures in MPa.
