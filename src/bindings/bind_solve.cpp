@@ -78,7 +78,6 @@ void bind_solve(nb::module_& m) {
       .def_prop_ro(
           "judgement", [](const Result& self) -> const Judgement& { return self.judgement.value(); },
           nb::rv_policy::reference_internal);
-  static nb::object refused = nb::exception<Refused>(m, "Refused");
   nb::class_<Automatic>(m, "Automatic").def(nb::init<double>());
   m.def(
       "solve",

@@ -7,6 +7,8 @@ from typing import Annotated
 import numpy
 from numpy.typing import NDArray
 
+from nonhertz._core import Refused as Refused
+
 
 class Element:
     def __init__(self, arg0: str, arg1: float, arg2: float, arg3: float, arg4: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
@@ -155,6 +157,68 @@ class Model:
     def __init__(self, arg0: Sequence[Body], arg1: Element, arg2: Sequence[Term], arg3: Sequence[Face], arg4: Sequence[PointsAtDepth | AxisOfRoller], arg5: Sequence[FreedFace], arg6: float, arg7: Sequence[float], arg8: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], arg9: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
 
     def separation(self, arg: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> object: ...
+
+class Refusal(enum.Enum):
+    """Why no strips can meet a prescription."""
+
+    NAN_RELIEF = 0
+
+    ENDLESS_RELIEF = 1
+
+    ARM_OUTSIDE = 2
+
+    ARM_OFF_STRIPS = 3
+
+    TILTED_APART = 4
+
+    BETWEEN_STRIPS = 5
+
+    UNRESOLVED = 6
+
+    APART = 7
+
+    NO_END = 8
+
+ACCURACY: float = 0.0001
+
+def bounded(model: Model, by_force: Sequence[bool], target: Sequence[float]) -> list[float]:
+    """
+    The interval in which to look for the contact [mm]; finite even where the bodies are unbounded.
+    """
+
+def is_feasible(model: Model, edges: Sequence[float], by_force: Sequence[bool], target: Sequence[float]) -> bool:
+    """
+    Whether some loads on the strips between these edges can meet what is prescribed.
+    """
+
+def refuse_infeasible(model: Model, edges: Sequence[float], by_force: Sequence[bool], target: Sequence[float], chosen: bool = True) -> None: ...
+
+def kinks_among(model: Model, bends: Sequence[float], length: float) -> tuple[list[float], list[float]]:
+    """
+    Those of the bends [mm] at which the slope of the separation jumps, and by how much [rad].
+    """
+
+def intervals(arg0: Grid, arg1: State, /) -> list[list[float]]: ...
+
+def peaks(grid: Grid, state: State, kinks: Sequence[float], allowed: float) -> list[list[float]]:
+    """
+    Where the largest pressure is too pointed for its strips, the width wanted there and that of the strip [mm].
+    """
+
+def overlapping(model: Model, grid: Grid, state: State, low: float, high: float) -> tuple[list[float], list[float]]:
+    """
+    Places [mm], and by how much the surfaces overlap there although no strip is in contact [mm].
+    """
+
+def overlaps(model: Model, grid: Grid, state: State, low: float, high: float) -> list[list[float]]:
+    """
+    Where another contact may have been missed, and widths for strips there [mm].
+    """
+
+def lay(model: Model, grid: Grid, state: State, low: float, high: float, extras: Sequence[Sequence[float]], coarseness: float, share: float, limit: float) -> list[float]:
+    """
+    The edges of the strips [mm] that a coarser solution calls for, within an interval.
+    """
 
 class EndKind(enum.IntEnum):
     RUN_OUT = 0
@@ -331,9 +395,6 @@ class Result:
 
     @property
     def judgement(self) -> Judgement: ...
-
-class Refused(Exception):
-    pass
 
 class Automatic:
     def __init__(self, arg: float, /) -> None: ...

@@ -1,10 +1,10 @@
-// Where the strips lie: a size function, the target strip width at each y, and edges in steps of that width.
+// Where the strips lie: edges in steps of the width that the size function asks for.
 //
-// Small where the contact ends, at sharp ends, at kinks and where the profile bends sharply, it grows in proportion to
-// the distance from there. The sizes come from a solution on a coarser grid.
+// A strip is centred on y = 0 where that is in contact, so that the centre pressure is a strip's own value, and edges
+// lie on the ends of the contact and of the bodies and on kinks.
 #pragma once
 
-#include "bodies/model.hpp"
+#include "grids/sizes.hpp"
 
 namespace nonhertz {
 
@@ -15,21 +15,8 @@ struct Fineness {
   double limit;       ///< the most strips on one interval of contact, at a coarseness of 1
 };
 
-/// A further place that needs strips, and the width wanted there [mm].
-struct Extra {
-  double place, width;
-};
-
 /// Return the edges of the strips that a coarser solution calls for.
-Numbers lay(const Level& from, const Model& model, const std::vector<Extra>& extras, const Fineness& fineness);
-
-/// Intervals in contact [mm], up to where m, continued linearly, vanishes.
-std::vector<Pair> intervals(const Grid& grid, View m);
-/// Whether a contact extends to the outer edge of its strips on that side, -1 or 1.
-bool reaches(const Grid& grid, View m, int side);
-/// Whether the strip around a place or one of its neighbours is in contact.
-bool nearly_touching(const Grid& grid, View m, double place);
-
-inline constexpr int MOST_BENDS = 12;  // of more, none stands out
+Numbers lay(const Level& from, const Model& model, const Region& region, const std::vector<Extra>& extras,
+            const Fineness& fineness);
 
 }  // namespace nonhertz

@@ -121,9 +121,9 @@ Samples overlapping(const Model& model, const Level& level, const Samples& along
   return found;
 }
 
-std::vector<Extra> overlaps(const Model& model, const Level& level) {
-  const Samples found = overlapping(model, level, model.region()->surveyed);
-  const double step = (model.high() - model.low()) / SAMPLES;
+std::vector<Extra> overlaps(const Model& model, const Region& region, const Level& level) {
+  const Samples found = overlapping(model, level, region.surveyed);
+  const double step = (region.high - region.low) / SAMPLES;
   std::vector<Extra> extras;
   const Index n = count_of(found.y);
   for (Index i = 0; i < n; ++i) {

@@ -4,7 +4,7 @@
 // including every crest of the profiles and the vertices of parabolas through the samples.
 #pragma once
 
-#include "grids/laying.hpp"
+#include "grids/sizes.hpp"
 
 namespace nonhertz {
 
@@ -17,6 +17,6 @@ bool suspect(const Level& level, const Samples& along);
 Samples overlapping(const Model& model, const Level& level, const Samples& along);
 
 /// The midpoints of intervals where the surfaces overlap between strips out of contact, and widths for strips there.
-std::vector<Extra> overlaps(const Model& model, const Level& level);
+std::vector<Extra> overlaps(const Model& model, const Region& region, const Level& level);
 
 }  // namespace nonhertz

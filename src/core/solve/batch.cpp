@@ -10,25 +10,10 @@ namespace {
 
 constexpr std::size_t PART = 50;  // cases in a row, each of which may start from the one before
 
-using Grids = std::vector<std::shared_ptr<const Grid>>;
-
-/// Edges given, and coarser ones that leave out every other one; finest first.
-Grids given_grids(const Model& model, Numbers edges) {
-  Grids grids{model.grid(std::move(edges))};
-  const auto size_of_last = [&grids] { return count_of(grids.back()->edges); };
-  while (size_of_last() / 2 > 5 || (grids.size() == 1 && size_of_last() > 2)) {
-    const Numbers& fine = grids.back()->edges;
-    Numbers coarse;
-    for (std::size_t i = 0; i + 1 < fine.size(); i += 2) coarse.push_back(fine[i]);
-    coarse.push_back(fine.back());
-    grids.push_back(model.grid(std::move(coarse)));
-  }
-  return grids;
-}
-
-/// The grids that cases share; none if each has its own.
+/// The grids that cases share; none if each has its own: where endless bodies touch depends on what is prescribed.
 Grids shared_grids(const Model& model, const Strips& strips) {
-  if (const auto* count = std::get_if<Index>(&strips)) return equal_grids(model, *count);
+  const auto* count = std::get_if<Index>(&strips);
+  if (count != nullptr && model.region()) return equal_grids(model, {}, *count);
   if (const auto* edges = std::get_if<Numbers>(&strips)) return given_grids(model, *edges);
   return {};
 }
@@ -47,7 +32,9 @@ Result judged(const Model& model, const Prescription& given, Levels levels) {
 Result solve_in_turn(const Model& model, const Prescription& given, const Strips& strips, const Grids& grids,
                      const State* before, const Prescription& of_before) {
   if (const auto* automatic = std::get_if<Automatic>(&strips))
-    return judged(model, given, solve_automatically(model, given, automatic->accuracy));
+    return judged(model, given, solve_automatically(model, given, {automatic->accuracy}));
+  if (grids.empty())
+    return solve_in_turn(model, given, strips, equal_grids(model, given, std::get<Index>(strips)), before, of_before);
   refuse_infeasible(model, *grids[0], given);
   return judged(model, given, solve_on_grids(model, grids, given, before, of_before));
 }

@@ -1,0 +1,92 @@
+#include "grids/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grids/springs.hpp"
+
+namespace nonhertz {
+namespace {
+
+// In radii of curvature across the contact: how finely and how far endless bodies are looked at.
+constexpr double NEAREST_LOOK = 1e-9, FARTHEST_LOOK = 1e4;
+constexpr int LOOKS = 130;
+
+/// Edges of strips that grow in proportion to the distance from y = 0, within the bodies.
+Numbers growing(const Model& model) {
+  const double radius = 1.0 / model.curvature();
+  const double first = std::log10(NEAREST_LOOK), step = (std::log10(FARTHEST_LOOK) - first) / (LOOKS - 1);
+  Numbers edges{0.0};
+  for (int i = 0; i < LOOKS; ++i) {
+    double distance = std::pow(10.0, static_cast<double>(i) * step + first);
+    if (i == 0) distance = NEAREST_LOOK;
+    if (i == LOOKS - 1) distance = FARTHEST_LOOK;
+    edges.push_back(radius * distance);
+    edges.push_back(-radius * distance);
+  }
+  return edges;
+}
+
+/// Those of the places within an interval, ascending, and the ends of it if there are any beyond.
+Numbers clipped(Numbers places, double low, double high) {
+  for (double& y : places) y = std::min(std::max(y, low), high);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+/// How far from y = 0, along places on one side of it, the separation is finite.
+double finite_up_to(const Model& model, const Numbers& beyond) {
+  const Numbers h = model.separation(beyond);
+  const auto outside_at = std::find_if(h.begin(), h.end(), [](double each) { return !std::isfinite(each); });
+  const std::size_t first = outside_at == h.end() ? 0 : outside_at - h.begin();
+  double inside = beyond[first > 0 ? first - 1 : 0], outside = beyond[first];
+  for (int bisection = 0; bisection < 100; ++bisection) {
+    const double middle = 0.5 * (inside + outside);
+    (std::isfinite(model.separation(middle)) ? inside : outside) = middle;
+  }
+  return outside;
+}
+
+/// The interval around y = 0 on which the separation is finite, as if the bodies ended there.
+Pair finite_part(const Model& model, const Numbers& edges) {
+  Numbers below, above;
+  for (double edge : edges) {
+    if (edge <= 0.0) below.insert(below.begin(), edge);
+    if (edge >= 0.0) above.push_back(edge);
+  }
+  return {finite_up_to(model, below), finite_up_to(model, above)};
+}
+
+}  // namespace
+
+Pair bounded(const Model& model, const Prescription& given) {
+  double low = model.low(), high = model.high();
+  if (std::isfinite(low) && std::isfinite(high)) return {low, high};
+  Numbers edges = clipped(growing(model), low, high);
+  if (given.both()) {
+    const Numbers h = model.separation(edges);
+    if (!std::all_of(h.begin(), h.end(), [](double each) { return std::isfinite(each); })) {
+      const Pair part = finite_part(model, edges);
+      low = part[0], high = part[1];
+      edges = clipped(std::move(edges), low, high);
+      refuse_arm_outside(given, low, high);
+    }
+  }
+  const auto contact = touching(springs(model, given, edges));
+  if (!contact && !given.by_force[0]) refuse_no_contact(model, edges, given, false);
+  if (!contact) return finite_part(model, edges);
+  const auto& [first, last] = *contact;
+  if ((first == edges.front() && !std::isfinite(low)) || (last == edges.back() && !std::isfinite(high)))
+    throw Refused(Refusal::no_end);
+  const double reach = 0.5 * (last - first);
+  return {std::max(low, first - reach), std::min(high, last + reach)};
+}
+
+std::shared_ptr<const Region> region_of(const Model& model, const Prescription& given) {
+  if (model.region()) return model.region();
+  const auto [low, high] = bounded(model, given);
+  return model.region(low, high);
+}
+
+}  // namespace nonhertz

@@ -1,0 +1,202 @@
+#include "grids/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grids/overlaps.hpp"
+#include "grids/peaks.hpp"
+#include "grids/springs.hpp"
+#include "strips/acceptance.hpp"
+#include "strips/summit.hpp"
+
+namespace nonhertz {
+namespace {
+
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
+
+constexpr double STRIP_LIMIT = 40.0;  // of an automatic grid of coarseness 1 on one interval of contact
+constexpr Index COARSE_STRIPS = 24;
+constexpr Index MORE_STRIPS[] = {1, 5, 25};                       // to begin with, in case fewer miss the contact
+constexpr double FEWER_STRIPS[] = {1.0, 0.94, 0.88, 0.82, 0.76};  // tried in turn where a grid has no solution
+// Fractions of the strips: a rough grid that grades the final one, then half of the final one before all of it; and so
+// often again, if the solution shows that another contact was missed or strips are too wide.
+constexpr double ROUGH = 0.4, HALF = 0.5;
+constexpr int REPEATS = 2;
+constexpr double WELL_FILLED = 0.4;  // fraction of the region that the contact must fill before a grid is graded
+constexpr int NARROWINGS = 40;
+// At this coarseness the error of the approach is below ACCURACY; it falls with about the power ORDER of the width, on
+// coarser grids faster and less regularly.
+constexpr double COARSENESS = 0.28, ORDER = 2.2, ORDER_COARSER = 3.0;
+constexpr double LEAST_FINER = 0.4, MARGIN = 0.95, FULL = 0.97;
+// The change of the largest pressure is to be so much less than its accuracy, and its sagitta in a strip so many times.
+constexpr double OF_PRESSURE = 0.7, PER_SAGITTA = 8.0;
+// At the largest pressure: its sagitta in a strip over the accuracy, and below which share of their width strips are
+// solved again.
+constexpr double POINTED = 5.0, TOO_WIDE = 0.7;
+
+double load_of(const Level& level) {
+  double load = 0.0;
+  for (Index i = 0; i < level.grid->count(); ++i) load += level.state.r[i] * level.state.m[i] * level.grid->width(i);
+  return load;
+}
+
+}  // namespace
+
+Search::Search(const Model& model, const Prescription& given, const Accuracy& accuracy, const Stop* stop)
+    : model_(model), given_(given), accuracy_(accuracy), stop_(stop), region_(region_of(model, given)) {
+  const double order = accuracy.of_motion > ACCURACY ? ORDER_COARSER : ORDER;
+  coarseness_ = COARSENESS * std::pow(accuracy.of_motion / ACCURACY, 1.0 / order);
+  sagitta_ = std::min(POINTED * accuracy.of_motion, accuracy.of_pressure / PER_SAGITTA);
+}
+
+std::vector<Level> Search::run() {
+  // The equal strips that find the contact are too few to say anything about the error.
+  const Level located = locate();
+  std::vector<Level> levels{finer(located, located, ROUGH)};
+  add_halves(levels);
+  for (int k = 0; k < REPEATS; ++k) {
+    const Level& finest = levels[0];
+    if (too_thin(*finest.grid, model_.kernel(), finest.state.m, 1.0)) break;  // no number of strips saves it
+    const double finer = finer_wanted(finest, levels[1]);
+    const bool is_missing = finest.state.converged() && (is_incomplete(finest) || is_pointed(finest));
+    if (!(finer < 1.0 || is_missing)) break;
+    coarseness_ *= finer;
+    add_halves(levels);
+  }
+  return levels;
+}
+
+/// Equal strips that can meet what is prescribed: all along the bodies, or near where they touch.
+std::shared_ptr<const Grid> Search::first_strips() const {
+  const double low = region_->low, high = region_->high;
+  auto grid = model_.springs(uniform(low, high, COARSE_STRIPS));
+  refuse_endless_relief(grid->y, grid->separation);
+  // Where the load is given and the moment is not, any strips will do. A prescribed approach may bring only a tiny spot
+  // into contact, a moment only the very end.
+  if (given_.by_force[0] && (!given_.by_force[1] || is_feasible(model_, *grid, given_))) return grid;
+  refuse_arm_outside(given_, low, high);
+  std::vector<Pair> regions{neighbourhood(model_, given_, low, high)};
+  if (given_.both()) {  // at one end of the bodies, centred on the resultant of load and moment
+    const double arm = arm_of(given_);
+    const bool at_high = high - arm < arm - low;
+    regions.push_back(at_high ? Pair{std::max(low, 2.0 * arm - high), high}
+                              : Pair{low, std::min(high, 2.0 * arm - low)});
+  }
+  for (const auto& [from, to] : regions)
+    for (Index more : MORE_STRIPS) {
+      grid = model_.springs(uniform(from, to, more * COARSE_STRIPS));
+      if (is_feasible(model_, *grid, given_)) return grid;
+    }
+  refuse_infeasible(model_, *grid, given_, false);
+  return grid;
+}
+
+/// Solve on equal strips of a region that the contact fills well, searching from the whole inwards.
+Level Search::locate() const {
+  Level level = solved(model_.grid(first_strips()->edges), nullptr, ROUGH_TOLERANCE, true);
+  for (int k = 0; k < NARROWINGS && level.state.converged(); ++k) {
+    const auto part = narrower(level);
+    if (!part) break;
+    level = solved(model_.grid(uniform((*part)[0], (*part)[1], COARSE_STRIPS)), nullptr, ROUGH_TOLERANCE, true);
+  }
+  return level;
+}
+
+/// Where to look again for a contact that fills little of its strips or is cut off; nothing if it need not.
+std::optional<Pair> Search::narrower(const Level& level) const {
+  const Grid& grid = *level.grid;
+  const Numbers& m = level.state.m;
+  const auto contact = intervals(grid, m);
+  const double first = contact.front()[0], last = contact.back()[1];
+  const double low = grid.edges.front(), high = grid.edges.back();
+  const bool is_cut = (m.front() > 0.0 && low > model_.low()) || (m.back() > 0.0 && high < model_.high());
+  if (!is_cut && last - first > WELL_FILLED * (high - low)) return std::nullopt;
+  double narrowest = INFINITE;
+  for (Index i = 0; i < grid.count(); ++i) narrowest = std::min(narrowest, grid.width(i));
+  const double margin = std::max(0.3 * (last - first), 2.0 * narrowest) * (is_cut ? 4.0 : 1.0);
+  return Pair{std::max(first - margin, model_.low()), std::min(last + margin, model_.high())};
+}
+
+/// Put solutions on a graded grid and on half of its strips in front.
+void Search::add_halves(std::vector<Level>& levels) const {
+  const Level learnt_from = levels[0];
+  levels.insert(levels.begin(), finer(learnt_from, learnt_from, HALF));
+  levels.insert(levels.begin(), finer(learnt_from, levels[0], 1.0));
+}
+
+/// Solve on a graded grid, or on a slightly coarser one where it has no solution.
+///
+/// Where a blunt contact ends just at the edge of a strip, that strip can be unable to carry load (its neighbours alone
+/// curve the surface more than the bodies do) and yet overlap without it. The next grid has its edges elsewhere. It is
+/// also tried when the solution found is unstable, as spurious ones are in contacts several times as wide as long.
+Level Search::finer(const Level& from, const Level& near, double share) const {
+  if (!from.state.converged()) return from;
+  const std::vector<Extra> places = extras(from);
+  Level level = near;
+  for (double fewer : FEWER_STRIPS) {
+    auto grid = model_.grid(lay(from, model_, *region_, places, {coarseness_, fewer * share, STRIP_LIMIT}));
+    const bool is_last = fewer == FEWER_STRIPS[4];
+    level = solved(std::move(grid), &near, share == 1.0 ? TOLERANCE : ROUGH_TOLERANCE, is_last);
+    if (level.state.converged() && steady(*level.grid, level.state)) break;
+  }
+  return level;
+}
+
+/// Places that need strips beside the ends and kinks of the contact.
+std::vector<Extra> Search::extras(const Level& level) const {
+  std::vector<Extra> places;
+  for (const Peak& peak : peaks_of(level, region_->kinks.place, sagitta_)) places.push_back({peak.place, peak.wanted});
+  if (suspect(level, region_->surveyed))
+    for (const Extra& overlap : overlaps(model_, *region_, level)) places.push_back(overlap);
+  return places;
+}
+
+Level Search::solved(std::shared_ptr<const Grid> grid, const Level* near, double tolerance, bool patient) const {
+  Attempt attempt;
+  attempt.near = near, attempt.tolerance = tolerance, attempt.patient = patient, attempt.stop = stop_;
+  State state = solve_on(*grid, given_, model_.kernel(), attempt);
+  return {std::move(grid), std::move(state)};
+}
+
+/// By what share strips have to be narrower for the accuracy to be met; 1 where it is or cannot be.
+double Search::finer_wanted(const Level& finest, const Level& half) const {
+  const double missing = error_over_accuracy(finest, half);
+  const bool is_met = !(missing > 1.0) || !(finest.state.converged() && half.state.converged());
+  // More strips than the limit are not laid, whatever is asked for.
+  const bool is_spent = static_cast<double>(finest.grid->count()) >= FULL * STRIP_LIMIT / std::min(coarseness_, 1.0);
+  return is_met || is_spent ? 1.0 : std::max(LEAST_FINER, MARGIN * std::pow(missing, -1.0 / ORDER));
+}
+
+/// The estimated error over the accuracy, of approach or load and of the largest pressure, whichever is more; NaN if
+/// one is.
+double Search::error_over_accuracy(const Level& finest, const Level& half) const {
+  const Samples& along = region_->sampled;
+  double pressed = -INFINITE;
+  for (Index i = 0; i < count_of(along.y); ++i)
+    pressed = worse(pressed, finest.state.rigid[0] + finest.state.rigid[1] * along.y[i] - along.h[i]);
+  const bool by_load = given_.by_force[0];
+  const double fine = by_load ? finest.state.rigid[0] : load_of(finest);
+  const double coarse = by_load ? half.state.rigid[0] : load_of(half);
+  const double error = LEFT_OF_CHANGE * std::fabs(fine - coarse) / (by_load ? std::fabs(pressed) : fine);
+  const double missing = error / accuracy_.of_motion;
+  if (!std::isfinite(accuracy_.of_pressure)) return missing;
+  const double of_pressure = largest_summit_error(finest, half, model_.hertz_ratio());
+  return worse(missing, of_pressure / (OF_PRESSURE * accuracy_.of_pressure));
+}
+
+/// Whether a contact ends where the bodies do not, or overlaps where no strip is in contact.
+bool Search::is_incomplete(const Level& level) const {
+  const Grid& grid = *level.grid;
+  const View m = level.state.m;
+  if (reaches(grid, m, -1) && grid.edges.front() > model_.low()) return true;
+  if (reaches(grid, m, 1) && grid.edges.back() < model_.high()) return true;
+  return suspect(level, region_->surveyed) && !overlaps(model_, *region_, level).empty();
+}
+
+/// Whether the largest pressure is far too pointed for its strips.
+bool Search::is_pointed(const Level& level) const {
+  const auto peaks = peaks_of(level, region_->kinks.place, sagitta_);
+  return std::any_of(peaks.begin(), peaks.end(), [](const Peak& peak) { return peak.wanted < TOO_WIDE * peak.width; });
+}
+
+}  // namespace nonhertz

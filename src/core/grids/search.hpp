@@ -1,0 +1,38 @@
+// The automatic grid: equal strips find the contact, a rough graded grid locates its ends and bends, and the final grid
+// is solved with half its strips and with all; and again, where that shows that strips are too wide or too few.
+#pragma once
+
+#include "grids/levels.hpp"
+
+namespace nonhertz {
+
+/// Solves one case on ever better grids.
+class Search {
+ public:
+  Search(const Model& model, const Prescription& given, const Accuracy& accuracy, const Stop* stop);
+
+  /// Return the levels, finest first, those without a solution among them.
+  std::vector<Level> run();
+
+ private:
+  std::shared_ptr<const Grid> first_strips() const;
+  Level locate() const;
+  std::optional<Pair> narrower(const Level& level) const;
+  void add_halves(std::vector<Level>& levels) const;
+  Level finer(const Level& from, const Level& near, double share) const;
+  std::vector<Extra> extras(const Level& level) const;
+  Level solved(std::shared_ptr<const Grid> grid, const Level* near, double tolerance, bool patient) const;
+  double finer_wanted(const Level& finest, const Level& half) const;
+  double error_over_accuracy(const Level& finest, const Level& half) const;
+  bool is_incomplete(const Level& level) const;
+  bool is_pointed(const Level& level) const;
+
+  const Model& model_;
+  const Prescription& given_;
+  Accuracy accuracy_;
+  const Stop* stop_;
+  std::shared_ptr<const Region> region_;
+  double coarseness_, sagitta_;  // the latter: by what share of itself the largest pressure may bend within a strip
+};
+
+}  // namespace nonhertz
