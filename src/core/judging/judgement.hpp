@@ -68,7 +68,4 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
 Checks check(const Model& model, const Level& level, const Judgement& known);
 double penetration_of(const Model& model, View edges, const Pair& rigid);
 
-/// The corners of the profile at which a contact ends under pressure [mm], ascending; pressures in MPa.
-Numbers corner_ends(const Model& model, View edges, View pressure, View half_width);
-
 }  // namespace nonhertz
