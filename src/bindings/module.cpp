@@ -5,6 +5,7 @@ NB_MODULE(NONHERTZ_MODULE, m) {
   using namespace nonhertz;
   m.doc() = "The numbers of nonhertz in C++: arrays in, arrays out.";
   bind_strips(m);
+  bind_harmonic_elements(m);
   bind_bodies(m);
   bind_grids(m);
   bind_judging(m);

@@ -20,7 +20,7 @@ def elements(half_length=1.0, poisson=0.3, bore=0.0, most=24):
 
 def compressed(body, n, loads, places):
     """How far the surface moves inwards at places, over the loads' amplitudes and K."""
-    moved = body.displaced(n, body.forces(loads)).reshape(3, body.rows, body.columns, -1)[0, -1]
+    moved = body.displaced(n, body.forces(loads))[:, 0, -1].T
     half = body.outline.symmetric
     at, borders = np.abs(places) if half else places, body.axial_borders
     e = np.clip(np.searchsorted(borders, at) - 1, 0, borders.size - 2)

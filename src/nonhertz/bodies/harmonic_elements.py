@@ -3,23 +3,25 @@
 In the plane of radius r and axial position z, displacement is (u cos, v sin, w cos) of n theta, and the energy that of
 three-dimensional elasticity. Elements are products of polynomials through Gauss-Lobatto nodes, in z and in the share s
 of the wall from the bore or the axis to the surface; they shrink towards the edges between surface and side faces.
-Lengths are in a radius of the surface. Where the outline is symmetric, only half of the length is solved for.
+Lengths are in a radius of the surface. Where the outline is symmetric, only half of the length is solved for. The core
+solves; what is laid and read is here.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from nonhertz.model.outline import Outline
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
@@ -32,7 +34,6 @@ _GROWN = 2.6  # size of an element that begins at a corner over that of the one 
 _FINE_BORDERS = 801  # of places between which borders of elements are interpolated
 _FINE = 65  # places from a corner to half-way to the next at which sizes of elements are looked at
 _LOAD_NODES = 16  # of an element's surface, on which loads are polynomials of a high degree
-U, V, W = range(3)
 
 
 @dataclass(frozen=True)
@@ -67,7 +68,8 @@ class HarmonicElements:
 
         Returns
         -------
-        ndarray, shape (unknowns, loads)
+        ndarray, shape (loads, 2, columns)
+            Radial and axial forces on the nodes of the surface.
         """
         node, weight = legendre.leggauss(_LOAD_NODES)
         values, _ = nodal_polynomials(node)
@@ -75,49 +77,43 @@ class HarmonicElements:
         z = self.axial_borders[:-1, None] + half * (1.0 + node)
         pressure = loads(z.ravel()).reshape(*z.shape, -1) * (half * weight)[..., None]
         slope = self.outline.slopes(z.ravel())[0].reshape(*z.shape, 1)
-        found = np.zeros((3, self.rows, self.columns, pressure.shape[-1]))
-        for e, of_element in enumerate(pressure):
+        forces = np.zeros((pressure.shape[-1], 2, self.columns))
+        for e, on_element in enumerate(pressure):
             nodes = slice(e * DEGREE, (e + 1) * DEGREE + 1)
-            found[U, -1, nodes] -= values.T @ of_element
-            found[W, -1, nodes] += values.T @ (slope[e] * of_element)
-        return found.reshape(-1, found.shape[-1])
+            forces[:, 0, nodes] -= on_element.T @ values
+            forces[:, 1, nodes] += (slope[e] * on_element).T @ values
+        return forces
 
-    def displaced(self, n: int, forces: Array) -> Array:
-        """Return the nodal displacements over K = (1 - nu^2) / (pi E).
+    def work(self, modes: Sequence[int], forces: Array, readings: Array | None = None) -> Array:
+        """Return the work over K = (1 - nu^2) / (pi E) of forces in the displacement by others.
 
         Parameters
         ----------
-        n : int
-            Number of waves around, not 1.
-        forces : ndarray, shape (unknowns, loads)
-            Nodal forces, as `forces` returns them. Under equal ones all around (n = 0) their axial part counts as borne
-            by a rib.
+        modes : sequence of int
+            Numbers of waves around, without 1. Under equal forces all around (0) their axial part counts as borne by a
+            rib.
+        forces, readings : ndarray, shape (loads, 2, columns)
+            Nodal forces, as `forces` returns them: those that displace, and those whose work is asked for, which are
+            the same if left out.
 
         Returns
         -------
-        ndarray, shape (unknowns, loads)
+        ndarray, shape (modes, readings, loads)
+        """
+        loads = forces.reshape(len(forces), -1)
+        other = loads[:0] if readings is None else readings.reshape(len(readings), -1)
+        return np.array(self._solver.works(list(modes), loads, other, threads=os.cpu_count() or 1))
+
+    def displaced(self, n: int, forces: Array) -> Array:
+        """Return the nodal displacements over K = (1 - nu^2) / (pi E) by forces, as `work` takes them.
+
+        Returns
+        -------
+        ndarray, shape (loads, 3, rows, columns)
             By component (u, v, w), then along the wall, then along the axis.
         """
-        # Imported here, because most contacts need no finite elements.
-        from scipy.sparse.linalg import splu
-
-        moved = np.zeros_like(forces)
-        if n == 0:
-            forces = radial(forces)
-        constant, linear, square = self._stiffness
-        stiffness = constant.copy()
-        stiffness.data = constant.data + n * linear.data + n * n * square.data
-        for free, these in self._systems(n):
-            factors = splu(
-                stiffness[free][:, free].tocsc(),
-                "MMD_AT_PLUS_A",
-                diag_pivot_thresh=0.0,
-                options={"SymmetricMode": True},
-            )
-            moved[free, these] = factors.solve(forces[free, these])
-        # The shear modulus is 1: 1 / mu = 2 pi K / (1 - nu).
-        found: Array = 2.0 * np.pi / (1.0 - self.poisson) * moved
-        return found
+        moved = self._solver.displacement(n, forces.reshape(len(forces), -1))
+        return np.reshape(moved, (-1, 3, self.rows, self.columns))
 
     def stress(self, n: int, displaced: Array, shares: Array, places: Array) -> Array:
         """Return the stress of nodal displacements, as `displaced` returns them.
@@ -126,7 +122,7 @@ class HarmonicElements:
         ----------
         n : int
             Number of waves around.
-        displaced : ndarray, shape (unknowns, loads)
+        displaced : ndarray, shape (loads, 3, rows, columns)
             Nodal displacements over K.
         shares : ndarray, shape (s,)
             Where, from 0 at the bore or the axis to 1 at the surface.
@@ -142,9 +138,9 @@ class HarmonicElements:
             _interpolating(self.wall_borders, shares),
             _interpolating(self.axial_borders, places),
         )
-        nodal = (1.0 - self.poisson) / (2.0 * np.pi) * displaced.reshape(3, self.rows, self.columns, -1)
+        nodal = (1.0 - self.poisson) / (2.0 * np.pi) * displaced
         moved, along_s, along_z = (
-            np.einsum("si,cijm,pj->cspm", one, nodal, other, optimize=True)
+            np.einsum("si,mcij,pj->cspm", one, nodal, other, optimize=True)
             for one, other in ((value_s, value_z), (slope_s, value_z), (value_s, slope_z))
         )
         (outer, inner), (outer_slope, inner_slope) = self.outline.radii(places), self.outline.slopes(places)
@@ -187,94 +183,15 @@ class HarmonicElements:
         return DEGREE * (self.axial_borders.size - 1) + 1
 
     @cached_property
-    def _stiffness(self) -> tuple[Any, Any, Any]:
-        """The parts of the stiffness that are constant, linear and quadratic in n, with the same places filled."""
-        from scipy import sparse
-
-        rows, columns = self.rows, self.columns
-        local = np.arange(_NODES)
-        values: tuple[list[Array], ...] = ([], [], [])
-        to_row, to_column = [], []
-        for i in range(self.wall_borders.size - 1):
-            for j in range(self.axial_borders.size - 1):
-                of_component = rows * columns * np.arange(3)[:, None, None]
-                unknown = (of_component + columns * (i * DEGREE + local)[:, None] + j * DEGREE + local).ravel()
-                to_row.append(np.repeat(unknown, unknown.size))
-                to_column.append(np.tile(unknown, unknown.size))
-                for into, part in zip(
-                    values, self._element(self.wall_borders[i : i + 2], self.axial_borders[j : j + 2]), strict=True
-                ):
-                    into.append(part.ravel())
-        places, size = (np.concatenate(to_row), np.concatenate(to_column)), 3 * rows * columns
-        constant, linear, square = (
-            sparse.csc_matrix((np.concatenate(part), places), shape=(size, size)) for part in values
-        )
-        return constant, linear, square
-
-    def _element(self, shares: Array, axial: Array) -> tuple[Array, Array, Array]:
-        """Return the parts of the stiffness of one element, constant, linear and quadratic in n."""
+    def _solver(self) -> core.HarmonicElements:
         node, weight = legendre.leggauss(_NODES)
-        values, slopes = nodal_polynomials(node)
-        half_s, half_z = 0.5 * np.diff(shares)[0], 0.5 * np.diff(axial)[0]
-        s, z = shares[0] + half_s * (1.0 + node), axial[0] + half_z * (1.0 + node)
-        (outer, inner), (outer_slope, inner_slope) = self.outline.radii(z), self.outline.slopes(z)
-        wall = outer - inner
-        # At (s, z): the radius, and how much s changes with z where r does not.
-        radius = (inner + s[:, None] * wall).ravel()
-        shift = (-(inner_slope + s[:, None] * (outer_slope - inner_slope)) / wall).ravel()
-        measure = (half_s * half_z * weight[:, None] * weight * wall).ravel() * radius
-        value, along_s, along_z = (
-            np.einsum("qi,pj->qpij", one, other).reshape(node.size**2, -1)
-            for one, other in ((values, values), (slopes / half_s, values), (values, slopes / half_z))
-        )
-        by_r = along_s / np.tile(wall, node.size)[:, None]
-        by_z, by_t = along_z + shift[:, None] * along_s, value / radius[:, None]
-        none = np.zeros_like(value)
-        # Strains (r, theta, z, r theta, r z, theta z) by (u, v, w): what is constant and what is linear in n.
-        fixed = np.array([
-            [by_r, none, none], [by_t, none, none], [none, none, by_z],
-            [none, by_r - by_t, none], [by_z, none, by_r], [none, by_z, none],
-        ])  # fmt: skip
-        waves = np.array([
-            [none] * 3, [none, by_t, none], [none] * 3, [-by_t, none, none], [none] * 3, [none, none, -by_t],
-        ])  # fmt: skip
-        fixed, waves = (each.transpose(0, 2, 1, 3).reshape(6, radius.size, -1) for each in (fixed, waves))
-        elasticity = np.diag([2.0, 2.0, 2.0, 1.0, 1.0, 1.0])
-        elasticity[:3, :3] += 2.0 * self.poisson / (1.0 - 2.0 * self.poisson)
-        stress_fixed, stress_waves = (
-            (np.tensordot(elasticity, each, 1) * measure[:, None]).reshape(-1, each.shape[-1])
-            for each in (fixed, waves)
-        )
-        fixed, waves = fixed.reshape(stress_fixed.shape), waves.reshape(stress_waves.shape)
-        mixed = fixed.T @ stress_waves
-        return fixed.T @ stress_fixed, mixed + mixed.T, waves.T @ stress_waves
-
-    def _systems(self, n: int) -> list[tuple[NDArray[np.int64], slice]]:
-        """Return the unknowns that are not zero, and which loads they are solved for."""
-        if self.outline.symmetric:
-            return [(self._free(n, odd=odd), slice(int(odd), None, 2)) for odd in (False, True)]
-        return [(self._free(n, odd=None), slice(None))]
-
-    def _free(self, n: int, odd: bool | None) -> NDArray[np.int64]:
-        """Return the unknowns that are not zero on the axis, in the middle by symmetry, or so that nothing drifts."""
-        held = np.zeros((3, self.rows, self.columns), dtype=bool)
-        if not self.outline.bored:
-            held[:2, 0] = True
-            if n:
-                held[W, 0] = True
-        if n == 0:
-            held[V] = True  # no torsion
-            held[W, 0, 0] = True  # a motion along the axis
-        if odd is not None:
-            held[[U, V] if odd else [W], :, 0] = True
-        return np.flatnonzero(~held)
-
-
-def radial(nodal: Array) -> Array:
-    """Return nodal forces without their axial part, or what reads displacements so."""
-    found = nodal.copy()
-    found[2 * len(nodal) // 3 :] = 0.0
-    return found
+        borders = self.axial_borders
+        z = borders[:-1, None] + 0.5 * np.diff(borders)[:, None] * (1.0 + node)
+        sections = *self.outline.radii(z), *self.outline.slopes(z)
+        return core.HarmonicElements(
+            self.poisson, self.wall_borders, borders, *sections, *nodal_polynomials(node), node, weight,
+            bored=self.outline.bored, symmetric=self.outline.symmetric,
+        )  # fmt: skip
 
 
 @cache

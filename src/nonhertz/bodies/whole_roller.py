@@ -34,17 +34,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.ends import IN_SPACE, corner_weights
-from nonhertz.bodies.harmonic_elements import HarmonicElements, radial
-from nonhertz.bodies.quarter_space import FreeFace, free_face
+from nonhertz.bodies.harmonic_elements import HarmonicElements
+from nonhertz.bodies.quarter_space import free_face
 from nonhertz.bodies.stored import stored
 from nonhertz.compiled import compiled, plain_array
 from nonhertz.model.outline import Outline
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
@@ -68,6 +70,9 @@ _ZETA = (1.2020569031595942, 1.0369277551433699, 1.0083492773819228, 1.002008392
 _FARTHEST, _PLACES = 25.0, 5001  # of the table of the curved part [radii], evenly spaced, which leaves 1e-12
 _NEAR = 0.2  # radii; from there on cubic polynomials follow its logarithm, too, within 1e-9
 _NEAREST, _FAR, _DISTANCES = 1e-12, 700.0, 3001  # of the flat body's functions, which are tables in the logarithm
+
+
+_gauss = cache(legendre.leggauss)
 
 
 @dataclass(frozen=True)
@@ -331,6 +336,7 @@ def _curved_table(poisson: float) -> Array:
     "nonhertz.bodies.harmonic_elements",
     "nonhertz.model.outline",
     "nonhertz.bodies.quarter_space",
+    core.__name__,
 )
 def response_matrix(outline: Outline, poisson: float) -> Array:
     """Return the matrix of `WholeRoller`."""
@@ -347,129 +353,93 @@ def response_matrix(outline: Outline, poisson: float) -> Array:
 
     elements = HarmonicElements(outline, poisson, most, PER_TERM * half_length / terms)
     forces = elements.forces(polynomials)
-    readings = elements.forces(lambda z: polynomials(z) * outline.cosines(z)[:, None])
-    by_elements = np.zeros((order.size, order.size))
-    for n, weight_of_mode in modes.items():
-        read = readings if n else radial(readings)
-        by_elements += weight_of_mode * read.T @ elements.displaced(n, forces)
+    straight = outline.steepest == 0.0
+    readings = None if straight else elements.forces(lambda z: polynomials(z) * outline.cosines(z)[:, None])
+    work = elements.work(list(modes), forces, readings)
+    by_elements = np.sum(np.array(list(modes.values()))[:, None, None] * work, axis=0)
     node, weight = legendre.leggauss(_OUTER_NODES * (1 + math.ceil(fading.size / 8)))
     if outline.symmetric:  # the other half does the same
         by_elements *= 2.0
         weight = np.where(node > 0.0, 2.0, node == 0.0)[node >= 0.0] * weight[node >= 0.0]
         node = node[node >= 0.0]
-    grid = _Grid.of(half_length * node, outline, polynomials, free_face(poisson))
-    flat = (polynomials(grid.y) * (half_length * weight)[:, None]).T @ grid.less_modes(
-        modes, poisson, outline.corner_angles
-    )
+    y = half_length * node
+    points, weights = np.array([_points(place, half_length) for place in y]).transpose(1, 0, 2)
+    # Waves around are as long as the surface is wide.
+    radius = np.sqrt(outline.girths(y)[:, None] * outline.girths(points))
+    effect = _less_modes(modes, poisson, outline, y, points, radius) * (weights / radius)
+    loads = polynomials(points.ravel()).reshape(*points.shape, -1)
+    flat = (polynomials(y) * (half_length * weight)[:, None]).T @ np.einsum("ix,ixm->im", effect, loads)
     matrix: Array = fading[:, None] * (by_elements + 0.5 * (flat + flat.T)) * fading
     if outline.symmetric:
         matrix[np.add.outer(order, order) % 2.0 == 1.0] = 0.0
     return matrix
 
 
-@dataclass(frozen=True)
-class _Grid:
-    """Places, and points from which what acts on them is integrated, closer to each other towards logarithms.
+def _less_modes(
+    modes: dict[int, float], poisson: float, outline: Outline, y: Array, points: Array, radius: Array
+) -> Array:
+    """Return all modes of a flat body less their integral, less the flat and curved part of some modes.
 
-    Attributes
+    Parameters
     ----------
+    modes : dict
+        Those modes, and how much each counts.
+    poisson : float
+        Poisson's ratio.
+    outline : Outline
+        A section through the axis.
     y : ndarray, shape (places,)
         Places [radii].
-    loads : ndarray, shape (places, points, m)
-        The polynomials at the points, times the points' weights, over the surface's radius.
-    direct : ndarray, shape (places, points)
-        Distances, over the surface's radius.
-    image : ndarray, shape (2, places, points)
-        Those of the images about both faces.
-    face : ndarray, shape (2, places, points, 2, k)
-        Weights of what both free faces add.
-    distances : ndarray, shape (k,)
-        Its distances, over that of the image.
+    points : ndarray, shape (places, points)
+        Points from which what acts on each is integrated [radii].
+    radius : ndarray, shape (places, points)
+        The surface's, between both.
+
+    Returns
+    -------
+    ndarray, shape (places, points)
     """
+    free, weights = free_face(poisson), 1.0 + IN_SPACE * np.array([corner_weights(a) for a in outline.corner_angles])
+    of_image, of_face = np.ascontiguousarray(weights[::-1].T)
+    added = free.weights.reshape(len(free.weights), -1)
+    tables = _tables(tuple((n, weight) for n, weight in modes.items() if n), poisson)
+    return core.flat_modes(
+        *tables, added, free.distances, of_image, of_face, outline.half_length, y, np.ascontiguousarray(points), radius
+    )
 
-    y: Array
-    loads: Array
-    direct: Array
-    image: Array
-    face: Array
-    distances: Array
 
-    @classmethod
-    def of(cls, y: Array, outline: Outline, polynomials: Callable[[Array], Array], free: FreeFace) -> _Grid:
-        """Return those for some places."""
-        half_length = outline.half_length
-        points, weights = np.array([_points(place, half_length) for place in y]).transpose(1, 0, 2)
-        # Waves around are as long as the surface is wide.
-        radius = np.sqrt(outline.girths(y)[:, None] * outline.girths(points))
-        loads = polynomials(points.ravel()).reshape(*points.shape, -1) * (weights / radius)[..., None]
-        of_places = half_length - y[:, None] * np.array([1.0, -1.0])[:, None, None]
-        of_points = half_length - points * np.array([1.0, -1.0])[:, None, None]
-        u, v = np.broadcast_to(of_places, of_points.shape), np.maximum(of_points, np.finfo(float).tiny)
-        direct = np.maximum(np.abs(points - y[:, None]), np.finfo(float).tiny)
-        return cls(y, loads, direct / radius, (u + v) / radius, free.towards(u, v), free.distances)
+@lru_cache(16)
+def _tables(
+    waves: tuple[tuple[int, float], ...], poisson: float
+) -> tuple[core.LogarithmicTable, core.LogarithmicTable, core.LogarithmicTable]:
+    """Return the sums over all modes less some, of loads and of pressures of a half-plane, and their curved part."""
+    # Imported here, because most contacts need none of this.
+    from scipy import special
 
-    def less_modes(self, modes: dict[int, float], poisson: float, angles: tuple[float, float]) -> Array:
-        """Return all modes of a flat body less their integral, less the flat and curved part of some modes.
-
-        They are added up as functions of a distance first: of loads, and of pressures of a half-plane.
-
-        Parameters
-        ----------
-        modes : dict
-            Those modes, and how much each counts.
-        poisson : float
-            Poisson's ratio.
-        angles : tuple of float
-            Of the corners at low and high y, within the body [rad].
-
-        Returns
-        -------
-        ndarray, shape (places, m)
-        """
-        # Imported here, because most contacts need none of this.
-        from scipy import special
-
-        along, decay, slope = _curved_factors(poisson)
-        waves = [(n, weight) for n, weight in modes.items() if n]
-        of_loads = _tabulated(lambda s: sum_over_images(s) - sum(2.0 * w * special.k0(n * s) for n, w in waves))
-        of_planes = _tabulated(lambda s: sum_over_planes(s) - sum(w * np.exp(-n * s) for n, w in waves))
-        curved = _tabulated(
+    along, decay, slope = _curved_factors(poisson)
+    return (
+        _tabulated(lambda s: sum_over_images(s) - sum(2.0 * w * special.k0(n * s) for n, w in waves)),
+        _tabulated(lambda s: sum_over_planes(s) - sum(w * np.exp(-n * s) for n, w in waves)),
+        _tabulated(
             lambda s: (
                 along * np.exp(-s) + 0.5 * math.pi * sum(w * np.exp(-n * s) * (decay / n - slope * s) for n, w in waves)
             )
-        )
-        effect = of_loads(self.direct) - curved(self.direct)
-        weights = 1.0 + IN_SPACE * np.array([corner_weights(angle) for angle in reversed(angles)])
-        of_image, of_face = weights.T[:, :, None, None]
-        effect += np.sum(of_image * of_loads(self.image) - curved(self.image), axis=0)
-        for k, distance in enumerate(self.distances):
-            at = distance * self.image
-            added = self.face[..., 0, k] * of_loads(at) + self.face[..., 1, k] * of_planes(at)
-            effect += np.sum(of_face * added, axis=0)
-        found: Array = np.einsum("ix,ixm->im", effect, self.loads)
-        return found
+        ),
+    )
 
 
-def _tabulated(function: Callable[[Array], Array]) -> Callable[[Array], Array]:
+def _tabulated(function: Callable[[Array], Array]) -> core.LogarithmicTable:
     """Return a function of a distance by cubic polynomials in its logarithm, below the first straight in it."""
     from scipy.interpolate import CubicSpline
 
     first, last = math.log(_NEAREST), math.log(_FAR)
-    at = np.linspace(first, last, _DISTANCES)
-    spline = CubicSpline(at, function(np.exp(at)))
-    slope = float(spline(first, 1))
-
-    def found(distance: Array) -> Array:
-        x = np.log(distance)
-        values: Array = spline(np.clip(x, first, last)) + slope * np.minimum(x - first, 0.0)
-        return values
-
-    return found
+    at, step = np.linspace(first, last, _DISTANCES, retstep=True)
+    return core.LogarithmicTable(first, float(step), np.ascontiguousarray(CubicSpline(at, function(np.exp(at))).c.T))
 
 
 def _points(place: float, half_length: float) -> tuple[Array, Array]:
     """Return points on the length of a roller, denser towards a place and both ends, and their weights."""
-    node, weight = legendre.leggauss(_NODES)
+    node, weight = _gauss(_NODES)
     halved = np.concatenate([[0.0], 2.0 ** np.arange(1.0 - _PANELS, 1.0)])
     part = 0.5 * (halved[1:] + halved[:-1])[:, None] + 0.5 * np.diff(halved)[:, None] * node
     share = 0.5 * np.diff(halved)[:, None] * weight
