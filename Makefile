@@ -11,13 +11,18 @@ MARKS ?= slow
 ENGINE ?= chromium
 VENV := .venv
 BIN := $(VENV)/bin
+INSTALLED := $(VENV)/.installed
 READY := $(VENV)/.ready
 
-.PHONY: demo test test-slow test-orders test-versions dist dist-tests mutants campaign campaign-all browser verify lint docs bench docs-numbers clean
+.PHONY: demo core test test-slow test-orders test-versions dist dist-tests mutants campaign campaign-all browser verify lint docs bench docs-numbers clean
 
-demo: $(READY)
+demo: $(INSTALLED)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
 	@echo "Figures, table and result are in out/demo; open out/demo/pressure.svg first."
+
+# Compiles what has changed of the core, in seconds; every other target takes it as it is.
+core: $(READY)
+	$(BIN)/cmake --build build
 
 # Workers share the cores: linear algebra has one thread in each. A file is one worker's: what its tests share is solved
 # once.
@@ -74,6 +79,7 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/mypy --platform win32
 	$(BIN)/lint-imports
+	$(BIN)/clang-format --dry-run -Werror src/core/*/*.[ch]pp src/bindings/*.[ch]pp
 
 docs: $(READY)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group docs
@@ -102,11 +108,22 @@ docs-numbers: $(READY)
 	$(BIN)/python docs/claims.py
 	$(BIN)/python paper/figures.py
 
-$(READY): pyproject.toml constraints.txt
+# What a user has: the package with its page, from these sources, and nothing of a developer's.
+$(INSTALLED): pyproject.toml constraints.txt CMakeLists.txt
+	@echo "Setting up $(VENV), which takes a minute or two; the next time it is there."
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --upgrade --constraint constraints.txt pip
-	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[web]" --group dev
+	@$(BIN)/python -m pip install --quiet --upgrade --constraint constraints.txt pip
+	@echo "Compiling the core, and installing what the command line, the figures and the page need."
+	@$(BIN)/python build-tools/compiler.py >/dev/null
+	@$(BIN)/python -m pip install --quiet --constraint constraints.txt --build-constraint constraints.txt --editable ".[web]"
+	@touch $@
+
+# What the tests and linters need, and the build's own tools: from now on only what has changed is compiled.
+$(READY): $(INSTALLED)
+	@echo "Installing what tests and linters need."
+	@$(BIN)/python -m pip install --quiet --constraint constraints.txt --group dev $$($(BIN)/python build-tools/compiler.py)
+	@$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
 	@touch $@
 
 clean:
-	rm -rf $(VENV) dist out docs/gallery
+	rm -rf $(VENV) dist out docs/gallery build src/nonhertz/_core*.so src/nonhertz/_core*.pyd

@@ -1,7 +1,7 @@
-// The module that Python imports. No numbers are worked out in src/bindings.
+// What the module holds; entry.cpp is how Python gets there. No numbers are worked out in src/bindings.
 #include "bindings/rooms.hpp"
 
-NB_MODULE(NONHERTZ_MODULE, m) {
+NB_MODULE(bound, m) {
   using namespace nonhertz;
   m.doc() = "The numbers of nonhertz in C++: arrays in, arrays out.";
   bind_strips(m);

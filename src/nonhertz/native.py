@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import importlib
-import importlib.util
 from typing import TYPE_CHECKING
-
-from numpy._core._multiarray_umath import (  # type: ignore[import-not-found, unused-ignore]
-    __cpu_features__ as features,
-)
 
 if TYPE_CHECKING:
     from nonhertz import _core as core
 else:
-    fast = features.get("AVX2") and features.get("FMA3") and importlib.util.find_spec("nonhertz._core_v3")
-    core = importlib.import_module("nonhertz._core_v3" if fast else "nonhertz._core")
+    # The faster first: it does not load on a processor that has not its instructions.
+    reasons = []
+    for name in ("_core_v3", "_core"):
+        try:
+            core = importlib.import_module(f"nonhertz.{name}")
+            break
+        except ImportError as error:
+            reasons.append(f"nonhertz.{name}: {error}")
+    else:
+        raise ImportError(
+            "The compiled core of nonhertz was not built for this Python and processor: run `pip install .` in its "
+            f"folder, or `make core` in a checkout ({'; '.join(reasons)})"
+        )
 
 __all__ = ["core"]
