@@ -7,6 +7,7 @@
 
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
+#include "grids/first.hpp"
 #include "grids/levels.hpp"
 #include "grids/overlaps.hpp"
 #include "grids/peaks.hpp"
@@ -69,6 +70,15 @@ void bind_grids(nb::module_& m) {
         refuse_infeasible(model, *model.springs(edges), {by_force, target}, chosen);
       },
       "model"_a, "edges"_a, "by_force"_a, "target"_a, "chosen"_a = true, Released());
+  m.def(
+      "first_strips",
+      [](const Model& model, Flags by_force, Pair target) {
+        const Prescription given{by_force, target};
+        const auto [low, high] = bounded(model, given);
+        return first_strips(model, given, low, high);
+      },
+      "model"_a, "by_force"_a, "target"_a, Released(),
+      "The edges of the equal strips that an automatic grid begins with [mm].");
   m.def(
       "kinks_among",
       [](const Model& model, const Numbers& bends, double length) {

@@ -205,6 +205,9 @@ def is_feasible(model: Model, edges: Sequence[float], by_force: Sequence[bool], 
 
 def refuse_infeasible(model: Model, edges: Sequence[float], by_force: Sequence[bool], target: Sequence[float], chosen: bool = True) -> None: ...
 
+def first_strips(model: Model, by_force: Sequence[bool], target: Sequence[float]) -> list[float]:
+    """The edges of the equal strips that an automatic grid begins with [mm]."""
+
 def kinks_among(model: Model, bends: Sequence[float], length: float) -> tuple[list[float], list[float]]:
     """
     Those of the bends [mm] at which the slope of the separation jumps, and by how much [rad].

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grids/first.hpp"
 #include "grids/overlaps.hpp"
 #include "grids/peaks.hpp"
-#include "grids/springs.hpp"
 #include "strips/acceptance.hpp"
 #include "strips/summit.hpp"
 
@@ -15,8 +15,6 @@ namespace {
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
 constexpr double STRIP_LIMIT = 40.0;  // of an automatic grid of coarseness 1 on one interval of contact
-constexpr Index COARSE_STRIPS = 24;
-constexpr Index MORE_STRIPS[] = {1, 5, 25};                       // to begin with, in case fewer miss the contact
 constexpr double FEWER_STRIPS[] = {1.0, 0.94, 0.88, 0.82, 0.76};  // tried in turn where a grid has no solution
 // Fractions of the strips: a rough grid that grades the final one, then half of the final one before all of it; and so
 // often again, if the solution shows that another contact was missed or strips are too wide.
@@ -66,34 +64,10 @@ std::vector<Level> Search::run() {
   return levels;
 }
 
-/// Equal strips that can meet what is prescribed: all along the bodies, or near where they touch.
-std::shared_ptr<const Grid> Search::first_strips() const {
-  const double low = region_->low, high = region_->high;
-  auto grid = model_.springs(uniform(low, high, COARSE_STRIPS));
-  refuse_endless_relief(grid->y, grid->separation);
-  // Where the load is given and the moment is not, any strips will do. A prescribed approach may bring only a tiny spot
-  // into contact, a moment only the very end.
-  if (given_.by_force[0] && (!given_.by_force[1] || is_feasible(model_, *grid, given_))) return grid;
-  refuse_arm_outside(given_, low, high);
-  std::vector<Pair> regions{neighbourhood(model_, given_, low, high)};
-  if (given_.both()) {  // at one end of the bodies, centred on the resultant of load and moment
-    const double arm = arm_of(given_);
-    const bool at_high = high - arm < arm - low;
-    regions.push_back(at_high ? Pair{std::max(low, 2.0 * arm - high), high}
-                              : Pair{low, std::min(high, 2.0 * arm - low)});
-  }
-  for (const auto& [from, to] : regions)
-    for (Index more : MORE_STRIPS) {
-      grid = model_.springs(uniform(from, to, more * COARSE_STRIPS));
-      if (is_feasible(model_, *grid, given_)) return grid;
-    }
-  refuse_infeasible(model_, *grid, given_, false);
-  return grid;
-}
-
 /// Solve on equal strips of a region that the contact fills well, searching from the whole inwards.
 Level Search::locate() const {
-  Level level = solved(model_.grid(first_strips()->edges), nullptr, ROUGH_TOLERANCE, true);
+  Level level =
+      solved(model_.grid(first_strips(model_, given_, region_->low, region_->high)), nullptr, ROUGH_TOLERANCE, true);
   for (int k = 0; k < NARROWINGS && level.state.converged(); ++k) {
     const auto part = narrower(level);
     if (!part) break;

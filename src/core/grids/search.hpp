@@ -15,7 +15,6 @@ class Search {
   std::vector<Level> run();
 
  private:
-  std::shared_ptr<const Grid> first_strips() const;
   Level locate() const;
   std::optional<Pair> narrower(const Level& level) const;
   void add_halves(std::vector<Level>& levels) const;
