@@ -105,7 +105,7 @@ void refuse_no_contact(const Model& model, View edges, const Prescription& given
   y.erase(std::unique(y.begin(), y.end()), y.end());
   const double needed = first_touch(model, tilt, std::move(y)), approach = given.target[0];
   if (approach > needed) throw Refused(Refusal::unresolved, approach);
-  throw chosen ? Refused(Refusal::apart, needed, low, high) : Refused(Refusal::apart, needed);
+  throw chosen ? Refused(Refusal::apart, needed, low, high, count_of(edges) - 1) : Refused(Refusal::apart, needed);
 }
 
 }  // namespace nonhertz

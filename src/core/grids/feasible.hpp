@@ -16,7 +16,7 @@ enum class Refusal {
   tilted_apart,    ///< value: approach; at the tilt that the moment causes the bodies are apart
   between_strips,  ///< strips: the contact lies between the centres of so many
   unresolved,      ///< value: approach; strips cannot resolve the contact
-  apart,           ///< value: approach at which the bodies begin to touch, between low and high if strips were given
+  apart,           ///< value: approach at which the bodies begin to touch; low, high, strips: if the user gave them
   no_end,          ///< the contact reaches to where endless bodies are no longer looked at
 };
 
