@@ -2,68 +2,162 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
-#include "bindings/arrays.hpp"
+#include "bindings/functions.hpp"
 #include "bindings/rooms.hpp"
 #include "bodies/model.hpp"
 
 namespace nonhertz {
 namespace {
 
-/// A profile of the user's: called with the interpreter's lock, wherever it is needed.
-Function function(nb::callable profile) {
-  return {[profile = std::move(profile)](View y, Row h) {
-    const nb::gil_scoped_acquire lock;
-    const auto places = VectorOut(y.data(), {y.size()}, nb::none());
-    const auto relief = nb::cast<VectorIn>(profile(nb::cast(places, nb::rv_policy::copy)));
-    if (relief.size() != y.size()) throw std::invalid_argument("relief must have the shape of y");
-    std::copy_n(relief.data(), relief.size(), h.begin());
-  }};
+using CurvatureIn = std::variant<double, TabulatedDiameter, FunctionIn>;
+
+Curvature curvature(CurvatureIn of) {
+  if (auto* callable = std::get_if<FunctionIn>(&of)) return function(std::move(*callable));
+  if (auto* table = std::get_if<TabulatedDiameter>(&of)) return std::move(*table);
+  return std::get<double>(of);
+}
+
+/// Without the interpreter's lock, what a model says of places.
+template <class Answer>
+auto asked(Answer (Model::*of)(View) const) {
+  return [of](const Model& self, const VectorIn& y) {
+    Answer answer;
+    {
+      const nb::gil_scoped_release unlocked;
+      answer = (self.*of)(view(y));
+    }
+    if constexpr (std::is_same_v<Answer, Matrix>)
+      return matrix_of(std::move(answer));
+    else
+      return array_of(std::move(answer));
+  };
+}
+
+/// The same of places and edges.
+template <class Of>
+auto asked(Matrix (Of::*of)(View, View) const) {
+  return [of](const Of& self, const VectorIn& y, const VectorIn& edges) {
+    Matrix answer;
+    {
+      const nb::gil_scoped_release unlocked;
+      answer = (self.*of)(view(y), view(edges));
+    }
+    return matrix_of(std::move(answer));
+  };
+}
+
+void bind_references(nb::module_& m) {
+  nb::class_<TabulatedDiameter>(m, "TabulatedDiameter")
+      .def(
+          "__init__",
+          [](TabulatedDiameter* self, const VectorIn& y, const VectorIn& diameter, double middle) {
+            new (self) TabulatedDiameter{polyline(y, diameter), middle};
+          },
+          "y"_a, "diameter"_a, "middle"_a);
+  nb::class_<DepthInDiameters>(m, "DepthInDiameters")
+      .def(
+          "__init__",
+          [](DepthInDiameters* self, double diameters, CurvatureIn of, FunctionIn refuse) {
+            new (self) DepthInDiameters{diameters, curvature(std::move(of)), function(std::move(refuse))};
+          },
+          "diameters"_a, "curvature"_a, "refuse"_a);
+  nb::class_<WholeRoller>(m, "WholeRoller")
+      .def(
+          "__init__",
+          [](WholeRoller* self, const VectorIn& z, const VectorIn& outer, const MatrixIn& smooth,
+             const MatrixIn& curved, double logarithm, double beta) {
+            new (self) WholeRoller{polyline(z, outer), matrix(smooth), matrix(curved), logarithm, beta};
+          },
+          "z"_a, "outer"_a, "smooth"_a, "curved"_a, "logarithm"_a, "beta"_a)
+      .def("by_width", &WholeRoller::by_width, "radius"_a)
+      .def("displacement", asked(&WholeRoller::displacement), "y"_a, "edges"_a);
+  nb::class_<FarImages>(m, "FarImages")
+      .def(
+          "__init__",
+          [](FarImages* self, const VectorIn& distance, const VectorIn& weight, double beyond, double length) {
+            new (self) FarImages{numbers(distance), numbers(weight), beyond, length};
+          },
+          "distance"_a, "weight"_a, "beyond"_a, "length"_a);
+  nb::class_<PointsAtDepth::FreeFace>(m, "FreeFace")
+      .def(nb::init<double, double, double>(), "place"_a, "side"_a, "weight"_a);
+  nb::class_<PointsAtDepth>(m, "PointsAtDepth")
+      .def(
+          "__init__",
+          [](PointsAtDepth* self, Depth depth, double factor, std::vector<Term> terms, std::optional<FarImages> far,
+             std::vector<PointsAtDepth::FreeFace> faces, const VectorIn& over_image) {
+            new (self) PointsAtDepth{std::move(depth), factor,           std::move(terms),
+                                     std::move(far),   std::move(faces), numbers(over_image)};
+          },
+          "depth"_a, "poisson_factor"_a, "terms"_a, "far"_a.none(), "faces"_a, "over_image"_a)
+      .def("displacement", asked(&PointsAtDepth::displacement), "y"_a, "edges"_a);
+  nb::class_<AxisOfCylinder>(m, "AxisOfCylinder")
+      .def(
+          "__init__",
+          [](AxisOfCylinder* self, Depth diameter, std::shared_ptr<Cubics> smooth, std::vector<Term> terms) {
+            new (self) AxisOfCylinder{std::move(diameter), std::move(smooth), std::move(terms)};
+          },
+          "diameter"_a, "smooth"_a, "terms"_a)
+      .def("displacement", asked(&AxisOfCylinder::displacement), "y"_a, "edges"_a);
+  nb::class_<AxisOfRoller>(m, "AxisOfRoller")
+      .def(
+          "__init__",
+          [](AxisOfRoller* self, double depth, std::shared_ptr<WholeRoller> whole, double radius, double middle,
+             double share) {
+            new (self) AxisOfRoller{depth, std::move(whole), radius, middle, share};
+          },
+          "depth"_a, "whole"_a, "radius"_a, "middle"_a, "share"_a)
+      .def("displacement", asked(&AxisOfRoller::displacement), "y"_a, "edges"_a)
+      .def(
+          "by_width",
+          [](const AxisOfRoller& self, const VectorIn& y, double ratio) {
+            Matrix found(4, y.size());
+            std::fill(found.all().begin(), found.all().end(), 0.0);
+            add_by_width(self, view(y), ratio, found);
+            return matrix_of(std::move(found));
+          },
+          "y"_a, "ratio"_a);
+}
+
+void bind_model(nb::module_& m) {
+  nb::class_<Body>(m, "Body").def(
+      "__init__",
+      [](Body* self, std::shared_ptr<Relief> relief, CurvatureIn of, double modulus) {
+        new (self) Body{std::move(relief), curvature(std::move(of)), modulus};
+      },
+      "relief"_a, "curvature"_a, "modulus"_a);
+  nb::class_<FreedFace>(m, "FreedFace")
+      .def(nb::init<double, double, double, double>(), "y"_a, "side"_a, "image_weight"_a, "free"_a);
+  nb::class_<Model>(m, "Model")
+      .def(
+          "__init__",
+          [](Model* self, std::array<Body, 2> bodies, Kernel kernel, std::vector<Reference> references,
+             std::vector<FreedFace> freed, double compliance, Pair interval, const VectorIn& bends,
+             const VectorIn& crests, FunctionIn refuse) {
+            Contact contact{std::move(bodies), std::move(kernel), std::move(references),
+                            std::move(freed),  compliance,        interval,
+                            numbers(bends),    numbers(crests),   function(std::move(refuse))};
+            const nb::gil_scoped_release unlocked;
+            new (self) Model(std::move(contact));
+          },
+          "bodies"_a, "kernel"_a, "references"_a, "freed"_a, "compliance"_a, "interval"_a, "bends"_a, "crests"_a,
+          "refuse"_a)
+      .def("separation", asked(static_cast<Numbers (Model::*)(View) const>(&Model::separation)), "y"_a)
+      .def("curvature", asked(&Model::curvature), "y"_a)
+      .def("sharper_curvature", asked(&Model::sharper_curvature), "y"_a)
+      .def("min_depth", asked(&Model::min_depth), "y"_a)
+      .def("by_width", asked(&Model::by_width), "y"_a)
+      .def("at_depth", asked(&Model::at_depth), "y"_a, "edges"_a);
 }
 
 }  // namespace
 
 void bind_bodies(nb::module_& m) {
-  nb::class_<Arcs>(m, "Arcs").def(nb::init<double, double, double, double>());
-  nb::class_<Logarithmic>(m, "Logarithmic").def(nb::init<double, double, double, double, double>());
-  nb::class_<Function>(m, "Function")
-      .def("__init__", [](Function* self, nb::typed<nb::callable, VectorOut(VectorOut)> of) {
-        new (self) Function(function(std::move(of)));
-      });
-  nb::class_<Moved>(m, "Moved").def(nb::init<Formula, double, double, bool, double, double>());
-  nb::class_<Relief>(m, "Relief").def(nb::init<std::vector<Moved>, double, double, double>());
-  nb::class_<Body>(m, "Body").def(nb::init<Relief, double, double>());
-  nb::class_<FreedFace>(m, "FreedFace").def(nb::init<double, double, double, double>());
-  nb::class_<PointsAtDepth::FreeFace>(m, "FreeFace").def(nb::init<double, double, double>());
-  nb::class_<PointsAtDepth>(m, "PointsAtDepth")
-      .def("__init__", [](PointsAtDepth* self, double depth, double factor, std::vector<Term> terms,
-                          std::vector<PointsAtDepth::FreeFace> faces, const VectorIn& over_image) {
-        new (self) PointsAtDepth{depth, factor, std::move(terms), std::move(faces), numbers(over_image)};
-      });
-  nb::class_<AxisOfRoller>(m, "AxisOfRoller")
-      .def("__init__", [](AxisOfRoller* self, double radius, double middle, double share, double half_length,
-                          const MatrixIn& smooth, const MatrixIn& curved, double logarithm, double own) {
-        new (self) AxisOfRoller{radius, middle, share, half_length, matrix(smooth), matrix(curved), logarithm, own};
-      });
-  nb::class_<Model>(m, "Model")
-      .def("__init__",
-           [](Model* self, std::array<Body, 2> bodies, std::shared_ptr<Element> element, std::vector<Term> terms,
-              std::vector<Face> faces, std::vector<Reference> references, std::vector<FreedFace> freed,
-              double compliance, Pair interval, const VectorIn& bends, const VectorIn& crests) {
-             new (self) Model(Contact{std::move(bodies),
-                                      {std::move(element), std::move(terms), std::move(faces)},
-                                      std::move(references),
-                                      std::move(freed),
-                                      compliance,
-                                      interval,
-                                      numbers(bends),
-                                      numbers(crests)});
-           })
-      .def("separation", [](const Model& self, const VectorIn& y) { return nb::cast(self.separation(numbers(y))); });
+  bind_reliefs(m);
+  bind_references(m);
+  bind_model(m);
 }
 
 }  // namespace nonhertz

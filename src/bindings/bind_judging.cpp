@@ -1,5 +1,6 @@
 // How a solution is judged: what Python compares with limits and puts into words.
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
 #include "bindings/arrays.hpp"
@@ -75,7 +76,7 @@ void bind_judging(nb::module_& m) {
         if (y.size() == 0 || values.size() != y.size() || half_width.size() != y.size())
           throw std::invalid_argument("places, values and half-widths must be as many");
         Counted found = counted(view(y), view(values), view(half_width), view(ends));
-        return nb::make_tuple(array_of(std::move(found.places)), array_of(std::move(found.values)));
+        return std::pair(array_of(std::move(found.places)), array_of(std::move(found.values)));
       },
       "y"_a, "values"_a, "half_width"_a, "ends"_a);
 }

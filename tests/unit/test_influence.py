@@ -6,7 +6,8 @@ from core_pieces import NO_DEPTH, kernel_of, strips_between
 from scipy.integrate import quad
 
 import nonhertz as nh
-from nonhertz.bodies.depths import PointsAtDepth
+from nonhertz.bodies.depths import DepthInDiameters, EvenDepth, PointsAtDepth
+from nonhertz.bodies.images import FarImages
 from nonhertz.bodies.influence import HALF_SPACE, FreeSide, Influence
 from nonhertz.strip import influence
 from nonhertz.strip.influence import coefficients, displacements, remote_of, self_displacement
@@ -131,7 +132,7 @@ def test_a_strip_at_its_own_centre(element):
 
 
 def deep(depth, *, terms=HALF_SPACE, poisson=0.3, far=None):
-    return PointsAtDepth(lambda y: np.full(y.shape, depth), 1.0 / (2.0 * (1.0 - poisson)), np.atleast_2d(terms), far)
+    return PointsAtDepth(EvenDepth(depth), 1.0 / (2.0 * (1.0 - poisson)), np.atleast_2d(terms), far)
 
 
 @pytest.mark.parametrize("poisson", [0.0, 0.3, 0.5])
@@ -158,16 +159,24 @@ def test_displacement_at_depth_is_that_of_point_loads_below_them(depth, poisson)
 
 
 def test_every_place_has_its_own_depth():
-    depths = 1.0 + Y**2
-    varying = PointsAtDepth(lambda y: 1.0 + y**2, 1.0 / 1.4, HALF_SPACE)
+    body = nh.Body(diameter=lambda y: 2.0 + 2.0 * y**2)
+    varying, depths = PointsAtDepth(DepthInDiameters(body, 0.5), 1.0 / 1.4, HALF_SPACE), 1.0 + Y**2
     rows = [deep(depth).displacement(np.array([y]), EDGES)[0] for y, depth in zip(Y, depths, strict=True)]
     np.testing.assert_allclose(varying.displacement(Y, EDGES), rows, rtol=1e-13, atol=0.0)
 
 
 def test_what_far_images_add_goes_by_the_load_of_each_strip():
-    # They lift the surface, so they count against the points at depth.
-    with_far, without = (deep(1.5, far=far).displacement(Y, EDGES) for far in (lambda y: 0.01 + 1e-3 * y, None))
-    np.testing.assert_allclose(without - with_far, np.outer(0.01 + 1e-3 * Y, np.diff(EDGES)), rtol=1e-12, atol=0.0)
+    # They lift the surface, so they count against the points at depth: line loads, and an integral of what is beyond.
+    depth, factor, distance, weight, beyond = 15.0, 1.0 / 1.4, np.array([100.0, 200.0]), np.array([0.5, 0.3]), 250.0
+
+    def moved(s):
+        return 1.0 / s - (1.0 + factor * depth**2 / (s**2 + depth**2)) / np.hypot(s, depth)
+
+    rest = 0.3 / 100.0 * quad(moved, beyond, np.inf, epsabs=0.0, epsrel=1e-12)[0]
+    far = FarImages(distance, weight, beyond, 100.0)
+    with_far, without = (deep(depth, far=images).displacement(Y, EDGES) for images in (far, None))
+    expected = np.outer(np.full(Y.size, weight @ moved(distance) + rest), np.diff(EDGES))
+    np.testing.assert_allclose(without - with_far, expected, rtol=1e-9, atol=0.0)
 
 
 def test_without_depths_nothing_moves_there():

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nonhertz {
 namespace {
@@ -35,31 +36,76 @@ std::shared_ptr<const Region> Model::region(double low, double high) const {
 }
 
 Numbers Model::separation(View y) const {
-  Numbers h(y.size());
-  for (const Body& body : contact_.bodies) body.relief.add_to(y, h);
+  const auto& [a, b] = contact_.bodies;
+  Numbers h(y.size()), other(y.size());
+  a.relief->fill(y, h);
+  b.relief->fill(y, other);
+  for (std::size_t i = 0; i < y.size(); ++i) h[i] += other[i];
   return h;
 }
 
 double Model::separation(double y) const { return separation(View(&y, 1))[0]; }
 
-double Model::min_depth() const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Reference& reference : contact_.references) least = std::min(least, depth_of(reference));
+std::array<Numbers, 2> Model::curvatures(View y) const {
+  std::array found{Numbers(y.size()), Numbers(y.size())};
+  for (int k = 0; k < 2; ++k) fill(contact_.bodies[k].curvature, y, found[k]);
+  return found;
+}
+
+Numbers Model::curvature(View y) const {
+  auto [combined, other] = curvatures(y);
+  for (std::size_t i = 0; i < y.size(); ++i) combined[i] += other[i];
+  if (std::any_of(combined.begin(), combined.end(), [](double curvature) { return curvature <= 0.0; }))
+    contact_.refuse(y, combined);
+  return combined;
+}
+
+Numbers Model::sharper_curvature(View y) const {
+  auto [sharper, other] = curvatures(y);
+  for (std::size_t i = 0; i < y.size(); ++i) sharper[i] = std::max(std::fabs(sharper[i]), std::fabs(other[i]));
+  return sharper;
+}
+
+Numbers Model::min_depth(View y) const {
+  Numbers least(y.size(), std::numeric_limits<double>::infinity()), depth(y.size());
+  for (const Reference& reference : contact_.references) {
+    std::visit([&](const auto& of) { fill(of.depth, y, depth); }, reference);
+    for (std::size_t i = 0; i < y.size(); ++i) least[i] = std::min(least[i], depth[i]);
+  }
   return least;
 }
 
 Matrix Model::at_depth(View y, View edges) const {
   Matrix found;
-  if (contact_.references.empty()) return found;
-  found.resize(count_of(y), count_of(edges) - 1);
-  std::fill(found.all().begin(), found.all().end(), 0.0);
-  for (const Reference& reference : contact_.references) add_displacement(reference, y, edges, found);
+  for (const Reference& reference : contact_.references) {
+    Matrix of_body = displacement(reference, y, edges);
+    if (found.empty()) {
+      found = std::move(of_body);
+    } else {
+      for (std::size_t i = 0; i < found.all().size(); ++i) found.all()[i] += of_body.all()[i];
+    }
+  }
+  return found;
+}
+
+Matrix Model::by_width(View y) const {
+  Matrix found;
+  for (const Reference& reference : contact_.references) {
+    const auto* roller = std::get_if<AxisOfRoller>(&reference);
+    if (!roller) continue;
+    if (found.empty()) {
+      found.resize(4, count_of(y));
+      std::fill(found.all().begin(), found.all().end(), 0.0);
+    }
+    add_by_width(*roller, y, hertz_ratio(), found);
+  }
   return found;
 }
 
 std::shared_ptr<const Grid> Model::grid(Numbers edges) const {
   auto grid = springs(std::move(edges));
   grid->at_depth = at_depth(grid->y, grid->edges);
+  grid->by_width = by_width(grid->y);
   return grid;
 }
 
@@ -68,11 +114,10 @@ std::shared_ptr<Grid> Model::springs(Numbers edges) const {
   const Index n = count_of(edges) - 1;
   grid->y.resize(n);
   for (Index i = 0; i < n; ++i) grid->y[i] = 0.5 * (edges[i + 1] + edges[i]);
+  grid->curvature = curvature(grid->y);
   grid->separation = separation(grid->y);
-  const auto& [a, b] = contact_.bodies;
-  grid->curvature.assign(n, a.curvature + b.curvature);
-  grid->sharper.assign(n, std::max(std::fabs(a.curvature), std::fabs(b.curvature)));
-  grid->min_depth.assign(n, min_depth());
+  grid->min_depth = min_depth(grid->y);
+  grid->sharper = sharper_curvature(grid->y);
   grid->edges = std::move(edges);
   return grid;
 }

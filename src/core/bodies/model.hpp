@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "bodies/reference.hpp"
-#include "bodies/relief.hpp"
 #include "strips/strips.hpp"
 
 namespace nonhertz {
@@ -15,9 +14,9 @@ namespace nonhertz {
 inline constexpr int SAMPLES = 600;  // intervals along the bodies
 
 struct Body {
-  Relief relief;
-  double curvature;  ///< across the contact [1/mm], negative where concave
-  double modulus;    ///< [MPa]
+  SharedRelief relief;
+  Curvature curvature;
+  double modulus;  ///< [MPa]
 };
 
 /// A side face that images are about, at low (-1) or high y.
@@ -51,6 +50,7 @@ struct Contact {
   double compliance;      ///< K [1/MPa]
   Pair interval;          ///< where both can touch [mm], infinite on a side where neither ends
   Numbers bends, crests;  ///< where a relief bends, or may stand out between samples [mm], ascending
+  Function refuse;        ///< the curvature in Python, which says what is wrong where both surfaces conform
 };
 
 class Model {
@@ -62,17 +62,23 @@ class Model {
   double hertz_ratio() const { return contact_.kernel.element->hertz_ratio; }
   double low() const { return contact_.interval[0]; }
   double high() const { return contact_.interval[1]; }
-  double curvature() const { return contact_.bodies[0].curvature + contact_.bodies[1].curvature; }
 
   Numbers separation(View y) const;
   double separation(double y) const;
+  /// Of both bodies [1/mm].
+  Numbers curvature(View y) const;
+  /// The larger of both in magnitude [1/mm].
+  Numbers sharper_curvature(View y) const;
+  /// The smaller of both depths [mm], infinite if neither body has one.
+  Numbers min_depth(View y) const;
   /// Strips between these edges, with all that is known about them.
   std::shared_ptr<const Grid> grid(Numbers edges) const;
   /// The same for springs, which do not move one another: thousands of them stand without a matrix of all by all.
   std::shared_ptr<Grid> springs(Numbers edges) const;
   /// Displacement at any places of what it is measured against, per unit of K q of each strip.
   Matrix at_depth(View y, View edges) const;
-  double min_depth() const;
+  /// What half-widths change on strips at y: coefficients of `WholeRoller::by_width` (rows); empty without such.
+  Matrix by_width(View y) const;
 
   /// The whole interval where both can touch; nullptr where that is endless.
   const std::shared_ptr<const Region>& region() const { return region_; }
@@ -84,6 +90,8 @@ class Model {
   Kinks kinks_among(View bends, double length) const;
 
  private:
+  std::array<Numbers, 2> curvatures(View y) const;
+
   Contact contact_;
   std::shared_ptr<const Region> region_;
 };

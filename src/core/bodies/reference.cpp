@@ -1,13 +1,14 @@
 #include "bodies/reference.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nonhertz {
 namespace {
 
 // Widths over depths below which a strip's effect is integrated to 2e-11 by Gauss's rule of three points.
 constexpr double NARROW = 0.06;
-constexpr double GAUSS_WEIGHTS[] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0}, GAUSS_SIDE = 0.774596669241483377;
+constexpr double MIDDLE_WEIGHT = 8.0 / 9.0, SIDE_WEIGHT = 5.0 / 9.0, SIDE = 0.7745966692414834;  // sqrt(0.6)
 
 /// The displacement at depth 1 by a unit load at distance u.
 double kernel(double u, double poisson_factor) {
@@ -21,127 +22,157 @@ double kernel_until(double u, double poisson_factor) {
   return std::copysign(std::log(std::fabs(u) + root), u) + poisson_factor * u / root;
 }
 
-double polynomial(View coefficients, double x) {
-  double s = 0.0;
-  for (double c : coefficients) s = s * x + c;
-  return s;
-}
-
-void add(const PointsAtDepth& of, View y, View edges, Matrix& out) {
-  const Index strips = count_of(edges) - 1;
-  const double inverse = 1.0 / of.depth;
-  double widest = 0.0;
-  for (Index e = 0; e < strips; ++e) widest = std::max(widest, edges[e + 1] - edges[e]);
-  const bool narrow = widest < NARROW * of.depth;
-  for (Index i = 0; i < count_of(y); ++i)
-    for (const Term& term : of.terms) {
-      const double offset = term.offset - y[i];
-      double before = 0.0;
-      for (Index e = 0; e <= strips; ++e) {
-        if (narrow && e < strips) {
-          const double half = 0.5 * (edges[e + 1] - edges[e]) * inverse;
-          const double middle = (term.sign * 0.5 * (edges[e + 1] + edges[e]) + offset) * inverse;
-          double total = 0.0;
-          for (int part = 0; part < 3; ++part)
-            total += GAUSS_WEIGHTS[part] * kernel(middle + (part - 1) * GAUSS_SIDE * half, of.poisson_factor);
-          out(i, e) += term.weight * half * total;
-        } else if (!narrow) {
-          const double until = kernel_until((term.sign * edges[e] + offset) * inverse, of.poisson_factor);
-          if (e > 0) out(i, e - 1) += term.sign * term.weight * (until - before);
-          before = until;
-        }
-      }
-    }
-  for (const auto& face : of.faces)
-    for (Index i = 0; i < count_of(y); ++i) {
-      const double u = std::max(face.side * (face.place - y[i]), 0.0);
-      for (Index e = 0; e < strips; ++e) {
-        const double half = 0.5 * (edges[e + 1] - edges[e]);
-        const double middle = face.side * (face.place - 0.5 * (edges[e + 1] + edges[e]));
-        for (int part = 0; part < 3; ++part) {
-          const double v = std::max(middle + (part - 1) * GAUSS_SIDE * half, 0.0), distance = u + v;
-          if (!(distance > 0.0)) continue;
-          const double aside = (u - v) / distance, over = polynomial(of.over_image, 2.0 * aside * aside - 1.0);
-          out(i, e) += face.weight * half * GAUSS_WEIGHTS[part] * over *
-                       (kernel(distance * inverse, of.poisson_factor) * inverse);
-        }
-      }
-    }
-}
-
-/// Legendre polynomials at x, brought to between -1 and 1.
-void legendre(double x, Row out) {
-  x = std::min(std::max(x, -1.0), 1.0);
-  out[0] = 1.0, out[1] = x;
-  for (Index j = 1; j + 1 < count_of(out); ++j)
-    out[j + 1] = ((2.0 * j + 1.0) * x * out[j] - j * out[j - 1]) / (j + 1.0);
-}
-
-/// The integral of the curved part from 0 to a distance: an odd function, by cubic polynomials.
-double curved_within(double distance, const AxisOfRoller& of) {
-  constexpr double FARTHEST = 25.0, NEAR = 0.2;  // radii; beyond NEAR polynomials follow the logarithm, too
-  const Matrix& table = *of.curved;
-  const Index places = table.rows();
-  const double s = std::min(std::fabs(distance), FARTHEST), step = FARTHEST / (places - 1);
-  const Index at = std::min(static_cast<Index>(s / step), places - 2), kind = s < NEAR ? 0 : 2;
-  const double x = s / step - at;
-  const double start = table(at, kind), change = table(at + 1, kind) - start;
-  const double first = step * table(at, kind + 1) - change, second = step * table(at + 1, kind + 1) - change;
-  double found = start + x * (change + (1.0 - x) * ((1.0 - x) * first - x * second));
-  if (0.0 < s && s < NEAR) found += of.logarithm * s * std::log(s);
-  return std::copysign(found, distance);
-}
-
-/// The curved part at y of loads up to an edge, from any place on, and of their images.
-double curved_until(double edge, double y, const AxisOfRoller& of) {
-  return curved_within(edge - y, of) - curved_within(2.0 * of.half_length - edge - y, of) +
-         curved_within(edge + y + 2.0 * of.half_length, of);
-}
-
-void add(const AxisOfRoller& of, View y, View edges, Matrix& out) {
-  const Matrix& matrix = *of.matrix;
-  const Index strips = count_of(edges) - 1, count = matrix.rows();
-  Numbers values(count + 1), at(count), moved(count), ends(edges.size());
-  Matrix of_edges(count_of(edges), count);
-  for (Index e = 0; e <= strips; ++e) {
-    ends[e] = (edges[e] - of.middle) / of.radius;
-    legendre(ends[e] / of.half_length, values);
-    // The integral of P_j is (P_(j+1) - P_(j-1)) / (2 j + 1).
-    for (Index j = 0; j < count; ++j) {
-      const double integral = j == 0 ? values[1] : (values[j + 1] - values[j - 1]) / (2.0 * j + 1.0);
-      of_edges(e, j) = integral * std::sqrt((j + 0.5) * of.half_length);
+/// By Gauss's rule of three points, which for strips this narrow is as good.
+void fill_by_quadrature(const PointsAtDepth& of, double y, double depth, View edges, Row out) {
+  const double inverse = 1.0 / depth, factor = of.poisson_factor;
+  std::fill(out.begin(), out.end(), 0.0);
+  for (const Term& term : of.terms) {
+    const double offset = term.offset - y;
+    for (std::size_t e = 0; e < out.size(); ++e) {
+      const double half = 0.5 * (edges[e + 1] - edges[e]) * inverse;
+      const double middle = (term.sign * 0.5 * (edges[e + 1] + edges[e]) + offset) * inverse;
+      double total = MIDDLE_WEIGHT * kernel(middle, factor);
+      total += SIDE_WEIGHT * kernel(middle - SIDE * half, factor);
+      total += SIDE_WEIGHT * kernel(middle + SIDE * half, factor);
+      out[e] += term.weight * half * total;
     }
   }
-  for (Index i = 0; i < count_of(y); ++i) {
-    const double place = (y[i] - of.middle) / of.radius;
-    legendre(place / of.half_length, values);
-    std::fill(moved.begin(), moved.end(), 0.0);
-    for (Index j = 0; j < count; ++j) at[j] = values[j] * std::sqrt((j + 0.5) / of.half_length);
-    for (Index j = 0; j < count; ++j)
-      for (Index k = 0; k < count; ++k) moved[k] += at[j] * matrix(j, k);
-    double before = 0.0, curved_before = 0.0;
-    for (Index e = 0; e <= strips; ++e) {
-      double smooth = 0.0;
-      for (Index k = 0; k < count; ++k) smooth += moved[k] * of_edges(e, k);
-      const double curved = curved_until(ends[e], place, of);
-      if (e > 0) {
-        const bool within = (ends[e - 1] <= place && place < ends[e]) || (e == strips && place == ends[e]);
-        out(i, e - 1) -= of.share * (smooth - before + (curved - curved_before) + (within ? of.own : 0.0));
+}
+
+void fill_by_closed_form(const PointsAtDepth& of, double y, double depth, View edges, Row out) {
+  const double inverse = 1.0 / depth;
+  double before = 0.0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    double total = 0.0;
+    for (const Term& term : of.terms) {
+      const double u = (term.sign * edges[e] + (term.offset - y)) * inverse;
+      total += term.sign * term.weight * kernel_until(u, of.poisson_factor);
+    }
+    if (e > 0) out[e - 1] = total - before;
+    before = total;
+  }
+}
+
+/// Fill in a polynomial, highest power first.
+void fill_polynomial(View coefficients, View x, Row out) {
+  constexpr std::size_t TILE = 16;  // enough for no instruction to wait for the one before it
+  for (std::size_t first = 0; first < x.size(); first += TILE) {
+    const std::size_t count = std::min(TILE, x.size() - first);
+    double at[TILE] = {}, s[TILE] = {};
+    std::copy_n(x.begin() + first, count, at);
+    for (double c : coefficients)
+      for (std::size_t k = 0; k < TILE; ++k) s[k] = s[k] * at[k] + c;
+    std::copy_n(s, count, out.begin() + first);
+  }
+}
+
+/// What free side faces add, by Gauss's rule of three points on each strip.
+void add_by_faces(const PointsAtDepth& of, View y, View depth, View edges, Matrix& out) {
+  const Index points = 3 * out.columns();
+  Numbers v(points), share(points), aside(points), added(points);
+  for (const auto& face : of.faces) {
+    for (Index e = 0; e < out.columns(); ++e) {
+      const double half = 0.5 * (edges[e + 1] - edges[e]);
+      const double middle = face.side * (face.place - 0.5 * (edges[e + 1] + edges[e]));
+      for (int part = 0; part < 3; ++part) {
+        v[3 * e + part] = std::max(middle + (part - 1) * SIDE * half, 0.0);
+        share[3 * e + part] = face.weight * half * (part == 1 ? MIDDLE_WEIGHT : SIDE_WEIGHT);
       }
-      before = smooth, curved_before = curved;
+    }
+    for (Index i = 0; i < out.rows(); ++i) {
+      const double u = std::max(face.side * (face.place - y[i]), 0.0);
+      for (Index p = 0; p < points; ++p) {
+        const double distance = u + v[p], over = distance > 0.0 ? (u - v[p]) / distance : 0.0;
+        aside[p] = 2.0 * over * over - 1.0;
+      }
+      fill_polynomial(of.over_image, aside, added);
+      for (Index p = 0; p < points; ++p) {
+        const double distance = u + v[p];
+        added[p] *= distance > 0.0 ? kernel(distance / depth[i], of.poisson_factor) / depth[i] : 0.0;
+      }
+      for (Index p = 0; p < points; ++p) out(i, p / 3) += share[p] * added[p];
     }
   }
 }
 
 }  // namespace
 
-double depth_of(const Reference& reference) {
-  if (const auto* points = std::get_if<PointsAtDepth>(&reference)) return points->depth;
-  return 2.0 * std::get<AxisOfRoller>(reference).radius;
+double FarImages::less_depth(double depth, double poisson_factor) const {
+  double total = 0.0;
+  for (std::size_t k = 0; k < distance.size(); ++k) {
+    const double square = distance[k] * distance[k] + depth * depth;
+    total += (1.0 / distance[k] - (1.0 + poisson_factor * (depth * depth) / square) / std::sqrt(square)) * weight[k];
+  }
+  const double u = beyond / depth;
+  const double rest = std::asinh(u) - std::log(2.0 * u) + poisson_factor * (u / std::hypot(1.0, u) - 1.0);
+  return total + rest / length * weight.back();
 }
 
-void add_displacement(const Reference& reference, View y, View edges, Matrix& out) {
-  std::visit([&](const auto& of) { add(of, y, edges, out); }, reference);
+Matrix PointsAtDepth::displacement(View y, View edges) const {
+  Numbers below(y.size());
+  fill(depth, y, below);
+  Matrix out(count_of(y), count_of(edges) - 1);
+  double widest = 0.0;
+  for (Index e = 0; e < out.columns(); ++e) widest = std::max(widest, edges[e + 1] - edges[e]);
+  for (Index i = 0; i < out.rows(); ++i) {
+    const auto fill_row = widest < NARROW * below[i] ? fill_by_quadrature : fill_by_closed_form;
+    fill_row(*this, y[i], below[i], edges, out[i]);
+  }
+  if (!faces.empty()) add_by_faces(*this, y, below, edges, out);
+  if (!far) return out;
+  double last = 0.0, less = 0.0;
+  for (Index i = 0; i < out.rows(); ++i) {
+    if (below[i] != last) last = below[i], less = far->less_depth(last, poisson_factor);
+    for (Index e = 0; e < out.columns(); ++e) out(i, e) -= less * (edges[e + 1] - edges[e]);
+  }
+  return out;
+}
+
+Matrix AxisOfCylinder::displacement(View y, View edges) const {
+  const double farthest = smooth->places.back();
+  const auto until = [&](double s) {  // by an even load from 0 up to a distance
+    const double size = std::fabs(s), within = std::min(size, farthest);
+    const double beyond = std::log(std::max(size, farthest) / farthest);
+    const double found = smooth->at(within) - std::asinh(within) - beyond;
+    return s < 0.0 ? -found : found;
+  };
+  Numbers diameter(y.size());
+  fill(depth, y, diameter);
+  Matrix out(count_of(y), count_of(edges) - 1);
+  std::fill(out.all().begin(), out.all().end(), 0.0);
+  for (Index i = 0; i < out.rows(); ++i)
+    for (const Term& term : terms) {
+      const auto at = [&](Index e) { return until((term.sign * edges[e] + term.offset - y[i]) / (0.5 * diameter[i])); };
+      double low = at(0);
+      for (Index e = 0; e < out.columns(); ++e) {
+        const double high = at(e + 1);
+        out(i, e) -= term.sign * term.weight * (high - low);
+        low = high;
+      }
+    }
+  return out;
+}
+
+Matrix AxisOfRoller::displacement(View y, View edges) const {
+  const auto in_radii = [this](View places) {
+    Numbers found(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) found[i] = (places[i] - middle) / radius;
+    return found;
+  };
+  Matrix out = whole->displacement(in_radii(y), in_radii(edges));
+  for (double& value : out.all()) value = -share * value;
+  return out;
+}
+
+Matrix displacement(const Reference& reference, View y, View edges) {
+  return std::visit([&](const auto& of) { return of.displacement(y, edges); }, reference);
+}
+
+void add_by_width(const AxisOfRoller& of, View y, double ratio, Matrix& out) {
+  for (Index i = 0; i < count_of(y); ++i) {
+    const auto terms = of.whole->by_width(of.radius / ratio * of.whole->girth((y[i] - of.middle) / of.radius));
+    for (Index k = 0; k < 4; ++k) out(k, i) += of.share * terms[k];
+  }
 }
 
 }  // namespace nonhertz

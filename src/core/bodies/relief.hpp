@@ -2,13 +2,19 @@
 #pragma once
 
 #include <functional>
-#include <limits>
+#include <memory>
 #include <variant>
 #include <vector>
 
-#include "numbers/array.hpp"
+#include "numbers/interpolation.hpp"
 
 namespace nonhertz {
+
+/// Numbers at many places at once, worked out in Python, whose lock it takes.
+using Function = std::function<void(View y, Row out)>;
+
+/// No relief.
+struct Straight {};
 
 /// A middle and two ends, each a circular arc, the same on both sides; an infinite radius makes a straight middle.
 struct Arcs {
@@ -20,29 +26,74 @@ struct Logarithmic {
   double amplitude, length, rest, curved, at_end;
 };
 
-/// Any other profile: fills in its relief at many places at once. Called from Python, it takes the interpreter's lock.
-struct Function {
-  std::function<void(View y, Row h)> fill;
+/// A constant slope along the whole axis.
+struct Conical {
+  double slope;
 };
 
-using Formula = std::variant<Arcs, Logarithmic, Function>;
+/// A straight middle and two ends of constant slope.
+struct TaperedEnds {
+  double straight, slope;
+};
 
-/// A formula with its relief multiplied, then shifted along the axis, then flipped.
+/// The displacement function of a strip with a semi-elliptic pressure: cubic polynomials in ln t.
+struct StripDisplacement {
+  Matrix cubics;              ///< of each cell, lowest power first
+  double nearest, far, step;  ///< range in t and step in ln t
+};
+
+/// The relief that makes the pressure uniform along a contact.
+struct UniformPressure {
+  double amplitude, length, half_width;
+  std::shared_ptr<const StripDisplacement> displacement;
+};
+
+/// A curve through points, outside of which there is no body.
+struct Tabulated {
+  std::variant<Polyline, Cubics> curve;
+};
+
+struct Relief;
+using SharedRelief = std::shared_ptr<const Relief>;
+
+/// Several on top of one another.
+struct Sum {
+  std::vector<SharedRelief> parts;
+};
+
+/// One with its relief multiplied, then shifted along the axis, then flipped.
 struct Moved {
-  Formula formula;
-  double scale = 1.0, shift = 0.0;
-  bool flip = false;
-  double low = -std::numeric_limits<double>::infinity(), high = -low;  ///< where the formula is defined
+  SharedRelief relief;
+  double scale, shift;
+  bool flip;
+  double low, high;  ///< where it is defined before it is moved
 };
 
-/// Formulas on top of one another, on a body at some place along y.
-struct Relief {
-  std::vector<Moved> parts;
-  double position = 0.0;
-  double low = -std::numeric_limits<double>::infinity(), high = -low;  ///< where all are defined
+/// A corner at either end: an arc that continues straight.
+struct Corner {
+  double extent, radius, arc, slope;  ///< along the axis: of all, and of the arc; a radius of 0 makes an edge
+};
 
-  /// Add the relief [mm] at places y [mm].
-  void add_to(View y, Row h) const;
+/// Where the land continues along its tangent: distance from the middle, relief and slope outwards there.
+struct Tangent {
+  double distance, relief, slope;
+};
+
+/// A land with a corner at both ends, which begins with the slope that the land has.
+struct Cornered {
+  SharedRelief land;
+  double half_length;
+  Corner corner;
+  Tangent low, high;
+};
+
+struct Relief {
+  std::variant<Straight, Arcs, Logarithmic, Conical, TaperedEnds, UniformPressure, Tabulated, Sum, Moved, Cornered,
+               Function>
+      formula;
+
+  /// Fill in the relief [mm] at places y [mm], infinite where there is no body.
+  void fill(View y, Row h) const;
 };
 
 }  // namespace nonhertz

@@ -14,7 +14,7 @@ constexpr int LOOKS = 130;
 
 /// Edges of strips that grow in proportion to the distance from y = 0, within the bodies.
 Numbers growing(const Model& model) {
-  const double radius = 1.0 / model.curvature();
+  const double radius = 1.0 / model.curvature(Numbers{0.0})[0];
   const double first = std::log10(NEAREST_LOOK), step = (std::log10(FARTHEST_LOOK) - first) / (LOOKS - 1);
   Numbers edges{0.0};
   for (int i = 0; i < LOOKS; ++i) {

@@ -10,36 +10,35 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Final, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies import endless_cylinder
-from nonhertz.bodies.images import Images
+from nonhertz.bodies.formulas import curvature_of, of_whole_arrays
+from nonhertz.bodies.images import FarImages, Images
 from nonhertz.bodies.quarter_space import free_face
 from nonhertz.bodies.shape import Shape
 from nonhertz.bodies.whole_roller import WholeRoller, whole_roller
-from nonhertz.compiled import compiled, plain_array
-from nonhertz.compiled.tiles import TILE, polynomial
 from nonhertz.errors import InputError
 from nonhertz.model.body import Body
 from nonhertz.model.outline import outline_of
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
-
-# Widths over depths below which a strip's effect is integrated to 2e-11 by Gauss's rule of three points.
-NARROW = 0.06
-MIDDLE_WEIGHT, SIDE_WEIGHT, SIDE = 8.0 / 9.0, 5.0 / 9.0, math.sqrt(0.6)
 
 
 class Reference(Protocol):
     """What the displacement of one body is measured against, in contact with another."""
 
     @property
-    def below(self) -> Callable[[Array], Array]:
+    def below(self) -> Depth:
         """Y [mm] -> depth below the surface [mm], compared with which half-widths must be small."""
+
+    @property
+    def core(self) -> core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller:
+        """The same in C++."""
 
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return its displacement under ``y`` per unit of K q of each strip, shape (..., places, strips).
@@ -48,33 +47,64 @@ class Reference(Protocol):
         """
 
 
-def depth_below(body: Body, shape: Shape) -> Callable[[Array], Array] | None:
+@dataclass(frozen=True)
+class EvenDepth:
+    """One depth [mm] along the whole body."""
+
+    depth: float
+
+    def __call__(self, y: Array) -> Array:
+        """Return it at places."""
+        return np.full(y.shape, self.depth)
+
+    @property
+    def core(self) -> float:
+        """The depth [mm]."""
+        return float(self.depth)
+
+
+@dataclass(frozen=True)
+class DepthInDiameters:
+    """A depth that is of the body's diameter at each place; refuses a body that is not convex there."""
+
+    body: Body
+    diameters: float
+
+    def __call__(self, y: Array) -> Array:
+        """Return it at places [mm]."""
+        curvature = self.body.curvature(y)
+        if np.any(curvature <= 0.0):
+            remedy = "give the thickness of the body in mm, or write 'none'"
+            raise InputError(
+                "depth", self.body.behind.word, "only be used for a body that is convex everywhere", remedy
+            )
+        depth: Array = 2.0 * self.diameters / curvature
+        return depth
+
+    @property
+    def core(self) -> core.DepthInDiameters | float:
+        """The same in C++; a number where the diameter is one."""
+        if callable(self.body.diameter):
+            return core.DepthInDiameters(self.diameters, curvature_of(self.body), of_whole_arrays(self))
+        return float(self(np.zeros(1))[0])
+
+
+Depth = EvenDepth | DepthInDiameters
+
+
+def depth_below(body: Body, shape: Shape) -> Depth | None:
     """Return y [mm] -> depth of the reference below the surface [mm]; None if it is far away.
 
     The returned function raises InputError where a body whose depth is of its diameter is not convex.
     """
-    # Partial functions rather than nested ones, so that their holders can be pickled.
     behind = body.behind
     if behind.whole:  # the diameter or the wall
         outline, radius = outline_of(body)
-        return partial(_even, radius * (outline.wall if outline.bored else 2.0))
+        return EvenDepth(radius * (outline.wall if outline.bored else 2.0))
     if behind.of_diameter:
         plane_strain = behind.word == "plane-strain"
-        return partial(_in_diameters, body, plane_strain_depth(shape, body.material.poisson) if plane_strain else 1.0)
-    return partial(_even, behind.thickness) if math.isfinite(behind.thickness) else None
-
-
-def _even(value: float, y: Array) -> Array:
-    return np.full(y.shape, value)
-
-
-def _in_diameters(body: Body, diameters: float, y: Array) -> Array:
-    curvature = body.curvature(y)
-    if np.any(curvature <= 0.0):
-        remedy = "give the thickness of the body in mm, or write 'none'"
-        raise InputError("depth", body.behind.word, "only be used for a body that is convex everywhere", remedy)
-    depth: Array = 2.0 * diameters / curvature
-    return depth
+        return DepthInDiameters(body, plane_strain_depth(shape, body.material.poisson) if plane_strain else 1.0)
+    return EvenDepth(behind.thickness) if math.isfinite(behind.thickness) else None
 
 
 def plane_strain_depth(shape: Shape, poisson: float) -> float:
@@ -100,15 +130,15 @@ class PointsAtDepth:
 
     Attributes
     ----------
-    below : callable
+    below : Depth
         y [mm] -> depth d of the point below the surface [mm].
     poisson_factor : float
         1 / (2 (1 - nu)).
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight) as for the surface, for this body alone; weights include its share of the
         compliance.
-    far : callable or None
-        y [mm] -> displacement that the far images add at the surface relative to depth, per unit of load.
+    far : FarImages or None
+        Far images of a series, which act as line loads.
     faces : ndarray, shape (faces, 3)
         Rows (place, side, weight) of the side faces that are free of normal stress, too.
     over_image : ndarray
@@ -116,10 +146,10 @@ class PointsAtDepth:
         is moved by as many times its image.
     """
 
-    below: Callable[[Array], Array]
+    below: Depth
     poisson_factor: float
     terms: Array
-    far: Callable[[Array], Array] | None = None
+    far: FarImages | None = None
     faces: Array = field(default_factory=lambda: np.zeros((0, 3)))
     over_image: Array = field(default_factory=lambda: np.zeros(0))
 
@@ -131,118 +161,21 @@ class PointsAtDepth:
             return None
         poisson = body.material.poisson
         factor = 1.0 / (2.0 * (1.0 - poisson))
-        far = None if images.far is None else images.far.less_depth(below, factor)
         over_image = free_face(poisson).over_image() if images.free.size else np.zeros(0)
-        return cls(below, factor, images.with_direct(), far, images.free, over_image)
+        return cls(below, factor, images.with_direct(), images.far, images.free, over_image)
 
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
-        shape = (*y.shape, edges.shape[-1] - 1)
-        places, ends = (plain_array(each).reshape(-1, each.shape[-1]) for each in (y, edges))
-        depth = self.below(places.ravel()).reshape(places.shape)
-        found = _at_depth(places, depth, ends, self.poisson_factor, self.terms)
-        if self.faces.size:
-            _at_depth_by_faces(places, depth, ends, self.poisson_factor, self.faces, self.over_image, found)
-        if self.far is not None:
-            found -= self.far(places.ravel()).reshape(places.shape)[..., None] * np.diff(ends)[:, None, :]
-        return found.reshape(shape)
+        return _by_rows(self.core, y, edges)
 
-
-@compiled
-def _at_depth(y: Array, depth: Array, edges: Array, poisson_factor: float, terms: Array) -> Array:
-    """Return the displacement at depth under each place by a unit line load between neighbouring edges."""
-    out = np.empty((y.shape[0], y.shape[1], edges.shape[1] - 1))
-    for row in range(y.shape[0]):
-        widest = 0.0
-        for e in range(1, edges.shape[1]):
-            widest = max(widest, edges[row, e] - edges[row, e - 1])
-        for i in range(y.shape[1]):
-            if widest < NARROW * depth[row, i]:
-                _by_quadrature(y[row, i], depth[row, i], edges[row], poisson_factor, terms, out[row, i])
-            else:
-                _by_closed_form(y[row, i], depth[row, i], edges[row], poisson_factor, terms, out[row, i])
-    return out
-
-
-@compiled
-def _at_depth_by_faces(
-    y: Array, depth: Array, edges: Array, poisson_factor: float, faces: Array, over_image: Array, out: Array
-) -> None:
-    """Add what free side faces add to the displacement at depth, by Gauss's rule of three points on each strip."""
-    n = out.shape[2]
-    room = (3 * n + TILE - 1) // TILE * TILE
-    v, share, added, work = np.zeros(room), np.empty(3 * n), np.empty(room), np.empty(room)
-    for k in range(faces.shape[0]):
-        place, side, weight = faces[k, 0], faces[k, 1], faces[k, 2]
-        for row in range(y.shape[0]):
-            for e in range(n):
-                half = 0.5 * (edges[row, e + 1] - edges[row, e])
-                middle = side * (place - 0.5 * (edges[row, e + 1] + edges[row, e]))
-                for part in range(3):
-                    v[3 * e + part] = max(middle + (part - 1) * SIDE * half, 0.0)
-                    share[3 * e + part] = weight * half * (MIDDLE_WEIGHT if part == 1 else SIDE_WEIGHT)
-            for i in range(y.shape[1]):
-                u = max(side * (place - y[row, i]), 0.0)
-                _fill_by_face(u, v, depth[row, i], poisson_factor, over_image, work, added)
-                for e in range(n):
-                    for part in range(3):
-                        out[row, i, e] += share[3 * e + part] * added[3 * e + part]
-
-
-@compiled
-def _fill_by_face(
-    u: float, v: Array, depth: float, poisson_factor: float, over_image: Array, work: Array, added: Array
-) -> None:
-    """Fill in what a free side face adds to the displacement at a depth below ``u`` by unit loads at ``v``."""
-    for j in range(v.size):
-        distance = u + v[j]
-        aside = (u - v[j]) / distance if distance > 0.0 else 0.0
-        work[j] = 2.0 * aside * aside - 1.0
-    polynomial(work, over_image, added)
-    for j in range(v.size):
-        distance = u + v[j]
-        added[j] *= _kernel(distance / depth, poisson_factor) / depth if distance > 0.0 else 0.0
-
-
-@compiled
-def _by_quadrature(y: float, depth: float, edges: Array, poisson_factor: float, terms: Array, out: Array) -> None:
-    """By Gauss's rule of three points, which for strips this narrow is as good and vectorises."""
-    inverse = 1.0 / depth
-    for e in range(out.size):
-        out[e] = 0.0
-    for k in range(terms.shape[0]):
-        sign, offset, weight = terms[k, 0], terms[k, 1] - y, terms[k, 2]
-        for e in range(out.size):
-            half = 0.5 * (edges[e + 1] - edges[e]) * inverse
-            middle = (sign * 0.5 * (edges[e + 1] + edges[e]) + offset) * inverse
-            total = MIDDLE_WEIGHT * _kernel(middle, poisson_factor)
-            total += SIDE_WEIGHT * _kernel(middle - SIDE * half, poisson_factor)
-            total += SIDE_WEIGHT * _kernel(middle + SIDE * half, poisson_factor)
-            out[e] += weight * half * total
-
-
-@compiled
-def _kernel(u: float, poisson_factor: float) -> float:
-    """Return the displacement at depth 1 by a unit load at distance ``u``."""
-    over = 1.0 / (1.0 + u * u)
-    return float(math.sqrt(over) * (1.0 + poisson_factor * over))
-
-
-@compiled
-def _by_closed_form(y: float, depth: float, edges: Array, poisson_factor: float, terms: Array, out: Array) -> None:
-    inverse, before = 1.0 / depth, 0.0
-    for e in range(edges.size):
-        # By a load from the far left up to the edge, to a constant.
-        total = 0.0
-        for k in range(terms.shape[0]):
-            sign, offset = terms[k, 0], terms[k, 1] - y
-            u = (sign * edges[e] + offset) * inverse
-            root = math.sqrt(1.0 + u * u)
-            value = math.copysign(math.log(abs(u) + root), u) + poisson_factor * u / root
-            total += sign * terms[k, 2] * value
-        if e > 0:
-            out[e - 1] = total - before
-        before = total
+    @property
+    def core(self) -> core.PointsAtDepth:
+        """The same in C++."""
+        far = None if self.far is None else self.far.core
+        faces = [core.FreeFace(*face) for face in self.faces.tolist()]
+        return core.PointsAtDepth(
+            self.below.core, self.poisson_factor, terms_of(self.terms), far, faces, np.array(self.over_image)
+        )
 
 
 @dataclass(frozen=True)
@@ -255,7 +188,7 @@ class AxisOfCylinder:
 
     Attributes
     ----------
-    below : callable
+    below : Depth
         y [mm] -> the diameter [mm].
     poisson : float
         Poisson's ratio.
@@ -264,23 +197,23 @@ class AxisOfCylinder:
         compliance. Images of a series that are further away move nothing.
     """
 
-    below: Callable[[Array], Array]
+    below: Depth
     poisson: float
     terms: Array
 
     @classmethod
     def of(cls, body: Body, shape: Shape, images: Images, _: bool = False) -> AxisOfCylinder:
         """Return that of a body with these mirror images."""
-        return cls(partial(_in_diameters, body, 1.0), body.material.poisson, images.with_direct())
+        return cls(DepthInDiameters(body, 1.0), body.material.poisson, images.with_direct())
 
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return it under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
-        radius = 0.5 * self.below(y.ravel()).reshape(y.shape)[..., None]
-        found = np.zeros((*y.shape, edges.shape[-1] - 1))
-        for sign, offset, weight in self.terms:
-            distance = (sign * edges[..., None, :] + offset - y[..., None]) / radius
-            found -= sign * weight * np.diff(endless_cylinder.displacement(distance, self.poisson), axis=-1)
-        return found
+        return _by_rows(self.core, y, edges)
+
+    @property
+    def core(self) -> core.AxisOfCylinder:
+        """The same in C++."""
+        return core.AxisOfCylinder(self.below.core, endless_cylinder.smooth_part(self.poisson), terms_of(self.terms))
 
 
 @dataclass(frozen=True)
@@ -299,7 +232,7 @@ class AxisOfRoller:
 
     Attributes
     ----------
-    below : callable
+    below : Depth
         y [mm] -> the diameter, or the wall [mm].
     whole : WholeRoller
         The difference, for a radius of 1.
@@ -309,7 +242,7 @@ class AxisOfRoller:
         Share of the body in the compliance of the contact.
     """
 
-    below: Callable[[Array], Array]
+    below: Depth
     whole: WholeRoller
     radius: float
     middle: float
@@ -325,13 +258,30 @@ class AxisOfRoller:
 
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return it under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
-        places, ends = ((each - self.middle) / self.radius for each in (y, edges))
-        return -self.share * self.whole.displacement(places, ends)
+        return _by_rows(self.core, y, edges)
 
     def by_width(self, y: Array, ratio: float) -> Array:
         """Return what half-widths, times ``ratio`` Hertz's, change on strips at ``y``; see `WholeRoller.by_width`."""
-        girths = self.whole.outline.girths((y - self.middle) / self.radius)
-        return self.share * self.whole.by_width(self.radius / ratio * girths)
+        found: Array = np.asarray(self.core.by_width(np.ravel(y), ratio)).reshape(4, *y.shape)
+        return found
+
+    @property
+    def core(self) -> core.AxisOfRoller:
+        """The same in C++."""
+        assert isinstance(self.below, EvenDepth)
+        return core.AxisOfRoller(self.below.core, self.whole.core, self.radius, self.middle, self.share)
+
+
+def _by_rows(reference: core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller, y: Array, edges: Array) -> Array:
+    """Return its displacement under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
+    rows = zip(y.reshape(-1, y.shape[-1]), edges.reshape(-1, edges.shape[-1]), strict=True)
+    found = [reference.displacement(np.ascontiguousarray(places), np.ascontiguousarray(ends)) for places, ends in rows]
+    return np.array(found).reshape(*y.shape, edges.shape[-1] - 1)
+
+
+def terms_of(rows: Array) -> list[core.Term]:
+    """Return rows (sign, offset, weight) in C++."""
+    return [core.Term(*row) for row in rows.tolist()]
 
 
 #: What brings a matrix of its own in place of that of points at depth, by the word of the depth.

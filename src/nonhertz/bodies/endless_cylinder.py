@@ -20,6 +20,7 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.stored import MOST, stored
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
@@ -31,22 +32,14 @@ _PANELS, _NODES = 100, 12  # of the transform
 _PLACES = 400
 
 
-def displacement(distance: Array, poisson: float) -> Array:
-    """Return the integral of g from 0 to a distance [radii]: the displacement by an even load up to there, over K q."""
-    far = np.abs(distance)
-    within = np.minimum(far, FARTHEST)
-    beyond = np.log(np.maximum(far, FARTHEST) / FARTHEST)  # g is -1 / s there
-    found: Array = np.sign(distance) * (_smooth_part(poisson)(within) - np.arcsinh(within) - beyond)
-    return found
-
-
 @lru_cache(MOST)
-def _smooth_part(poisson: float) -> Any:
+def smooth_part(poisson: float) -> core.Cubics:
     """Return H as a function of s, 0 <= s <= `FARTHEST`, by a cubic spline."""
     # Imported here, because most contacts need none of this.
     from scipy.interpolate import CubicSpline
 
-    return CubicSpline(_places(), _table(poisson))
+    spline = CubicSpline(_places(), _table(poisson))
+    return core.Cubics(spline.x, np.ascontiguousarray(spline.c.T))
 
 
 def _places() -> Array:

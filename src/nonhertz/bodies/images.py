@@ -8,15 +8,14 @@ mirroring leaves on the face; further images only cancel the shear of earlier on
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.model.body import Body
 from nonhertz.model.side_faces import SERIES
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
@@ -112,20 +111,7 @@ class FarImages:
             weight += share * first * again
         return cls(length * (link + 1.0), weight, length * (ALL_LINKS + 0.5), length)
 
-    def less_depth(self, below: Callable[[Array], Array], poisson_factor: float) -> Callable[[Array], Array]:
-        """Return y [mm] -> their displacement at the surface minus that at depth, per unit of load.
-
-        At a distance s it is 1/s - 1/sqrt(s^2 + d^2) - d^2 / (2 (1 - nu) (s^2 + d^2)^(3/2)).
-        """
-        # A partial function rather than a nested one, so that its holder can be pickled.
-        return partial(_less_depth, self, below, poisson_factor)
-
-
-def _less_depth(far: FarImages, below: Callable[[Array], Array], factor: float, y: Array) -> Array:
-    depth, back = np.unique(below(y), return_inverse=True)
-    square = far.distance**2 + depth[:, None] ** 2
-    kernel = 1.0 / far.distance - (1.0 + factor * depth[:, None] ** 2 / square) / np.sqrt(square)
-    u = far.beyond / depth
-    remainder = np.arcsinh(u) - np.log(2.0 * u) + factor * (u / np.hypot(1.0, u) - 1.0)
-    total: Array = kernel @ far.weight + remainder / far.length * far.weight[-1]
-    return total[back.ravel()]
+    @property
+    def core(self) -> core.FarImages:
+        """The same in C++."""
+        return core.FarImages(self.distance, self.weight, self.beyond, self.length)

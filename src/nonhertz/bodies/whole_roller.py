@@ -34,7 +34,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -43,8 +43,7 @@ from numpy.typing import NDArray
 from nonhertz.bodies.ends import IN_SPACE, corner_weights
 from nonhertz.bodies.harmonic_elements import HarmonicElements
 from nonhertz.bodies.quarter_space import free_face
-from nonhertz.bodies.stored import stored
-from nonhertz.compiled import compiled, plain_array
+from nonhertz.bodies.stored import MOST, stored
 from nonhertz.model.outline import Outline
 from nonhertz.native import core
 
@@ -61,14 +60,12 @@ PER_TERM = 5.0  # half-lengths over the polynomials, of the longest element
 _STEP, _DIGITS = 0.004, 9  # between half-lengths of which others are interpolated [radii]; their digits
 _PANELS, _NODES = 18, 12  # halvings towards logarithms, and nodes on each panel
 _OUTER_NODES = 24  # and as many for every eight polynomials: with half of them the sixth digit changes
-USUAL_WIDTH = 0.03  # of a contact, half-width over radius, where it is not known
 _LAST_MODE = 4000
 _SPACING = 2.0  # of the wave numbers of even modes, times the radius
 _BY_SERIES, _REFLECTIONS = 2.5, 9  # beyond that by this many terms, of 1e-9 and less
 _ZETA = (1.2020569031595942, 1.0369277551433699, 1.0083492773819228, 1.0020083928260822, 1.0004941886041195,
          1.0001227133475785, 1.0000305882363070, 1.0000076371976379)  # of 3, 5, 7 ...  # fmt: skip
 _FARTHEST, _PLACES = 25.0, 5001  # of the table of the curved part [radii], evenly spaced, which leaves 1e-12
-_NEAR = 0.2  # radii; from there on cubic polynomials follow its logarithm, too, within 1e-9
 _NEAREST, _FAR, _DISTANCES = 1e-12, 700.0, 3001  # of the flat body's functions, which are tables in the logarithm
 
 
@@ -111,132 +108,25 @@ class WholeRoller:
 
         Parameters
         ----------
-        y : ndarray, shape (..., places)
+        y : ndarray, shape (places,)
             Distances from the middle [radii].
-        edges : ndarray, shape (..., strips + 1)
+        edges : ndarray, shape (strips + 1,)
             The same of edges.
 
         Returns
         -------
-        ndarray, shape (..., places, strips)
+        ndarray, shape (places, strips)
         """
-        shape = (*y.shape, edges.shape[-1] - 1)
-        places, ends = (plain_array(each).reshape(-1, each.shape[-1]) for each in (y, edges))
-        at_places, of_strips = map(self.outline.girths, (places, 0.5 * (ends[:, 1:] + ends[:, :-1])))
-        half_length, (own, *_) = self.outline.half_length, -self.by_width(np.ones(1))[:, 0]
-        found = _displaced(places, ends, half_length, self.matrix)
-        _add_curved(places, ends, half_length, at_places, of_strips, self.curved, self.logarithm, own, found)
-        return found.reshape(shape)
+        return np.asarray(self.core.displacement(y, edges))
 
-    def by_width(self, radius: Array) -> Array:
-        """Return what a strip of the half-width b adds on itself to what it does if of usual width.
-
-        Parameters
-        ----------
-        radius : ndarray
-            Radius of the surface in the unit of b.
-
-        Returns
-        -------
-        ndarray, shape (4, ...)
-            C0, C1, C2 and C3 of C0 + C1 b + (C2 ln b + C3) b^2, which leaves 0.03 % of the compression at b = 0.28 R.
-        """
-        linear, square = 4.0 / 3.0 * self.beta, 1.0 / 48.0 - 0.5 * math.log(2.0)
-        usual = USUAL_WIDTH * (linear + USUAL_WIDTH * (0.25 * math.log(USUAL_WIDTH) + square))
-        terms = -usual, linear / radius, 0.25 / radius**2, (square - 0.25 * np.log(radius)) / radius**2
-        return np.stack(np.broadcast_arrays(*terms))
+    @cached_property
+    def core(self) -> core.WholeRoller:
+        """The same in C++."""
+        z, outer = np.array(self.outline.z), np.array(self.outline.outer)
+        return core.WholeRoller(z, outer, np.ascontiguousarray(self.matrix), self.curved, self.logarithm, self.beta)
 
 
-@compiled
-def _displaced(y: Array, edges: Array, half_length: float, matrix: Array) -> Array:
-    """Return the displacement of each place by a unit load between neighbouring edges, from Legendre polynomials."""
-    out, count = np.empty((y.shape[0], y.shape[1], edges.shape[1] - 1)), matrix.shape[0]
-    of_edges = np.empty((edges.shape[1], count))
-    values = np.empty(count + 1)
-    at, moved = np.empty(count), np.empty(count)
-    for row in range(y.shape[0]):
-        for e in range(edges.shape[1]):
-            _polynomials(edges[row, e] / half_length, values)
-            # The integral of P_j is (P_(j+1) - P_(j-1)) / (2 j + 1).
-            of_edges[e, 0] = values[1]
-            for j in range(1, count):
-                of_edges[e, j] = (values[j + 1] - values[j - 1]) / (2.0 * j + 1.0)
-            for j in range(count):
-                of_edges[e, j] *= math.sqrt((j + 0.5) * half_length)
-        for i in range(y.shape[1]):
-            _polynomials(y[row, i] / half_length, values)
-            for j in range(count):
-                at[j] = values[j] * math.sqrt((j + 0.5) / half_length)
-                moved[j] = 0.0
-            for j in range(count):
-                for k in range(count):
-                    moved[k] += at[j] * matrix[j, k]
-            before = 0.0
-            for e in range(edges.shape[1]):
-                total = 0.0
-                for k in range(count):
-                    total += moved[k] * of_edges[e, k]
-                if e > 0:
-                    out[row, i, e - 1] = total - before
-                before = total
-    return out
-
-
-@compiled
-def _add_curved(
-    y: Array, edges: Array, half_length: float, at_places: Array, of_strips: Array, curved: Array, logarithm: float,
-    own: float, out: Array,
-) -> None:  # fmt: skip
-    """Add the curved part of a unit load between neighbouring edges, of its images, and what a strip does on itself."""
-    last = out.shape[2] - 1
-    for row in range(y.shape[0]):
-        for i in range(y.shape[1]):
-            place, radius, low = y[row, i], 0.0, 0.0
-            for e in range(last + 1):
-                between = math.sqrt(at_places[row, i] * of_strips[row, e])
-                if between != radius:
-                    radius = between
-                    low = _curved_until(edges[row, e], place, half_length, radius, curved, logarithm)
-                high = _curved_until(edges[row, e + 1], place, half_length, radius, curved, logarithm)
-                out[row, i, e] += high - low
-                low = high
-                if edges[row, e] <= place < edges[row, e + 1] or (e == last and place == edges[row, e + 1]):
-                    out[row, i, e] += own
-
-
-@compiled
-def _curved_until(edge: float, y: float, half_length: float, radius: float, curved: Array, logarithm: float) -> float:
-    """Return the curved part at ``y`` of loads up to an edge, from any place on, and of their images."""
-    direct = _curved_within((edge - y) / radius, curved, logarithm)
-    at_high = _curved_within((2.0 * half_length - edge - y) / radius, curved, logarithm)
-    return direct - at_high + _curved_within((edge + y + 2.0 * half_length) / radius, curved, logarithm)
-
-
-@compiled
-def _curved_within(distance: float, curved: Array, logarithm: float) -> float:
-    """Return the integral of the curved part from 0 to a distance: an odd function, by cubic polynomials."""
-    s, step = min(abs(distance), _FARTHEST), _FARTHEST / (curved.shape[0] - 1)
-    at = min(int(s / step), curved.shape[0] - 2)
-    x = s / step - at
-    kind = 0 if s < _NEAR else 2
-    start, change = curved[at, kind], curved[at + 1, kind] - curved[at, kind]
-    first, second = step * curved[at, kind + 1] - change, step * curved[at + 1, kind + 1] - change
-    found = start + x * (change + (1.0 - x) * ((1.0 - x) * first - x * second))
-    if 0.0 < s < _NEAR:
-        found += logarithm * s * math.log(s)
-    return math.copysign(found, distance)
-
-
-@compiled
-def _polynomials(x: float, out: Array) -> None:
-    """Fill in the Legendre polynomials at x, brought to between -1 and 1."""
-    x = min(max(x, -1.0), 1.0)
-    out[0] = 1.0
-    out[1] = x
-    for j in range(1, out.size - 1):
-        out[j + 1] = ((2.0 * j + 1.0) * x * out[j] - j * out[j - 1]) / (j + 1.0)
-
-
+@lru_cache(MOST)
 def whole_roller(outline: Outline, poisson: float, interpolated: bool = False) -> WholeRoller:
     """Return what makes a whole roller of an outline, in a radius of the surface, and a material.
 

@@ -127,12 +127,13 @@ class Chamfer(Input, Corner):
 
     @together("length", "angle", "blend_radius")
     def _check_arc(self) -> None:
-        if self._arc > self.length:
-            condition = f"leave the arc, {mm(self._arc):.4g} along the axis, within the chamfer's {mm(self.length):g}"
+        if self.arc > self.length:
+            condition = f"leave the arc, {mm(self.arc):.4g} along the axis, within the chamfer's {mm(self.length):g}"
             raise InputError("blend_radius", self.blend_radius, condition, "reduce it, or lengthen the chamfer")
 
     @property
-    def _arc(self) -> float:
+    def arc(self) -> float:
+        """Length of the arc along the axis [mm]."""
         return self.blend_radius * math.sin(self.angle)
 
     @property
@@ -142,15 +143,15 @@ class Chamfer(Input, Corner):
 
     def drop_at(self, distance: Array) -> Array:
         """Return the drop at distances that are known to be numbers."""
-        straight = np.maximum(distance - self._arc, 0.0) * math.tan(self.angle)
+        straight = np.maximum(distance - self.arc, 0.0) * math.tan(self.angle)
         if self.blend_radius == 0.0:
             return straight
-        return np.asarray(straight + drop_of_circle(self.blend_radius, np.minimum(distance, self._arc)))
+        return np.asarray(straight + drop_of_circle(self.blend_radius, np.minimum(distance, self.arc)))
 
     @property
     def bends(self) -> tuple[float, ...]:
         """Where the arc becomes straight."""
-        return (self._arc,) if 0.0 < self._arc < self.length else ()
+        return (self.arc,) if 0.0 < self.arc < self.length else ()
 
 
 @dataclass(frozen=True)
@@ -187,7 +188,7 @@ class Cornered(Formula):
                 f"leave a land: two corners of {mm(self.corner.extent):g} are {mm(2.0 * self.corner.extent):g} long"
             )
             raise InputError("length", 2.0 * self.half_length, condition, f"reduce {name}, or lengthen the body")
-        _ = self._tangents
+        _ = self.tangents
 
     @property
     def land_end(self) -> float:
@@ -195,7 +196,7 @@ class Cornered(Formula):
         return self.half_length - self.corner.extent
 
     @cached_property
-    def _tangents(self) -> Array:
+    def tangents(self) -> Array:
         """Where the tangents at low and high y begin: distance from the middle, relief and slope, shape (2, 3)."""
         return np.array([self._tangent(side) for side in (-1.0, 1.0)])
 
@@ -232,7 +233,7 @@ class Cornered(Formula):
 
     def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite beyond the side faces."""
-        (low, low_relief, low_slope), (high, high_relief, high_slope) = self._tangents
+        (low, low_relief, low_slope), (high, high_relief, high_slope) = self.tangents
         relief = np.array(self.land.relief_at(np.minimum(np.maximum(y, -low), high)))
         beyond = (y < -low) | (y > high)
         distance, at_low = np.abs(y[beyond]), y[beyond] < 0.0
@@ -249,7 +250,7 @@ class Cornered(Formula):
     def bends(self) -> tuple[float, ...]:
         """Those of the land, where it continues along its tangent, and where corners begin and bend."""
         outwards = (self.land_end, *(self.land_end + each for each in self.corner.bends))
-        low, high = self._tangents[:, 0].tolist()
+        low, high = self.tangents[:, 0].tolist()
         return tuple(sorted({*self._on_land(self.land.bends), -low, high, *outwards, *(-each for each in outwards)}))
 
     @property
@@ -268,5 +269,5 @@ class Cornered(Formula):
         return -self.land_end, self.land_end
 
     def _on_land(self, places: tuple[float, ...]) -> tuple[float, ...]:
-        low, high = self._tangents[:, 0]
+        low, high = self.tangents[:, 0]
         return tuple(place for place in places if -low < place < high)

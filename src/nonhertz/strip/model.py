@@ -1,28 +1,23 @@
-"""A contact as the core sees it: made once for a contact, kept with it, and used by any number of threads."""
+"""A contact as the core in C++ sees it: made once for a contact, and used by any number of threads."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator
-from typing import Any
+from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nonhertz.bodies.depths import AxisOfRoller, PointsAtDepth, Reference
-from nonhertz.bodies.influence import influence_of
+from nonhertz.bodies.formulas import curvature_of, of_whole_arrays, relief_of_body
+from nonhertz.bodies.influence import Influence, influence_of
+from nonhertz.bodies.stored import MOST
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
-from nonhertz.model.profile.base import Moved, Profile, Straight, Sum
-from nonhertz.model.profile.circular import Arcs
-from nonhertz.model.profile.logarithm import Logarithmic
 from nonhertz.native import core
-from nonhertz.strip.element import SEMI_ELLIPTIC, Element
+from nonhertz.strip.element import ELEMENTS, SEMI_ELLIPTIC, Element
 from nonhertz.strip.free_end import free_end_table
 
-Array = NDArray[np.float64]
-
-ELEMENTS = {"semi-elliptic": core.SEMI_ELLIPTIC, "parabolic": core.PARABOLIC}
+#: Each element with a table that the core makes itself.
+IN_CORE = {"semi-elliptic": core.SEMI_ELLIPTIC, "parabolic": core.PARABOLIC}
 
 
 def model_of(
@@ -40,69 +35,49 @@ def model_of(
         Whether every profile is called in Python, also those that the core has a formula of: for comparisons.
     same_table : bool
         Whether the element reads the table made in Python: for comparisons.
+
+    Raises
+    ------
+    InputError
+        If a depth is in diameters of a body that is not convex.
     """
     influence = influence_of(contact, element)
-    shape = ELEMENTS[element.name]
-    bodies = [_body(body, as_functions) for body in (contact.a, contact.b)]
-    tables = {face.poisson: core.FaceTable(np.array(free_end_table(element, face.poisson))) for face in influence.faces}
     return core.Model(
-        bodies,
-        core.element(shape, element.table) if same_table else shape,
+        bodies=[_body(body, as_functions) for body in (contact.a, contact.b)],
+        kernel=kernel_of(influence, element, same_table=same_table),
+        references=[each.core for each in influence.references],
+        freed=[core.FreedFace(end.y, end.side, end.image_weight, end.free) for end in influence.ends],
+        compliance=contact.compliance,
+        interval=contact.interval,
+        bends=np.array(contact.bends, dtype=float),
+        crests=np.array(contact.crests, dtype=float),
+        # Of a twin: a contact that is kept by what it keeps would stay for ever.
+        refuse=of_whole_arrays(replace(contact).curvature_at),
+    )
+
+
+def kernel_of(influence: Influence, element: Element, *, same_table: bool = False) -> core.Kernel:
+    """Return how strips act on both surfaces; ``same_table`` as for `model_of`."""
+    own = IN_CORE[element.name] if ELEMENTS.get(element.name) is element else None
+    return core.Kernel(
+        _with_table_of(element) if same_table or own is None else own,
         [core.Term(*term) for term in influence.terms.tolist()],
-        [core.Face(face.y, face.side, face.share, tables[face.poisson]) for face in influence.faces],
-        [_reference(each) for each in influence.references],
-        [core.FreedFace(end.y, end.side, end.image_weight, end.free) for end in influence.ends],
-        contact.compliance,
-        contact.interval,
-        np.array(contact.bends),
-        np.array(contact.crests),
+        [core.Face(face.y, face.side, face.share, _face_table(element, face.poisson)) for face in influence.faces],
     )
 
 
 def _body(body: Body, as_functions: bool) -> core.Body:
-    parts = [core.Moved(core.Function(_float(body.surface.relief_at)), 1.0, 0.0, False, -math.inf, math.inf)]
-    if not as_functions:
-        parts = list(_parts(body.surface))
-    curvature = float(body.curvature_at(np.zeros(1))[0])
-    return core.Body(core.Relief(parts, body.position, *body.surface.extent), curvature, body.material.modulus)
+    relief = core.Relief.function(of_whole_arrays(body.relief_at)) if as_functions else relief_of_body(body)
+    return core.Body(relief, curvature_of(body), body.material.modulus)
 
 
-def _parts(profile: Profile, scale: float = 1.0, shift: float = 0.0, flip: bool = False) -> Iterator[core.Moved]:
-    """Yield the formulas that a profile is made of; what is none of the core's own is called in Python."""
-    if type(profile) is Straight:
-        return
-    if type(profile) is Sum:
-        for part in profile.parts:
-            yield from _parts(part)
-        return
-    if type(profile) is Moved and type(profile.profile) in FORMULAS:
-        yield from _parts(profile.profile, profile.scale, profile.shift, profile.flip)
-        return
-    make = FORMULAS.get(type(profile))
-    formula = make(profile) if make else core.Function(_float(profile.relief_at))
-    yield core.Moved(formula, scale, shift, flip, *profile.extent)
+@lru_cache(MOST)
+def _face_table(element: Element, poisson: float) -> core.FaceTable:
+    return core.FaceTable(free_end_table(element, poisson))
 
 
-FORMULAS: dict[type[Profile], Callable[[Any], Any]] = {
-    Arcs: lambda of: core.Arcs(of.radius, of.end_radius, of.junction, of.end_summit),
-    Logarithmic: lambda of: core.Logarithmic(of.amplitude, of.length, of.rest, of.curved, of.at_end),
-}
-
-
-def _float(relief: Callable[[Array], Array]) -> Callable[[Array], Array]:
-    return lambda y: np.ascontiguousarray(relief(y), dtype=float)
-
-
-def _reference(of: Reference) -> core.AxisOfRoller | core.PointsAtDepth:
-    if isinstance(of, AxisOfRoller):
-        whole = of.whole
-        own = -float(whole.by_width(np.ones(1))[0, 0])
-        return core.AxisOfRoller(
-            of.radius, of.middle, of.share, whole.outline.half_length, np.ascontiguousarray(whole.matrix),
-            np.ascontiguousarray(whole.curved), whole.logarithm, own,
-        )  # fmt: skip
-    assert isinstance(of, PointsAtDepth) and of.far is None
-    return core.PointsAtDepth(
-        float(of.below(np.zeros(1))[0]), of.poisson_factor, [core.Term(*term) for term in of.terms.tolist()],
-        [core.FreeFace(*face) for face in of.faces.tolist()], np.array(of.over_image),
-    )  # fmt: skip
+@lru_cache
+def _with_table_of(element: Element) -> core.Element:
+    return core.Element(
+        element.name, element.line_factor, element.hertz_ratio, element.far_constant, np.ravel(element.table)
+    )

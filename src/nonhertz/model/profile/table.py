@@ -49,7 +49,7 @@ class Tabulated(Formula):
     def relief_at(self, y: Array) -> Array:
         """Return the relief [mm]; infinite outside the table."""
         inside = (y >= self.y[0]) & (y <= self.y[-1])
-        return np.where(inside, self._curve(np.where(inside, y, self.y[0])), np.inf)
+        return np.where(inside, self.curve(np.where(inside, y, self.y[0])), np.inf)
 
     @property
     def bends(self) -> tuple[float, ...]:
@@ -82,7 +82,8 @@ class Tabulated(Formula):
         return (self.y[0], self.y[-1])
 
     @cached_property
-    def _curve(self) -> Callable[[Array], Array]:
+    def curve(self) -> Any:
+        """The relief as a function of positions between the outermost points; a smooth one is scipy's ``PPoly``."""
         if self.interpolation == "linear":
             return _Polyline(np.array(self.y), np.array(self.values))
         # Imported here, because importing scipy.interpolate takes half a second.

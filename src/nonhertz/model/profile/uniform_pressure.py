@@ -32,7 +32,7 @@ from nonhertz.model.profile.design_load import (
 from nonhertz.model.profile.kind import kind
 
 # The table's range in t and its step in ln t. Outside, the first terms of the series are exact to 1e-11.
-_NEAR, _FAR, _STEP = 1e-5, 64.0, 0.01
+TABLE_RANGE = _NEAR, _FAR, _STEP = 1e-5, 64.0, 0.01
 
 
 @dataclass(frozen=True)
@@ -103,8 +103,8 @@ def _displacement(t: Array) -> Array:
     """Return A(t), odd in t."""
     size = np.abs(t)
     position = (np.log(np.clip(size, _NEAR, _FAR)) - math.log(_NEAR)) / _STEP
-    c0, c1, c2, c3 = table = _table()
-    cell = np.minimum(position.astype(np.intp), table.shape[1] - 1)
+    c0, c1, c2, c3 = columns = table()
+    cell = np.minimum(position.astype(np.intp), columns.shape[1] - 1)
     s = position - cell
     value = c0[cell] + s * (c1[cell] + s * (c2[cell] + s * c3[cell]))
     near = size < _NEAR
@@ -118,7 +118,7 @@ def _displacement(t: Array) -> Array:
 
 
 @functools.cache
-def _table() -> Array:
+def table() -> Array:
     """Return the coefficients of the cubics for A, rows c0 to c3, one column per cell of ln t."""
     cells = math.ceil(math.log(_FAR / _NEAR) / _STEP)
     knots: Array = math.log(_NEAR) + _STEP * np.arange(cells + 1, dtype=np.float64)
