@@ -35,11 +35,12 @@ Numbers clipped(Numbers places, double low, double high) {
   return places;
 }
 
-/// How far from y = 0, along places on one side of it, the separation is finite.
+/// How far from y = 0, along places on one side of it, the separation is finite: as far as they reach, or to a wall.
 double finite_up_to(const Model& model, const Numbers& beyond) {
   const Numbers h = model.separation(beyond);
-  const auto outside_at = std::find_if(h.begin(), h.end(), [](double each) { return !std::isfinite(each); });
-  const std::size_t first = outside_at == h.end() ? 0 : outside_at - h.begin();
+  const auto wall = std::find_if(h.begin(), h.end(), [](double each) { return !std::isfinite(each); });
+  if (wall == h.end()) return beyond.back();
+  const std::size_t first = wall - h.begin();
   double inside = beyond[first > 0 ? first - 1 : 0], outside = beyond[first];
   for (int bisection = 0; bisection < 100; ++bisection) {
     const double middle = 0.5 * (inside + outside);
@@ -67,8 +68,9 @@ Pair bounded(const Model& model, const Prescription& given) {
   if (given.both()) {
     const Numbers h = model.separation(edges);
     if (!std::all_of(h.begin(), h.end(), [](double each) { return std::isfinite(each); })) {
-      const Pair part = finite_part(model, edges);
-      low = part[0], high = part[1];
+      const auto [from, to] = finite_part(model, edges);
+      if (from > edges.front()) low = from;
+      if (to < edges.back()) high = to;
       edges = clipped(std::move(edges), low, high);
       refuse_arm_outside(given, low, high);
     }
