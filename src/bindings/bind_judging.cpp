@@ -4,7 +4,9 @@
 #include <nanobind/stl/vector.h>
 
 #include "bindings/arrays.hpp"
+#include "bindings/functions.hpp"
 #include "bindings/rooms.hpp"
+#include "judging/corners.hpp"
 #include "judging/judgement.hpp"
 
 namespace nonhertz {
@@ -32,7 +34,9 @@ void bind_judging(nb::module_& m) {
       .def_ro("load", &Errors::load)
       .def_ro("max_pressure", &Errors::max_pressure)
       .def_ro("moment", &Errors::moment)
-      .def_ro("tilt", &Errors::tilt);
+      .def_ro("tilt", &Errors::tilt)
+      .def_ro("left_by_modes", &Errors::left_by_modes)
+      .def_ro("pressure_left_by_modes", &Errors::pressure_left_by_modes);
   nb::class_<Checks>(m, "Checks")
       .def_ro("length_ratio", &Checks::length_ratio)
       .def_ro("radius_ratio", &Checks::radius_ratio)
@@ -79,6 +83,35 @@ void bind_judging(nb::module_& m) {
         return std::pair(array_of(std::move(found.places)), array_of(std::move(found.values)));
       },
       "y"_a, "values"_a, "half_width"_a, "ends"_a);
+  m.def(
+      "corner_ends",
+      [](const VectorIn& bends, double compliance, FunctionIn separation, const VectorIn& edges,
+         const VectorIn& pressure, const VectorIn& half_width) {
+        if (pressure.size() == 0 || edges.size() != pressure.size() + 1 || half_width.size() != pressure.size())
+          throw std::invalid_argument("rows must have an edge more than pressures and half-widths");
+        const auto at = [of = function(std::move(separation))](View y) {
+          Numbers h(y.size());
+          of(y, h);
+          return h;
+        };
+        return corner_ends({view(bends), compliance, at}, view(edges), view(pressure), view(half_width));
+      },
+      "bends"_a, "compliance"_a, "separation"_a, "edges"_a, "pressure"_a, "half_width"_a);
+  m.def(
+      "penetration",
+      [](const Model& model, const VectorIn& edges, Pair rigid) { return penetration_of(model, view(edges), rigid); },
+      "model"_a, "edges"_a, "rigid"_a, nb::call_guard<nb::gil_scoped_release>());
+  m.def(
+      "intervals",
+      [](const VectorIn& edges, const VectorIn& squares) {
+        if (edges.size() != squares.size() + 1) throw std::invalid_argument("strips must have one edge more");
+        Grid grid;
+        grid.edges = numbers(edges);
+        for (std::size_t i = 0; i < squares.size(); ++i)
+          grid.y.push_back(0.5 * (edges.data()[i + 1] + edges.data()[i]));
+        return intervals(grid, view(squares));
+      },
+      "edges"_a, "m"_a);
 }
 
 }  // namespace nonhertz

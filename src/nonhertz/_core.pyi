@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 import enum
-from typing import Annotated
+from typing import Annotated, overload
 
 import numpy
 from numpy.typing import NDArray
@@ -283,7 +283,11 @@ def kinks_among(model: Model, bends: Sequence[float], length: float) -> tuple[li
     Those of the bends [mm] at which the slope of the separation jumps, and by how much [rad].
     """
 
+@overload
 def intervals(arg0: Grid, arg1: State, /) -> list[list[float]]: ...
+
+@overload
+def intervals(edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[list[float]]: ...
 
 def peaks(grid: Grid, state: State, kinks: Sequence[float], allowed: float) -> list[list[float]]:
     """
@@ -364,6 +368,12 @@ class Errors:
     @property
     def tilt(self) -> float: ...
 
+    @property
+    def left_by_modes(self) -> float: ...
+
+    @property
+    def pressure_left_by_modes(self) -> float: ...
+
 class Checks:
     @property
     def length_ratio(self) -> float: ...
@@ -434,6 +444,10 @@ class Level:
 def judge(model: Model, by_force: Sequence[bool], target: Sequence[float], levels: Sequence[Level], accuracy: float) -> Judgement: ...
 
 def counted(y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], values: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_width: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], ends: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)], Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]]: ...
+
+def corner_ends(bends: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], compliance: float, separation: Callable[[Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]], Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]], edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], pressure: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_width: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[float]: ...
+
+def penetration(model: Model, edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], rigid: Sequence[float]) -> float: ...
 
 class Result:
     @property

@@ -215,8 +215,11 @@ Pair resultant(const Pressures& strips) {
 
 Errors estimate(const Model& model, const Prescription& given, const Levels& levels, const Ends& ends, bool at_corner) {
   const Level& finest = levels.levels[0];
-  if (!finest.state.converged()) return {INFINITE, INFINITE, INFINITE, INFINITE, INFINITE};
-  const double ratio = model.hertz_ratio(), modes = has_whole_roller(model);
+  const double modes = has_whole_roller(model);
+  Errors errors{
+      INFINITE, INFINITE, INFINITE, INFINITE, INFINITE, LEFT_BY_MODES * modes, PRESSURE_LEFT_BY_MODES * modes};
+  if (!finest.state.converged()) return errors;
+  const double ratio = model.hertz_ratio();
   const Numbers singular = ends.singular_places();
   std::vector<Pressures> grids;
   for (std::size_t k = 0; k < std::min(LEVELS, levels.levels.size()); ++k) grids.emplace_back(levels.levels[k], ratio);
@@ -247,7 +250,7 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
   const double accuracy = follows ? levels.accuracy : 0.0;
   const bool regular = accuracy > 0.0;
   auto [floor, left, raised] = at_ends(strips, ends, length, highest, load);
-  left += LEFT_BY_MODES * modes;
+  left += errors.left_by_modes;
   const double usual = std::max(floor, USUALLY_LEFT * accuracy);
   const double wholes[] = {std::fabs(values[0][0]), std::fabs(load), highest, load * reach,
                            missing.penetration / reach};
@@ -259,12 +262,10 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
   const double unborne = relative(missing.mean * finest.state.stiffness[0][0], load);
   const auto of_motion = [&](double of_grid) { return std::max(usual, of_grid + unseen) + left; };
   const auto of_force = [&](double of_grid) { return std::max(usual, of_grid + unborne) + left; };
-  Errors errors{};
   errors.approach = given.by_force[0] ? of_motion(of_grids[0]) : 0.0;
   errors.load = given.by_force[0] ? 0.0 : of_force(of_grids[1]);
   errors.tilt = given.by_force[1] ? of_motion(of_grids[4]) : 0.0;
   errors.moment = given.by_force[1] ? 0.0 : of_force(of_grids[3]);
-  errors.max_pressure = INFINITE;
   if (at_corner || is_kind(EndKind::cut_off)) return errors;
   const double least =
       std::max(PRESSURE_LEFT * levels.accuracy, summit && is_on_corner(strips, *summit) ? LEFT_ON_CORNER : 0.0);
@@ -273,7 +274,7 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
   const Numbers reaches = reaches_of(strips, grids.size() > 1 ? &coarse : nullptr);
   const auto falls = falls_away(model, finest, strips, singular);
   errors.max_pressure = by_strips + beside_strips(strips, singular, falls, reaches, missing.ripples, largest) +
-                        PRESSURE_LEFT_BY_MODES * modes;
+                        errors.pressure_left_by_modes;
   return errors;
 }
 

@@ -31,9 +31,11 @@ struct Ends {
   Numbers singular_places() const;
 };
 
-/// Relative errors.
+/// Relative errors, and what of that of approach or load and of the pressure no number of strips removes: the modes
+/// and polynomials of a whole roller leave it.
 struct Errors {
   double approach, load, max_pressure, moment, tilt;
+  double left_by_modes, pressure_left_by_modes;
 };
 
 /// How a solution stands against each condition of the model.
