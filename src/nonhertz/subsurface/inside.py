@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.bodies.images import DIRECT, SEPARATE_LINKS, chains, rows
 from nonhertz.bodies.influence import Influence, influence_within
-from nonhertz.compiled import compiled
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.model.profile.base import at_ends
 from nonhertz.model.side_faces import SERIES
+from nonhertz.native import core
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution, Solved
 from nonhertz.strip.influence import by_own_width
@@ -31,7 +31,7 @@ from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.free_faces import Between, FreeFaceField
 from nonhertz.subsurface.rectangles import Rectangles
 from nonhertz.subsurface.strips import StripLoad
-from nonhertz.subsurface.tails import DISPLACEMENT, ODD, TWO_PI, Load, stress_tail
+from nonhertz.subsurface.tails import DISPLACEMENT, Load
 from nonhertz.subsurface.wall import Wall
 
 Array = NDArray[np.float64]
@@ -165,18 +165,18 @@ class Inside:
 
     def _near(self, points: Array) -> Array:
         """Return the stress that pressure and images have in a half-space, with what free side faces add."""
-        total = self._of_terms(points, self.terms, displaced=False)
+        total = self.load.six(points, self.body.material.poisson, False, self.terms)
         for face in self.faces:
             total += face.stress(points)
         if self.afar is not None:
-            _add_from_afar(points, *self.afar, self.body.material.poisson, total)
+            core.add_from_afar(points, *self.afar, self.body.material.poisson, total)
         return total
 
     def displacement(self, points: Array) -> Array:
         """Return the displacement [mm] at ``points`` (n, 3), shape (n, 3)."""
         share = self.influence.terms[0, 2]
         weights = self.influence.terms / [1.0, 1.0, share]
-        total = self._of_terms(points, weights, displaced=True)[:, DISPLACEMENT]
+        total = self.load.six(points, self.body.material.poisson, True, weights)[:, DISPLACEMENT]
         for side in self.influence.faces:
             face = next(each for each in self.faces if each.side == side.side)
             total += side.share / share * face.displacement(points)
@@ -185,17 +185,6 @@ class Inside:
         strip = np.clip(np.searchsorted(self.edges, y, side="right") - 1, 0, self.widened.size - 1)
         sunk = self.influence.at_depth(y, self.edges) @ self.pressed - self.widened[strip]
         total[:, U_Z] -= sunk[back.ravel()]
-        return total
-
-    def _of_terms(self, points: Array, terms: Array, displaced: bool) -> Array:
-        """Return what pressure and images do in a half-space; see `Load.six`."""
-        total = np.zeros((points.shape[0], 6))
-        for sign, offset, weight in terms:
-            # Points as they lie to the pressure itself when seen from its image.
-            seen = np.column_stack([points[:, 0], sign * (points[:, 1] - offset), points[:, 2]])
-            part = self.load.six(seen, self.body.material.poisson, displaced)
-            part[:, ODD] *= sign
-            total += weight * part
         return total
 
 
@@ -238,19 +227,3 @@ def _faces(
             near = float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max()))
             reach = max(high - place, place - low)
             yield FreeFaceField.of(load.spectrum, place, side, near, reach, body.material.poisson, opposite, between)
-
-
-@compiled
-def _add_from_afar(points: Array, low: float, high: float, line_load: float, poisson: float, total: Array) -> None:
-    """Add the stress of line loads that begin at ``low`` and ``high`` and extend away from the body."""
-    scale = line_load / TWO_PI
-    for i in range(points.shape[0]):
-        x, y, z = points[i, 0], points[i, 1], points[i, 2]
-        f_x, f_y, f_z, f_yz, f_xz, f_xy = stress_tail(x, high - y, z, poisson)
-        g_x, g_y, g_z, g_yz, g_xz, g_xy = stress_tail(x, y - low, z, poisson)
-        total[i, 0] += scale * (f_x + g_x)
-        total[i, 1] += scale * (f_y + g_y)
-        total[i, 2] += scale * (f_z + g_z)
-        total[i, 3] += scale * (f_yz - g_yz)
-        total[i, 4] += scale * (f_xz + g_xz)
-        total[i, 5] += scale * (f_xy - g_xy)

@@ -22,8 +22,9 @@ here so that they hold on the surface too; they and the rest are derived here an
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -31,10 +32,10 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
-from nonhertz.compiled import compiled, plain_array
+from nonhertz.native import core
 from nonhertz.patch.kernel import edges_from
 from nonhertz.subsurface.free_faces import Spectrum
-from nonhertz.subsurface.tails import TWO_PI, Load, Six, displacement_tail, stress_tail
+from nonhertz.subsurface.tails import ALONE, Load
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -45,13 +46,10 @@ LADDER = (3, 4, 5, 6, 8, 10, 12, 16)
 ERROR = 1e-7
 # A panel of fewer columns is no cheaper than Love's corners.
 SMALLEST_PANEL = 6
-# At a corner of a cell on the surface a shear stress is unbounded; it is evaluated at this distance, in cells.
-AT_A_CORNER = 1e-12
-EXACT = -1
 
 
 class Panels(NamedTuple):
-    """The pressure in the form that the compiled loops use.
+    """The pressure in the form that the core uses.
 
     Attributes
     ----------
@@ -128,16 +126,20 @@ class Rectangles(Load):
         if not pressure.any():
             return cls(None)
         columns, rows = _span(np.count_nonzero(pressure, axis=1)), _span(np.count_nonzero(pressure, axis=0))
-        block = plain_array(pressure[columns, rows])
+        block = np.ascontiguousarray(pressure[columns, rows])
         x_edges = edges_from(float(x[columns.start]), block.shape[0], dx)
         return cls(_panels(x_edges, edges_from(float(y[rows.start]), block.shape[1], dy), block))
 
-    def six(self, points: Array, poisson: float, displaced: bool) -> Array:
+    @cached_property
+    def in_core(self) -> core.SurfaceLoad:
+        """The same pressure as the core has it."""
+        assert self.panels is not None
+        of = self.panels
+        return core.rectangles(*of._replace(weights=of.weights.reshape(-1, of.nodes.shape[1])))
+
+    def six(self, points: Array, poisson: float, displaced: bool, terms: Array = ALONE) -> Array:
         """Return six components of its stress [MPa], or of the displacement, at ``points`` (n, 3), shape (n, 6)."""
-        out = np.zeros((points.shape[0], 6))
-        if self.panels is not None:
-            (_displacement if displaced else _stress)(plain_array(points), poisson, self.panels, out)
-        return out
+        return np.zeros((len(points), 6)) if self.panels is None else super().six(points, poisson, displaced, terms)
 
     def spectrum(self, k: Array, y: float) -> Spectrum:
         """Return the transforms of all rows at wave numbers ``k`` [1/mm], wherever ``y`` is."""
@@ -207,227 +209,3 @@ def rule_ellipses() -> Array:
             eta = -math.log(ERROR * math.sinh(eta)) / n
         axes[rule] = math.cosh(eta) ** 2, math.sinh(eta) ** 2
     return axes
-
-
-@compiled
-def _divide(x: float, y: float, z: float, panels: Panels, pieces: Integers) -> int:
-    """Divide the load for one point; pieces are (panel, rule or EXACT, first row, row after the last)."""
-    count, total = 0, panels.half.size
-    todo = panels.rows.copy()
-    for panel in range(total):
-        first, end = todo[panel, 0], todo[panel, 1]
-        for rule in range(panels.ellipses.shape[0]):
-            if first >= end:
-                break
-            near, far = _rows_within(x, y, z, panels, panel, rule)
-            near, far = max(near, first), min(far, end)
-            if near >= far:
-                near = far = end
-            if first < near:
-                pieces[count] = panel, rule, first, near
-                count += 1
-            if far < end:
-                pieces[count] = panel, rule, far, end
-                count += 1
-            first, end = near, far
-        if 2 * panel + 2 < total:
-            for below in range(2 * panel + 1, 2 * panel + 3):
-                todo[below, 0] = max(todo[below, 0], first)
-                todo[below, 1] = min(todo[below, 1], end)
-        elif first < end:
-            pieces[count] = panel, EXACT, first, end
-            count += 1
-    return count
-
-
-@compiled
-def _rows_within(x: float, y: float, z: float, panels: Panels, panel: int, rule: int) -> tuple[int, int]:
-    """Return the first row that reaches into the ellipse of a rule about the point, and the one after the last."""
-    half = panels.half[panel]
-    along, across = panels.ellipses[rule]
-    reach = across * (half * half - (x - panels.middle[panel]) ** 2 / along) - z * z
-    if reach < 0.0:
-        return 0, 0
-    first_edge = panels.y_edges[0]
-    side = panels.y_edges[1] - first_edge
-    low, high = (y - first_edge - math.sqrt(reach)) / side, (y - first_edge + math.sqrt(reach)) / side
-    return math.floor(low), math.ceil(high)
-
-
-@compiled
-def _row_over(y: float, y_edges: Array, first: int, end: int) -> int:
-    """Return the row from ``first`` up to but excluding ``end`` that the point lies under, -1 for none."""
-    if not y_edges[first] < y <= y_edges[end]:
-        return -1
-    row = first
-    while y_edges[row + 1] < y:
-        row += 1
-    return row
-
-
-@compiled
-def _step_at_corner(pressure: Array, i: int, j: int, left: int, right: int, first: int, end: int) -> float:
-    """Return the second difference of the pressure at the low corner of cell (i, j), within a block of cells only."""
-    step = 0.0
-    if i < right and j < end:
-        step += pressure[i, j]
-    if i > left and j > first:
-        step += pressure[i - 1, j - 1]
-    if i > left and j < end:
-        step -= pressure[i - 1, j]
-    if i < right and j > first:
-        step -= pressure[i, j - 1]
-    return step
-
-
-@compiled
-def _stress_corner(X: float, Y: float, z: float, poisson: float, least: float) -> Six:
-    """Return 2 pi times the stresses of Love's corner (X, Y) ahead of the point, in our order."""
-    R = max(math.sqrt(X * X + Y * Y + z * z), least)
-    across, along = max(X * X + z * z, least * least), max(Y * Y + z * z, least * least)
-    lateral = 1.0 - 2.0 * poisson
-    angle = math.atan2(X * Y, z * R)
-    angle_x = math.atan2(X * Y, across + z * R)
-    in_x, in_y = z * X * Y / (R * across), z * X * Y / (R * along)
-    return (
-        in_x - 2.0 * poisson * angle - lateral * angle_x,
-        in_y - 2.0 * poisson * angle - lateral * (angle - angle_x),
-        -angle - in_x - in_y,
-        -z * z * X / (R * along),
-        -z * z * Y / (R * across),
-        -z / R - lateral * math.log(R + z),
-    )
-
-
-@compiled
-def _displacement_corner(X: float, Y: float, z: float, poisson: float, least: float) -> Six:
-    """Return 4 pi G times u_x, 0, u_z, u_y, 0, 0 of Love's corner (X, Y) ahead of the point."""
-    R = max(math.sqrt(X * X + Y * Y + z * z), least)
-    across, along = max(X * X + z * z, least * least), max(Y * Y + z * z, least * least)
-    lateral = 1.0 - 2.0 * poisson
-    angle = math.atan2(X * Y, z * R)
-    angle_x = math.atan2(X * Y, across + z * R)
-    of_y = math.copysign(math.log((abs(Y) + R) / math.sqrt(across)), Y)
-    of_x = math.copysign(math.log((abs(X) + R) / math.sqrt(along)), X)
-    depth = math.log(R + z)
-    return (
-        z * of_y + lateral * (Y * depth + z * of_y + X * angle_x),
-        0.0,
-        2.0 * (1.0 - poisson) * (X * of_y + Y * of_x) - lateral * z * angle,
-        z * of_x + lateral * (X * depth + z * of_x + Y * (angle - angle_x)),
-        0.0,
-        0.0,
-    )
-
-
-@compiled
-def _stress_of_line(X: float, z: float, poisson: float) -> Six:
-    """Return 2 pi times the stress of an infinite line, in plane strain."""
-    squared = X * X + z * z
-    radial = -4.0 * z / squared
-    return radial * X * X / squared, radial * poisson, radial * z * z / squared, 0.0, radial * X * z / squared, 0.0
-
-
-@compiled
-def _displacement_of_line(X: float, z: float, poisson: float) -> Six:
-    """Return 4 pi G times its displacement, up to the constant of two tails."""
-    squared = X * X + z * z
-    u_x = 2.0 * (z * X / squared - (1.0 - 2.0 * poisson) * math.atan2(X, z))
-    return u_x, 0.0, 2.0 * (z * z / squared - (1.0 - poisson) * math.log(squared)), 0.0, 0.0, 0.0
-
-
-Sum = Callable[[Array, float, Panels, Array], None]
-
-
-Part = Callable[[float, float, float, float, Panels, Integers, Array], None]
-
-
-def _lines(scale: float, tail: Callable[..., Six], infinite: Callable[..., Six]) -> Part:
-    """Return what adds up the lines of a piece, by what a tail and an infinite line do."""
-
-    @compiled
-    def add_lines(x: float, y: float, z: float, poisson: float, panels: Panels, piece: Integers, out: Array) -> None:
-        panel, rule, first, end = piece
-        weights = panels.weights[panel]
-        begin, stop = panels.first_node[rule], panels.first_node[rule + 1]
-        xx = yy = zz = yz = xz = xy = 0.0
-        for k in range(begin, stop):
-            X = x - panels.nodes[panel, k]
-            before = 0.0
-            for edge in range(first, end + 1):
-                after = weights[edge, k] if edge < end else 0.0
-                Y = panels.y_edges[edge] - y
-                step = after - before
-                if step == 0.0:
-                    continue
-                before = after
-                mirrored = step if Y >= 0.0 else -step
-                t_xx, t_yy, t_zz, t_yz, t_xz, t_xy = tail(X, abs(Y), z, poisson)
-                xx += mirrored * t_xx
-                yy += mirrored * t_yy
-                zz += mirrored * t_zz
-                yz += step * t_yz
-                xz += mirrored * t_xz
-                xy += step * t_xy
-        own = _row_over(y, panels.y_edges, first, end)
-        if own >= 0:
-            for k in range(begin, stop):
-                t_xx, t_yy, t_zz, _, t_xz, _ = infinite(x - panels.nodes[panel, k], z, poisson)
-                xx += weights[own, k] * t_xx
-                yy += weights[own, k] * t_yy
-                zz += weights[own, k] * t_zz
-                xz += weights[own, k] * t_xz
-        out[0] += scale * xx
-        out[1] += scale * yy
-        out[2] += scale * zz
-        out[3] += scale * yz
-        out[4] += scale * xz
-        out[5] += scale * xy
-
-    return add_lines
-
-
-def _cells(scale: float, corner: Callable[..., Six]) -> Part:
-    """Return what adds up the cells of a piece, by what Love's corners do."""
-
-    @compiled
-    def add_cells(x: float, y: float, z: float, poisson: float, panels: Panels, piece: Integers, out: Array) -> None:
-        panel, _, first, end = piece
-        left, right = panels.columns[panel]
-        least = AT_A_CORNER * (panels.x_edges[1] - panels.x_edges[0])
-        for i in range(left, right + 1):
-            for j in range(first, end + 1):
-                step = scale * _step_at_corner(panels.pressure, i, j, left, right, first, end)
-                if step != 0.0:
-                    of_corner = corner(panels.x_edges[i] - x, panels.y_edges[j] - y, z, poisson, least)
-                    for component in range(6):
-                        out[component] += step * of_corner[component]
-
-    return add_cells
-
-
-def _sum_of(name: str, add_lines: Part, add_cells: Part) -> Sum:
-    """Return a compiled loop, kept by its name, that adds up all pieces at points."""
-
-    def add_up(points: Array, poisson: float, panels: Panels, out: Array) -> None:
-        # Room for the pieces of one point: two for each rule of a panel, and one for Love's form.
-        pieces = np.empty((panels.half.size * (2 * panels.ellipses.shape[0] + 1), 4), dtype=np.int64)
-        for n in range(points.shape[0]):
-            # A negative zero would put the arctangents on the other branch.
-            x, y, z = points[n, 0], points[n, 1], points[n, 2] + 0.0
-            for k in range(_divide(x, y, z, panels, pieces)):
-                if pieces[k, 1] == EXACT:
-                    add_cells(x, y, z, poisson, panels, pieces[k], out[n])
-                else:
-                    add_lines(x, y, z, poisson, panels, pieces[k], out[n])
-
-    add_up.__name__ = name
-    return compiled(add_up)
-
-
-_stress = _sum_of("_stress", _lines(1.0 / TWO_PI, stress_tail, _stress_of_line), _cells(1.0 / TWO_PI, _stress_corner))
-_displacement = _sum_of(
-    "_displacement",
-    _lines(0.5 / TWO_PI, displacement_tail, _displacement_of_line),
-    _cells(0.5 / TWO_PI, _displacement_corner),
-)
