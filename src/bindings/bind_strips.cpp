@@ -18,6 +18,7 @@ namespace nonhertz {
 namespace {
 
 using Flags = std::array<bool, 2>;
+using IndicesIn = nb::ndarray<const Index, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Released = nb::call_guard<nb::gil_scoped_release>;
 
 /// A property that is a view of numbers of its owner.
@@ -148,6 +149,28 @@ void bind_solving(nb::module_& m) {
       "grid"_a, "by_force"_a, "target"_a, "kernel"_a, "near_grid"_a.none() = nb::none(),
       "near_state"_a.none() = nb::none(), "tolerance"_a = TOLERANCE, "patient"_a = true, Released());
   m.def("steady", [](std::array<Pair, 2> stiffness, const VectorIn& edges) { return steady(stiffness, view(edges)); });
+  m.def(
+      "coefficients",
+      [](const Grid& grid, const VectorIn& m, const IndicesIn& active, const Kernel& kernel) {
+        const std::vector<Index> sources(active.data(), active.data() + active.size());
+        Numbers found;
+        Influence influence(grid, kernel);
+        Blocks blocks;
+        influence.keep_up(view(m));
+        influence.coefficients(view(m), sources, blocks);
+        for (const Matrix& block : blocks) found.insert(found.end(), block.all().begin(), block.all().end());
+        return array_of(std::move(found));
+      },
+      "grid"_a, "m"_a, "active"_a, "kernel"_a,
+      "[A], [t A'], [B] and [t B'] of the active strips at the centres of all, shape (4, n, active) flattened.");
+  m.def(
+      "displacements",
+      [](const VectorIn& y, const Grid& grid, const VectorIn& r, const VectorIn& m, const Kernel& kernel) {
+        State state(0);
+        state.r = numbers(r), state.m = numbers(m);
+        return array_of(on_the_surface(view(y), grid, state, kernel));
+      },
+      "y"_a, "grid"_a, "r"_a, "m"_a, "kernel"_a, "Displacement on the surface, points at depth left out.");
   m.def(
       "by_own_width",
       [](const MatrixIn& by_width, Index strip, double a) { return by_own_width(copy_of(by_width), strip, a); },

@@ -6,6 +6,7 @@ NB_MODULE(bound, m) {
   m.doc() = "The numbers of nonhertz in C++: arrays in, arrays out.";
   bind_strips(m);
   bind_harmonic_elements(m);
+  bind_strip_rows(m);
   bind_bodies(m);
   bind_grids(m);
   bind_judging(m);
