@@ -5,6 +5,7 @@
 #include <nanobind/ndarray.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "numbers/array.hpp"
@@ -36,13 +37,17 @@ inline std::shared_ptr<const Matrix> matrix(const MatrixIn& array) {
 /// Numbers as an array that cannot be written to and keeps their owner.
 inline VectorOut view_of(View values, nb::handle owner) { return VectorOut(values.data(), {values.size()}, owner); }
 
-/// Numbers as an array that owns them.
-inline VectorOut array_of(Numbers values) {
+/// Numbers as an array of some shape that owns them.
+template <std::size_t N>
+auto array_of(Numbers values, const std::array<std::size_t, N>& shape) {
   auto kept = std::make_unique<Numbers>(std::move(values));
   const double* data = kept->data();
-  const std::size_t size = kept->size();
   nb::capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<Numbers*>(p); });
-  return VectorOut(data, {size}, owner);
+  return nb::ndarray<nb::numpy, const double, nb::ndim<N>>(data, N, shape.data(), owner);
+}
+inline VectorOut array_of(Numbers values) {
+  const std::array shape{values.size()};
+  return array_of(std::move(values), shape);
 }
 
 /// Rows and columns as an array that owns them.

@@ -3,13 +3,13 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
 #include "strips/acceptance.hpp"
 #include "strips/follow.hpp"
 #include "strips/solving.hpp"
-#include "strips/start.hpp"
 
 namespace nonhertz {
 namespace {
@@ -48,7 +48,7 @@ struct GridRows {
   MatrixIn edges, y, curvature, separation, min_depth, sharper;
   CubeIn at_depth, by_width;
 
-  explicit GridRows(const nb::tuple& of)
+  explicit GridRows(const nb::object& of)
       : counts(nb::cast<IndicesIn>(of[0])),
         edges(nb::cast<MatrixIn>(of[1])),
         y(nb::cast<MatrixIn>(of[2])),
@@ -84,7 +84,7 @@ struct StateRows {
   IndicesOut status, steps;
   Out<1> residual;
 
-  explicit StateRows(const nb::tuple& of)
+  explicit StateRows(const nb::object& of)
       : counts(nb::cast<IndicesIn>(of[0])),
         edges(nb::cast<MatrixIn>(of[1])),
         r(nb::cast<Out<2>>(of[2], false)),
@@ -140,8 +140,8 @@ struct StateRows {
 
 Pair target_of(const MatrixIn& targets, Index at) { return {targets.data()[2 * at], targets.data()[2 * at + 1]}; }
 
-void solve_on_strips(const nb::tuple& grids, Flags by_force, const MatrixIn& targets, const Kernel& kernel,
-                     const nb::tuple& near_states, const nb::tuple& states, double tolerance, bool patient) {
+void solve_on_strips(const nb::object& grids, Flags by_force, const MatrixIn& targets, const Kernel& kernel,
+                     const nb::object& near_states, const nb::object& states, double tolerance, bool patient) {
   const GridRows rows(grids);
   const StateRows near(near_states), found(states);
   const nb::gil_scoped_release released;
@@ -166,26 +166,22 @@ void solve_on_strips(const nb::tuple& grids, Flags by_force, const MatrixIn& tar
 }
 
 /// Which states meet everything that is prescribed, and are steady.
-nb::list met_by(const nb::tuple& grids, Flags by_force, const MatrixIn& targets, const Kernel& kernel,
-                const nb::tuple& states) {
+std::vector<bool> met_by(const nb::object& grids, Flags by_force, const MatrixIn& targets, const Kernel& kernel,
+                         const nb::object& states) {
   const GridRows rows(grids);
   const StateRows found(states);
-  std::vector<char> met(static_cast<std::size_t>(found.cases()));
-  {
-    const nb::gil_scoped_release released;
-    std::shared_ptr<const Grid> grid;
-    for (Index at = 0; at < found.cases(); ++at) {
-      if (!grid || !rows.shared()) grid = rows.grid(at);
-      const Index n = grid->count();
-      State state = found.get(at);
-      state.r.resize(n), state.m.resize(n), state.gap.resize(n);
-      const Shortfall unmet = first_unmet(*grid, {by_force, target_of(targets, at)}, kernel, state);
-      met[at] = unmet.condition == Unmet::none && steady(*grid, state);
-    }
+  std::vector<bool> met(static_cast<std::size_t>(found.cases()));
+  const nb::gil_scoped_release released;
+  std::shared_ptr<const Grid> grid;
+  for (Index at = 0; at < found.cases(); ++at) {
+    if (!grid || !rows.shared()) grid = rows.grid(at);
+    const Index n = grid->count();
+    State state = found.get(at);
+    state.r.resize(n), state.m.resize(n), state.gap.resize(n);
+    const Shortfall unmet = first_unmet(*grid, {by_force, target_of(targets, at)}, kernel, state);
+    met[at] = unmet.condition == Unmet::none && steady(*grid, state);
   }
-  nb::list answer;
-  for (char each : met) answer.append(each != 0);
-  return answer;
+  return met;
 }
 
 }  // namespace
@@ -196,7 +192,7 @@ void bind_strip_rows(nb::module_& m) {
   m.def("met_by", &met_by, "grids"_a, "by_force"_a, "targets"_a, "kernel"_a, "states"_a);
   m.def(
       "first_unmet",
-      [](const nb::tuple& grids, Flags by_force, Pair target, const Kernel& kernel, const VectorIn& q,
+      [](const nb::object& grids, Flags by_force, Pair target, const Kernel& kernel, const VectorIn& q,
          const VectorIn& half_width, const VectorIn& gap, Pair motion) {
         const auto grid = GridRows(grids).grid(0);
         const Answer answer{numbers(q), numbers(half_width), numbers(gap), motion};
@@ -205,26 +201,16 @@ void bind_strip_rows(nb::module_& m) {
       },
       "grids"_a, "by_force"_a, "target"_a, "kernel"_a, "q"_a, "half_width"_a, "gap"_a, "motion"_a,
       "The first condition that is not met, the value found, and the strip where it was found.");
-  m.def(
-      "start_from_springs",
-      [](const nb::tuple& grids, Flags by_force, Pair target, const Kernel& kernel, const nb::tuple& states) {
-        const StateRows found(states);
-        const auto grid = GridRows(grids).grid(0);
-        State state = found.get(0);
-        start_from_springs(*grid, {by_force, target}, kernel, state);
-        found.put(0, state);
-      },
-      "grids"_a, "by_force"_a, "target"_a, "kernel"_a, "found"_a);
-  nb::class_<Following>(m, "Following")
+  nb::class_<Following>(m, "Following", nb::is_weak_referenceable())
       .def(
           "__init__",
-          [](Following* self, const nb::tuple& grids, std::shared_ptr<Kernel> kernel) {
+          [](Following* self, const nb::object& grids, std::shared_ptr<Kernel> kernel) {
             new (self) Following(GridRows(grids).grid(0), std::move(kernel));
           },
           "grids"_a, "kernel"_a)
       .def(
           "follow",
-          [](Following& self, Pair motion, const nb::tuple& states) {
+          [](Following& self, Pair motion, const nb::object& states) {
             const StateRows found(states);
             const State before = found.get(0);
             State state = before;

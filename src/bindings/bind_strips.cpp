@@ -64,13 +64,22 @@ void bind_kernel(nb::module_& m) {
           const Four s = evaluate(t.data()[i], of.table.data());
           found.insert(found.end(), {s.a(), s.ta(), s.b(), s.tb()});
         }
-        return array_of(std::move(found));
+        return array_of(std::move(found), std::array{t.size(), std::size_t{4}});
       },
-      "element"_a, "t"_a, "A, t A', B and t B' of each t, one after the other.");
+      "element"_a, "t"_a, "A, t A', B and t B', shape (t, 4).");
   nb::class_<Term>(m, "Term").def(nb::init<double, double, double>(), "sign"_a, "offset"_a, "weight"_a);
   nb::class_<FaceTable>(m, "FaceTable").def("__init__", [](FaceTable* self, const VectorIn& of) {
     new (self) FaceTable{numbers(of)};
   });
+  m.def(
+      "free_end",
+      [](double u, double inner, double outer, const FaceTable& table, const Element& of) {
+        Squares kept;
+        const Four s = free_end(u, inner, outer, table.data(), of.table.data(), kept);
+        return std::array{s.a(), s.ta(), s.b(), s.tb()};
+      },
+      "u"_a, "inner"_a, "outer"_a, "table"_a, "element"_a,
+      "What a free side face adds to [A], [t A'], [B] and [t B'] of a strip, all distances in half-widths.");
   nb::class_<Face>(m, "Face").def(
       "__init__",
       [](Face* self, double place, double side, double weight, std::shared_ptr<FaceTable> table) {
@@ -148,7 +157,12 @@ void bind_solving(nb::module_& m) {
       },
       "grid"_a, "by_force"_a, "target"_a, "kernel"_a, "near_grid"_a.none() = nb::none(),
       "near_state"_a.none() = nb::none(), "tolerance"_a = TOLERANCE, "patient"_a = true, Released());
-  m.def("steady", [](std::array<Pair, 2> stiffness, const VectorIn& edges) { return steady(stiffness, view(edges)); });
+  m.attr("TOLERANCE") = TOLERANCE;
+  m.attr("ROUGH_TOLERANCE") = ROUGH_TOLERANCE;
+  m.attr("PATIENT_STRIPS") = PATIENT_STRIPS;
+  m.def(
+      "steady", [](std::array<Pair, 2> stiffness, double reach) { return steady(stiffness, reach); }, "stiffness"_a,
+      "reach"_a);
   m.def(
       "coefficients",
       [](const Grid& grid, const VectorIn& m, const IndicesIn& active, const Kernel& kernel) {
@@ -159,10 +173,10 @@ void bind_solving(nb::module_& m) {
         influence.keep_up(view(m));
         influence.coefficients(view(m), sources, blocks);
         for (const Matrix& block : blocks) found.insert(found.end(), block.all().begin(), block.all().end());
-        return array_of(std::move(found));
+        return array_of(std::move(found), std::array{std::size_t{4}, m.size(), active.size()});
       },
       "grid"_a, "m"_a, "active"_a, "kernel"_a,
-      "[A], [t A'], [B] and [t B'] of the active strips at the centres of all, shape (4, n, active) flattened.");
+      "[A], [t A'], [B] and [t B'] of the active strips at the centres of all, shape (4, n, active).");
   m.def(
       "displacements",
       [](const VectorIn& y, const Grid& grid, const VectorIn& r, const VectorIn& m, const Kernel& kernel) {

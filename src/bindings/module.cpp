@@ -4,9 +4,12 @@
 NB_MODULE(bound, m) {
   using namespace nonhertz;
   m.doc() = "The numbers of nonhertz in C++: arrays in, arrays out.";
+  // What is kept for the life of a process, such as elements and free faces, is no leak.
+  nanobind::set_leak_warnings(false);
   bind_strips(m);
   bind_harmonic_elements(m);
   bind_strip_rows(m);
+  bind_strip_parts(m);
   bind_bodies(m);
   bind_grids(m);
   bind_judging(m);

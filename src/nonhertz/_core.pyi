@@ -32,14 +32,19 @@ SEMI_ELLIPTIC: Element = ...
 
 PARABOLIC: Element = ...
 
-def evaluate(element: Element, t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]:
-    """A, t A', B and t B' of each t, one after the other."""
+def evaluate(element: Element, t: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]:
+    """A, t A', B and t B', shape (t, 4)."""
 
 class Term:
     def __init__(self, sign: float, offset: float, weight: float) -> None: ...
 
 class FaceTable:
     def __init__(self, arg: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
+
+def free_end(u: float, inner: float, outer: float, table: FaceTable, element: Element) -> list[float]:
+    """
+    What a free side face adds to [A], [t A'], [B] and [t B'] of a strip, all distances in half-widths.
+    """
 
 class Face:
     def __init__(self, place: float, side: float, weight: float, table: FaceTable) -> None: ...
@@ -119,7 +124,21 @@ class State:
 
 def solve_on(grid: Grid, by_force: Sequence[bool], target: Sequence[float], kernel: Kernel, near_grid: Grid | None = None, near_state: State | None = None, tolerance: float = 1e-11, patient: bool = True) -> State: ...
 
-def steady(arg0: Sequence[Sequence[float]], arg1: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> bool: ...
+TOLERANCE: float = 1e-11
+
+ROUGH_TOLERANCE: float = 1e-06
+
+PATIENT_STRIPS: int = 400
+
+def steady(stiffness: Sequence[Sequence[float]], reach: float) -> bool: ...
+
+def coefficients(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], active: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], kernel: Kernel) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), writable=False)]:
+    """
+    [A], [t A'], [B] and [t B'] of the active strips at the centres of all, shape (4, n, active).
+    """
+
+def displacements(y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], grid: Grid, r: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], kernel: Kernel) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]:
+    """Displacement on the surface, points at depth left out."""
 
 def by_own_width(by_width: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], strip: int, a: float) -> list[float]: ...
 
@@ -134,6 +153,43 @@ class LogarithmicTable:
     def __init__(self, arg0: float, arg1: float, arg2: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], /) -> None: ...
 
 def flat_modes(loads: LogarithmicTable, planes: LogarithmicTable, curved: LogarithmicTable, weights: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], distances: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], image: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], face: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_length: float, places: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], radius: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]: ...
+
+def solve_on_strips(grids: object, by_force: Sequence[bool], targets: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], kernel: Kernel, near: object, found: object, tolerance: float, patient: bool) -> None:
+    """Solve every case on its strips, overwriting found."""
+
+def met_by(grids: object, by_force: Sequence[bool], targets: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], kernel: Kernel, states: object) -> list[bool]: ...
+
+def first_unmet(grids: object, by_force: Sequence[bool], target: Sequence[float], kernel: Kernel, q: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_width: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gap: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], motion: Sequence[float]) -> tuple[int, float, int]:
+    """
+    The first condition that is not met, the value found, and the strip where it was found.
+    """
+
+class Following:
+    def __init__(self, grids: object, kernel: Kernel) -> None: ...
+
+    def follow(self, motion: Sequence[float], found: object) -> list[float] | None:
+        """
+        Let a solved case follow to another approach and tilt; return K Q and K T.
+        """
+
+BLOCK: int = 8
+
+def solve_linear(matrix: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], sides: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]: ...
+
+def subtract_product(from_matrix: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], left: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], right: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]:
+    """A square matrix less the product of two others."""
+
+def newton(grid: Grid, by_force: Sequence[bool], target: Sequence[float], kernel: Kernel, state: State, tolerance: float = 1e-11, relaxation: float = 1.0, eager: bool = True) -> State: ...
+
+def violation(grid: Grid, by_force: Sequence[bool], target: Sequence[float], kernel: Kernel, state: State) -> tuple[float, State]:
+    """
+    The largest relative violation of contact and balance, and the state with its gaps.
+    """
+
+def start_from_springs(grid: Grid, by_force: Sequence[bool], target: Sequence[float], kernel: Kernel) -> State:
+    """The response of independent springs, not a solution."""
+
+def start_from_other(other: Grid, solved: State, grid: Grid, by_force: Sequence[bool], target: Sequence[float]) -> State | None: ...
 
 class Cubics:
     def __init__(self, places: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> None: ...

@@ -14,6 +14,7 @@ import nonhertz as nh
 from nonhertz.bearing import strips
 from nonhertz.bearing.strips import StripLaw, StrippedContact
 from nonhertz.errors import without_accuracy_warnings
+from nonhertz.native import core
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NU206 = nu206(corner_radius=0.3, profile=nh.profile.crown(1200.0))
@@ -154,16 +155,16 @@ def test_contacts_that_mirror_each_other_answer_so():
     assert not np.allclose(law.edges(0), law.edges(1), atol=1e-4)
 
 
-def test_few_remotes_are_kept(monkeypatch):
-    monkeypatch.setattr(strips, "KEPT_REMOTE", 2)
-    made, blank = [], strips.blank_remote
+def test_few_loops_are_kept(monkeypatch):
+    monkeypatch.setattr(strips, "KEPT_LOOPS", 2)
+    made, make = [], core.Following
 
-    def remote(*given):
-        found = blank(*given)
-        made.append(weakref.ref(found.powers))
+    def loop(*given):
+        found = make(*given)
+        made.append(weakref.ref(found))
         return found
 
-    monkeypatch.setattr(strips, "blank_remote", remote)
+    monkeypatch.setattr(core, "Following", loop)
     law = law_of(INNER)
     for row in range(3):
         asked(law, 0.01, 1e-5 * row, row=row)

@@ -8,16 +8,16 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bodies.quarter_space import free_face
+from nonhertz.native import core
 from nonhertz.strip import free_end
-from nonhertz.strip.free_end import AWAY, CLOSE, free_end_table
+from nonhertz.strip.free_end import AWAY, CLOSE, face_table, free_end_table
 
 ELEMENTS = [nh.SEMI_ELLIPTIC, nh.PARABOLIC]
 H, RHO_H, C, RHO_C = range(4)
 
 
 def added(u, inner, outer, element=nh.SEMI_ELLIPTIC, poisson=0.3):
-    table = free_end_table(element, poisson)
-    return np.array(free_end.free_end(u, inner, outer, table, 0, element.table, free_end.no_squares()))
+    return np.array(core.free_end(u, inner, outer, face_table(element, poisson), element.core))
 
 
 def integrated(u, inner, outer, element=nh.SEMI_ELLIPTIC, poisson=0.3):

@@ -1,95 +1,63 @@
-"""Cases on given strips: the load raised in steps where nothing else leads to an answer."""
+"""Cases on given strips: what is tried where a loop does not end, and contacts that follow."""
 
 import numpy as np
 import pytest
-from core_pieces import interpret
+from core_pieces import kernel_of, strips_between
 
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
+from nonhertz.native import core
 from nonhertz.solver.one import problem_of
-from nonhertz.strip import solving
-from nonhertz.strip.influence import blank_remote
-from nonhertz.strip.newton import TOLERANCE
-from nonhertz.strip.problem import row_of
-from nonhertz.strip.records import CONVERGED, STAGNATED, BoundaryConditions, NewtonOptions, States
+from nonhertz.strip.problem import row_of, solved_on
 
 STRIPS = row_of(np.linspace(-10.0, 10.0, 22))
+K_LOAD = 1e-3
+
+
+def never_met(strips):
+    """Solve a crowned roller, in contact in its middle, to a tolerance that is not met but where the load is raised."""
+    edges = np.linspace(-10.0, 10.0, strips + 1)
+    y = 0.5 * (edges[1:] + edges[:-1])
+    grid = strips_between(edges, separation=y**2 / 100.0)
+    return core.solve_on(grid, (True, False), (K_LOAD, 0.0), kernel_of(), tolerance=0.0), np.diff(edges)
+
+
+def test_a_load_that_is_raised_arrives():
+    state, width = never_met(399)
+    assert state.status == core.Status.CONVERGED
+    # The loop's tolerance.
+    np.testing.assert_allclose((state.r * state.m) @ width, K_LOAD, rtol=1e-11)
+
+
+def test_on_very_many_strips_the_load_is_not_raised():
+    state, _ = never_met(core.PATIENT_STRIPS + 1)
+    assert state.status == core.Status.ITERATION_LIMIT
 
 
 @pytest.fixture
-def problem():
-    roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000))
-    return problem_of(nh.Contact(roller, nh.Plate()), Prescription(load=3e3, tilt=2e-4), nh.SEMI_ELLIPTIC)
-
-
-def raised(problem):
-    """Return how raising the load of the problem ends, and the state that it leaves."""
-    grids, found = problem.model.deep(problem.model.grids(*STRIPS)), States.unsolved(*STRIPS, 1)
-    unknowns = solving.unknowns_of(found, 0, found.m.shape[1])
-    conditions = BoundaryConditions(problem.prescribed, problem.target)
-    options = NewtonOptions(TOLERANCE, 1.0, True, False)
-    status, *_ = solving.loop(
-        solving.strips_of(grids, 0), conditions, problem.model.kernel, unknowns, grids.min_depth[0], options, True
-    )
-    return status, found.one(0)
-
-
-def test_a_load_that_is_raised_arrives_going_on_from_rise_to_rise(problem, monkeypatch):
-    begun, ended, newton = [], [], solving.newton
-
-    def noting(strips, conditions, kernel, unknowns, *others):
-        begun.append(unknowns.m.copy())
-        done = newton(strips, conditions, kernel, unknowns, *others)
-        ended.append(unknowns.m.copy())
-        return done
-
-    interpret(monkeypatch, newton=noting)
-    status, state = raised(problem)
-    assert status == CONVERGED
-    # The loop's tolerance.
-    np.testing.assert_allclose(state.scaled_load, problem.target[0], rtol=1e-11)
-    assert len(begun) > 5
-    np.testing.assert_array_equal(begun[1:], ended[:-1])
-
-
-def test_before_a_rise_is_given_up_it_has_been_cut_to_a_thousandth_of_the_load(problem, monkeypatch):
-    """Beyond three tenths of the load nothing converges."""
-    tried, newton = [], solving.newton
-
-    def failing(strips, conditions, *others):
-        share = float(conditions.target[0] / problem.target[0])
-        tried.append(share)
-        return newton(strips, conditions, *others) if share <= 0.3 else (STAGNATED, 1, np.inf)
-
-    interpret(monkeypatch, newton=failing)
-    status, _ = raised(problem)
-    assert status == STAGNATED
-    beyond = min(share for share in tried if share > 0.3)
-    reached = max(share for share in tried if share <= 0.3)
-    assert beyond - reached < 2e-3
-
-
-def test_a_case_that_cannot_follow_is_left_as_it_was():
+def followed():
+    """A solved case, the problem, and strips on which it follows."""
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000))
     problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription(approach=0.01, tilt=0.0), nh.SEMI_ELLIPTIC)
-    grids, found, answer = problem.model.deep(problem.model.grids(*STRIPS)), States.unsolved(*STRIPS, 1), np.zeros(6)
-    target = problem.target[None]
-    solving.solve_on_strips(
-        grids,
-        BoundaryConditions(problem.prescribed, target),
-        problem.model.kernel,
-        States.none(),
-        found,
-        TOLERANCE,
-        False,
-    )
-    assert found.status[0] == CONVERGED
-    before = [each.copy() for each in found]
-    remote, apart = (
-        blank_remote(21, problem.model.kernel),
-        BoundaryConditions(problem.prescribed, np.array([[-1.0, 0.0]])),
-    )
-    assert not solving.follow(grids, apart, problem.model.kernel, remote, found, answer)
-    for was, each in zip(before, found, strict=True):
+    grids = problem.model.deep(problem.model.grids(*STRIPS))
+    states = solved_on(problem, grids)
+    assert states.converged[0]
+    return problem, grids, states
+
+
+def test_a_case_that_follows_is_the_one_that_is_solved_there(followed):
+    problem, grids, states = followed
+    pose = 0.011, 1e-4
+    resultant = core.Following(grids, problem.model.kernel).follow(pose, states)
+    alone = solved_on(problem, grids, np.array([pose]))
+    # Load and moment are accurate to the square of the last step, what they come from to the step.
+    np.testing.assert_allclose(resultant, [alone.scaled_load[0], alone.scaled_moment[0]], rtol=1e-9)
+    np.testing.assert_allclose(states.stiffness, alone.stiffness, rtol=1e-4)
+
+
+def test_a_case_that_cannot_follow_is_left_as_it_was(followed):
+    problem, grids, states = followed
+    before = [each.copy() for each in states]
+    assert core.Following(grids, problem.model.kernel).follow((-1.0, 0.0), states) is None
+    for was, each in zip(before, states, strict=True):
         np.testing.assert_array_equal(each, was)
-    assert not answer.any()

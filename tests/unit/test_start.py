@@ -2,11 +2,9 @@
 
 import numpy as np
 import pytest
-from core_pieces import kernel_of, strips_between
+from core_pieces import kernel_of, state_of, strips_between
 
-from nonhertz.strip.records import BoundaryConditions
-from nonhertz.strip.solving import blank_unknowns
-from nonhertz.strip.start import prolong, winkler_start
+from nonhertz.native import core
 
 EDGES = np.linspace(-10.0, 10.0, 42)
 Y, WIDTH = 0.5 * (EDGES[1:] + EDGES[:-1]), np.diff(EDGES)
@@ -14,10 +12,9 @@ CROWN = Y**2 / 2000.0
 
 
 def winkler_state(prescribed, target, separation=CROWN):
-    unknowns = blank_unknowns(Y.size)
-    strips = strips_between(EDGES[:-1], EDGES[1:], separation=separation)
-    winkler_start(strips, BoundaryConditions(np.array(prescribed), np.array(target)), kernel_of(), unknowns)
-    return unknowns.r * unknowns.m, unknowns.rigid
+    strips = strips_between(EDGES, separation=separation)
+    state = core.start_from_springs(strips, prescribed, target, kernel_of())
+    return state.r * state.m, np.array(state.rigid)
 
 
 @pytest.mark.parametrize("moment", [0.0, 1e-2, -3e-2])
@@ -55,12 +52,10 @@ def test_no_contact_is_left_when_the_moment_vanishes_only_there():
 def test_a_parabola_is_prolonged_to_where_it_ends():
     m = np.maximum(1.0 - (Y / 6.3) ** 2, 0.0)
     edges = np.linspace(-9.925, 9.925, 398)
-    finer, near, found = 0.5 * (edges[1:] + edges[:-1]), blank_unknowns(Y.size), blank_unknowns(397)
-    near.r[:], near.m[:], near.rigid[:] = 0.025, m, (0.01, 2e-4)
-    conditions = BoundaryConditions(np.array([True, False]), np.array([1e-2, 3e-4]))
-    assert prolong(Y, near, strips_between(edges[:-1], edges[1:]), conditions, found)
+    finer, near = 0.5 * (edges[1:] + edges[:-1]), state_of(np.full(Y.size, 0.025), m, (0.01, 2e-4))
+    found = core.start_from_other(strips_between(EDGES), near, strips_between(edges), (True, False), (1e-2, 3e-4))
     assert np.all(found.r == 0.025)
-    assert found.rigid.tolist() == [0.01, 3e-4]
+    assert found.rigid == [0.01, 3e-4]
     # A chord continued over one more strip misses the parabola by twice (strip / 6.3)^2.
     within = 2.0 * (WIDTH[0] / 6.3) ** 2
     np.testing.assert_allclose(found.m, np.maximum(1.0 - (finer / 6.3) ** 2, 0.0), rtol=0.0, atol=within)

@@ -10,10 +10,10 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.model.prescription import Prescription
+from nonhertz.native import core
 from nonhertz.solver.one import problem_of
-from nonhertz.strip.influence import coefficients, remote_of
+from nonhertz.strip.influence import grid_of
 from nonhertz.strip.problem import row_of
-from nonhertz.strip.solving import strips_of
 from nonhertz.verify import bodies, paper_rollers
 from nonhertz.verify.claim import pressures
 from nonhertz.verify.free_ends import DISTANCES, EXACT_ROLLER, FAR, with_weights
@@ -64,9 +64,8 @@ def test_single_coefficients(body, yi, displacement, by_c, flattening, flattenin
     contact = nh.Contact(roller, nh.Plate(material=nh.Material(1e18, 0.3)))
     problem = problem_of(contact, Prescription(approach=0.01), nh.PARABOLIC)
     edges, c = np.array([-0.2, 0.2, 0.8, 1.2, 1.8, 2.2]), 0.25
-    strips, blocks = strips_of(problem.model.deep(problem.model.grids(*row_of(edges))), 0), np.empty((4, 5, 5))
-    remote = remote_of(strips, problem.model.kernel, np.full(5, c**2))
-    coefficients(strips, np.full(5, c**2), np.arange(5), problem.model.kernel, remote, blocks)
+    strips = grid_of(problem.model.deep(problem.model.grids(*row_of(edges))))
+    blocks = core.coefficients(strips, np.full(5, c**2), np.arange(5), problem.model.kernel)
     a, ta, b, tb = roller.material.compliance * blocks[:, np.argmin(np.abs(strips.y - yi)), 2]
     found = [4.0 / 3.0 * c**3 * a, 4.0 / 3.0 * c**2 * (3.0 * a - ta), 4.0 / 3.0 * c * b, 4.0 / 3.0 * (b - tb)]
     # Nine digits are given.

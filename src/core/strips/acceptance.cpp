@@ -166,11 +166,14 @@ Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel&
   return {};
 }
 
-bool steady(const std::array<Pair, 2>& k, View edges) {
+bool steady(const Grid& grid, const State& state) {
+  return steady(state.stiffness, std::max(std::fabs(grid.edges.front()), std::fabs(grid.edges.back())));
+}
+
+bool steady(const std::array<Pair, 2>& k, double reach) {
   for (const Pair& row : k)
     for (double each : row)
       if (!std::isfinite(each)) return false;
-  const double reach = std::max(std::fabs(edges.front()), std::fabs(edges.back()));
   return k[0][0] > 0.0 && k[1][1] >= UNSTEADY * k[0][0] * reach * reach;
 }
 

@@ -32,7 +32,7 @@ Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel&
 Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const State& state);
 
 /// Whether the bodies resist being pressed together and being tilted; spurious solutions do not.
-bool steady(const std::array<Pair, 2>& stiffness, View edges);
-inline bool steady(const Grid& grid, const State& state) { return steady(state.stiffness, grid.edges); }
+bool steady(const std::array<Pair, 2>& stiffness, double reach);
+bool steady(const Grid& grid, const State& state);
 
 }  // namespace nonhertz

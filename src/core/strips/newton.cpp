@@ -87,7 +87,6 @@ void Newton::run(const Prescription& given, const Options& options, State& state
     const bool entered = enter(noise + LET_SETTLE * unsettled * scale, state);
     has_returned = returned(state) || has_returned;
     if (!options.follows && residual < nearly && largest < small_step && !changed && !entered) {
-      influence_.keep_up(state.m);
       const double left = violation(given, state);
       if (left < options.tolerance) return ends(Status::converged, step + 1, left);
     }
@@ -352,9 +351,9 @@ double Newton::own_width(double required, double width) const {
   return m;
 }
 
-/// Fill the gap everywhere and return the largest relative violation of contact and balance.
 double Newton::violation(const Prescription& given, State& state) {
   const Index n = grid_.count();
+  influence_.keep_up(state.m);
   q_.resize(n), raised_.resize(n);
   for (Index i = 0; i < n; ++i) q_[i] = state.r[i] * state.m[i];
   influence_.lift(state.m, q_, raised_);

@@ -35,6 +35,8 @@ class Newton {
   void run(const Prescription& given, const Options& options, State& state);
   /// K Q and K T of a contact that followed, with what the last step would still add: their errors are its square.
   const Pair& resultant() const { return resultant_; }
+  /// Fill the gap everywhere and return the largest relative violation of contact and balance.
+  double violation(const Prescription& given, State& state);
 
  private:
   struct Weighed {
@@ -57,7 +59,6 @@ class Newton {
   bool update(double relaxation, State& state) const;
   bool enter(double overlap, State& state) const;
   bool returned(const State& state);
-  double violation(const Prescription& given, State& state);
   Weighed scales(const State& state) const;
   Pair balance(const Prescription& given, const Pair& rigid, double load, double moment) const;
   double own_width(double required, double width) const;

@@ -14,9 +14,8 @@ constexpr double NEARBY = 0.1;       // relative change up to which the case bef
 constexpr double LEAST_RISE = 1e-3;  // of the load: a smaller increment is not attempted
 constexpr double BEYOND_HELP = 2.0;  // depth in half-widths below which a failed start is not retried
 constexpr int RISES = 40;
-// Up to so many strips all starts are tried. On more, a step costs the cube of the strips: no other start is tried once
-// those that failed have cost so many steps on the first, nor is the load raised.
-constexpr Index PATIENT_STRIPS = 400;
+// On more than PATIENT_STRIPS no other start is tried once those that failed have cost so many steps on that many
+// strips, nor is the load raised: a step costs the cube of the strips.
 constexpr double RETRIED = 360.0;
 
 enum Start { BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS };

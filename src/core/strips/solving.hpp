@@ -8,6 +8,7 @@ namespace nonhertz {
 // Depth in half-widths below which no loop is started. Those of independent springs may be half of the true ones where
 // bodies are thin.
 inline constexpr double HOPELESS = 0.7;
+inline constexpr Index PATIENT_STRIPS = 400;  // up to which all starts are tried
 
 /// Which starts there are beside springs, and how hard to try.
 struct Attempt {

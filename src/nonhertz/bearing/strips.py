@@ -12,14 +12,13 @@ from nonhertz.amounts import mrad, um
 from nonhertz.bearing.laws import ANSWER, OVERLAP
 from nonhertz.errors import ConvergenceError
 from nonhertz.model.contact import Contact
+from nonhertz.native import core
 from nonhertz.solver.one import posed
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.strip.influence import Remote, blank_remote
 from nonhertz.strip.levels import ACCURACY, equal_grids, on_automatic_strips
-from nonhertz.strip.newton import TOLERANCE
 from nonhertz.strip.problem import row_of
-from nonhertz.strip.records import CONVERGED, BoundaryConditions, Grids, States
-from nonhertz.strip.solving import follow, solve_on_strips
+from nonhertz.strip.records import CONVERGED, Grids, States
+from nonhertz.strip.solving import TOLERANCE, solve_on_strips
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -37,7 +36,7 @@ DEEPER, SHALLOWER = 0.02, 0.12
 LIGHT = 0.1  # of the deepest contact of all rollers: what is less deep bears too little to be judged by itself
 # Of the deepest contact: an overlap with a load that the balance does not resolve.
 UNRESOLVED = 1e-10
-KEPT_REMOTE = 32  # for each contact; each of them takes about half a megabyte
+KEPT_LOOPS = 32  # for each contact; each of them takes about half a megabyte
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,8 +69,8 @@ class StrippedContact:
         low, *_, high = equal_grids(self.problem, SAMPLES)[0].tolist()
         self.low, self.high, self.half = low, high, 0.5 * (high - low)
         self.y, self.h = self.model.surveyed(low, high, SAMPLES)
-        # What strips do far away, by the identity of their grids, which are beside it.
-        self._remotes: dict[int, tuple[Grids, Remote]] = {}
+        # Loops on strips, by the identity of their grids, which are beside them.
+        self._loops: dict[int, tuple[Grids, core.Following]] = {}
 
     def penetration(self, pose: Array) -> Array:
         """Return how deep the undeformed bodies overlap where they do most [mm], at poses of shape (n, 2)."""
@@ -125,23 +124,24 @@ class StrippedContact:
     def solved(self, laid: LaidContact, pose: Pose) -> LaidContact | None:
         """Return a contact solved elsewhere on its strips, beginning with what it was; None if it has no solution."""
         states = States.unsolved(laid.grids.counts, laid.grids.edges, 1)
-        given = BoundaryConditions(self.problem.prescribed, np.array([pose]))
-        solve_on_strips(laid.grids, given, self.model.kernel, laid.states, states, TOLERANCE, False)
+        given, kernel = self.problem.prescribed, self.model.kernel
+        solve_on_strips(laid.grids, given, np.array([pose]), kernel, laid.states, states, TOLERANCE, False)
         return replace(laid, pose=pose, states=states, answer=_answer(states)) if states.converged[0] else None
 
     def followed(self, laid: LaidContact, pose: Pose) -> LaidContact | None:
         """Return a contact led elsewhere on its strips; None if it got lost. It is quicker than `solved`."""
-        if id(laid.grids) not in self._remotes:
-            if len(self._remotes) >= KEPT_REMOTE:
-                self._remotes.clear()
-            blank = blank_remote(int(laid.grids.counts[0]), self.model.kernel)
-            self._remotes[id(laid.grids)] = laid.grids, blank
-        _, remote = self._remotes[id(laid.grids)]
-        states, given = laid.states, BoundaryConditions(self.problem.prescribed, np.array([pose]))
+        if id(laid.grids) not in self._loops:
+            if len(self._loops) >= KEPT_LOOPS:
+                self._loops.clear()
+            self._loops[id(laid.grids)] = laid.grids, core.Following(laid.grids, self.model.kernel)
+        _, loop = self._loops[id(laid.grids)]
+        states = laid.states
         copies = {name: getattr(states, name).copy() for name in ("r", "m", "rigid", "gap", "stiffness")}
-        states, answer = states._replace(**copies), np.zeros(OVERLAP)
-        done = follow(laid.grids, given, self.model.kernel, remote, states, answer)
-        return replace(laid, pose=pose, states=states, answer=answer) if done else None
+        states = states._replace(**copies)
+        resultant = loop.follow(pose, states)
+        if resultant is None:
+            return None
+        return replace(laid, pose=pose, states=states, answer=np.concatenate([resultant, states.stiffness.ravel()]))
 
     def on_strips_of(self, other: LaidContact) -> LaidContact:
         """Return a guess of this contact, with the other ring, from one on strips that suit both."""

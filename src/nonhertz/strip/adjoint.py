@@ -17,11 +17,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from nonhertz.compiled import compiled
-from nonhertz.strip.influence import coefficients, remote_of
-from nonhertz.strip.newton import touching
-from nonhertz.strip.records import Array, Grids, Indices, Kernel
-from nonhertz.strip.solving import strips_of
+from nonhertz.native import core
+from nonhertz.strip.influence import grid_of
+from nonhertz.strip.records import Array, Grids, Indices
 
 
 class Linearised(NamedTuple):
@@ -84,7 +82,7 @@ class Linearised(NamedTuple):
         return np.asarray(np.linalg.solve(self.matrix(by_force).T, derivatives))
 
 
-def linearised(grids: Grids, r: Array, m: Array, kernel: Kernel) -> Linearised:
+def linearised(grids: Grids, r: Array, m: Array, kernel: core.Kernel) -> Linearised:
     """Return a solved contact, linearised.
 
     Parameters
@@ -96,14 +94,7 @@ def linearised(grids: Grids, r: Array, m: Array, kernel: Kernel) -> Linearised:
     kernel : Kernel
         How strips act.
     """
-    active, blocks = _linearised(grids, m, kernel)
+    active = np.flatnonzero(m > 0.0)
+    blocks = core.coefficients(grid_of(grids), m, active, kernel)[:, active]
     y, width = grids.y[0, active], np.diff(grids.edges[0])[active]
     return Linearised(active, blocks, r[active], m[active], y, width)
-
-
-@compiled
-def _linearised(grids: Grids, m: Array, kernel: Kernel) -> tuple[Indices, Array]:
-    strips, active = strips_of(grids, 0), touching(m)
-    blocks = np.empty((4, m.size, active.size))
-    coefficients(strips, m, active, kernel, remote_of(strips, kernel, m), blocks)
-    return active, blocks[:, active]

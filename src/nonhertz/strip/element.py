@@ -26,7 +26,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.compiled import compiled
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
@@ -100,8 +100,13 @@ class Element:
         The relative error is below 1e-12 for |t| from 1e-8 to 1e8.
         """
         t = np.asarray(t, dtype=float)
-        values = _evaluate_all(np.ascontiguousarray(t).ravel(), self.table)
+        values = core.evaluate(self.core, np.ascontiguousarray(t).ravel())
         return tuple(values[:, k].reshape(t.shape) for k in range(4))  # type: ignore[return-value]
+
+    @cached_property
+    def core(self) -> core.Element:
+        """The element as the core reads it."""
+        return core.Element(self.name, self.line_factor, self.hertz_ratio, self.far_constant, self.table)
 
     @cached_property
     def table(self) -> Array:
@@ -163,75 +168,6 @@ class Element:
             rows[k, T_DB] = -2 * k * binomial * of_psi(k)
             binomial *= -(0.5 + k) / (k + 1)  # binomial(-1/2, k + 1)
         return np.ascontiguousarray(rows[::-1])
-
-
-# The table is deliberately one flat array: unpacking a tuple or slicing a row updates a reference count every
-# time, which costs more than all the arithmetic.
-
-
-@compiled
-def evaluate(t: float, table: Array) -> tuple[float, float, float, float]:
-    """Return A, t A', B and t B' at one ``t`` from an element's table."""
-    size = abs(t)
-    if not size < FAR:  # NaN included, which must not become an index into the table
-        return _far(t, size, table)
-    if size < SMALL:
-        return _small(t, size, table)
-    first, x = _locate(size)
-    a = ta = b = tb = 0.0
-    for k in range(DEGREE + 1):
-        at = first + np.uint64(4 * k)
-        a = a * x + table[at]
-        ta = ta * x + table[at + np.uint64(1)]
-        b = b * x + table[at + np.uint64(2)]
-        tb = tb * x + table[at + np.uint64(3)]
-    if t < 0.0:
-        return (-a, -ta, -b, -tb)
-    return (a, ta, b, tb)
-
-
-@compiled
-def _far(t: float, size: float, table: Array) -> tuple[float, float, float, float]:
-    x = 1.0 / (size * size)
-    a = ta = b = tb = 0.0
-    for k in range(SHORT_SERIES):
-        a = a * x + table[SERIES_AT + 4 * k]
-        ta = ta * x + table[SERIES_AT + 4 * k + 1]
-        b = b * x + table[SERIES_AT + 4 * k + 2]
-        tb = tb * x + table[SERIES_AT + 4 * k + 3]
-    sign = math.copysign(1.0, t)
-    return (sign * (a + math.log(2.0 * size)), sign * ta, sign * b, sign * tb)
-
-
-@compiled
-def _small(t: float, size: float, table: Array) -> tuple[float, float, float, float]:
-    if size == 0.0:
-        return (0.0, 0.0, 0.0, 0.0)
-    slope = table[LEADING_AT] * math.log(table[LEADING_AT + 1] / size)
-    b_slope = table[LEADING_AT + 2] * math.log(table[LEADING_AT + 3] / size)
-    return (t * (slope + table[LEADING_AT]), t * slope, t * b_slope, t * (b_slope - table[LEADING_AT + 2]))
-
-
-@compiled
-def _locate(size: float) -> tuple[np.uint64, float]:
-    """Return where the polynomials for ``size`` begin in the table, and their variable in [-1, 1).
-
-    The bits of a double are its exponent followed by its mantissa, the position within the octave: shifted so that
-    only the top three bits of the mantissa remain, they number the intervals. Unsigned integers avoid a check for
-    negative indices in the innermost loop.
-    """
-    bits = np.float64(size).view(np.uint64)
-    interval = (bits >> np.uint64(49)) - np.uint64((1023 + SMALL_EXPONENT) * INTERVALS_PER_OCTAVE)
-    place = np.float64(bits & np.uint64((1 << 49) - 1))
-    return interval * np.uint64(4 * (DEGREE + 1)), place * (2.0 / (1 << 49)) - 1.0
-
-
-@compiled
-def _evaluate_all(t: Array, table: Array) -> Array:
-    values = np.empty((t.size, 4))
-    for i in range(t.size):
-        values[i, 0], values[i, 1], values[i, 2], values[i, 3] = evaluate(t[i], table)
-    return values
 
 
 def _semi_elliptic_closed_forms(t: Array) -> tuple[Array, Array, Array]:

@@ -24,36 +24,29 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.quarter_space import EDGE_SLOPE, FreeFace, free_face
 from nonhertz.bodies.stored import MOST, stored
-from nonhertz.compiled import compiled
-from nonhertz.compiled.tiles import TILE, ZERO, eight, horner, product, put
-from nonhertz.strip.element import ELEMENTS, LEADING_AT, POWERS, POWERS_AT, Element
+from nonhertz.native import core
+from nonhertz.strip.element import ELEMENTS, LEADING_AT, POWERS, Element
 
 Array = NDArray[np.float64]
-Four = tuple[float, float, float, float]
 Density = Callable[[Array, Array], Array]
 
 FIRST_OCTAVE, LAST_OCTAVE = -14, 2
 CLOSE, AWAY = 2.0**FIRST_OCTAVE, 2.0**LAST_OCTAVE
 OCTAVES = LAST_OCTAVE - FIRST_OCTAVE
-TINY = 1e-300
-LOGARITHMIC = 16.0 * CLOSE  # up to which both distances count as close to the edge
 SQUARE_DEGREE = 9
 # Of the terms of the series, of which each counts 16 times less than the one before it.
 DIRECTION_DEGREES = (20, 16, 12, 10, 8, 8)
 _FINE = 14  # nodes on each octave, from which the table is made
 
-# Offsets of the table's parts.
-_SQUARE = 4 * (SQUARE_DEGREE + 1) ** 2
-FAR_AT = OCTAVES * OCTAVES * _SQUARE
-_POLYNOMIALS = sum(DIRECTION_DEGREES) + POWERS + 1
-BEYOND_AT = FAR_AT + _POLYNOMIALS
-WHOLE_AT = BEYOND_AT + _POLYNOMIALS
-SLOPES_AT = WHOLE_AT + POWERS + 2
-TABLE_SIZE = SLOPES_AT + 2
+
+@lru_cache(MOST)
+def face_table(element: Element, poisson: float) -> core.FaceTable:
+    """Return what the core reads for the free side face of a body."""
+    return core.FaceTable(free_end_table(element, poisson))
 
 
 def free_end_table(element: Element, poisson: float) -> Array:
-    """Return what the compiled core reads for the free side face of a body, in one flat array.
+    """Return the numbers of `face_table`, in one flat array.
 
     Polynomials on squares, those of the series far away, and the slopes of h and c towards the edge.
     """
@@ -169,207 +162,3 @@ def _monomials(nodes: Array, values: Array, degree: int) -> Array:
     """Return the powers of 2 r - 1, highest first."""
     fitted = chebyshev.chebfit(nodes, values, degree)
     return np.asarray(chebyshev.cheb2poly(fitted)[::-1], dtype=float)
-
-
-@compiled
-def no_squares() -> Array:
-    """Return room for what `free_end` keeps of one place for the next; it may be passed to any strip and face."""
-    return np.full((2, 2 + 4 * (SQUARE_DEGREE + 1)), np.nan)
-
-
-@compiled
-def free_end(u: float, inner: float, outer: float, table: Array, first: int, element: Array, kept: Array) -> Four:
-    """Return what is added to [A], [t A'], [B] and [t B'] of a strip.
-
-    Parameters
-    ----------
-    u, inner, outer : float
-        Distances of the place and of both edges of the strip from the side face, in half-widths, not negative.
-    table : ndarray
-        Tables from `free_end_table`, one after the other.
-    first : int
-        Where that of the body begins.
-    element : ndarray
-        The table of the element.
-    kept : ndarray
-        From `no_squares`, overwritten: places in turn along one strip find there what they share.
-    """
-    if u + inner >= AWAY:
-        return _series(u, inner, outer, table, first, element)
-    # Beyond the table the rest is far away.
-    last = max(min(outer, AWAY), inner)
-    a0, ta0, b0, tb0 = _up_to(u, inner, table, first, element, kept[0])
-    a1, ta1, b1, tb1 = _up_to(u, last, table, first, element, kept[1])
-    if outer > last:
-        a2, ta2, b2, tb2 = _series(u, last, outer, table, first, element)
-        return (a1 - a0 + a2, ta1 - ta0 + ta2, b1 - b0 + b2, tb1 - tb0 + tb2)
-    return (a1 - a0, ta1 - ta0, b1 - b0, tb1 - tb0)
-
-
-@compiled
-def _up_to(u: float, v: float, table: Array, first: int, element: Array, kept: Array) -> Four:
-    """Return H, (u d/du + v d/dv) H, C and (u d/du + v d/dv) C, for v within the table."""
-    if v <= 0.0:
-        return (0.0, 0.0, 0.0, 0.0)
-    if u >= AWAY:
-        return _series(u, 0.0, v, table, first, element)
-    # Close to the edge h and c vary with the logarithm of the distance alone.
-    scale = max(1.0, min(CLOSE / max(min(u, v), TINY), LOGARITHMIC / max(u, v)))
-    place, edge = max(scale * u, CLOSE), scale * v
-    share = min(edge / CLOSE, 1.0) / scale
-    a, ta, b, tb = _square(place, max(edge, CLOSE), table, first, kept)
-    grown = v * math.log(scale)
-    of_h, of_c = table[first + SLOPES_AT] * grown, table[first + SLOPES_AT + 1] * grown
-    return (share * a + of_h, share * ta + of_h, share * b + of_c, share * tb + of_c)
-
-
-@compiled
-def _square(u: float, v: float, table: Array, first: int, kept: Array) -> Four:
-    """Return the four functions within the table.
-
-    Their polynomials in u at this v are kept: the next place is often in the same square.
-    """
-    row, x = _octave(u)
-    column, z = _octave(v)
-    at = np.uint64(first) + (row * np.uint64(OCTAVES) + column) * np.uint64(_SQUARE)
-    if kept[0] != at or kept[1] != z:
-        kept[0], kept[1] = at, z
-        for power in range(SQUARE_DEGREE + 1):
-            a = ta = b = tb = 0.0
-            for _ in range(SQUARE_DEGREE + 1):
-                a = a * z + table[at]
-                ta = ta * z + table[at + np.uint64(1)]
-                b = b * z + table[at + np.uint64(2)]
-                tb = tb * z + table[at + np.uint64(3)]
-                at += np.uint64(4)
-            begin = np.uint64(2 + 4 * power)
-            kept[begin], kept[begin + np.uint64(1)] = a, ta
-            kept[begin + np.uint64(2)], kept[begin + np.uint64(3)] = b, tb
-    a = ta = b = tb = 0.0
-    for power in range(SQUARE_DEGREE + 1):
-        begin = np.uint64(2 + 4 * power)
-        a = a * x + kept[begin]
-        ta = ta * x + kept[begin + np.uint64(1)]
-        b = b * x + kept[begin + np.uint64(2)]
-        tb = tb * x + kept[begin + np.uint64(3)]
-    return (a, ta, b, tb)
-
-
-@compiled
-def _octave(size: float) -> tuple[np.uint64, float]:
-    """Return the number of the octave, and the place in it from -1 to 1; see `nonhertz.strip.element`."""
-    bits = np.float64(size).view(np.uint64)
-    octave = (bits >> np.uint64(52)) - np.uint64(1023 + FIRST_OCTAVE)
-    if octave >= np.uint64(OCTAVES):
-        return np.uint64(OCTAVES - 1), 1.0
-    return octave, np.float64(bits & np.uint64((1 << 52) - 1)) * (2.0 / (1 << 52)) - 1.0
-
-
-@compiled
-def _series(u: float, inner: float, outer: float, table: Array, first: int, element: Array) -> Four:
-    """Return what is added far away."""
-    a = ta = b = tb = 0.0
-    at = 0
-    for k in range(POWERS + 1):
-        part = _far_term(u, outer, k, at, table, first) - _far_term(u, inner, k, at, table, first)
-        if inner <= u < outer:
-            part += far_whole(u, k, table, first)
-        if k == 0:
-            a = part
-        else:
-            of_a, of_b = part * element[POWERS_AT + 2 * k - 2], part * element[POWERS_AT + 2 * k - 1]
-            a += of_a
-            ta -= 2.0 * k * of_a
-            b += of_b
-            tb -= 2.0 * k * of_b
-        at += DIRECTION_DEGREES[k] + 1
-    return (a, ta, b, tb)
-
-
-@compiled
-def _far_term(u: float, v: float, k: int, at: int, table: Array, first: int) -> float:
-    """Return one of the integrals of `far_terms`, whose polynomials begin ``at``."""
-    counts_on = u < v
-    at += first + (BEYOND_AT if counts_on else FAR_AT)
-    larger = max(u, v, TINY)
-    x, w, total = 2.0 * min(u, v) / larger - 1.0, 1.0 / (larger * larger), 0.0
-    for c in range(DIRECTION_DEGREES[k] + 1):
-        total = total * x + table[at + c]
-    for _ in range(k):
-        total *= w
-    if counts_on:
-        total = -total
-        if k == 0:
-            total += table[first + WHOLE_AT + POWERS + 1] * math.log(v)
-    return total
-
-
-@compiled
-def far_whole(u: float, k: int, table: Array, first: int) -> float:
-    """Return by how much the two ways of counting in `far_terms` differ: to be added where v = u is within a strip."""
-    if k == 0:
-        return float(table[first + WHOLE_AT] - table[first + WHOLE_AT + POWERS + 1] * math.log(u))
-    return float(table[first + WHOLE_AT + k] * u ** (-2.0 * k))
-
-
-@compiled
-def far_terms(u: Array, v: float, table: Array, first: int, terms: Array, work: Array) -> None:
-    """Fill in the integrals of the series over the loads up to ``v``, or for u < v over those beyond, negative.
-
-    All in any unit of length L; the k-th term has the unit L^-2k.
-
-    Parameters
-    ----------
-    u : ndarray, shape (n,)
-        Distances of places, ascending or descending.
-    v : float
-        Distance of an edge.
-    table, first
-        As for `free_end`.
-    terms : ndarray, shape (POWERS + 1, n + TILE)
-        Result, and room beyond it.
-    work : ndarray, shape (2, n + TILE)
-        Overwritten.
-    """
-    n, begin, end = u.size, 0, 0
-    x, w = work[0], work[1]
-    for i in range(n):
-        larger = max(u[i], v, TINY)
-        x[i], w[i] = 2.0 * min(u[i], v) / larger - 1.0, 1.0 / (larger * larger)
-    x[n:], w[n:] = 0.0, 0.0
-    # The places from begin to before end count from infinity.
-    while end < n and u[end] < v:
-        end += 1
-    if end == 0:
-        begin = end = n
-        while begin > 0 and u[begin - 1] < v:
-            begin -= 1
-    for low, high, sign, at in ((0, begin, 1.0, FAR_AT), (begin, end, -1.0, BEYOND_AT), (end, n, 1.0, FAR_AT)):
-        _far_polynomials(x, w, low, high, sign, first + at, table, terms)
-    if begin < end:
-        grown = table[first + WHOLE_AT + POWERS + 1] * math.log(v)
-        for i in range(begin, end):
-            terms[0, i] += grown
-
-
-@compiled
-def _far_polynomials(
-    x: Array, w: Array, begin: int, end: int, sign: float, at: int, table: Array, terms: Array
-) -> None:
-    """Fill in the polynomials of some places, the k-th multiplied by w^k, and whatever beyond, to the end of a tile."""
-    for first in range(begin, end, TILE):
-        place, beside, weight, weight_beside = (
-            eight(x, first), eight(x, first + 8), eight(w, first), eight(w, first + 8)
-        )  # fmt: skip
-        c = np.uint64(at)
-        for k in range(POWERS + 1):
-            total = total_beside = ZERO
-            for _ in range(DIRECTION_DEGREES[k] + 1):
-                coefficient = sign * table[c]
-                total = horner(total, place, coefficient)
-                total_beside = horner(total_beside, beside, coefficient)
-                c += np.uint64(1)
-            for _ in range(k):
-                total, total_beside = product(total, weight), product(total_beside, weight_beside)
-            put(terms[k], first, total)
-            put(terms[k], first + 8, total_beside)

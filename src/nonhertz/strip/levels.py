@@ -30,10 +30,10 @@ from nonhertz.strip.feasible import (
     refuse_no_contact,
 )
 from nonhertz.strip.grid import Fineness, Surface, intervals, lay_all, reaching, uniform
-from nonhertz.strip.newton import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.overlaps import SAMPLES, overlaps, suspects
 from nonhertz.strip.problem import Problem, padded_rows, solved_on, winkler_state
 from nonhertz.strip.records import Array, Flags, Grids, Indices, States
+from nonhertz.strip.solving import ROUGH_TOLERANCE, TOLERANCE
 from nonhertz.strip.summit import CUSP, is_cusp, is_summit, largest_summit_errors, sagitta
 
 Interval = tuple[float, float]

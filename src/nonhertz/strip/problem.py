@@ -11,15 +11,13 @@ from typing import Any, TypeVar
 import numpy as np
 
 from nonhertz.bodies.influence import Influence, influence_of
-from nonhertz.compiled import plain_array
 from nonhertz.model.contact import Contact, derived, sharper_curvature
+from nonhertz.native import core
 from nonhertz.strip.element import Element
 from nonhertz.strip.grid import turns_at
-from nonhertz.strip.influence import kernel_of
-from nonhertz.strip.newton import TOLERANCE
-from nonhertz.strip.records import ITERATION_LIMIT, Array, BoundaryConditions, Flags, Grids, Indices, Kernel, States
-from nonhertz.strip.solving import solve_on_strips, strips_of, unknowns_of
-from nonhertz.strip.start import winkler_start
+from nonhertz.strip.influence import grid_of, kernel_of
+from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Grids, Indices, States
+from nonhertz.strip.solving import TOLERANCE, flags, solve_on_strips
 
 KEPT = 24  # of samples, kinks, and grids of so many strips at most, of which thousands would take megabytes
 KEPT_STRIPS = 160
@@ -59,8 +57,8 @@ class StripModel:
         return influence_of(self.contact, self.element)
 
     @cached_property
-    def kernel(self) -> Kernel:
-        """How strips act, for the compiled core."""
+    def kernel(self) -> core.Kernel:
+        """How strips act, for the core."""
         return kernel_of(self.influence, self.element)
 
     @cached_property
@@ -178,7 +176,7 @@ class Problem:
 
 def row_of(edges: Array) -> tuple[Indices, Array]:
     """Return one grid as count and edges of a single row."""
-    return np.array([edges.size - 1]), plain_array(edges)[None]
+    return np.array([edges.size - 1]), np.asarray(edges, dtype=float)[None]
 
 
 def padded_rows(grids: Sequence[Array]) -> tuple[Indices, Array]:
@@ -219,8 +217,8 @@ def solved_on(
     """
     targets = problem.target[None] if targets is None else targets
     found = States.unsolved(grids.counts, grids.edges, len(targets))
-    conditions = BoundaryConditions(problem.prescribed, plain_array(targets))
-    solve_on_strips(grids, conditions, problem.model.kernel, near or States.none(), found, tolerance, patient)
+    near = near or States.none()
+    solve_on_strips(grids, problem.prescribed, targets, problem.model.kernel, near, found, tolerance, patient)
     return found
 
 
@@ -228,8 +226,9 @@ def winkler_state(problem: Problem, edges: Array) -> States:
     """Return the response of independent springs between ``edges``, not a solution."""
     # Springs do not move one another: thousands of them stand here without a matrix of all by all.
     grids = problem.model.grids(*row_of(edges))
-    found = States.unsolved(grids.counts, grids.edges, 1)
-    strips, unknowns = strips_of(grids, 0), unknowns_of(found, 0, edges.size - 1)
-    winkler_start(strips, BoundaryConditions(problem.prescribed, problem.target), problem.model.kernel, unknowns)
-    found.status[0] = ITERATION_LIMIT
-    return found.one(0)
+    by_force, target = flags(problem.prescribed), problem.target.tolist()
+    state = core.start_from_springs(grid_of(grids), by_force, target, problem.model.kernel)
+    return States(
+        grids.counts[0], grids.edges[0], state.r, state.m, np.array(state.rigid), state.gap, np.array(state.stiffness),
+        np.array(ITERATION_LIMIT), np.array(0), np.array(np.inf),
+    )  # fmt: skip

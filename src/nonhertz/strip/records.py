@@ -1,7 +1,6 @@
-"""What the compiled core passes around: strips, what is given, how they act, the unknowns, and how hard to try.
+"""Strips and states of many cases, a case in each row, as plain tuples of arrays.
 
-Plain tuples of arrays, so that Python and compiled code share them. Lengths may be in any one unit; loads are
-multiplied by the compliance K, so that K q has the unit of a length and K Q that of its square.
+Loads are multiplied by the compliance K, so that K q has the unit of a length and K Q that of its square.
 """
 
 from __future__ import annotations
@@ -18,92 +17,6 @@ Flags = NDArray[np.bool_]
 CONVERGED, ITERATION_LIMIT, STAGNATED = range(3)
 
 
-class Strips(NamedTuple):
-    """Strips, with everything that is known about them before their loads are.
-
-    Attributes
-    ----------
-    y, low, high, curvature, separation : ndarray, shape (n,)
-        Centres, edges, 1/rho and h.
-    at_depth : ndarray, shape (n or more, n or more)
-        Displacement, per unit of K q, of what displacement is measured against; shape (0, 0) if that is at rest.
-    by_width : ndarray, shape (4, n)
-        What the half-width a changes on the strip itself, per unit of K q: C0 + C1 a + (C2 ln a + C3) a^2.
-    """
-
-    y: Array
-    low: Array
-    high: Array
-    curvature: Array
-    separation: Array
-    at_depth: Array
-    by_width: Array
-
-
-class BoundaryConditions(NamedTuple):
-    """What is prescribed.
-
-    Attributes
-    ----------
-    by_force : ndarray of bool, shape (2,)
-        Whether the load (else the approach) and the moment (else the tilt) are given.
-    target : ndarray, shape (2,)
-        K Q or delta, K T or gamma.
-    """
-
-    by_force: Flags
-    target: Array
-
-
-class Kernel(NamedTuple):
-    """How strips act.
-
-    Attributes
-    ----------
-    terms : ndarray, shape (terms, 3)
-        Rows (sign, offset, weight): the load itself and its mirror images; see `nonhertz.bodies.influence`.
-    table : ndarray
-        The element's functions; see `nonhertz.strip.element`.
-    line_factor : float
-        kappa: in a line contact a^2 = kappa K q rho.
-    hertz_ratio : float
-        Half-width of the Hertz line contact of equal load over that of the element.
-    faces : ndarray, shape (faces, 4)
-        Rows (place, side, weight, where its table begins) of the side faces that are free of normal stress, too.
-    face_tables : ndarray
-        Their tables; see `nonhertz.strip.free_end`.
-    """
-
-    terms: Array
-    table: Array
-    line_factor: float
-    hertz_ratio: float
-    faces: Array
-    face_tables: Array
-
-
-class Unknowns(NamedTuple):
-    """The unknowns, and what follows from them.
-
-    Attributes
-    ----------
-    r, m : ndarray, shape (n,)
-        K q / a^2 and a^2; m = 0 marks a strip out of contact.
-    rigid : ndarray, shape (2,)
-        Approach and tilt.
-    gap : ndarray, shape (n,)
-        Gap on the centre line.
-    stiffness : ndarray, shape (2, 2)
-        K d(Q, T) / d(approach, tilt).
-    """
-
-    r: Array
-    m: Array
-    rigid: Array
-    gap: Array
-    stiffness: Array
-
-
 class Grids(NamedTuple):
     """Strips of many cases, a grid in each row, or in one row for all; short rows are padded at the end.
 
@@ -114,11 +27,13 @@ class Grids(NamedTuple):
     edges : ndarray, shape (grids, n + 1)
         Edges [mm]; padded with the last one, so that padding has no width.
     y, curvature, separation : ndarray, shape (grids, n)
-        As in `Strips`.
+        Centres, 1/rho and h.
     min_depth, sharper : ndarray, shape (grids, n)
         The smaller of both bodies' depths [mm]; the larger of their curvatures across, in magnitude [1/mm].
-    at_depth, by_width : ndarray, shape (grids, n, n), (grids, 4, n)
-        As in `Strips`.
+    at_depth : ndarray, shape (grids, n, n)
+        Displacement, per unit of K q, of what displacement is measured against; shape (grids, 0, 0) if that is at rest.
+    by_width : ndarray, shape (grids, 4, n)
+        What the half-width a changes on the strip itself, per unit of K q: C0 + C1 a + (C2 ln a + C3) a^2.
     """
 
     counts: Indices
@@ -152,9 +67,9 @@ class States(NamedTuple):
     counts, edges : ndarray
         As in `Grids`; one row if all cases share their strips. Padding is out of contact.
     r, m, gap : ndarray, shape (cases, n)
-        As in `Unknowns`.
+        K q / a^2 and a^2, m = 0 marks a strip out of contact; the gap on the centre line.
     rigid, stiffness : ndarray, shape (cases, 2), (cases, 2, 2)
-        As in `Unknowns`.
+        Approach and tilt; K d(Q, T) / d(approach, tilt).
     status, steps : ndarray of int, shape (cases,)
         CONVERGED, ITERATION_LIMIT or STAGNATED; Newton steps.
     residual : ndarray, shape (cases,)
@@ -278,25 +193,3 @@ class States(NamedTuple):
         """Return one case as the only row of many."""
         rows: Any = (np.asarray(values)[None] for values in self)
         return States(*rows)
-
-
-class NewtonOptions(NamedTuple):
-    """How a loop is run.
-
-    Attributes
-    ----------
-    tolerance : float
-        Largest relative residual of a solution.
-    relaxation : float
-        Fraction of each Newton step to take; 1 except as a fallback.
-    eager : bool
-        Whether the curvature rows are solved for r before every step; true except as a fallback.
-    follows : bool
-        Whether a solved contact only follows another approach and tilt: it stops as soon as load and moment are
-        accurate, and is not checked.
-    """
-
-    tolerance: float
-    relaxation: float
-    eager: bool
-    follows: bool

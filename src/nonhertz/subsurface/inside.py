@@ -26,7 +26,6 @@ from nonhertz.model.side_faces import SERIES
 from nonhertz.native import core
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solution, Solved
-from nonhertz.strip.influence import by_own_width
 from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.free_faces import Between, FreeFaceField
 from nonhertz.subsurface.rectangles import Rectangles
@@ -122,7 +121,8 @@ class Inside:
         if isinstance(solution, Solution):  # a plane grid takes any contact for one of usual width
             by_width = influence.by_width(solution.y, 1.0)
             for strip in np.flatnonzero(pressed).tolist():
-                widened[strip] = pressed[strip] * by_own_width(by_width, strip, float(solution.half_width[strip]))[0]
+                own, _ = core.by_own_width(by_width, strip, float(solution.half_width[strip]))
+                widened[strip] = pressed[strip] * own
         wall = Wall.of(solution, body, Extent(name, body), terms, faces)
         kept[name] = cls(name, body, load, terms, faces, wall, influence, solution.edges, pressed, widened, afar)
         return kept[name]

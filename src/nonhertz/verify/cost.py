@@ -12,8 +12,8 @@ import numpy as np
 from nonhertz import SEMI_ELLIPTIC, Contact, Ring, Roller, Solution, solve
 from nonhertz.bodies.influence import influence_of
 from nonhertz.model.profile import iso_logarithmic
-from nonhertz.strip.influence import coefficients, kernel_of, remote_of
-from nonhertz.strip.records import Strips
+from nonhertz.native import core
+from nonhertz.strip.influence import kernel_of
 from nonhertz.verify.claim import Claim
 
 COUNTS = (100, 200, 400)
@@ -45,12 +45,10 @@ def claims() -> Iterator[Claim]:
 def _assemble(contact: Contact, solution: Solution) -> None:
     element, y, edges = SEMI_ELLIPTIC, solution.y, solution.edges
     kernel = kernel_of(influence_of(contact, element), element)
-    flat = np.zeros((0, 0)), np.zeros((4, y.size))
-    strips = Strips(y, edges[:-1], edges[1:], contact.curvature(y), contact.separation(y), *flat)
-    active = np.flatnonzero(solution.line_load > 0.0)
+    curvature, nothing, flat = contact.curvature(y), np.zeros(y.size), np.zeros((0, 0))
+    grid = core.Grid(edges, curvature, contact.separation(y), nothing, nothing, flat, flat)
     square = np.maximum(solution.element_half_width, 1e-3) ** 2
-    remote = remote_of(strips, kernel, square)
-    coefficients(strips, square, active, kernel, remote, np.empty((4, y.size, active.size)))
+    core.coefficients(grid, square, np.flatnonzero(solution.line_load > 0.0), kernel)
 
 
 def _exponent(runs: list[Callable[[], object]]) -> float:
