@@ -149,7 +149,10 @@ void bind_model(nb::module_& m) {
       .def("sharper_curvature", asked(&Model::sharper_curvature), "y"_a)
       .def("min_depth", asked(&Model::min_depth), "y"_a)
       .def("by_width", asked(&Model::by_width), "y"_a)
-      .def("at_depth", asked(&Model::at_depth), "y"_a, "edges"_a);
+      .def("at_depth", asked(&Model::at_depth), "y"_a, "edges"_a)
+      .def(
+          "grid", [](const Model& self, const VectorIn& edges) { return self.grid(numbers(edges)); }, "edges"_a)
+      .def_prop_ro("kernel", &Model::kernel);
 }
 
 }  // namespace

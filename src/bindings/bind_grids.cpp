@@ -87,7 +87,26 @@ void bind_grids(nb::module_& m) {
       },
       "model"_a, "bends"_a, "length"_a, Released(),
       "Those of the bends [mm] at which the slope of the separation jumps, and by how much [rad].");
-  m.def("intervals", [](const Grid& grid, const State& state) { return intervals(grid, state.m); });
+  m.def(
+      "intervals", [](const Grid& grid, const VectorIn& m) { return intervals(grid, view(m)); }, "grid"_a, "m"_a,
+      "Both ends of every interval in contact [mm].");
+  m.def(
+      "reaches", [](const Grid& grid, const VectorIn& m, int side) { return reaches(grid, view(m), side); }, "grid"_a,
+      "m"_a, "side"_a, "Whether a contact extends to the outer edge of its strips on that side, -1 or 1.");
+  m.def(
+      "nearly_touching",
+      [](const Grid& grid, const VectorIn& m, double place) { return nearly_touching(grid, view(m), place); }, "grid"_a,
+      "m"_a, "place"_a, "Whether the strip around a place or one of its neighbours is in contact.");
+  m.def(
+      "width_near", [](const Grid& grid, const VectorIn& m, double place) { return width_near(grid, view(m), place); },
+      "grid"_a, "m"_a, "place"_a, "The largest half-width of the few strips in contact nearest to a place [mm].");
+  m.def(
+      "fall",
+      [](const Grid& grid, const VectorIn& m, double low, double high, int side) {
+        return fall(grid, view(m), low, high, side);
+      },
+      "grid"_a, "m"_a, "low"_a, "high"_a, "side"_a,
+      "The distance from one end of a contact at which m is half its value at the nearest peak [mm].");
   m.def(
       "peaks",
       [](std::shared_ptr<Grid> grid, const State& state, const Numbers& kinks, double allowed) {
@@ -98,6 +117,10 @@ void bind_grids(nb::module_& m) {
       },
       "grid"_a, "state"_a, "kinks"_a, "allowed"_a,
       "Where the largest pressure is too pointed for its strips, the width wanted there and that of the strip [mm].");
+  m.def(
+      "summits_of", [](const VectorIn& y, const VectorIn& depth) { return array_of(summits_of(view(y), view(depth))); },
+      "y"_a, "depth"_a,
+      "The vertices of parabolas through three neighbouring places each, where they are deeper than zero.");
   m.def(
       "overlapping",
       [](const Model& model, std::shared_ptr<Grid> grid, const State& state, double low, double high) {

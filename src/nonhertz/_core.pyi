@@ -296,6 +296,11 @@ class Model:
 
     def at_depth(self, y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]: ...
 
+    def grid(self, edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Grid: ...
+
+    @property
+    def kernel(self) -> Kernel: ...
+
 class Refusal(enum.Enum):
     """Why no strips can meet a prescription."""
 
@@ -340,14 +345,40 @@ def kinks_among(model: Model, bends: Sequence[float], length: float) -> tuple[li
     """
 
 @overload
-def intervals(arg0: Grid, arg1: State, /) -> list[list[float]]: ...
+def intervals(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[list[float]]:
+    """Both ends of every interval in contact [mm]."""
 
 @overload
 def intervals(edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[list[float]]: ...
 
+def reaches(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], side: int) -> bool:
+    """
+    Whether a contact extends to the outer edge of its strips on that side, -1 or 1.
+    """
+
+def nearly_touching(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], place: float) -> bool:
+    """
+    Whether the strip around a place or one of its neighbours is in contact.
+    """
+
+def width_near(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], place: float) -> float:
+    """
+    The largest half-width of the few strips in contact nearest to a place [mm].
+    """
+
+def fall(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], low: float, high: float, side: int) -> float:
+    """
+    The distance from one end of a contact at which m is half its value at the nearest peak [mm].
+    """
+
 def peaks(grid: Grid, state: State, kinks: Sequence[float], allowed: float) -> list[list[float]]:
     """
     Where the largest pressure is too pointed for its strips, the width wanted there and that of the strip [mm].
+    """
+
+def summits_of(y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], depth: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]:
+    """
+    The vertices of parabolas through three neighbouring places each, where they are deeper than zero.
     """
 
 def overlapping(model: Model, grid: Grid, state: State, low: float, high: float) -> tuple[list[float], list[float]]:

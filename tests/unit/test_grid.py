@@ -1,22 +1,18 @@
 """Where the strips lie: equal ones, the user's own, and the automatic grid."""
 
-import warnings
 from dataclasses import dataclass, replace
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from core_pieces import strips_between
 
 import nonhertz as nh
 from nonhertz.bodies.influence import influence_of
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile import Profile
-from nonhertz.solver.one import problem_of
-from nonhertz.strip import grid, overlaps
+from nonhertz.native import core
 from nonhertz.strip.influence import displacements
-from nonhertz.strip.levels import Refinement
-from nonhertz.strip.problem import solved_on
+from nonhertz.strip.model import model_of
 
 HALF = 10.0
 profile = nh.profile
@@ -303,54 +299,49 @@ def test_every_point_of_a_rough_table_is_looked_at():
     assert [sum(low < y[at] < high for low, high in solution.contact_y) for at in (41, 46)] == [1, 1]
 
 
-@pytest.mark.parametrize(("low", "high", "cut"), [(-10.0, 2.0, (False, True)), (-2.0, 10.0, (True, False))])
-def test_strips_that_end_within_the_contact_are_cut_off_there_and_not_at_the_bodies_ends(low, high, cut):
-    problem, state = crowned_on_part(low, high, 30)
-    # Overlaps are looked for within the strips only, or one beyond them would count as well.
-    on_bodies, on_strips = (
-        Refinement(
-            replace(problem, contact=contact), (low, high), (np.zeros(0), np.zeros(0)), problem.target[None], np.ones(1)
-        )
-        for contact in (problem.contact, SimpleNamespace(interval=(low, high)))
-    )
-    assert tuple(grid.reaching(state.row())[0].tolist()) == cut
-    assert on_bodies.incomplete(state.row()).tolist() == [True]
-    # Where the bodies end too, nothing is cut off.
-    assert on_strips.incomplete(state.row()).tolist() == [False]
+@pytest.mark.parametrize(("low", "high", "cut"), [(-10.0, 2.0, [False, True]), (-2.0, 10.0, [True, False])])
+def test_strips_that_end_within_the_contact_are_cut_off_there(low, high, cut):
+    grid, state = crowned_on_part(low, high, 30)
+    assert [core.reaches(grid, state.m, side) for side in (-1, 1)] == cut
 
 
 def parabola(edges):
-    """Edges, and m = 1 - y^2 where that is positive."""
+    """Strips, and m = 1 - y^2 where that is positive."""
     y = 0.5 * (edges[1:] + edges[:-1])
-    return edges, np.maximum(1.0 - y**2, 0.0)
+    return strips_between(edges), np.maximum(1.0 - y**2, 0.0)
 
 
 def test_the_fall_towards_an_end_is_the_distance_at_which_half_the_summit_is_left():
-    edges, m = parabola(np.linspace(-2.0, 2.0, 401))
+    grid, m = parabola(np.linspace(-2.0, 2.0, 401))
     for side in (-1, 1):
         # m = 1 - y^2 is a half at 0.7071; between centres it is interpolated.
-        np.testing.assert_allclose(grid.fall(edges, m, -1.0, 1.0, side), 1.0 - np.sqrt(0.5), rtol=0.0, atol=2e-3)
+        np.testing.assert_allclose(core.fall(grid, m, -1.0, 1.0, side), 1.0 - np.sqrt(0.5), rtol=0.0, atol=2e-3)
 
 
 def test_near_a_place_counts_the_widest_of_three_strips_in_contact():
-    edges, m = parabola(np.linspace(-2.0, 2.0, 41))
+    grid, m = parabola(np.linspace(-2.0, 2.0, 41))
     bearing = np.flatnonzero(m > 0.0)
-    np.testing.assert_allclose(grid.width_near(edges, m, 1.5), np.sqrt(m[bearing[-3:]].max()), rtol=1e-12, atol=0.0)
-    np.testing.assert_allclose(grid.width_near(edges, m, -1.5), np.sqrt(m[bearing[:3]].max()), rtol=1e-12, atol=0.0)
-    assert grid.width_near(edges, np.zeros_like(m), 0.0) == 0.0
+    np.testing.assert_allclose(core.width_near(grid, m, 1.5), np.sqrt(m[bearing[-3:]].max()), rtol=1e-12, atol=0.0)
+    np.testing.assert_allclose(core.width_near(grid, m, -1.5), np.sqrt(m[bearing[:3]].max()), rtol=1e-12, atol=0.0)
+    assert core.width_near(grid, np.zeros_like(m), 0.0) == 0.0
 
 
 def crowned_on_part(low, high, strips):
-    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate())
-    problem = problem_of(contact, Prescription(approach=0.01), nh.SEMI_ELLIPTIC)
-    return problem, solved_on(problem, problem.model.kept_grid(np.linspace(low, high, strips + 1))).one(0)
+    model = model_of(nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate()))
+    return approached(model, 0.01, np.linspace(low, high, strips + 1))
+
+
+def approached(model, approach, edges):
+    """A grid, and its state at an approach."""
+    grid = model.grid(edges)
+    return grid, core.solve_on(grid, (False, False), (approach, 0.0), model.kernel)
 
 
 def test_a_kink_counts_in_contact_and_in_the_strips_beside_it():
-    _, state = crowned_on_part(-10.0, 10.0, 40)
+    grid, state = crowned_on_part(-10.0, 10.0, 40)
     last = np.flatnonzero(state.m > 0.0)[-1]
     assert last < state.m.size - 4
-    near = [grid.nearly_touching(state.edges, state.m, float(state.y[at])) for at in range(last, last + 4)]
+    near = [core.nearly_touching(grid, state.m, float(grid.y[at])) for at in range(last, last + 4)]
     assert near == [True, True, False, False]
 
 
@@ -359,9 +350,8 @@ def test_an_overlap_is_found_where_it_is_and_as_wide_as_it_is():
     relief = np.where(np.arange(72) % 2 == 0, 2e-4, 3e-4)
     relief[[41, 46]] = [-1.40e-4, -1.67e-4]
     contact = nh.Contact(nh.Roller(diameter=5, length=30, profile=profile.tabulated(y, relief, "linear")), nh.Plate())
-    problem = problem_of(contact, Prescription(approach=-1.39e-4), nh.SEMI_ELLIPTIC)
-    state = solved_on(problem, problem.model.kept_grid(np.linspace(4.3, 4.6, 31))).one(0)
-    ((place, width),) = overlaps.overlaps(problem, state, (-15.0, 15.0))
+    model = model_of(contact)
+    ((place, width),) = core.overlaps(model, *approached(model, -1.39e-4, np.linspace(4.3, 4.6, 31)), -15.0, 15.0)
     np.testing.assert_allclose(place, y[41], rtol=0.0, atol=1e-3)
     # One micrometre over a fall of 0.34 um (0.44 um) in 0.42 mm either way, seen twice as wide, in five strips.
     assert 1e-4 < width < 2e-3
@@ -384,8 +374,6 @@ def test_a_summit_between_samples_is_looked_at_and_where_there_is_no_body_none_i
     y = np.linspace(0.0, 10.0, 21)
     depth = 1e-3 - (y - summit) ** 2
     depth[y > 6.0] = -np.inf
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        np.testing.assert_allclose(overlaps.summits_of(y, depth), [summit], rtol=1e-12, atol=0.0)
-        assert overlaps.summits_of(y, depth - 2e-3).size == 0
-        assert overlaps.summits_of(y, np.full(21, -np.inf)).size == 0
+    np.testing.assert_allclose(core.summits_of(y, depth), [summit], rtol=1e-12, atol=0.0)
+    assert core.summits_of(y, depth - 2e-3).size == 0
+    assert core.summits_of(y, np.full(21, -np.inf)).size == 0

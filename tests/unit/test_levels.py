@@ -1,19 +1,17 @@
 """Levels of grids, and the error that their changes estimate."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
+from core_pieces import state_of, strips_between
 
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.model.prescription import Prescription
+from nonhertz.native import core
 from nonhertz.result.estimate import left_of_change
-from nonhertz.solver.one import problem_of
-from nonhertz.strip import levels as strip_levels
 from nonhertz.strip import problem as strip_problem
 from nonhertz.strip.levels import ACCURACY
-from nonhertz.strip.records import CONVERGED, ITERATION_LIMIT, States
+from nonhertz.strip.model import model_of
+from nonhertz.strip.records import ITERATION_LIMIT
 
 
 @pytest.mark.parametrize(
@@ -43,33 +41,13 @@ def test_peaks_are_looked_for_alike_on_both_sides(pressure):
 
     def peaks(pressure):
         m, n = np.square(pressure), len(pressure)
-        state = States.unsolved(np.array([n]), np.linspace(-n, n, n + 1)[None], 1)
-        state = state._replace(r=np.ones((1, n)), m=m[None], status=np.array([CONVERGED]))
-        return strip_levels._peaks(state, np.zeros(0), 1e-4)[0]
+        grid = strips_between(np.linspace(-n, n, n + 1))
+        return np.array(core.peaks(grid, state_of(np.ones(n), m, (0.0, 0.0)), [], 1e-4))
 
     found, mirrored = peaks(pressure), peaks(pressure[::-1])
-    np.testing.assert_array_equal(found[0], -mirrored[0, ::-1])
-    np.testing.assert_array_equal(found[1:], mirrored[1:, ::-1])
-    assert np.isfinite(found).any()
-
-
-def test_levels_that_failed_do_not_count():
-    finest, failed, coarser = (SimpleNamespace(converged=solved) for solved in (True, False, True))
-    left = strip_levels.levels_from(SimpleNamespace(accuracy=1e-4), [finest, failed, coarser])
-    assert left.states == (finest, coarser)
-    assert left.accuracy is None
-
-
-def test_a_case_that_diverged_wants_no_finer_grid():
-    contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
-    problem = problem_of(contact, Prescription(load=1e3, tilt=0.0), nh.SEMI_ELLIPTIC)
-    diverged = SimpleNamespace(
-        rigid=np.full((1, 2), np.inf), scaled_load=np.array([1e3]), converged=np.array([False]), counts=np.array([24])
-    )
-    learning = strip_levels.Refinement(
-        problem, (-10.0, 10.0), (np.zeros(0), np.zeros(0)), np.array([[1e3, 0.0]]), np.ones(1)
-    )
-    assert learning.finer_wanted([diverged, diverged]) == 1.0
+    np.testing.assert_array_equal(found[:, 0], -mirrored[::-1, 0])
+    np.testing.assert_array_equal(found[:, 1:], mirrored[::-1, 1:])
+    assert found.size
 
 
 @pytest.mark.filterwarnings("ignore:.*maximum pressure is not known")
@@ -106,8 +84,7 @@ def test_bodies_without_ends_are_looked_at_as_far_as_the_contact_calls_for(times
         exact = nh.hertz.point_contact(
             load=load * times**2, radius_x=50 * times, radius_y=50 * times, compliance=contact.compliance
         )
-        given = Prescription(approach=exact.approach)
-    low, high = strip_levels.bounded(problem_of(contact, given, nh.SEMI_ELLIPTIC))
+    low, high = core.bounded(model_of(contact), (False, False), (exact.approach, 0.0))
     assert low < -exact.half_length
     assert high > exact.half_length
     assert high - low < 20.0 * exact.half_length

@@ -22,20 +22,6 @@ bool apart_from(const std::vector<Pair>& contact, double y) {
   });
 }
 
-/// The vertices of parabolas through three neighbouring places each, where they are deeper than zero.
-Numbers summits_of(View y, View depth) {
-  Numbers found;
-  for (Index i = 1; i + 1 < count_of(y); ++i) {
-    const double left = depth[i - 1], here = depth[i], right = depth[i + 1];
-    if (!(here >= left && here > right && std::isfinite(left) && std::isfinite(right))) continue;
-    const double before = (here - left) / (y[i] - y[i - 1]), after = (right - here) / (y[i + 1] - y[i]);
-    const double bend = (after - before) / (y[i + 1] - y[i - 1]);
-    const double place = 0.5 * (y[i - 1] + y[i]) - 0.5 * before / bend, off = place - y[i];
-    if (here - bend * off * off > 0.0 && place > y[i - 1] && place < y[i + 1]) found.push_back(place);
-  }
-  return found;
-}
-
 /// How far an overlap may extend beyond its last place: twice as far as a straight line to the next.
 double reach_of(const Samples& found, Index at, Index side) {
   const Index beside = at + side;
@@ -63,6 +49,19 @@ Samples with(const Samples& samples, const Numbers& places, const Numbers& h) {
 }
 
 }  // namespace
+
+Numbers summits_of(View y, View depth) {
+  Numbers found;
+  for (Index i = 1; i + 1 < count_of(y); ++i) {
+    const double left = depth[i - 1], here = depth[i], right = depth[i + 1];
+    if (!(here >= left && here > right && std::isfinite(left) && std::isfinite(right))) continue;
+    const double before = (here - left) / (y[i] - y[i - 1]), after = (right - here) / (y[i + 1] - y[i]);
+    const double bend = (after - before) / (y[i + 1] - y[i - 1]);
+    const double place = 0.5 * (y[i - 1] + y[i]) - 0.5 * before / bend, off = place - y[i];
+    if (here - bend * off * off > 0.0 && place > y[i - 1] && place < y[i + 1]) found.push_back(place);
+  }
+  return found;
+}
 
 bool suspect(const Level& level, const Samples& along) {
   if (!level.state.converged()) return false;

@@ -16,6 +16,9 @@ bool suspect(const Level& level, const Samples& along);
 /// Zero in contact and beside it, negative where the undeformed surfaces are apart; none where all is in contact.
 Samples overlapping(const Model& model, const Level& level, const Samples& along);
 
+/// The vertices of parabolas through three neighbouring places each, where they are deeper than zero.
+Numbers summits_of(View y, View depth);
+
 /// The midpoints of intervals where the surfaces overlap between strips out of contact, and widths for strips there.
 std::vector<Extra> overlaps(const Model& model, const Region& region, const Level& level);
 
