@@ -2,6 +2,7 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
@@ -40,7 +41,8 @@ void bind_refusals(nb::module_& m) {
       .value("APART", Refusal::apart)
       .value("NO_END", Refusal::no_end);
   // Its arguments: a Refusal, value, low and high [mm], and strips; grids/feasible.hpp says what they are.
-  nb::object type = nb::steal(PyErr_NewException("nonhertz._core.Refused", PyExc_Exception, nullptr));
+  const std::string name = nb::cast<std::string>(m.attr("__name__")) + ".Refused";
+  nb::object type = nb::steal(PyErr_NewException(name.c_str(), PyExc_Exception, nullptr));
   m.attr("Refused") = type;
   nb::register_exception_translator(translate, type.ptr());
 }

@@ -7,8 +7,6 @@ from typing import Annotated, overload
 import numpy
 from numpy.typing import NDArray
 
-from nonhertz._core import Refused as Refused
-
 
 class Element:
     def __init__(self, arg0: str, arg1: float, arg2: float, arg3: float, arg4: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
@@ -321,6 +319,9 @@ class Refusal(enum.Enum):
     APART = 7
 
     NO_END = 8
+
+class Refused(Exception):
+    pass
 
 ACCURACY: float = 0.0001
 
