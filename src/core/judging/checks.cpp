@@ -6,6 +6,7 @@
 #include "grids/overlaps.hpp"
 #include "judging/judgement.hpp"
 #include "judging/resolution.hpp"
+#include "numbers/sums.hpp"
 
 namespace nonhertz {
 namespace {
@@ -15,6 +16,14 @@ constexpr double WIDE_BESIDE = 2.0;  // times the last strip in contact: the one
 
 /// The larger of two numbers; NaN if one of them is.
 double larger(double one, double other) { return other > one || std::isnan(other) ? other : one; }
+
+/// The loads of all strips [N].
+Numbers loads(const Model& model, const Level& level) {
+  Numbers loads(level.state.r.size());
+  for (Index i = 0; i < count_of(loads); ++i)
+    loads[i] = level.state.r[i] * level.state.m[i] / model.contact().compliance * level.grid->width(i);
+  return loads;
+}
 
 /// How far the bodies depart from parabolas within a half-width to either side, in the mean of all strips by their
 /// loads.
@@ -30,13 +39,9 @@ double unevenness(const Model& model, const Level& level) {
   // Towards the ends of bodies and of the interference the relief may fall as it likes.
   for (std::size_t i = 0; i < h.size(); ++i)
     if (!(h[i] < state.rigid[0] + state.rigid[1] * places[i])) h[i] = INFINITE;
-  double total = 0.0, load = 0.0;
-  for (Index i = 0; i < n; ++i) {
-    const double carried = state.r[i] * state.m[i] * grid.width(i);
-    total += carried * departure(View(h).subspan(i * WITHIN, WITHIN));
-    load += carried;
-  }
-  return total / load;
+  Numbers load = loads(model, level), weighted(load.size());
+  for (Index i = 0; i < n; ++i) weighted[i] = load[i] * departure(View(h).subspan(i * WITHIN, WITHIN));
+  return sum_of(weighted) / sum_of(load);
 }
 
 /// Whether a contact goes on beyond its strips, or ends beside one so wide that its centre may not see it go on.
@@ -91,7 +96,8 @@ Checks check(const Model& model, const Level& level, const Judgement& known) {
   const State& state = level.state;
   Checks checks{};
   checks.depth_ratio = INFINITE, checks.deepest = checks.pressed = -INFINITE;
-  double area = 0.0, load = 0.0, longest = 0.0;
+  Numbers areas(grid.y.size());
+  double longest = 0.0;
   for (Index i = 0; i < grid.count(); ++i) {
     const double half = model.hertz_ratio() * std::sqrt(state.m[i]), depth = state.interference(grid, i);
     checks.deepest = std::max(checks.deepest, depth);
@@ -100,15 +106,13 @@ Checks check(const Model& model, const Level& level, const Judgement& known) {
     checks.radius_ratio = larger(checks.radius_ratio, half * grid.sharper[i]);
     checks.depth_ratio = -larger(-checks.depth_ratio, -grid.min_depth[i] / half);
     checks.pressed = std::max(checks.pressed, depth);
-    area += 2.0 * half * grid.width(i);
-    load += state.r[i] * state.m[i] * grid.width(i);
+    areas[i] = half * grid.width(i);
   }
   for (const auto& [low, high] : known.contact) longest = std::max(longest, high - low);
   checks.length_ratio = 2.0 * known.half_width / longest;
-  checks.mean_pressure = load / model.contact().compliance / area;
-  if (!state.converged()) return checks;
+  checks.mean_pressure = sum_of(loads(model, level)) / (2.0 * sum_of(areas));
   checks.unevenness = unevenness(model, level);
-  find_missed(model, level, known.ends, checks);
+  if (state.converged()) find_missed(model, level, known.ends, checks);
   return checks;
 }
 
