@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "numbers/pack.hpp"
 
 namespace nonhertz {
 namespace {
@@ -53,25 +56,39 @@ void fill_by_closed_form(const PointsAtDepth& of, double y, double depth, View e
   }
 }
 
-/// Fill in a polynomial, highest power first.
+constexpr Index TILE = 4 * WIDTH;  // numbers worked on at once: enough for no instruction to wait for the one before
+
+/// Fill in a polynomial, highest power first, at places of which there are so many as whole tiles have.
 void fill_polynomial(View coefficients, View x, Row out) {
-  constexpr std::size_t TILE = 16;  // enough for no instruction to wait for the one before it
-  for (std::size_t first = 0; first < x.size(); first += TILE) {
-    const std::size_t count = std::min(TILE, x.size() - first);
-    double at[TILE] = {}, s[TILE] = {};
-    std::copy_n(x.begin() + first, count, at);
+  for (Index first = 0; first < count_of(x); first += TILE) {
+    Pack at[TILE / WIDTH], s[TILE / WIDTH] = {};
+    for (int k = 0; k < TILE / WIDTH; ++k) at[k] = load(x.data() + first + WIDTH * k);
     for (double c : coefficients)
-      for (std::size_t k = 0; k < TILE; ++k) s[k] = s[k] * at[k] + c;
-    std::copy_n(s, count, out.begin() + first);
+      for (int k = 0; k < TILE / WIDTH; ++k) s[k] = s[k] * at[k] + c;
+    for (int k = 0; k < TILE / WIDTH; ++k) store(out.data() + first + WIDTH * k, s[k]);
+  }
+}
+
+/// Fill in what a free side face adds to the displacement at a depth below u by unit loads at v, distances from it.
+void fill_by_face(double u, View v, double depth, const PointsAtDepth& of, Row aside, Row added) {
+  const Index count = count_of(v);
+  for (Index p = 0; p < count; ++p) {
+    const double over = (u - v[p]) / std::max(u + v[p], std::numeric_limits<double>::min());
+    aside[p] = 2.0 * over * over - 1.0;
+  }
+  fill_polynomial(of.over_image, aside, added);
+  for (Index p = 0; p < count; ++p) {
+    const double distance = u + v[p], moved = kernel(distance / depth, of.poisson_factor) / depth;
+    added[p] *= distance > 0.0 ? moved : 0.0;
   }
 }
 
 /// What free side faces add, by Gauss's rule of three points on each strip.
 void add_by_faces(const PointsAtDepth& of, View y, View depth, View edges, Matrix& out) {
-  const Index points = 3 * out.columns();
-  Numbers v(points), share(points), aside(points), added(points);
+  const Index strips = out.columns(), room = (3 * strips + TILE - 1) / TILE * TILE;
+  Numbers v(room), share(room), aside(room), added(room);
   for (const auto& face : of.faces) {
-    for (Index e = 0; e < out.columns(); ++e) {
+    for (Index e = 0; e < strips; ++e) {
       const double half = 0.5 * (edges[e + 1] - edges[e]);
       const double middle = face.side * (face.place - 0.5 * (edges[e + 1] + edges[e]));
       for (int part = 0; part < 3; ++part) {
@@ -80,17 +97,9 @@ void add_by_faces(const PointsAtDepth& of, View y, View depth, View edges, Matri
       }
     }
     for (Index i = 0; i < out.rows(); ++i) {
-      const double u = std::max(face.side * (face.place - y[i]), 0.0);
-      for (Index p = 0; p < points; ++p) {
-        const double distance = u + v[p], over = distance > 0.0 ? (u - v[p]) / distance : 0.0;
-        aside[p] = 2.0 * over * over - 1.0;
-      }
-      fill_polynomial(of.over_image, aside, added);
-      for (Index p = 0; p < points; ++p) {
-        const double distance = u + v[p];
-        added[p] *= distance > 0.0 ? kernel(distance / depth[i], of.poisson_factor) / depth[i] : 0.0;
-      }
-      for (Index p = 0; p < points; ++p) out(i, p / 3) += share[p] * added[p];
+      fill_by_face(std::max(face.side * (face.place - y[i]), 0.0), v, depth[i], of, aside, added);
+      for (Index e = 0; e < strips; ++e)
+        for (Index p = 3 * e; p < 3 * e + 3; ++p) out(i, e) += share[p] * added[p];
     }
   }
 }
@@ -130,10 +139,10 @@ Matrix PointsAtDepth::displacement(View y, View edges) const {
 
 Matrix AxisOfCylinder::displacement(View y, View edges) const {
   const double farthest = smooth->places.back();
+  const double in_reach = smooth->at(farthest) - std::asinh(farthest);
   const auto until = [&](double s) {  // by an even load from 0 up to a distance
-    const double size = std::fabs(s), within = std::min(size, farthest);
-    const double beyond = std::log(std::max(size, farthest) / farthest);
-    const double found = smooth->at(within) - std::asinh(within) - beyond;
+    const double size = std::fabs(s);
+    const double found = size < farthest ? smooth->at(size) - std::asinh(size) : in_reach - std::log(size / farthest);
     return s < 0.0 ? -found : found;
   };
   Numbers diameter(y.size());

@@ -23,7 +23,6 @@ from nonhertz.bodies.shape import Shape
 from nonhertz.bodies.whole_roller import WholeRoller, whole_roller
 from nonhertz.errors import InputError
 from nonhertz.model.body import Body
-from nonhertz.model.outline import outline_of
 from nonhertz.native import core
 
 Array = NDArray[np.float64]
@@ -99,7 +98,7 @@ def depth_below(body: Body, shape: Shape) -> Depth | None:
     """
     behind = body.behind
     if behind.whole:  # the diameter or the wall
-        outline, radius = outline_of(body)
+        outline, radius = body.outline
         return EvenDepth(radius * (outline.wall if outline.bored else 2.0))
     if behind.of_diameter:
         plane_strain = behind.word == "plane-strain"
@@ -161,7 +160,7 @@ class PointsAtDepth:
             return None
         poisson = body.material.poisson
         factor = 1.0 / (2.0 * (1.0 - poisson))
-        over_image = free_face(poisson).over_image() if images.free.size else np.zeros(0)
+        over_image = free_face(poisson).over_image if images.free.size else np.zeros(0)
         return cls(below, factor, images.with_direct(), images.far, images.free, over_image)
 
     def displacement(self, y: Array, edges: Array) -> Array:
@@ -251,7 +250,7 @@ class AxisOfRoller:
     @classmethod
     def of(cls, body: Body, shape: Shape, images: Images, interpolated: bool = False) -> AxisOfRoller:
         """Return that of a body with these mirror images, interpolated between shapes or its own."""
-        outline, radius = outline_of(body)
+        outline, radius = body.outline
         below, whole = depth_below(body, shape), whole_roller(outline, body.material.poisson, interpolated)
         assert below is not None
         return cls(below, whole, radius, body.position, images.share)

@@ -28,7 +28,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
@@ -104,8 +104,9 @@ class FreeFace:
             found[..., k] = np.sum(terms, axis=-1) / math.pi
         return found
 
+    @cached_property
     def over_image(self) -> Array:
-        """Return what is added far away over what the image does: powers of 2 r - 1 in the direction r, highest first.
+        """What is added far away over what the image does: powers of 2 r - 1 in the direction r, highest first.
 
         It is accurate to 2e-4.
         """

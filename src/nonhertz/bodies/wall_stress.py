@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from nonhertz.bodies.harmonic_elements import HarmonicElements
 from nonhertz.bodies.stored import stored
 from nonhertz.model.body import Body
-from nonhertz.model.outline import Outline, outline_of
+from nonhertz.model.outline import Outline
 from nonhertz.native import core
 
 if TYPE_CHECKING:
@@ -118,7 +118,7 @@ def bending_of(body: Body) -> tuple[WallModes, float] | None:
     """
     if body.bore is None:
         return None
-    outline, radius = outline_of(body)
+    outline, radius = body.outline
     if outline.kinks or min(outline.inner) <= 0.0:
         return None
     return WallModes(outline, _factors(outline, body.material.poisson)), radius

@@ -21,7 +21,7 @@ from nonhertz.model.corner import Chamfer, Cornered, Rounded
 from nonhertz.model.depths import DEPTH_REMEDY, DEPTHS, THICKNESS, Depth, DepthRule, depth_of
 from nonhertz.model.material import STEEL
 from nonhertz.model.materials import NamedMaterial
-from nonhertz.model.outline import can_be_whole, outline_of
+from nonhertz.model.outline import Outline, can_be_whole, outline_of
 from nonhertz.model.profile import Profile, Straight
 from nonhertz.model.profile.base import moved_back, places
 from nonhertz.model.side_faces import (
@@ -362,6 +362,11 @@ class Body(Input):
         low, high = (self.length is not None and side.exact for side in self.sides)
         return low, high
 
+    @cached_property
+    def outline(self) -> tuple[Outline, float]:
+        """The outline of a roller, and the radius of its surface in the middle [mm], which is its unit."""
+        return outline_of(self)
+
     @property
     def corner_angles(self) -> tuple[float, float]:
         """Angles between surface and side faces at low and high y, within the body [rad].
@@ -369,7 +374,7 @@ class Body(Input):
         They are right but for a whole roller whose surface is not along its axis, to which side faces are square.
         """
         if self.behind.whole and callable(self.diameter):
-            return outline_of(self)[0].corner_angles
+            return self.outline[0].corner_angles
         return 0.5 * math.pi, 0.5 * math.pi
 
     @property

@@ -144,7 +144,7 @@ def refuse_unless_whole(body: Body) -> None:
         raise _not_whole(body, "only be used for a body with two free side faces", "write side_faces = 'free', or ")
     if body.images != 1:
         raise InputError("images", body.images, "be 1 where depth = 'finite', which has them all", "leave it out")
-    outline, radius = outline_of(body)
+    outline, radius = body.outline
     slenderness = outline.half_length
     if not _SHORTEST <= slenderness <= _LONGEST:
         condition = f"only be used for a length of {_SHORTEST:g} to {_LONGEST:g} diameters, not {slenderness:.3g}"
