@@ -8,6 +8,7 @@
 #include "bindings/functions.hpp"
 #include "bindings/rooms.hpp"
 #include "bodies/model.hpp"
+#include "numbers/dense.hpp"
 
 namespace nonhertz {
 namespace {
@@ -20,15 +21,18 @@ Curvature curvature(CurvatureIn of) {
   return std::get<double>(of);
 }
 
+/// Do what takes long without the interpreter's lock.
+template <class Work>
+auto without_lock(Work work) {
+  const nb::gil_scoped_release unlocked;
+  return work();
+}
+
 /// Without the interpreter's lock, what a model says of places.
 template <class Answer>
 auto asked(Answer (Model::*of)(View) const) {
   return [of](const Model& self, const VectorIn& y) {
-    Answer answer;
-    {
-      const nb::gil_scoped_release unlocked;
-      answer = (self.*of)(view(y));
-    }
+    Answer answer = without_lock([&] { return (self.*of)(view(y)); });
     if constexpr (std::is_same_v<Answer, Matrix>)
       return matrix_of(std::move(answer));
     else
@@ -40,12 +44,7 @@ auto asked(Answer (Model::*of)(View) const) {
 template <class Of>
 auto asked(Matrix (Of::*of)(View, View) const) {
   return [of](const Of& self, const VectorIn& y, const VectorIn& edges) {
-    Matrix answer;
-    {
-      const nb::gil_scoped_release unlocked;
-      answer = (self.*of)(view(y), view(edges));
-    }
-    return matrix_of(std::move(answer));
+    return matrix_of(without_lock([&] { return (self.*of)(view(y), view(edges)); }));
   };
 }
 
@@ -158,6 +157,23 @@ void bind_model(nb::module_& m) {
 }  // namespace
 
 void bind_bodies(nb::module_& m) {
+  m.def(
+      "product",
+      [](const MatrixIn& a, const MatrixIn& b) {
+        if (a.shape(1) != b.shape(0)) throw std::invalid_argument("a must have as many columns as b has rows");
+        const Matrix left = copy_of(a), right = copy_of(b);
+        return matrix_of(without_lock([&] { return product(left, right); }));
+      },
+      "a"_a, "b"_a, "a b, with the same last digits whatever the number of threads.");
+  m.def(
+      "solved",
+      [](const MatrixIn& a, const MatrixIn& b) {
+        if (a.shape(0) != a.shape(1) || a.shape(0) != b.shape(0))
+          throw std::invalid_argument("a must be square and have as many rows as b");
+        Matrix left = copy_of(a), right = copy_of(b);
+        return matrix_of(without_lock([&] { return solved(std::move(left), std::move(right)); }));
+      },
+      "a"_a, "b"_a, "a^-1 b, with the same last digits whatever the number of threads.");
   bind_reliefs(m);
   bind_references(m);
   bind_model(m);

@@ -189,6 +189,12 @@ def start_from_springs(grid: Grid, by_force: Sequence[bool], target: Sequence[fl
 
 def start_from_other(other: Grid, solved: State, grid: Grid, by_force: Sequence[bool], target: Sequence[float]) -> State | None: ...
 
+def product(a: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], b: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]:
+    """a b, with the same last digits whatever the number of threads."""
+
+def solved(a: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], b: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]:
+    """a^-1 b, with the same last digits whatever the number of threads."""
+
 class Cubics:
     def __init__(self, places: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> None: ...
 

@@ -35,6 +35,7 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.stored import MOST, stored
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
@@ -136,7 +137,7 @@ def free_face(poisson: float) -> FreeFace:
     return FreeFace(poisson, _DISTANCES, _weights(poisson))
 
 
-@stored(__name__)
+@stored(__name__, core.__name__)
 def _weights(poisson: float) -> Array:
     """Return the weights of `FreeFace`."""
     solved = EdgeSolution.of(poisson)
@@ -170,8 +171,9 @@ class EdgeSolution:
     def of(cls, poisson: float) -> EdgeSolution:
         """Solve the integral equation."""
         panels, y, weight, brought, operator = corner_operator(poisson)
-        beyond = operator @ np.linalg.solve(np.eye(y.size) - operator @ operator, brought)
-        values = 2.0 * _raised(panels, y, weight) @ beyond
+        # In the core, whose last digits depend on no number of threads: what follows is kept on disk.
+        beyond = core.product(operator, core.solved(np.eye(y.size) - core.product(operator, operator), brought))
+        values = 2.0 * core.product(_raised(panels, y, weight), beyond)
         # By reciprocity; what differs is error.
         return cls(panels, 0.5 * (values + values.T))
 
