@@ -1,8 +1,162 @@
+// Rollers between rings, and the states in which they are in balance.
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/variant.h>
+#include <nanobind/stl/vector.h>
+
+#include <cstdint>
+
+#include "bearing/balance.hpp"
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
+#include "maps/contact_map.hpp"
 
 namespace nonhertz {
+namespace {
 
-void bind_bearing(nb::module_&) {}
+using Writable = nb::ndarray<nb::numpy, double>;
+
+/// Numbers as an array of a shape that owns them, and may be written to.
+Writable writable(Numbers values, std::initializer_list<std::size_t> shape) {
+  auto kept = std::make_unique<Numbers>(std::move(values));
+  double* data = kept->data();
+  nb::capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<Numbers*>(p); });
+  return Writable(data, shape, owner);
+}
+
+/// Rows of so many numbers as values of a type that consists of as many.
+template <class Value>
+std::vector<Value> rows_of(const MatrixIn& array) {
+  constexpr std::size_t SIZE = sizeof(Value) / sizeof(double);
+  if (array.shape(1) != SIZE) throw std::invalid_argument("array must have as many columns as a value has numbers");
+  std::vector<Value> rows(array.shape(0));
+  std::copy_n(array.data(), array.size(), reinterpret_cast<double*>(rows.data()));
+  return rows;
+}
+
+/// A law in Python: called with the interpreter's lock, with the rollers and the poses of their contacts.
+GroupLaw group_law(nb::callable of) {
+  const auto asked = [of = std::move(of)](std::span<const Index> rollers, std::span<const Pose> poses,
+                                          std::span<Answer> answers) {
+    if (rollers.empty()) return;
+    const nb::gil_scoped_acquire lock;
+    const std::size_t count = rollers.size(), contacts = poses.size() / count;
+    const auto numbers = nb::ndarray<nb::numpy, const Index>(rollers.data(), {count});
+    const auto places = nb::ndarray<nb::numpy, const double>(&poses[0].approach, {count, contacts, 2});
+    const auto found = nb::cast<nb::ndarray<const double, nb::ndim<3>, nb::c_contig, nb::device::cpu>>(
+        of(nb::cast(numbers, nb::rv_policy::copy), nb::cast(places, nb::rv_policy::copy)));
+    if (found.size() * sizeof(double) != answers.size_bytes())
+      throw std::invalid_argument("a law must answer for every contact that it is asked for");
+    std::copy_n(found.data(), found.size(), &answers[0].load);
+  };
+  return {asked};
+}
+
+MapLaw map_law(const VectorIn& table) {
+  const MapHead& head = *reinterpret_cast<const MapHead*>(table.data());
+  if (table.size() * sizeof(double) < sizeof(MapHead) || static_cast<Index>(table.size()) != ContactMap::size(head))
+    throw std::invalid_argument("table must be that of a map");
+  return {{table.data(), table.data() + ContactMap::size_of_mean_approach(head)}};
+}
+
+Stop signals() {
+  return {{}, [] {
+            const nb::gil_scoped_acquire lock;
+            if (PyErr_CheckSignals() != 0) throw nb::python_error();
+          }};
+}
+
+/// States as arrays: ring, force, stiffness, residual, steps, rollers' motions, poses and answers.
+using States = std::tuple<Writable, Writable, Writable, Writable, nb::ndarray<nb::numpy, std::int64_t>, Writable,
+                          Writable, Writable>;
+
+States arrays(const Assembly& assembly, const std::vector<Equilibrium>& states) {
+  const auto count = states.size(), rollers = assembly.ring.size(),
+             columns = static_cast<std::size_t>(assembly.columns);
+  Numbers ring, force, stiffness, residual, motion, pose, answer;
+  auto steps = std::make_unique<std::vector<std::int64_t>>();
+  const auto append = [](Numbers& to, const auto& values) {
+    const auto* first = reinterpret_cast<const double*>(values.data());
+    to.insert(to.end(), first, first + sizeof(values[0]) / sizeof(double) * values.size());
+  };
+  for (const Equilibrium& state : states) {
+    append(ring, state.ring), append(force, state.force), append(stiffness, state.stiffness);
+    residual.push_back(state.residual), steps->push_back(state.steps);
+    append(motion, state.rollers), append(pose, state.poses), append(answer, state.answers);
+  }
+  auto* counted = steps->data();
+  nb::capsule owner(steps.release(), [](void* p) noexcept { delete static_cast<std::vector<std::int64_t>*>(p); });
+  return {writable(std::move(ring), {count, 5}),
+          writable(std::move(force), {count, 5}),
+          writable(std::move(stiffness), {count, 5, 5}),
+          writable(std::move(residual), {count}),
+          nb::ndarray<nb::numpy, std::int64_t>(counted, {count}, owner),
+          writable(std::move(motion), {count, rollers, 3}),
+          writable(std::move(pose), {count, rollers, columns, 2}),
+          writable(std::move(answer), {count, rollers, columns, sizeof(Answer) / sizeof(double)})};
+}
+
+States balance(const Assembly& assembly, std::array<bool, 5> by_force, double depth, double tolerance, int steps,
+               const MatrixIn& target, const MatrixIn& start, const MatrixIn& motion, int threads) {
+  const auto targets = rows_of<Vector<5>>(target), starts = rows_of<Vector<5>>(start);
+  const auto motions = rows_of<Vector<3>>(motion);
+  const std::size_t rollers = assembly.ring.size();
+  if (starts.size() != targets.size() || motions.size() != targets.size() * rollers)
+    throw std::invalid_argument("target, start and motion must be of the same states");
+  std::vector<Beginning> beginnings;
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const auto first = motions.begin() + static_cast<Index>(k * rollers);
+    beginnings.push_back({targets[k], starts[k], {first, first + static_cast<Index>(rollers)}});
+  }
+  std::vector<Equilibrium> states;
+  {
+    const nb::gil_scoped_release released;
+    states = equilibria(assembly, {by_force, depth, tolerance, steps}, beginnings, threads, signals());
+  }
+  return arrays(assembly, states);
+}
+
+}  // namespace
+
+void bind_bearing(nb::module_& m) {
+  nb::class_<Slices>(m, "Slices")
+      .def(
+          "__init__",
+          [](Slices* self, const VectorIn& y, const VectorIn& relief, double stiffness, double exponent) {
+            if (y.size() != relief.size()) throw std::invalid_argument("y and relief must have the same size");
+            new (self) Slices{numbers(y), numbers(relief), stiffness, exponent};
+          },
+          "y"_a, "relief"_a, "stiffness"_a, "exponent"_a);
+  nb::class_<MapLaw>(m, "MapLaw")
+      .def(
+          "__init__", [](MapLaw* self, const VectorIn& table) { new (self) MapLaw(map_law(table)); }, "table"_a);
+  nb::class_<GroupLaw>(m, "GroupLaw")
+      .def(
+          "__init__",
+          [](GroupLaw* self, nb::typed<nb::callable, nb::object(nb::object, nb::object)> answer) {
+            new (self) GroupLaw(group_law(std::move(answer)));
+          },
+          "answer"_a);
+  nb::class_<Joint>(m, "Joint")
+      .def(
+          "__init__",
+          [](Joint* self, bool inner, const MatrixIn& motion, const VectorIn& gap, Law law, Index column, Index first) {
+            const auto rows = rows_of<Vector<3>>(motion);
+            if (rows.size() != 2) throw std::invalid_argument("motion must have a row for approach and one for tilt");
+            new (self) Joint{inner, {rows[0], rows[1]}, numbers(gap), std::move(law), column, first};
+          },
+          "inner"_a, "motion"_a, "gap"_a, "law"_a, "column"_a, "first"_a);
+  nb::class_<Assembly>(m, "Assembly")
+      .def(
+          "__init__",
+          [](Assembly* self, const MatrixIn& ring, const std::vector<Joint>& joints, const MatrixIn& load, double lever,
+             double stiffness) {
+            new (self) Assembly(rows_of<Small<3, 5>>(ring), joints, rows_of<Vector<3>>(load), lever, stiffness);
+          },
+          "ring"_a, "joints"_a, "load"_a, "lever"_a, "stiffness"_a);
+  m.def("balance", &balance, "assembly"_a, "by_force"_a, "depth"_a, "tolerance"_a, "steps"_a, "target"_a, "start"_a,
+        "motion"_a, "threads"_a);
+}
 
 }  // namespace nonhertz

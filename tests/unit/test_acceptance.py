@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import nonhertz as nh
-from nonhertz.bearing.balance import States
+from nonhertz.bearing.equilibrium import States
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
@@ -260,7 +260,8 @@ def test_no_patch_whose_results_are_not_numbers_leaves_as_converged(monkeypatch)
 
 
 def test_a_state_of_a_bearing_with_a_load_that_is_not_a_number_is_not_settled():
-    states = States.blank(2, 3, 2)
+    shapes = [(5,), (5,), (5, 5), (), (), (3, 3), (3, 2, 2), (3, 2, 7)]
+    states = States(*(np.zeros((2, *shape)) for shape in shapes))
     assert states.settled(1e-9).tolist() == [True, True]
     states.answer[1, 2, 0, 0] = np.nan
     assert states.settled(1e-9).tolist() == [True, False]

@@ -116,9 +116,14 @@ ContactMap::ContactMap(const double* numbers)
       mean_approach_(z_borders_ + tilt_cells_ + 1),
       others_(mean_approach_ + CELL * load_cells_ * tilt_cells_) {}
 
-Index ContactMap::size(const MapHead& head) {
+Index ContactMap::size_of_mean_approach(const MapHead& head) {
   const auto load_cells = static_cast<Index>(head.load_cells), tilt_cells = static_cast<Index>(head.tilt_cells);
-  return HEAD + load_cells + tilt_cells + 2 + (1 + QUANTILES + 2) * CELL * load_cells * tilt_cells;
+  return HEAD + load_cells + tilt_cells + 2 + CELL * load_cells * tilt_cells;
+}
+
+Index ContactMap::size(const MapHead& head) {
+  const auto cells = static_cast<Index>(head.load_cells) * static_cast<Index>(head.tilt_cells);
+  return size_of_mean_approach(head) + CELL * (QUANTILES + 2) * cells;
 }
 
 double ContactMap::within(double tilt) const { return std::min(std::max(tilt, head_.lowest_tilt), head_.highest_tilt); }

@@ -64,6 +64,8 @@ class ContactMap {
 
   /// Return how many numbers a map has, by its head.
   static Index size(const MapHead& head);
+  /// The same up to the coefficients of the mean approach, which `pressed` and `loaded` read alone.
+  static Index size_of_mean_approach(const MapHead& head);
 
   /// Return the state at an approach [mm] and a tilt [rad]; out of contact load, moment and stiffness are zero.
   MapState pressed(double approach, double tilt) const;

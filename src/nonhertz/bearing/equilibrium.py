@@ -1,42 +1,21 @@
 """Rollers between rings in equilibrium: the motion of the inner ring under given forces, moments and displacements.
 
-Every roller has a motion of its own, in which its contacts balance each other and the loads that speed gives it. It is
-found for a given motion of the ring, and with it the force on the ring and its exact derivative (static condensation):
-
-    f = sum_in A^T q            k = K_in - K_in (K_in + K_out)^-1 K_in        K = sum A^T S A
-
-with A from `nonhertz.bearing.section` and S the stiffness of a contact; K_in is of the contacts with the inner ring.
-The ring's motion is then found by Newton's method on the sum over all rollers. Contacts only push, and push harder the
-deeper they are pressed: both are the search for the lowest point of a convex function, so that a step which is
-shortened until the slope along it has fallen always leads on. Where nothing resists, as with a roller that touches
-nothing, there is nothing to balance, and it stays where it is.
+The core finds the balance; its method is explained in ``src/core/bearing/balance.hpp`` and docs/explain/theory.md. Here
+rollers and their contacts are put together for it, and the states that it returns are arrays.
 """
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.balance import (
-    NO_LOAD,
-    NOT_IN_BOOK,
-    Conditions,
-    Parts,
-    Search,
-    States,
-    ask_book,
-    balance_all,
-    begin,
-    go_on,
-    keep,
-)
-from nonhertz.bearing.laws import OVERLAP, Book, ContactLaw, MapLaw, OutsideLaw, Slices
-from nonhertz.compiled import plain_array
+from nonhertz.bearing.laws import OVERLAP, ContactLaw, for_core
 from nonhertz.life.lamina import roller_stiffness
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -45,14 +24,42 @@ Indices = NDArray[np.int64]
 # What may be left of the balance of the ring, over the loads: strips are exact to 1e-11.
 TOLERANCE = 1e-9
 STEPS = 80
-MOST_ASKED = 100  # times that contacts of one roller are solved; random bearings take 50 at most
+NO_LOAD = 1e-8  # of the largest: what is left of the balance of a roller that has lifted off
 EDGE = 1e-5  # mm, a motion far below what rollers and raceways depart from their shapes
-_PORTION = 64  # states, below which a thread of its own does not pay
+
+
+class States(NamedTuple):
+    """States of a bearing, a row each."""
+
+    ring: Array  # motion of the inner ring, (states, 5)
+    force: Array  # forces and moments on it that hold it there, (states, 5)
+    stiffness: Array  # d(force) / d(ring), (states, 5, 5)
+    residual: Array  # what is left of the balance of ring and rollers, over the loads, (states,)
+    steps: Indices  # Newton steps of the ring, (states,)
+    motion: Array  # of the rollers along x and r [mm] and about the tangent [rad], (states, rollers, 3)
+    pose: Array  # approach and tilt of their contacts [mm, rad], (states, rollers, columns, 2)
+    answer: Array  # what contacts answer, (states, rollers, columns, ANSWER)
+
+    def portion(self, which: slice | Indices) -> States:
+        """Return some of the states, which may be filled in if they are a slice."""
+        parts: list[Any] = [each[which] for each in self]
+        return States(*parts)
+
+    @property
+    def load(self) -> Array:
+        """Loads of contacts [N], shape (states, rollers, columns)."""
+        return self.answer[..., 0]
+
+    def settled(self, tolerance: float) -> Flags:
+        """Return which states are balanced, their loads and motions finite."""
+        numbers = np.column_stack([self.ring, self.force, self.load.reshape(len(self.ring), -1)])
+        settled: Flags = (self.residual <= tolerance) & np.all(np.isfinite(numbers), axis=1)
+        return settled
 
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """One contact of every roller of a row; those of a roller with the same `OutsideLaw` are asked together."""
+    """One contact of every roller of a row; those of a roller with the same `GroupLaw` are asked together."""
 
     inner: bool  # whether the other body is the inner ring, which moves; the outer one is at rest
     motion: Array  # approach and tilt per motion of ring against roller, shape (2, 3)
@@ -87,36 +94,15 @@ class System:
         return 1 + max(joint.column for joint in self.joints)
 
     @cached_property
-    def outside(self) -> tuple[tuple[OutsideLaw, slice, list[int]], ...]:
-        """The laws that answer from outside, with their rollers and columns."""
-        found: dict[OutsideLaw, tuple[OutsideLaw, slice, list[int]]] = {}
-        for joint in self.joints:
-            if not isinstance(joint.law, Slices | MapLaw):
-                found.setdefault(joint.law, (joint.law, joint.rollers, []))[2].append(joint.column)
-        return tuple(found.values())
-
-    @cached_property
-    def parts(self) -> Parts:
-        """The same as arrays."""
-        shape = self.rollers, self.columns
-        motion, gap = np.zeros((*shape, 2, 3)), np.zeros(shape)
-        inner, law = np.zeros(shape, dtype=np.bool_), np.full(shape, NOT_IN_BOOK)
-        laws: list[Slices | MapLaw] = []
-        for joint in self.joints:
-            at = joint.rollers, joint.column
-            motion[at], gap[at], inner[at] = joint.motion, joint.gap, joint.inner
-            if isinstance(joint.law, Slices | MapLaw):
-                law[at] = len(laws)
-                laws.append(joint.law)
-        # Lever arms that make forces of the ring's moments, and displacements of its rotations.
-        reach = np.max(np.abs(self.ring), axis=(0, 1))
-        # A single roller does not feel what moves across it.
-        reach[1:3], reach[3:] = reach[1:3].max(), reach[3:].max()
-        scale = np.array([1.0, 1.0, self.lever])
-        ring, load = np.ascontiguousarray(self.ring), np.ascontiguousarray(self.load, dtype=float)
-        return Parts(
-            ring, motion, gap, inner, law, Book.of(laws), load, scale, reach, roller_stiffness(2.0 * self.lever)
-        )
+    def assembly(self) -> core.Assembly:
+        """The same for the core."""
+        laws = {joint.law: for_core(joint.law) for joint in self.joints}
+        joints = [
+            core.Joint(joint.inner, joint.motion, joint.gap, laws[joint.law], joint.column, joint.first)
+            for joint in self.joints
+        ]
+        ring, load = self.ring.reshape(-1, 15), np.asarray(self.load, dtype=float)
+        return core.Assembly(ring, joints, load, self.lever, roller_stiffness(2.0 * self.lever))
 
 
 def balanced(
@@ -148,39 +134,14 @@ def balanced(
     motion : ndarray, shape (states, rollers, 3), optional
         Motions of the rollers to begin with; if left out or NaN, those that equal springs would give them.
     threads : int
-        How many may work on many states at once, where all laws are tables.
+        How many may work on many states at once, where no law is asked for many contacts.
     """
     ring = np.where(by_force, start, target)
-    begins = plain_array(target), ring, np.full((len(ring), system.rollers, 3), np.nan if motion is None else motion)
-    conditions = Conditions(by_force, float(depth), float(tolerance), STEPS)
-    found = States.blank(len(ring), system.rollers, system.columns)
-    if not system.outside:
-        borders = np.linspace(0, len(ring), min(threads, 1 + len(ring) // _PORTION) + 1).astype(int).tolist()
-
-        def in_machine_code(first: int, last: int) -> None:
-            search = Search.blank(system.rollers, system.columns)
-            target, at, motion = (each[first:last] for each in begins)
-            balance_all(system.parts, search, conditions, target, at, motion, found.portion(slice(first, last)))
-
-        with ThreadPoolExecutor(len(borders) - 1) as pool:
-            list(pool.map(in_machine_code, borders[:-1], borders[1:]))
-        return found
-    search = Search.blank(system.rollers, system.columns)
-    rollers = search.rollers
-    for k, (target_of_one, *begin_with) in enumerate(zip(*begins, strict=True)):
-        begin(system.parts, search, *begin_with)
-        times = np.zeros(system.rollers, dtype=np.int64)
-        while times.max() < MOST_ASKED:
-            times += rollers.asked
-            ask_book(system.parts, rollers)
-            for law, these, columns in system.outside:
-                asked = these.start + np.flatnonzero(rollers.asked[these])
-                at = np.ix_(asked, columns)
-                rollers.answer[at] = law.answer(k * system.rollers + asked, rollers.pose[at])
-            if not go_on(system.parts, search, conditions, target_of_one):
-                break
-        keep(search, found, k)
-    return found
+    begin = np.full((len(ring), system.rollers, 3), np.nan if motion is None else motion).reshape(-1, 3)
+    found = core.balance(
+        system.assembly, by_force.tolist(), float(depth), float(tolerance), STEPS, target, ring, begin, threads
+    )
+    return States(*found)
 
 
 def at_edge(system: System, state: States) -> tuple[Indices, Array]:

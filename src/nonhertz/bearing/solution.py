@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm, mpa, mrad, newton, newton_mm, um
-from nonhertz.bearing.balance import NO_LOAD, States
 from nonhertz.bearing.bearings import Paired, RollerBearing, Row, parts_of
+from nonhertz.bearing.equilibrium import NO_LOAD, States
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.ribs import RibContact
 from nonhertz.bearing.section import RINGS

@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm, newton
-from nonhertz.bearing.balance import States
 from nonhertz.bearing.bearings import Paired, RollerBearing
-from nonhertz.bearing.equilibrium import TOLERANCE, Joint, System, at_edge, balanced
+from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, at_edge, balanced
 from nonhertz.bearing.laws import ContactLaw, MapLaw
 from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.prescribed import BearingLoad, Prescribed, many_states, motions, one_state
@@ -238,6 +237,8 @@ def _solved(
     # Whether loads can be balanced depends on where and in which directions rollers press, not on how stiff they are:
     # what slices find no balance for, strips would look for in vain, pressed ever deeper.
     held = np.flatnonzero(found.residual <= UNBALANCED)
+    if not held.size:
+        return system, found
     near, target = found.portion(held), target[held]
     # Slices lead to the neighbourhood of the balance, and few strips closer to it; the slices to the last: rollers that
     # speed alone presses on the outer ring bear less than what is near. Those that the inner ring presses are nearer to

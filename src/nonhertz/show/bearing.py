@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, percent, um
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
-from nonhertz.bearing.balance import NO_LOAD
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.equilibrium import NO_LOAD
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding

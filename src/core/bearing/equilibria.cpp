@@ -1,0 +1,47 @@
+// Many states of one bearing.
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "bearing/balance.hpp"
+
+namespace nonhertz {
+namespace {
+
+constexpr std::size_t PART = 64;  // states, below which a thread of its own does not pay
+
+}  // namespace
+
+std::vector<Equilibrium> equilibria(const Assembly& assembly, const Conditions& conditions,
+                                    const std::vector<Beginning>& beginnings, int threads, const Stop& stop) {
+  std::vector<Equilibrium> states(beginnings.size());
+  const auto solve_part = [&](std::size_t first) {
+    for (std::size_t k = first; k < std::min(first + PART, states.size()); ++k)
+      states[k] = Balance(assembly, conditions, beginnings[k], static_cast<Index>(k)).found(stop);
+  };
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failed;
+  const auto work = [&] {
+    try {
+      for (std::size_t first; (first = next.fetch_add(PART)) < states.size();) solve_part(first);
+    } catch (...) {
+      const std::lock_guard lock(failed);
+      failure = failure ? failure : std::current_exception();
+      next = states.size();
+    }
+  };
+  {
+    // Contacts that are solved may begin with the state before.
+    const auto parts = (states.size() + PART - 1) / PART;
+    const auto most = assembly.groups().empty() ? std::min(static_cast<std::size_t>(threads), parts) : 1;
+    std::vector<std::jthread> others;
+    for (std::size_t k = 1; k < most; ++k) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+  return states;
+}
+
+}  // namespace nonhertz

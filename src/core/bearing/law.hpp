@@ -1,0 +1,47 @@
+// How contacts of rollers answer approach and tilt: with load, moment, their derivatives and the overlap.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <variant>
+
+#include "numbers/array.hpp"
+
+namespace nonhertz {
+
+struct Pose {
+  double approach, tilt;  ///< [mm], [rad]
+};
+
+struct Answer {
+  double load = 0.0, moment = 0.0;  ///< [N], [N mm]
+  double load_by_approach = 0.0, load_by_tilt = 0.0, moment_by_approach = 0.0, moment_by_tilt = 0.0;
+  double overlap = 0.0;  ///< of the undeformed bodies where they overlap most, negative where they are apart [mm]
+};
+
+/// Independent slices whose load is a power of their penetration.
+struct Slices {
+  Numbers y, relief;  ///< where they are, and how far the bodies are apart there [mm]
+  double stiffness;   ///< load of a slice of a penetration of 1 mm [N]
+  double exponent;
+
+  Answer answer(const Pose& pose) const;
+};
+
+/// A map, which goes on in straight lines beyond its range.
+struct MapLaw {
+  Numbers table;  ///< of the numbers of a map those of its mean approach
+
+  Answer answer(const Pose& pose) const;
+};
+
+/// A law that is asked for the contacts of many rollers at once, and may begin where it ended the last time.
+struct GroupLaw {
+  /// Rollers, counted through all states; poses and answers of their contacts with this law, one roller after another.
+  std::function<void(std::span<const Index> rollers, std::span<const Pose> poses, std::span<Answer> answers)> answer;
+};
+
+using Law = std::variant<Slices, MapLaw, std::shared_ptr<GroupLaw>>;
+
+}  // namespace nonhertz

@@ -1,0 +1,200 @@
+// The steps of rollers on the way to their balance.
+#include <cmath>
+
+#include "bearing/balance.hpp"
+
+namespace nonhertz {
+namespace {
+
+// By how much a step is longer that is to end beyond the contact, more than the power of any law, where less than the
+// second of the loads would be left.
+constexpr double LETS_GO = 2.0, NOTHING_LEFT = 0.1;
+constexpr double STIFFENING = 10.0 / 9.0;  // power of the deflection with which the load of a roller grows
+
+/// What a step of a roller adds to approach and tilt of a contact.
+Pose closer(const RollerContact& contact, const Vector<3>& step) {
+  Pose added{0.0, 0.0};
+  for (Index a = 0; a < 3; ++a) {
+    added.approach -= contact.motion[0][a] * step[a];
+    added.tilt -= contact.motion[1][a] * step[a];
+  }
+  return added;
+}
+
+}  // namespace
+
+/// Ask the contacts of a roller where it and the ring are.
+void Balance::ask(Index j) {
+  Roller& roller = rollers_[j];
+  roller.asked = true;
+  const auto contacts = assembly_.contacts(j);
+  for (Index c = 0; c < assembly_.columns; ++c) {
+    Pose pose{-contacts[c].gap, 0.0};
+    for (Index a = 0; a < 3; ++a) {
+      double moved = -roller.motion[a];
+      if (contacts[c].inner)
+        for (Index b = 0; b < 5; ++b) moved += assembly_.ring[j][a][b] * ring_.motion[b];
+      pose.approach += contacts[c].motion[0][a] * moved;
+      pose.tilt += contacts[c].motion[1][a] * moved;
+    }
+    roller.poses[c] = pose;
+  }
+}
+
+void Balance::ask_all() {
+  for (Index j = 0; j < assembly_.rollers(); ++j) rollers_[j].trial.steps = 0, ask(j);
+}
+
+/// Add up forces on a roller, and stiffness.
+void Balance::add_up(Index j) {
+  Roller& roller = rollers_[j];
+  roller.off = assembly_.load[j], roller.on_ring = {}, roller.whole = {}, roller.of_ring = {};
+  const auto contacts = assembly_.contacts(j);
+  for (Index c = 0; c < assembly_.columns; ++c) {
+    const Small<2, 3>& m = contacts[c].motion;
+    const Answer& answer = roller.answers[c];
+    for (Index a = 0; a < 3; ++a) {
+      const double force = m[0][a] * answer.load + m[1][a] * answer.moment;
+      roller.off[a] += force;
+      if (contacts[c].inner) roller.on_ring[a] += force;
+      const double by_approach = m[0][a] * answer.load_by_approach + m[1][a] * answer.moment_by_approach;
+      const double by_tilt = m[0][a] * answer.load_by_tilt + m[1][a] * answer.moment_by_tilt;
+      for (Index b = 0; b < 3; ++b) {
+        const double stiff = by_approach * m[0][b] + by_tilt * m[1][b];
+        roller.whole[a][b] += stiff;
+        if (contacts[c].inner) roller.of_ring[a][b] += stiff;
+      }
+    }
+  }
+  roller.left = largest(roller.off);
+}
+
+/// The largest of the forces and the moment on a roller [N].
+double Balance::largest(const Vector<3>& forces) const {
+  double most = 0.0;
+  for (Index a = 0; a < 3; ++a) most = std::max(most, std::abs(forces[a]) / assembly_.scale[a]);
+  return most;
+}
+
+/// The largest of displacements and the rotation of a roller, at its end [mm].
+double Balance::largest_motion(const Vector<3>& step) const {
+  double most = 0.0;
+  for (Index a = 0; a < 3; ++a) most = larger(most, std::abs(step[a] * assembly_.scale[a]));
+  return most;
+}
+
+/// The load of a roller [N] beside which what is left of its balance is judged.
+double Balance::size() const {
+  double size = 0.0;
+  for (Index b = 0; b < 5; ++b)
+    if (conditions_.by_force[b])
+      size = std::max(size, std::abs(target_[b]) / assembly_.reach[b] / static_cast<double>(rollers_.size()));
+  for (Index j = 0; j < assembly_.rollers(); ++j) {
+    double borne = 0.0;
+    for (const Answer& answer : rollers_[j].answers) borne += answer.load;
+    size = std::max(std::max(size, borne), largest(assembly_.load[j]));
+  }
+  return size;
+}
+
+/// Move rollers as if all contacts were alike, half-way between the rings; barrels turn with the inner ring.
+void Balance::follow_alike() {
+  Answer alike;
+  alike.load_by_approach = 1.0, alike.moment_by_tilt = assembly_.scale[2] * assembly_.scale[2] / 3.0;
+  for (Index j = 0; j < assembly_.rollers(); ++j) {
+    std::fill(rollers_[j].answers.begin(), rollers_[j].answers.end(), alike);
+    add_up(j);
+    std::fill(rollers_[j].answers.begin(), rollers_[j].answers.end(), Answer{});
+    rollers_[j].motion = following(j, ring_.motion);
+  }
+}
+
+/// How a roller follows a motion of the ring if its contacts keep their stiffness.
+Vector<3> Balance::following(Index j, const Vector<5>& motion) const {
+  const Roller& roller = rollers_[j];
+  const Vector<3> pushed = product(roller.of_ring, product(assembly_.ring[j], motion));
+  const auto follows = eliminate(roller.whole, column(pushed), assembly_.scale);
+  return {follows[0][0], follows[1][0], follows[2][0]};
+}
+
+/// Move the rollers whose balance is short of what is enough [N]; return whether there are any.
+bool Balance::rollers_step(double enough) {
+  bool any = false;
+  for (Index j = 0; j < assembly_.rollers(); ++j) {
+    Roller& roller = rollers_[j];
+    if (!shortened(roller.trial, roller.off, roller.step, roller.whole)) {
+      roller.asked = roller.left > enough && roller.trial.steps < conditions_.steps;
+      if (!roller.asked) continue;
+      roller.before = roller.motion, roller.step = roller_step(j);
+      try_whole(roller.trial, roller.off, roller.step);
+    }
+    for (Index a = 0; a < 3; ++a) roller.motion[a] = roller.before[a] + roller.trial.share * roller.step[a];
+    ask(j);
+    any = true;
+  }
+  return any;
+}
+
+/// A step of a roller towards its balance, the ring at rest.
+Vector<3> Balance::roller_step(Index j) const {
+  const Roller& roller = rollers_[j];
+  // As for the ring: where nothing resists, a roller goes where it is pushed, and not far at once.
+  const double held = HELD_BACK * roller.left / conditions_.depth;
+  Small<3, 3> matrix = roller.whole;
+  for (Index a = 0; a < 3; ++a) matrix[a][a] += held * (assembly_.scale[a] * assembly_.scale[a]);
+  const auto solved = eliminate(matrix, column(roller.off), assembly_.scale);
+  Vector<3> step{solved[0][0], solved[1][0], solved[2][0]};
+  if (is_let_go(j, step)) step = times(LETS_GO, step);
+  step = times(cautious(largest_motion(step), deepest(j)), step);
+  return times(share_of_step(j, step), step);
+}
+
+/// How deep the contacts of a roller are, or are expected to be [mm].
+double Balance::deepest(Index j) const {
+  double deepest = conditions_.depth;
+  for (const Answer& answer : rollers_[j].answers) deepest = std::max(deepest, answer.overlap);
+  return deepest;
+}
+
+/// Whether a step leaves a roller that nothing loads without any contact: it is to end clear of the rings. A load that
+/// grows with a power of the penetration falls only to a certain part of itself in every step to zero.
+bool Balance::is_let_go(Index j, const Vector<3>& step) const {
+  for (const double load : assembly_.load[j])
+    if (load != 0.0) return false;
+  const auto contacts = assembly_.contacts(j);
+  double now = 0.0, then = 0.0;
+  for (Index c = 0; c < assembly_.columns; ++c) {
+    const Answer& answer = rollers_[j].answers[c];
+    const Pose added = closer(contacts[c], step);
+    now += answer.load;
+    then += std::max(answer.load + answer.load_by_approach * added.approach + answer.load_by_tilt * added.tilt, 0.0);
+  }
+  return then <= NOTHING_LEFT * now;
+}
+
+/// How much of a roller's step presses none of its contacts much deeper than what is left would press it.
+///
+/// Rollers that only speed loads cross the clearance of the bearing, and are to arrive as lightly as they are loaded:
+/// contacts hundreds of times too deep take long to solve.
+double Balance::share_of_step(Index j, const Vector<3>& step) const {
+  const auto contacts = assembly_.contacts(j);
+  const double expected = std::pow(rollers_[j].left / assembly_.stiffness, 1.0 / STIFFENING);
+  double share = 1.0;
+  for (Index c = 0; c < assembly_.columns; ++c) {
+    const Answer& answer = rollers_[j].answers[c];
+    const Pose added = closer(contacts[c], step);
+    // What bears deepens where it bears, as far as its stiffness reaches; what is apart, at an end of the roller.
+    double middle = 0.0, reach = assembly_.scale[2];
+    if (answer.load_by_approach > 0.0) {
+      middle = answer.load_by_tilt / answer.load_by_approach;
+      reach = std::sqrt(3.0 * std::max(answer.moment_by_tilt / answer.load_by_approach - middle * middle, 0.0));
+    }
+    const double now = answer.overlap;
+    const double then = now + added.approach + middle * added.tilt + reach * std::abs(added.tilt);
+    const double most = CAUTION * std::max(now, expected);
+    if (then > most) share = std::min(share, (most - now) / (then - now));
+  }
+  return share;
+}
+
+}  // namespace nonhertz
