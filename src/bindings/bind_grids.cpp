@@ -149,7 +149,7 @@ void bind_grids(nb::module_& m) {
          const std::vector<Pair>& extras, double coarseness, double share, double limit) {
         std::vector<Extra> places;
         for (const auto& [place, width] : extras) places.push_back({place, width});
-        return lay({std::move(grid), state}, model, *model.region(low, high), places, {coarseness, share, limit});
+        return Plan({std::move(grid), state}, model, *model.region(low, high), places, coarseness, limit).lay(share);
       },
       "model"_a, "grid"_a, "state"_a, "low"_a, "high"_a, "extras"_a, "coarseness"_a, "share"_a, "limit"_a, Released(),
       "The edges of the strips [mm] that a coarser solution calls for, within an interval.");

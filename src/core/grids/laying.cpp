@@ -11,11 +11,6 @@ constexpr double LEAST_STRIP = 0.4;  // of the target width, for a strip between
 constexpr double STEPS_PER_STRIP = 3.0;
 constexpr Index MOST_STEPS = 6000;
 
-/// Positions, and how many strips lie between the first and each.
-struct Path {
-  Numbers place, count;
-};
-
 /// The value at `at` on the line through points with ascending x.
 double read(View x, View values, double at) {
   Index low = 0, high = count_of(x) - 1;
@@ -92,29 +87,33 @@ Numbers from_end(const Path& left, const Path& right, const Numbers& marks, doub
 
 }  // namespace
 
-Numbers lay(const Level& from, const Model& model, const Region& region, const std::vector<Extra>& extras,
-            const Fineness& fineness) {
-  const Sizes sizes(from, model, region, extras, fineness.coarseness);
-  const double pieces = static_cast<double>(std::min(sizes.pieces(), Index{2}));
-  const double limit = fineness.limit / std::min(fineness.coarseness, 1.0) * pieces;
-  const double centre = sizes.centre();
-  double by = 1.0;
-  Path right = walk(sizes, centre, sizes.high(), by), left = walk(sizes, centre, sizes.low(), by);
-  double wanted = right.count.back() + left.count.back();
+Plan::Plan(const Level& from, const Model& model, const Region& region, const std::vector<Extra>& extras,
+           double coarseness, double limit) {
+  const Sizes sizes(from, model, region, extras, coarseness);
+  marks_ = sizes.marks(), centre_ = sizes.centre();
+  most_ = limit / std::min(coarseness, 1.0) * static_cast<double>(std::min(sizes.pieces(), Index{2}));
+  const auto walk_outward = [&](double by) {
+    right_ = walk(sizes, centre_, sizes.high(), by), left_ = walk(sizes, centre_, sizes.low(), by);
+    return right_.count.back() + left_.count.back();
+  };
+  double by = 1.0, wanted = walk_outward(by);
   // Where the sizes call for too many strips, those away from features are widened.
-  while (wanted > limit && by < LOOSEST) {
-    by *= std::max(1.03, std::pow(wanted / limit, 1.5));
-    right = walk(sizes, centre, sizes.high(), by), left = walk(sizes, centre, sizes.low(), by);
-    wanted = right.count.back() + left.count.back();
+  while (wanted > most_ && by < LOOSEST) {
+    by *= std::max(1.03, std::pow(wanted / most_, 1.5));
+    wanted = walk_outward(by);
   }
-  const double share = fineness.share * std::min(1.0, limit / wanted), half = 0.5 / share;
-  const Numbers marks = sizes.marks();
+}
+
+Numbers Plan::lay(double share) const {
+  const double of_right = right_.count.back(), of_left = left_.count.back();
+  share *= std::min(1.0, most_ / (of_right + of_left));
+  const double half = 0.5 / share;
   // Too close to an end for half a strip and another one beside it.
-  if (std::min(right.count.back(), left.count.back()) < half + LEAST_STRIP / share)
-    return from_end(left, right, marks, share);
+  if (std::min(of_right, of_left) < half + LEAST_STRIP / share) return from_end(left_, right_, marks_, share);
   const double reach =
-      std::min(read(right.count, right.place, half) - centre, centre - read(left.count, left.place, half));
-  const Numbers after = cut(right, centre + reach, marks, share), before = cut(left, centre - reach, marks, share);
+      std::min(read(right_.count, right_.place, half) - centre_, centre_ - read(left_.count, left_.place, half));
+  const Numbers after = cut(right_, centre_ + reach, marks_, share),
+                before = cut(left_, centre_ - reach, marks_, share);
   Numbers edges(before.rbegin(), before.rend());
   edges.insert(edges.end(), after.begin(), after.end());
   return edges;

@@ -8,15 +8,26 @@
 
 namespace nonhertz {
 
-/// How fine a grid is to be.
-struct Fineness {
-  double coarseness;  ///< widths over those tuned on random contacts
-  double share;       ///< strips over those that the size function asks for
-  double limit;       ///< the most strips on one interval of contact, at a coarseness of 1
+/// Positions, and how many strips lie between the first and each.
+struct Path {
+  Numbers place, count;
 };
 
-/// Return the edges of the strips that a coarser solution calls for.
-Numbers lay(const Level& from, const Model& model, const Region& region, const std::vector<Extra>& extras,
-            const Fineness& fineness);
+/// The strips that a coarser solution calls for: paths from the centre to both ends, whose strips can be counted.
+class Plan {
+ public:
+  /// `coarseness`: widths over those tuned on random contacts; `limit`: the most strips on one interval of contact at a
+  /// coarseness of 1.
+  Plan(const Level& from, const Model& model, const Region& region, const std::vector<Extra>& extras, double coarseness,
+       double limit);
+
+  /// Return the edges of strips, `share` times as many as are called for.
+  Numbers lay(double share) const;
+
+ private:
+  Path left_, right_;
+  Numbers marks_;
+  double centre_, most_;  // at most so many strips
+};
 
 }  // namespace nonhertz

@@ -50,7 +50,9 @@ Search::Search(const Model& model, const Prescription& given, const Accuracy& ac
 std::vector<Level> Search::run() {
   // The equal strips that find the contact are too few to say anything about the error.
   const Level located = locate();
-  std::vector<Level> levels{finer(located, located, ROUGH)};
+  // One that has no solution is left at that, on all levels.
+  if (!located.state.converged()) return {located, located, located};
+  std::vector<Level> levels{finer(plan(located), located, ROUGH)};
   add_halves(levels);
   for (int k = 0; k < REPEATS; ++k) {
     const Level& finest = levels[0];
@@ -91,11 +93,19 @@ std::optional<Pair> Search::narrower(const Level& level) const {
   return Pair{std::max(first - margin, model_.low()), std::min(last + margin, model_.high())};
 }
 
-/// Put solutions on a graded grid and on half of its strips in front.
+/// Put solutions on a graded grid and on half of its strips in front; what has no solution is left at that.
 void Search::add_halves(std::vector<Level>& levels) const {
-  const Level learnt_from = levels[0];
-  levels.insert(levels.begin(), finer(learnt_from, learnt_from, HALF));
-  levels.insert(levels.begin(), finer(learnt_from, levels[0], 1.0));
+  if (!levels[0].state.converged()) {
+    levels.insert(levels.begin(), 2, Level(levels[0]));
+    return;
+  }
+  const Plan learnt = plan(levels[0]);
+  levels.insert(levels.begin(), finer(learnt, levels[0], HALF));
+  levels.insert(levels.begin(), finer(learnt, levels[0], 1.0));
+}
+
+Plan Search::plan(const Level& from) const {
+  return Plan(from, model_, *region_, extras(from), coarseness_, STRIP_LIMIT);
 }
 
 /// Solve on a graded grid, or on a slightly coarser one where it has no solution.
@@ -103,17 +113,14 @@ void Search::add_halves(std::vector<Level>& levels) const {
 /// Where a blunt contact ends just at the edge of a strip, that strip can be unable to carry load (its neighbours alone
 /// curve the surface more than the bodies do) and yet overlap without it. The next grid has its edges elsewhere. It is
 /// also tried when the solution found is unstable, as spurious ones are in contacts several times as wide as long.
-Level Search::finer(const Level& from, const Level& near, double share) const {
-  if (!from.state.converged()) return from;
-  const std::vector<Extra> places = extras(from);
-  Level level = near;
+Level Search::finer(const Plan& plan, const Level& near, double share) const {
+  const double tolerance = share == 1.0 ? TOLERANCE : ROUGH_TOLERANCE;
   for (double fewer : FEWER_STRIPS) {
-    auto grid = model_.grid(lay(from, model_, *region_, places, {coarseness_, fewer * share, STRIP_LIMIT}));
     const bool is_last = fewer == FEWER_STRIPS[4];
-    level = solved(std::move(grid), &near, share == 1.0 ? TOLERANCE : ROUGH_TOLERANCE, is_last);
-    if (level.state.converged() && steady(*level.grid, level.state)) break;
+    Level level = solved(model_.grid(plan.lay(fewer * share)), &near, tolerance, is_last);
+    if (is_last || (level.state.converged() && steady(*level.grid, level.state))) return level;
   }
-  return level;
+  return near;
 }
 
 /// Places that need strips beside the ends and kinks of the contact.

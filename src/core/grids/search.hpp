@@ -18,7 +18,8 @@ class Search {
   Level locate() const;
   std::optional<Pair> narrower(const Level& level) const;
   void add_halves(std::vector<Level>& levels) const;
-  Level finer(const Level& from, const Level& near, double share) const;
+  Plan plan(const Level& from) const;
+  Level finer(const Plan& plan, const Level& near, double share) const;
   std::vector<Extra> extras(const Level& level) const;
   Level solved(std::shared_ptr<const Grid> grid, const Level* near, double tolerance, bool patient) const;
   double finer_wanted(const Level& finest, const Level& half) const;
