@@ -12,6 +12,7 @@
 #include "grids/levels.hpp"
 #include "grids/overlaps.hpp"
 #include "grids/peaks.hpp"
+#include "grids/springs.hpp"
 
 namespace nonhertz {
 namespace {
@@ -52,6 +53,8 @@ void bind_refusals(nb::module_& m) {
 void bind_grids(nb::module_& m) {
   bind_refusals(m);
   m.attr("ACCURACY") = ACCURACY;
+  nb::class_<Accuracy>(m, "Accuracy", "The relative errors that an automatic grid aims for.")
+      .def(nb::init<double, double>(), "of_motion"_a, "of_pressure"_a);
   m.def(
       "bounded",
       [](const Model& model, Flags by_force, Pair target) {
@@ -89,6 +92,12 @@ void bind_grids(nb::module_& m) {
       },
       "model"_a, "bends"_a, "length"_a, Released(),
       "Those of the bends [mm] at which the slope of the separation jumps, and by how much [rad].");
+  m.def(
+      "springs",
+      [](const Model& model, Flags by_force, Pair target, const VectorIn& edges) {
+        return array_of(springs(model, {by_force, target}, numbers(edges)).state.m);
+      },
+      "model"_a, "by_force"_a, "target"_a, "edges"_a, "Squares of the half-widths of independent springs [mm^2].");
   m.def(
       "intervals", [](const Grid& grid, const VectorIn& m) { return intervals(grid, view(m)); }, "grid"_a, "m"_a,
       "Both ends of every interval in contact [mm].");

@@ -1,92 +1,242 @@
 // A solve, many solves, and what they return: arrays are views of the result's own memory.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/shared_ptr.h>
-#include <nanobind/stl/string.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
+#include <chrono>
+
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
-#include "solve/batch.hpp"
+#include "solve/cases.hpp"
 
 namespace nonhertz {
 namespace {
 
-/// A new array with one number per strip.
-template <class Value>
-VectorOut made(const Result& result, Value value) {
-  const State& state = result.finest().state;
-  auto values = std::make_unique<Numbers>(state.r.size());
-  for (std::size_t i = 0; i < values->size(); ++i) (*values)[i] = value(state, i);
-  const Numbers& kept = *values;
+using namespace std::chrono_literals;
+
+/// Looks for signals while the interpreter's lock is released. Ctrl-C is noticed by the main thread alone.
+class Signals {
+ public:
+  void look() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + EVERY;
+    const nb::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() == 0) return;
+    raised_ = std::make_exception_ptr(nb::python_error());
+    throw Stopped{};
+  }
+  /// Raise what the signal's handler raised.
+  void raise() const {
+    if (raised_) std::rethrow_exception(raised_);
+  }
+
+ private:
+  static constexpr auto EVERY = 20ms;  // a loop of microseconds must not wait for the lock at every step
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + EVERY;
+  std::exception_ptr raised_;
+};
+
+/// What a solve looks at: a stop that any thread of Python may set, if there is one, and signals.
+Stop watched(const std::stop_source* source, Signals& signals) {
+  return {source != nullptr ? source->get_token() : std::stop_token(), [&signals] { signals.look(); }};
+}
+
+/// Why a case has no result, as an exception of Python.
+nb::object reason(const std::exception_ptr& why, const nb::object& refused_type) {
+  try {
+    std::rethrow_exception(why);
+  } catch (const Refused& refused) {
+    return refused_type(refused.why, refused.value, refused.low, refused.high, refused.strips);
+  } catch (nb::python_error& error) {
+    return nb::borrow(error.value());
+  } catch (const std::exception& error) {
+    return nb::steal(PyObject_CallFunction(PyExc_RuntimeError, "s", error.what()));
+  }
+}
+
+/// Strips as Python gives them.
+using StripsIn = std::variant<Accuracy, Index, VectorIn>;
+
+Strips strips_of(const StripsIn& strips) {
+  if (const auto* edges = std::get_if<VectorIn>(&strips)) return numbers(*edges);
+  if (const auto* count = std::get_if<Index>(&strips)) return *count;
+  return std::get<Accuracy>(strips);
+}
+
+std::optional<Result> solved(const Model& model, std::array<bool, 2> by_force, Pair target, const StripsIn& given,
+                             const std::stop_source* source) {
+  const Strips strips = strips_of(given);
+  Signals signals;
+  const Stop stop = watched(source, signals);
+  try {
+    const nb::gil_scoped_release unlocked;
+    return solve(model, {by_force, target}, strips, &stop);
+  } catch (const Stopped&) {
+    signals.raise();
+    return {};
+  }
+}
+
+nb::list solved_in_turn(const Model& model, std::array<bool, 2> by_force, const std::vector<Pair>& targets,
+                        const StripsIn& given, const std::stop_source* source, const nb::object& refused_type) {
+  const Strips strips = strips_of(given);
+  Signals signals;
+  const Stop stop = watched(source, signals);
+  std::vector<Ended> cases;
+  {
+    const nb::gil_scoped_release unlocked;
+    cases = solve_in_turn(model, by_force, targets, strips, &stop);
+  }
+  signals.raise();
+  nb::list ended;
+  for (Ended& each : cases) {
+    if (auto* result = std::get_if<Result>(&each))
+      ended.append(nb::cast(std::move(*result)));
+    else
+      ended.append(reason(std::get<std::exception_ptr>(each), refused_type));
+  }
+  return ended;
+}
+
+Result remade(const Model& model, std::array<bool, 2> by_force, Pair target,
+              const std::vector<std::pair<VectorIn, State>>& levels, double accuracy, bool accepted) {
+  Levels remade{{}, accuracy};
+  for (const auto& [edges, state] : levels) {
+    const bool is_checked = !accepted && remade.levels.empty();
+    remade.levels.push_back({is_checked ? model.grid(numbers(edges)) : model.springs(numbers(edges)), state});
+  }
+  const nb::gil_scoped_release unlocked;
+  return accepted ? judged(model, {by_force, target}, std::move(remade))
+                  : checked(model, {by_force, target}, std::move(remade));
+}
+
+/// Numbers of a row for each result, as an array with that many columns.
+template <class Fill>
+MatrixOut table(const std::vector<const Result*>& results, std::size_t columns, Fill fill) {
+  auto values = std::make_unique<Numbers>();
+  values->reserve(results.size() * columns);
+  for (const Result* result : results)
+    for (double value : fill(*result)) values->push_back(value);
+  const double* data = values->data();
   nb::capsule owner(values.release(), [](void* p) noexcept { delete static_cast<Numbers*>(p); });
-  return VectorOut(kept.data(), {kept.size()}, owner);
+  return MatrixOut(data, {results.size(), columns}, owner);
+}
+
+/// The sum of lengths, the error of each addition added at last.
+double total(const std::vector<Pair>& intervals) {
+  double sum = 0.0, lost = 0.0;
+  for (const auto& [low, high] : intervals) {
+    const double length = high - low, next = sum + length;
+    lost += sum >= length ? (sum - next) + length : (length - next) + sum;
+    sum = next;
+  }
+  return sum + lost;
+}
+
+MatrixOut columns(const std::vector<const Result*>& results, double compliance) {
+  return table(results, 14, [compliance](const Result& result) {
+    const Judgement& j = result.judgement;
+    const auto& [grid, state] = result.finest();
+    const auto& s = state.stiffness;
+    return std::array{state.rigid[0],
+                      state.rigid[1],
+                      result.resultant[0] / compliance,
+                      result.resultant[1] / compliance,
+                      j.pressure.value,
+                      j.pressure.y,
+                      j.half_width,
+                      total(j.contact),
+                      j.penetration,
+                      s[0][0] / compliance,
+                      s[0][1] / compliance,
+                      s[1][0] / compliance,
+                      s[1][1] / compliance,
+                      j.ends.singular.empty() ? 0.0 : 1.0};
+  });
 }
 
 }  // namespace
 
 void bind_solve(nb::module_& m) {
-  const auto of_state = [](auto member) {
-    return [member](const Result& self) { return self.finest().state.*member; };
+  const auto per_strip = [](auto value) {
+    return [value](const Result& self, double compliance) {
+      const State& state = self.finest().state;
+      Numbers values(state.r.size());
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(state, i, compliance);
+      return array_of(std::move(values));
+    };
   };
-  nb::class_<Result>(m, "Result")
-      .def_prop_ro("status", of_state(&State::status))
-      .def_prop_ro("rigid", of_state(&State::rigid))
-      .def_prop_ro("stiffness", of_state(&State::stiffness))
-      .def_prop_ro("steps", of_state(&State::steps))
+  nb::enum_<Unmet>(m, "Unmet")
+      .value("NONE", Unmet::none)
+      .value("NOT_FINITE", Unmet::not_finite)
+      .value("FIRST", Unmet::first)
+      .value("SECOND", Unmet::second)
+      .value("TENSION", Unmet::tension)
+      .value("UNCLOSED", Unmet::unclosed)
+      .value("OVERLAP", Unmet::overlap)
+      .value("BENT", Unmet::bent)
+      .value("HIDDEN", Unmet::hidden);
+  nb::class_<Shortfall>(m, "Shortfall")
+      .def_ro("condition", &Shortfall::condition)
+      .def_ro("found", &Shortfall::found)
+      .def_ro("at", &Shortfall::at);
+  nb::class_<Result>(m, "Result", "A case as it ended, judged.")
+      .def_prop_ro("status", [](const Result& self) { return self.finest().state.status; })
+      .def_prop_ro(
+          "rigid", [](const Result& self) { return self.finest().state.rigid; }, "Approach and tilt.")
+      .def_prop_ro(
+          "stiffness", [](const Result& self) { return self.finest().state.stiffness; }, "Scaled.")
+      .def_ro("resultant", &Result::resultant, "K Q and K T.")
+      .def_prop_ro("steps", [](const Result& self) { return self.finest().state.steps; })
       .def_prop_ro(
           "edges", [](nb::handle self) { return view_of(nb::cast<const Result&>(self).finest().grid->edges, self); },
           nb::rv_policy::reference)
       .def_prop_ro(
-          "r", [](nb::handle self) { return view_of(nb::cast<const Result&>(self).finest().state.r, self); },
-          nb::rv_policy::reference)
-      .def_prop_ro(
-          "m", [](nb::handle self) { return view_of(nb::cast<const Result&>(self).finest().state.m, self); },
-          nb::rv_policy::reference)
-      .def_prop_ro(
           "gap", [](nb::handle self) { return view_of(nb::cast<const Result&>(self).finest().state.gap, self); },
           nb::rv_policy::reference)
+      .def("line_load", per_strip([](const State& s, std::size_t i, double k) { return s.r[i] * s.m[i] / k; }),
+           "compliance"_a)
+      .def("half_width", per_strip([](const State& s, std::size_t i, double) { return std::sqrt(s.m[i]); }),
+           "compliance"_a = 1.0, "Of the element's own pressure.")
       .def_prop_ro(
-          "q",
-          [](const Result& self) { return made(self, [](const State& s, std::size_t i) { return s.r[i] * s.m[i]; }); },
-          nb::rv_policy::reference)
-      .def_prop_ro(
-          "a",
-          [](const Result& self) {
-            return made(self, [](const State& s, std::size_t i) { return std::sqrt(s.m[i]); });
+          "levels",
+          [](nb::handle self) {
+            nb::list levels;
+            for (const Level& level : nb::cast<const Result&>(self).levels.levels)
+              levels.append(nb::make_tuple(nb::cast(view_of(level.grid->edges, self), nb::rv_policy::reference),
+                                           nb::cast(level.state)));
+            return levels;
           },
-          nb::rv_policy::reference)
-      .def_prop_ro("resultant",
-                   [](const Result& self) {
-                     Pair found{};
-                     const auto& [grid, state] = self.finest();
-                     for (Index i = 0; i < grid->count(); ++i) {
-                       const double carried = state.r[i] * state.m[i] * grid->width(i);
-                       found[0] += carried, found[1] += carried * grid->y[i];
-                     }
-                     return found;
-                   })
-      .def_prop_ro("grids", [](const Result& self) { return self.levels.levels.size(); })
-      .def_prop_ro("unmet",
-                   [](const Result& self) {
-                     return std::tuple(static_cast<int>(self.shortfall.condition), self.shortfall.found,
-                                       self.shortfall.at);
-                   })
+          nb::sig("def levels(self) -> list[tuple[NDArray[numpy.float64], State]]"), "Edges and states, finest first.")
+      .def_prop_ro("accuracy", [](const Result& self) { return self.levels.accuracy; })
       .def_ro("is_steady", &Result::is_steady)
-      .def_prop_ro(
-          "judgement", [](const Result& self) -> const Judgement& { return self.judgement.value(); },
-          nb::rv_policy::reference_internal);
-  nb::class_<Automatic>(m, "Automatic").def(nb::init<double>());
+      .def_prop_ro("holds", &Result::holds)
+      .def_ro("shortfall", &Result::shortfall)
+      .def_ro("judgement", &Result::judgement);
+  nb::class_<std::stop_source>(m, "Stop", "Stops the solves that look at it within a Newton step.")
+      .def(nb::init<>())
+      .def("set", &std::stop_source::request_stop)
+      .def_prop_ro("is_set", &std::stop_source::stop_requested);
+  m.def("solve", &solved, "model"_a, "by_force"_a, "target"_a, "strips"_a, "stop"_a.none() = nb::none(),
+        nb::sig("def solve(model: Model, by_force: Sequence[bool], target: Sequence[float], "
+                "strips: Accuracy | int | NDArray[numpy.float64], stop: Stop | None = None) -> Result | None"),
+        "Solve a case; None once stopped.");
   m.def(
-      "solve",
-      [](const Model& model, std::array<bool, 2> by_force, Pair target, const Strips& strips) {
-        return solve(model, {by_force, target}, strips);
-      },
-      "model"_a, "by_force"_a, "target"_a, "strips"_a, nb::call_guard<nb::gil_scoped_release>());
-  m.def("solve_many", &solve_many, "model"_a, "by_force"_a, "targets"_a, "strips"_a, "threads"_a = 1,
-        nb::call_guard<nb::gil_scoped_release>());
+      "solve_in_turn",
+      [type = nb::object(m.attr("Refused"))](
+          const Model& model, std::array<bool, 2> by_force, const std::vector<Pair>& targets, const StripsIn& strips,
+          const std::stop_source* stop) { return solved_in_turn(model, by_force, targets, strips, stop, type); },
+      "model"_a, "by_force"_a, "targets"_a, "strips"_a, "stop"_a.none() = nb::none(),
+      nb::sig("def solve_in_turn(model: Model, by_force: Sequence[bool], targets: Sequence[Sequence[float]], "
+              "strips: Accuracy | int | NDArray[numpy.float64], stop: Stop | None = None) -> list[Result | Exception]"),
+      "Solve similar cases; less of them once stopped.");
+  m.def("restored", &remade, "model"_a, "by_force"_a, "target"_a, "levels"_a, "accuracy"_a, "accepted"_a,
+        "A result from states that were kept, checked again unless they are known to be accepted.");
+  m.def("columns", &columns, "results"_a, "compliance"_a);
 }
 
 }  // namespace nonhertz

@@ -331,6 +331,11 @@ class Refused(Exception):
 
 ACCURACY: float = 0.0001
 
+class Accuracy:
+    """The relative errors that an automatic grid aims for."""
+
+    def __init__(self, of_motion: float, of_pressure: float) -> None: ...
+
 def bounded(model: Model, by_force: Sequence[bool], target: Sequence[float]) -> list[float]:
     """
     The interval in which to look for the contact [mm]; finite even where the bodies are unbounded.
@@ -350,6 +355,9 @@ def kinks_among(model: Model, bends: Sequence[float], length: float) -> tuple[li
     """
     Those of the bends [mm] at which the slope of the separation jumps, and by how much [rad].
     """
+
+def springs(model: Model, by_force: Sequence[bool], target: Sequence[float], edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]:
+    """Squares of the half-widths of independent springs [mm^2]."""
 
 @overload
 def intervals(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[list[float]]:
@@ -543,15 +551,52 @@ def corner_ends(bends: Annotated[NDArray[numpy.float64], dict(shape=(None,), ord
 
 def penetration(model: Model, edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], rigid: Sequence[float]) -> float: ...
 
+class Unmet(enum.Enum):
+    NONE = 0
+
+    NOT_FINITE = 1
+
+    FIRST = 2
+
+    SECOND = 3
+
+    TENSION = 4
+
+    UNCLOSED = 5
+
+    OVERLAP = 6
+
+    BENT = 7
+
+    HIDDEN = 8
+
+class Shortfall:
+    @property
+    def condition(self) -> Unmet: ...
+
+    @property
+    def found(self) -> float: ...
+
+    @property
+    def at(self) -> int: ...
+
 class Result:
+    """A case as it ended, judged."""
+
     @property
     def status(self) -> Status: ...
 
     @property
-    def rigid(self) -> list[float]: ...
+    def rigid(self) -> list[float]:
+        """Approach and tilt."""
 
     @property
-    def stiffness(self) -> list[list[float]]: ...
+    def stiffness(self) -> list[list[float]]:
+        """Scaled."""
+
+    @property
+    def resultant(self) -> list[float]:
+        """K Q and K T."""
 
     @property
     def steps(self) -> int: ...
@@ -560,41 +605,54 @@ class Result:
     def edges(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
 
     @property
-    def r(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
-
-    @property
-    def m(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
-
-    @property
     def gap(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
 
-    @property
-    def q(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+    def line_load(self, compliance: float) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+    def half_width(self, compliance: float = 1.0) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]:
+        """Of the element's own pressure."""
 
     @property
-    def a(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+    def levels(self) -> list[tuple[NDArray[numpy.float64], State]]:
+        """Edges and states, finest first."""
 
     @property
-    def resultant(self) -> list[float]: ...
-
-    @property
-    def grids(self) -> int: ...
-
-    @property
-    def unmet(self) -> tuple[int, float, int]: ...
+    def accuracy(self) -> float: ...
 
     @property
     def is_steady(self) -> bool: ...
 
     @property
+    def holds(self) -> bool: ...
+
+    @property
+    def shortfall(self) -> Shortfall: ...
+
+    @property
     def judgement(self) -> Judgement: ...
 
-class Automatic:
-    def __init__(self, arg: float, /) -> None: ...
+class Stop:
+    """Stops the solves that look at it within a Newton step."""
 
-def solve(model: Model, by_force: Sequence[bool], target: Sequence[float], strips: Automatic | int | Sequence[float]) -> Result: ...
+    def __init__(self) -> None: ...
 
-def solve_many(model: Model, by_force: Sequence[bool], targets: Sequence[Sequence[float]], strips: Automatic | int | Sequence[float], threads: int = 1) -> list[Result]: ...
+    def set(self) -> bool: ...
+
+    @property
+    def is_set(self) -> bool: ...
+
+def solve(model: Model, by_force: Sequence[bool], target: Sequence[float], strips: Accuracy | int | NDArray[numpy.float64], stop: Stop | None = None) -> Result | None:
+    """Solve a case; None once stopped."""
+
+def solve_in_turn(model: Model, by_force: Sequence[bool], targets: Sequence[Sequence[float]], strips: Accuracy | int | NDArray[numpy.float64], stop: Stop | None = None) -> list[Result | Exception]:
+    """Solve similar cases; less of them once stopped."""
+
+def restored(model: Model, by_force: Sequence[bool], target: Sequence[float], levels: Sequence[tuple[Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], State]], accuracy: float, accepted: bool) -> Result:
+    """
+    A result from states that were kept, checked again unless they are known to be accepted.
+    """
+
+def columns(results: Sequence[Result], compliance: float) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]: ...
 
 class Slices:
     def __init__(self, y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], relief: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], stiffness: float, exponent: float) -> None: ...

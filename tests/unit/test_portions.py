@@ -5,11 +5,15 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 
 import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.model.prescription import Prescription
+from nonhertz.native import core
+from nonhertz.solver.one import problem_of
 from nonhertz.solver.portions import NOT_SOLVED
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
@@ -123,27 +127,39 @@ class Stuck(nh.profile.Profile):
         return np.zeros_like(y)
 
 
-@pytest.mark.parametrize(("patience", "solved"), [(0.1, 64), (60.0, 128)], ids=["abandoned", "kept"])
-def test_a_portion_that_has_begun_is_waited_for_but_not_for_long(monkeypatch, patience, solved):
-    monkeypatch.setattr("nonhertz.solver.portions.PATIENCE", patience)
+def test_a_profile_that_is_being_asked_is_waited_for_but_not_for_long(monkeypatch):
+    monkeypatch.setattr("nonhertz.solver.portions.PATIENCE", 0.1)
     go_on, asked = threading.Event(), threading.Event()
     go_on.set()  # while the contact is made
     stuck = nh.Contact(nh.Roller(diameter=20, length=20, profile=Stuck(go_on, asked)), nh.Plate())
 
     def stop(portion):
         asked.wait(60.0)
-        if solved == 128:
-            go_on.set()
         raise KeyboardInterrupt
 
     go_on.clear()
     asked.clear()
     try:
-        with pytest.raises(nh.Interrupted, match=rf"^Stopped after {solved} of 128 cases\.$") as stopped:
+        with pytest.raises(nh.Interrupted, match=r"^Stopped after 64 of 128 cases\.$") as stopped:
             nh.solve_many([CROWNED] * 64 + [stuck] * 64, load=5e3, strips=11, threads=2, announce=stop)
     finally:
         go_on.set()
-    assert list(stopped.value.solutions.failures) == list(range(solved, 128))
+    assert list(stopped.value.solutions.failures) == list(range(64, 128))
+
+
+def test_cases_that_have_begun_end_with_the_step_that_they_are_in():
+    stop = core.Stop()
+    problem = problem_of(CROWNED, Prescription(load=5e3), nh.SEMI_ELLIPTIC)
+    by_force, target = problem.conditions
+    waiting = threading.Timer(0.2, stop.set)
+    waiting.start()
+    start = time.perf_counter()
+    # Minutes' worth of cases.
+    ended = core.solve_in_turn(problem.model.in_core, by_force, [target] * 2000, core.Accuracy(1e-6, np.inf), stop)
+    assert time.perf_counter() - start < 10.0
+    assert len(ended) < 2000
+    assert all(result.holds for result in ended)
+    assert core.solve(problem.model.in_core, by_force, target, 15, stop) is None
 
 
 STOPPED = """

@@ -127,21 +127,14 @@ def test_an_error_of_an_unknown_type_comes_back_with_its_name_and_message(tmp_pa
     assert str(found.failures[0]) == "FleetingError: takes no arguments"
 
 
-def test_the_state_that_an_unconverged_case_reached_comes_back(tmp_path, monkeypatch):
-    from nonhertz.solver import portions
-
-    settled = portions.states_of
-
-    def unsettled(*arguments):
-        groups = settled(*arguments)
-        for each in groups:
-            each.states[0].status[:] = 1
-        return groups
-
-    monkeypatch.setattr(portions, "states_of", unsettled)
-    many = nh.solve_many(CROWNED, load=[2e3, 3e3], strips=15)
+def test_the_state_that_a_refuted_case_reached_comes_back(tmp_path):
+    # Tilt times y is 0.1 mm and rounded to 1e-17, the interference 2e-14.
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, side_faces="none", depth="none"), nh.Plate(depth="none"))
+    edges = np.linspace(9.999999, 10.0, 12)
+    given = {"approach": [2e-14 - 1e-2 * np.mean(edges[-2:])] * 2, "tilt": 1e-2, "strips": edges}
+    many = nh.solve_many(contact, **given)
     assert [type(error) for error in many.failures.values()] == [nh.ConvergenceError] * 2
-    found = again(many, CROWNED, tmp_path)
+    found = again(many, contact, tmp_path)
     assert str(found.failures[1]) == str(many.failures[1])
     assert_same_solution(found.failures[1].solution, many.failures[1].solution)
 

@@ -37,8 +37,8 @@ Four square(double u, double v, const double* table, Square& kept) {
   const auto [row, x] = octave_of(u);
   const auto [column, z] = octave_of(v);
   const Index at = (row * OCTAVES + column) * SQUARE;
-  if (kept.at != at || kept.v != z) {
-    kept.at = at, kept.v = z;
+  if (kept.of != table + at || kept.v != z) {
+    kept.of = table + at, kept.v = z;
     for (int power = 0; power <= SQUARE_DEGREE; ++power)
       kept.polynomials[power] = polynomials(table + at + 4 * (SQUARE_DEGREE + 1) * power, SQUARE_DEGREE + 1, z);
   }

@@ -16,7 +16,7 @@ inline constexpr double AWAY = 4.0;  // half-widths: from there on the series ho
 
 /// The polynomials in u of one place, which the next place along the same strip often shares.
 struct Square {
-  Index at = -1;
+  const double* of = nullptr;  ///< where it is in the table of a face
   double v = 0.0;
   std::array<Four, SQUARE_DEGREE + 1> polynomials;
 };

@@ -119,17 +119,9 @@ def _at_corners(problem: Problem, state: States, kinds: NDArray[np.int64], y: Ar
     return corners
 
 
-def edge_pressures(problem: Problem, state: States, ends: Ends) -> tuple[EdgePressure, EdgePressure]:
-    """Return the pressures at both ends of the only case in ``ends``, without strengths; see `with_strength`."""
-    bearing, pressure = np.flatnonzero(state.m > 0.0), centre_pressure(problem, state)
-    found = []
-    for column, side in enumerate((-1, 1)):
-        y, width, kappa, exponent, correction = (float(each[0, column]) for each in ends[1:-1])
-        kind = KINDS[ends.kinds[0, column]]
-        words = _WORDS.get(kind) or _convention(problem, y, side, AT_ONE_PLACE * width)
-        of_last = 0.0 if kind is EdgeKind.RUN_OUT else float(pressure[bearing[-column]])
-        found.append(EdgePressure(y, kind, of_last, width, kappa, exponent, None, None, correction, words))
-    return found[0], found[1]
+def end_in_words(problem: Problem, kind: EdgeKind, place: float, width: float, side: int) -> Finding:
+    """Return what ends a contact at a place; ``width`` is that of its last strip [mm]."""
+    return _WORDS.get(kind) or _convention(problem, place, side, AT_ONE_PLACE * width)
 
 
 def centre_pressure(problem: Problem, state: States) -> Array:

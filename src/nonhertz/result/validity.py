@@ -12,7 +12,19 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact, sharper_curvature
 from nonhertz.model.side_faces import SERIES
-from nonhertz.result.checks import LEAST_OF_ALL, WAY_OUT, checks, refuse_thin_bodies
+from nonhertz.native import core
+from nonhertz.result.checks import (
+    HEAVIEST,
+    LEAST_DEPTH,
+    LEAST_OF_ALL,
+    MOST_OF_MODULUS,
+    MOST_OF_RADIUS,
+    MOST_UNEVEN,
+    WAY_OUT,
+    WIDER_THAN_LONG,
+    checks,
+    refuse_thin_bodies,
+)
 from nonhertz.result.ends import step_at
 from nonhertz.result.estimate import (
     LARGE_ERROR,
@@ -25,8 +37,8 @@ from nonhertz.result.estimate import (
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, Solution, Status
 from nonhertz.strip.overlaps import overlapping, runs
-from nonhertz.strip.problem import Problem, winkler_state
-from nonhertz.strip.records import Grids, States
+from nonhertz.strip.problem import Problem
+from nonhertz.strip.records import States
 from nonhertz.strip.solving import SCARCELY
 
 Array = NDArray[np.float64]
@@ -34,6 +46,28 @@ Flags = NDArray[np.bool_]
 
 AT_CORNER = 1.5  # strips: a maximum this close to a corner of the profile is attributed to the corner
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then accurate to 0.2 %
+
+
+def is_strained(problem: Problem, judgement: core.Judgement) -> bool:
+    """Return whether `strains` finds anything."""
+    checks, errors, influence = judgement.checks, judgement.errors, problem.model.influence
+    contact, by_modes = problem.contact, has_whole_roller(problem)
+    asked = problem.accuracy if problem.accuracy_given and problem.accuracy is not None else LARGE_ERROR
+    of_pressure = LARGE_PRESSURE_ERROR if problem.pressure_accuracy is None else problem.pressure_accuracy
+    softer = min(contact.a.material.modulus, contact.b.material.modulus)
+    return not (
+        checks.length_ratio <= WIDER_THAN_LONG
+        and checks.radius_ratio <= MOST_OF_RADIUS
+        and checks.unevenness <= MOST_UNEVEN * checks.deepest
+        and checks.mean_pressure <= MOST_OF_MODULUS * softer
+        and checks.depth_ratio >= LEAST_DEPTH
+        and max(errors.approach, errors.load) <= min(LARGE_ERROR, asked + LEFT_BY_MODES * by_modes)
+        and errors.max_pressure <= min(LARGE_PRESSURE_ERROR, of_pressure + PRESSURE_LEFT_BY_MODES * by_modes)
+        and not checks.missed > MISSED * checks.pressed
+        and not judgement.peaks_at_corner
+        and not any(end.kind == core.EndKind.CUT_OFF for end in judgement.ends)
+        and not any(end.requested > HEAVIEST for end in influence.ends)
+    )
 
 
 def strains(solution: Solution, problem: Problem, state: States) -> Iterator[Finding]:
@@ -196,7 +230,8 @@ def refuse_wide(solution: Solution, problem: Problem) -> None:
     # A loop that failed leaves meaningless half-widths; those of springs may be too small by half.
     half_width = solution.half_width
     if not converged:
-        half_width = solution.element.hertz_ratio * np.sqrt(winkler_state(problem, solution.edges).m)
+        squares = core.springs(problem.model.in_core, *problem.conditions, solution.edges)
+        half_width = solution.element.hertz_ratio * np.sqrt(squares)
     if not np.isfinite(np.max(half_width)):
         return
     name, per = ("load", problem.contact.compliance) if problem.prescribed[0] else ("approach", 1.0)
@@ -213,13 +248,6 @@ def refuse_wide(solution: Solution, problem: Problem) -> None:
         raise InputError(*pressed, condition, WAY_OUT)
     least = LEAST_OF_ALL if converged else SCARCELY
     refuse_thin_bodies(solution.contact, solution.element, solution.y, half_width, least, pressed)
-
-
-def too_wide(problem: Problem, grids: Grids, states: States) -> Flags:
-    """Return where contacts are wider than their bodies are thick or round, for which each is refused."""
-    half_width = problem.model.element.hertz_ratio * np.sqrt(states.m)
-    fits: Flags = (half_width <= grids.min_depth) & (half_width * grids.sharper <= 1.0)
-    return ~fits
 
 
 def refuse_wide_series(solution: Solution) -> None:

@@ -22,13 +22,12 @@ from nonhertz.errors import ConvergenceError, InputError, NonhertzError, shown
 from nonhertz.inputs.archives import Archive, Entries, digest, text
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
-from nonhertz.result.outcome import outcome
+from nonhertz.native import core
+from nonhertz.result.outcome import Kept, kept, outcome, restored
 from nonhertz.solver.one import posed
 from nonhertz.solver.solutions import Block, several
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
-from nonhertz.strip.levels import Solved
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import States
 
 Array = NDArray[np.float64]
 
@@ -42,7 +41,12 @@ ARCHIVE = Archive(
     again="solve the cases again with this nonhertz",
 )
 _ELEMENTS = {element.name: element for element in (SEMI_ELLIPTIC, PARABOLIC)}
-_COUNTED = {"counts", "status", "steps"}
+_COUNTED = {"status", "steps"}
+CONVERGED = int(core.Status.CONVERGED)
+_ZERO = np.zeros(1)
+UNSOLVED = Kept(
+    np.zeros(2), _ZERO, _ZERO, _ZERO, np.zeros(2), np.zeros((2, 2)), int(core.Status.STAGNATED), 0, math.inf
+)  # fmt: skip
 # Relative to the largest value. Another processor may compute a logarithm with another last digit, and the contact
 # is the same.
 SAME = 1e-12
@@ -57,11 +61,14 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
         raise InputError("element", problem.model.element.name, "be one of nonhertz for solutions to be saved", remedy)
     sources: dict[int, Block] = {}  # the first block of each contact, one with strips if there is any
     for block in blocks:
-        if id(block.problem.contact) not in sources or (block.states and not sources[id(block.problem.contact)].states):
+        if id(block.problem.contact) not in sources or (
+            block.results and not sources[id(block.problem.contact)].results
+        ):
             sources[id(block.problem.contact)] = block
     order = {contact: number for number, contact in enumerate(sources)}
     errors = [block.error for block in blocks if block.error is not None]
-    levels = [level for block in blocks for level in block.states]
+    cases = [case for block in blocks for case in _Saved.of(block)]
+    levels = [level for case in cases for level in case.levels]
     likenesses = [_Likeness.of(source.problem, _places(source)) for source in sources.values()]
     fields = {
         "shape": np.array(shape),
@@ -72,21 +79,27 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
         ),
         "blocks": np.array(
             [
-                (order[id(block.problem.contact)], len(block.numbers), len(block.states), block.error is not None)
-                for block in blocks
+                (
+                    order[id(case.block.problem.contact)],
+                    len(case.numbers),
+                    len(case.levels),
+                    case.block.error is not None,
+                )
+                for case in cases
             ]
         ),
-        "numbers": np.concatenate([block.numbers for block in blocks]).astype(np.int64),
-        "targets": np.concatenate([block.targets for block in blocks]),
+        "numbers": np.concatenate([case.numbers for case in cases]).astype(np.int64),
+        "targets": np.concatenate([case.targets for case in cases]),
         "problems": np.array([source.problem.target for source in sources.values()]),
-        "levels": np.array([(len(level.r), len(level.edges), level.r.shape[1]) for level in levels], dtype=np.int64),
+        "levels": np.array([(1, 1, level.r.size) for level in levels], dtype=np.int64),
         "errors": np.asarray(json.dumps([_described(error) for error in errors])),
         "contact_sizes": np.array([each.places.size for each in likenesses]),
         "contact_places": np.concatenate([each.places for each in likenesses]),
         "contact_surfaces": np.concatenate([each.surfaces for each in likenesses], axis=1),
         "contact_numbers": np.array([each.numbers for each in likenesses]),
     }
-    for name in States._fields:
+    fields["counts"] = np.array([level.r.size for level in levels], dtype=np.int64)
+    for name in Kept._fields:
         values = [np.ravel(getattr(level, name)) for level in levels]
         fields[name] = np.concatenate([*values, np.zeros(0)]).astype(np.int64 if name in _COUNTED else np.float64)
     ARCHIVE.save(path, fields | {"digest": np.asarray(digest(fields))})
@@ -112,22 +125,76 @@ def read(
     return shape, tuple(_blocks(fields, given, which))
 
 
+@dataclass(frozen=True)
+class _Saved:
+    """A case with a state on each level, or cases without any that have the same error."""
+
+    block: Block
+    numbers: list[int]
+    targets: Array
+    levels: list[Kept]
+
+    @classmethod
+    def of(cls, block: Block) -> Iterator[_Saved]:
+        """Yield the cases of a block."""
+        if not block.results:
+            yield cls(block, block.numbers, block.targets, [])
+        for row, result in enumerate(block.results):
+            levels = kept(result)
+            if not result.accuracy and block.problem.accuracy:
+                # That the second grid has no solution is what tells that the accuracy does not hold.
+                levels.insert(1, UNSOLVED)
+            yield cls(block, [block.numbers[row]], block.targets[row : row + 1], levels)
+
+
 def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> Iterator[Block]:
     problems, errors = _Problems(fields), iter(json.loads(str(fields["errors"])))
-    states, known, first = _states(fields), _errors_by_name(), 0
-    for contact, cases, levels, failed in fields["blocks"].tolist():
+    levels, known, first = _levels(fields), _errors_by_name(), 0
+    solved: list[Block] = []
+    for contact, cases, grids, failed in fields["blocks"].tolist():
         part = slice(first, first + cases)
         first += cases
         numbers, targets = fields["numbers"][part].tolist(), fields["targets"][part]
         # All are compared; the same contact may have been given several times as equal ones.
         problem, *_ = (problems.of(contact, given, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
-        block = Block(problem, numbers, targets, tuple(next(states) for _ in range(levels)))
-        yield _failed(block, next(errors), known) if failed else block
+        states = [next(levels) for _ in range(grids)]
+        of_cases = [[level[case] for level in states] for case in range(cases if grids else 0)]
+        results = [
+            _result(problem.of(target), case, accepted=not failed)
+            for target, case in zip(targets, of_cases, strict=False)
+        ]
+        block = Block(problem, numbers, targets, results)
+        if failed:
+            yield _failed(block, next(errors), known)
+        elif solved and solved[-1].problem is problem:
+            solved.append(block)
+        else:
+            yield from _together(solved)
+            solved = [block]
+    yield from _together(solved)
 
 
-def _states(fields: Entries) -> Iterator[States]:
-    """Yield the states of all levels."""
-    ends = dict.fromkeys(States._fields, 0)
+def _together(blocks: list[Block]) -> Iterator[Block]:
+    """Yield cases of one contact in one block."""
+    if blocks:
+        yield Block(
+            blocks[0].problem, [number for block in blocks for number in block.numbers],
+            np.concatenate([block.targets for block in blocks]),
+            [result for block in blocks for result in block.results],
+        )  # fmt: skip
+
+
+def _result(problem: Problem, levels: list[Kept], *, accepted: bool) -> core.Result:
+    finest, *coarser = levels
+    is_regular = bool(coarser) and coarser[0].status == CONVERGED
+    solved = [level for level in coarser if level.status == CONVERGED]
+    accuracy = problem.accuracy if is_regular and problem.accuracy else 0.0
+    return restored(problem, [finest, *solved], accuracy, accepted=accepted)
+
+
+def _levels(fields: Entries) -> Iterator[list[Kept]]:
+    """Yield the states of all cases of a block on one level after the other."""
+    ends = dict.fromkeys(("counts", *Kept._fields), 0)
     for cases, grids, strips in fields["levels"].tolist():
         shapes: dict[str, tuple[int, ...]] = {
             "counts": (grids,), "edges": (grids, strips + 1), "rigid": (cases, 2), "stiffness": (cases, 2, 2),
@@ -137,9 +204,18 @@ def _states(fields: Entries) -> Iterator[States]:
         found = {}
         for name, shape in shapes.items():
             start, ends[name] = ends[name], ends[name] + math.prod(shape)
-            # A copy, so that one case that is kept does not keep all of the file.
-            found[name] = fields[name][start : ends[name]].reshape(shape).copy()
-        yield States(**found)
+            found[name] = fields[name][start : ends[name]].reshape(shape)
+        # Grids of many cases in one block are as long as the longest of them.
+        grid = [0] * cases if grids == 1 else range(cases)
+        counts = [int(found["counts"][at]) for at in grid]
+        yield [
+            Kept(
+                found["edges"][at, : n + 1], found["r"][case, :n], found["m"][case, :n], found["gap"][case, :n],
+                found["rigid"][case].tolist(), found["stiffness"][case].tolist(), int(found["status"][case]),
+                int(found["steps"][case]), float(found["residual"][case]),
+            )
+            for case, (at, n) in enumerate(zip(grid, counts, strict=True))
+        ]  # fmt: skip
 
 
 # Contacts
@@ -201,8 +277,8 @@ def _surface(body: Body, places: Array) -> Iterator[Array]:
 
 def _places(block: Block) -> Array:
     """Return where the contact of a block is looked at: on the strips of its first case, if it has any."""
-    if block.states:
-        edges = block.finest.strips(0)
+    if block.results:
+        edges = block.results[0].edges
         return 0.5 * (edges[1:] + edges[:-1])
     low, high = block.problem.contact.interval
     low = low if math.isfinite(low) else min(high - 2.0, -1.0)
@@ -275,18 +351,16 @@ def _literal(written: str) -> Any:
 def _failed(block: Block, described: dict[str, Any], known: dict[str, type[Exception]]) -> Block:
     """Return a block of cases without a solution, with their error."""
     error: Exception | None = None
-    if block.states:  # not converged: the error holds the state that was reached
+    if block.results:  # not converged: the error holds the state that was reached
         try:
-            model, finest = block.problem.model, block.finest
-            grids = model.deep(model.grids(finest.counts, finest.edges))
-            outcome(block.problem.of(block.targets[0]), Solved(np.arange(1), block.states, grids))
+            outcome(block.problem.of(block.targets[0]), block.results[0])
         except ConvergenceError as again:
             error = again.with_traceback(None)
     elif described["type"] in known:
         error = _restored(known[described["type"]], described["arguments"])
     if error is None or str(error) != described["message"]:
         error = NonhertzError(f"{described['type'].rpartition('.')[2]}: {described['message']}")
-    return Block(block.problem, block.numbers, block.targets, block.states, error)
+    return Block(block.problem, block.numbers, block.targets, block.results, error)
 
 
 def _restored(kind: type[Exception], arguments: list[str]) -> Exception | None:

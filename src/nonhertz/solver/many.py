@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from threading import Event
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,8 @@ from nonhertz.findings import warn
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
-from nonhertz.solver.one import Goal, Strips, element_of, is_automatic, problem_of, requested_strips
+from nonhertz.native import core
+from nonhertz.solver.one import Goal, Strips, element_of, is_automatic, problem_of, requested_strips, strips_of
 from nonhertz.solver.portions import Portion, Run, Task, Work
 from nonhertz.solver.solutions import Solutions, case_label, several
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -134,8 +134,8 @@ def solve_in_silence(
         As `solve_many` does.
     """
     shape, tasks = _laid_out(contact, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
-    never = Event()
-    return Solutions(shape, tuple(block for work in _works(tasks) for block in work.solved(never)))
+    stop = core.Stop()
+    return Solutions(shape, tuple(block for work in _works(tasks) for block in work.solved(stop)))
 
 
 @dataclass(frozen=True)
@@ -248,10 +248,11 @@ def _tasks(
                 targets[:, column] = contact.compliance * given[force][numbers]
             elif motion in given:
                 targets[:, column] = given[motion][numbers]
+        strips = strips_of(problem, options.strips)
         at_once = CASES_APART if is_automatic(options.strips) else CASES_AT_ONCE
         for first in range(0, len(numbers), at_once):
             portion = slice(first, first + at_once)
-            tasks.append(Task(problem, numbers[portion], targets[portion], options.strips))
+            tasks.append(Task(problem, numbers[portion], targets[portion], strips))
     return tasks
 
 
@@ -270,7 +271,9 @@ def _works(tasks: list[Task]) -> Iterator[Work]:
     portion: list[Task] = []
     for task in tasks:
         portion.append(task)
-        if sum(len(each.numbers) for each in portion) >= (CASES_APART if is_automatic(task.strips) else CASES_AT_ONCE):
+        if sum(len(each.numbers) for each in portion) >= (
+            CASES_APART if isinstance(task.strips, core.Accuracy) else CASES_AT_ONCE
+        ):
             yield Work(tuple(portion))
             portion = []
     if portion:

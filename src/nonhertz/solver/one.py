@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
@@ -15,18 +16,11 @@ from nonhertz.inputs.checks import finite, numbers, one_of
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile.base import at_ends
+from nonhertz.native import core
 from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import Solution
+from nonhertz.solver.refusals import refusal
 from nonhertz.strip.element import ELEMENTS, SEMI_ELLIPTIC, Element
-from nonhertz.strip.feasible import refuse_infeasible
-from nonhertz.strip.levels import (
-    ACCURACY,
-    Solved,
-    equal_grids,
-    given_grids,
-    on_automatic_strips,
-    on_given_strips,
-)
 from nonhertz.strip.problem import Problem, StripModel
 from nonhertz.strip.records import Flags
 
@@ -37,6 +31,7 @@ Strips = int | Literal["auto"] | ArrayLike | None
 Goal = Literal["approach", "pressure"]
 GOALS: tuple[Goal, ...] = ("approach", "pressure")
 
+ACCURACY = 1e-4  # of the approach, if no other is asked for
 FEWEST_STRIPS, MOST_STRIPS = 1, 2000
 # Coarser grids take as long, and some miss peaks of the pressure in silence.
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-6, 1e-3
@@ -113,8 +108,7 @@ def solve(
     """
     given = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
     problem = problem_of(contact, given, element, strips, accuracy, accuracy_of)
-    (solved,) = states_of(problem, strips, problem.target[None])
-    solution = outcome(problem, solved)
+    solution = outcome(problem, result_of(problem, strips_of(problem, strips)))
     warn(solution.findings)
     return solution
 
@@ -197,33 +191,32 @@ def is_automatic(strips: Strips) -> bool:
     return strips is None or (isinstance(strips, str) and strips == "auto")
 
 
-def states_of(problem: Problem, strips: Strips, targets: Array) -> list[Solved]:
-    """Return the states of cases on the requested strips and on coarser ones.
+def strips_of(problem: Problem, strips: Strips) -> core.Accuracy | int | Array:
+    """Return the requested strips, as the core takes them."""
+    count, edges = requested_strips(problem.contact, strips)
+    if edges is not None:
+        return edges
+    if count is not None:
+        return count
+    of_pressure = math.inf if problem.pressure_accuracy is None else problem.pressure_accuracy
+    return core.Accuracy(problem.accuracy or ACCURACY, of_pressure)
 
-    Parameters
-    ----------
-    problem : Problem
-        What the cases share.
-    strips : int or array_like or "auto"
-        As in `solve`.
-    targets : ndarray, shape (cases, 2)
-        As `Problem.target`.
+
+def result_of(problem: Problem, strips: core.Accuracy | int | Array) -> core.Result:
+    """Return what the core has found.
 
     Raises
     ------
     InputError
-        If no strips can meet what is prescribed in some case.
+        If no strips can meet what is prescribed.
     """
-    count, edges = requested_strips(problem.contact, strips)
-    if edges is not None:
-        grids = given_grids(edges)
-    elif count is not None:
-        grids = equal_grids(problem, count)
-    else:
-        return on_automatic_strips(problem, targets)
-    if len(targets) == 1:
-        refuse_infeasible(problem.of(targets[0]), grids[0])
-    return [on_given_strips(problem, grids, targets)]
+    by_force, target = problem.conditions
+    try:
+        result = core.solve(problem.model.in_core, by_force, target, strips)
+    except core.Refused as refused:
+        raise refusal(problem, refused) from None
+    assert result is not None  # nobody stops it but by a signal, whose exception passes
+    return result
 
 
 def requested_strips(contact: Contact, strips: Strips) -> tuple[int | None, Array | None]:

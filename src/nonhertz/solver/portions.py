@@ -11,27 +11,23 @@ from collections.abc import Callable, Collection
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from functools import cached_property
-from threading import Event
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import ConvergenceError, Interrupted, NonhertzError
 from nonhertz.findings import Finding
-from nonhertz.result.outcome import outcome
+from nonhertz.native import core
+from nonhertz.result.outcome import has_series, outcome
 from nonhertz.result.solution import read_only
-from nonhertz.result.validity import too_wide
-from nonhertz.solver.one import Strips, states_of
+from nonhertz.solver.refusals import refusal
 from nonhertz.solver.solutions import Block, Solutions
-from nonhertz.strip.acceptance import met_by
-from nonhertz.strip.levels import Solved
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import Flags, States
 
 Array = NDArray[np.float64]
 
-# How long a stopped run waits for portions that have begun. Most take a few hundredths of a second; one of thousands of
-# strips may take minutes, and is abandoned.
+# How long a stopped run waits for portions that have begun: they end within a Newton step, but for profiles of the
+# user's, which may take their time.
 PATIENCE = 1.0  # s
 NOT_SOLVED = "The case was not solved: the run was stopped before it was its turn."
 
@@ -79,57 +75,52 @@ class Task:
     problem: Problem
     numbers: list[int]
     targets: Array
-    strips: Strips
+    strips: core.Accuracy | int | Array
 
-    def solved(self, stopped: Event) -> list[Block]:
-        """Solve the cases; return those solved together in one block or a few, the others in a block each.
+    def solved(self, stop: core.Stop) -> list[Block]:
+        """Solve the cases; return those with a solution in one block, the others in a block each.
 
-        Once the run is stopped, cases that are left to be solved alone are not begun.
+        Once the run is stopped, the cases that are left are not begun.
         """
-        together: list[Block] = []
-        # The length on which unbounded bodies touch depends on the case.
-        if np.all(np.isfinite(self.problem.contact.interval)) or not isinstance(self.strips, int | str | None):
-            # Whatever the bodies refuse or raise is attributed to each case by solving it alone.
-            with contextlib.suppress(Exception):
-                together = [self._block(each) for each in states_of(self.problem, self.strips, self.targets)]
-        done = {number for block in together for number in block.numbers}
-        left = (row for row, number in enumerate(self.numbers) if number not in done)
-        alone = [self._alone(row) for row in left if not stopped.is_set()]
-        return [*alone, *(block for block in together if block.numbers)]
-
-    def _block(self, solved: Solved) -> Block:
-        """Return those of some cases that have a solution."""
-        targets, finest = self.targets[solved.cases], solved.states[0]
-        wide = np.any(too_wide(self.problem, solved.grids, finest), axis=1)
-        done = solved.only(finest.converged & ~wide & met_by(self.problem, solved.grids, finest, targets))
-        block = self._of(done)
-        finite: Flags = np.all(np.isfinite(block.columns), axis=0) if block.numbers else np.ones(0, dtype=np.bool_)
-        return block if finite.all() else self._of(done.only(finite))
-
-    def _of(self, done: Solved) -> Block:
-        numbers = [self.numbers[row] for row in done.cases]
-        return Block(self.problem, numbers, self.targets[done.cases], tuple(done.states))
-
-    def _alone(self, row: int) -> Block:
-        """Return one case, solved as `nonhertz.solve` does."""
-        problem = self.problem.of(self.targets[row])
-        at = [self.numbers[row]], self.targets[row : row + 1]
-        states: tuple[States, ...] = ()
+        by_force, _ = self.problem.conditions
         try:
-            (solved,) = states_of(problem, self.strips, self.targets[row : row + 1])
-            states = tuple(solved.states)
-            outcome(problem, solved)
+            ended = core.solve_in_turn(self.problem.model.in_core, by_force, self.targets.tolist(), self.strips, stop)
         # Whatever a case raises, even from a user-written profile, must not stop the others.
         except Exception as error:  # noqa: BLE001
-            reached = states if isinstance(error, ConvergenceError) else ()
-            return Block(self.problem, *at, reached, error.with_traceback(None))
-        return Block(self.problem, *at, states)
+            return self.without((), error.with_traceback(None))
+        failed: list[Block] = []
+        solved: dict[int, core.Result] = {}
+        is_looked_at = has_series(self.problem)
+        for row, each in enumerate(ended):
+            result = each if isinstance(each, core.Result) else None
+            reason = self._failure(row, each) if result is None or not result.holds or is_looked_at else None
+            if reason is not None:
+                reached = [result] if result is not None and isinstance(reason, ConvergenceError) else []
+                failed.append(self._block([row], reached, reason))
+            elif result is not None:
+                solved[row] = result
+        return [*failed, *([self._block(list(solved), list(solved.values()))] if solved else [])]
+
+    def _failure(self, row: int, ended: core.Result | Exception) -> Exception | None:
+        """Return why a case has no solution, if it has none."""
+        problem = self.problem.of(self.targets[row])
+        if isinstance(ended, core.Refused):
+            return refusal(problem, ended)
+        if isinstance(ended, Exception):
+            return ended.with_traceback(None)
+        try:
+            outcome(problem, ended)
+        except NonhertzError as error:
+            return error.with_traceback(None)
+        return None
+
+    def _block(self, rows: list[int], results: list[core.Result], error: Exception | None = None) -> Block:
+        return Block(self.problem, [self.numbers[row] for row in rows], self.targets[rows], results, error)
 
     def without(self, numbers: Collection[int], error: Exception) -> list[Block]:
         """Return the cases that are not among ``numbers`` in a block with an error, or no block if there are none."""
         rows = [row for row, number in enumerate(self.numbers) if number not in numbers]
-        left = [self.numbers[row] for row in rows]
-        return [Block(self.problem, left, self.targets[rows], (), error)] if rows else []
+        return [self._block(rows, [], error)] if rows else []
 
 
 @dataclass(frozen=True)
@@ -141,13 +132,13 @@ class Work:
     def __len__(self) -> int:
         return sum(len(task.numbers) for task in self.tasks)
 
-    def solved(self, stopped: Event) -> list[Block]:
+    def solved(self, stop: core.Stop) -> list[Block]:
         """Solve the tasks, until the run is stopped."""
         found: list[Block] = []
         for task in self.tasks:
-            if stopped.is_set():
+            if stop.is_set:
                 break
-            found += task.solved(stopped)
+            found += task.solved(stop)
         for block in found:
             block.prepare()
         return found
@@ -172,18 +163,18 @@ class Run:
 
     def _finished(self, announce: Callable[[Portion], object] | None) -> Solutions:
         """Solve all portions, announce each, and return the solutions of all."""
-        stopped, total, done = Event(), sum(len(work) for work in self._works), 0
+        stop, total, done = core.Stop(), sum(len(work) for work in self._works), 0
         pool = ThreadPoolExecutor(self._threads)
         try:
             for work in self._works:
-                self._futures.append(pool.submit(work.solved, stopped))
+                self._futures.append(pool.submit(work.solved, stop))
             for future, work in zip(self._futures, self._works, strict=True):
                 blocks = future.result()
                 done += len(work)
                 if announce is not None:
                     announce(Portion.of(blocks, done, total))
         finally:
-            stopped.set()
+            stop.set()
             pool.shutdown(wait=False, cancel_futures=True)
             with contextlib.suppress(KeyboardInterrupt):  # a second Ctrl-C: wait no longer
                 # Of cancelled ones, `wait` would never hear that they are done.

@@ -9,7 +9,7 @@ import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,22 +18,14 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.inputs.checks import listed
 from nonhertz.model.contact import Contact
+from nonhertz.native import core
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import dataframe, dataset
-from nonhertz.result.end_pressure import Ends, ends_of
-from nonhertz.result.estimate import estimates
-from nonhertz.result.maximum import largest_half_width, largest_of, largest_pressure
-from nonhertz.result.outcome import solution_of
-from nonhertz.result.penetration import penetrations
+from nonhertz.result.outcome import kept, restored, solution_of
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
-from nonhertz.result.suspicion import suspicions
-from nonhertz.result.validity import missed_contact, singularities, strains
-from nonhertz.strip.grid import contact_of
-from nonhertz.strip.levels import levels_from
-from nonhertz.strip.overlaps import SAMPLES
+from nonhertz.result.validity import singularities
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import Grids, States
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -46,6 +38,8 @@ _COLUMNS = (
     "approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length",
     "penetration",
 )  # fmt: skip
+# What `core.columns` has after these.
+STIFFNESS, SINGULAR, _WIDTH = slice(9, 13), 13, 14
 
 
 class Solutions:
@@ -84,19 +78,17 @@ class Solutions:
         self._place: dict[int, tuple[Block, int]] = {
             number: (block, row) for block in blocks for row, number in enumerate(block.numbers)
         }
-        columns = {name: np.full(len(self._place), np.nan) for name in _COLUMNS}
-        stiffness = np.full((len(self._place), 2, 2), np.nan)
-        singular = np.zeros(len(self._place), dtype=bool)
-        for block in blocks:
-            if block.error is None:
-                for name, column in zip(_COLUMNS, block.columns, strict=True):
-                    columns[name][block.numbers] = column
-                stiffness[block.numbers] = block.finest.stiffness / block.problem.contact.compliance
-                singular[block.numbers] = block.has_singular_ends
-        for name, column in columns.items():
-            setattr(self, name, read_only(column).reshape(shape))
-        self.stiffness = read_only(stiffness).reshape(*shape, 2, 2)
-        self.singular = read_only(singular).reshape(shape)
+        columns, solved = (
+            np.full((len(self._place), _WIDTH), np.nan),
+            [block for block in blocks if block.error is None],
+        )
+        columns[:, SINGULAR] = 0.0
+        for block in solved:
+            columns[block.numbers] = block.columns
+        for name, column in zip(_COLUMNS, columns.T, strict=False):
+            setattr(self, name, read_only(column.reshape(shape).copy()))
+        self.stiffness = read_only(columns[:, STIFFNESS].reshape(*shape, 2, 2))
+        self.singular = read_only(columns[:, SINGULAR].astype(bool).reshape(shape))
 
     approach: Array
     tilt: Array
@@ -251,8 +243,8 @@ class Solutions:
         block, row = self._place[range(len(self))[number]]
         if block.error is not None:
             raise copy.copy(block.error)
-        state = block.finest.one(row)
-        return state.edges, state.r * state.m / block.problem.contact.compliance
+        result = block.results[row]
+        return result.edges, result.line_load(block.problem.contact.compliance)
 
     @cached_property
     def failures(self) -> dict[Number, Exception]:
@@ -318,23 +310,30 @@ class Block:
     problem: Problem
     numbers: list[int]
     targets: Array
-    states: tuple[States, ...]  # finest first
+    results: list[core.Result]
     error: Exception | None = None
 
-    @property
-    def finest(self) -> States:
-        """The states on the finest grid."""
-        return self.states[0]
+    def __reduce__(self) -> tuple[Any, ...]:
+        states = [(kept(result), result.accuracy) for result in self.results]
+        return Block._again, (self.problem, self.numbers, self.targets, states, self.error)
+
+    @classmethod
+    def _again(
+        cls, problem: Problem, numbers: list[int], targets: Array, states: list[Any], error: Exception | None
+    ) -> Block:
+        """Return a block that was sent or copied."""
+        accepted = error is None
+        results = [
+            restored(problem.of(target), levels, accuracy, accepted=accepted)
+            for target, (levels, accuracy) in zip(targets, states, strict=False)
+        ]
+        return cls(problem, numbers, targets, results, error)
 
     @cached_property
-    def columns(self) -> tuple[Array, ...]:
-        """The results named in `_COLUMNS`, computed by the formulas of `Solution`."""
-        states, compliance = self.finest, self.problem.contact.compliance
-        return (
-            states.rigid[:, 0], states.rigid[:, 1], states.scaled_load / compliance, states.scaled_moment / compliance,
-            *self.largest, self._half_widths(), self._contact_lengths(),
-            penetrations(self.problem.contact, self._surveyed(), states.rigid),
-        )  # fmt: skip
+    def columns(self) -> Array:
+        """The results named in `_COLUMNS`, then stiffness, then whether there are singular ends, for each case."""
+        columns: Array = core.columns(self.results, self.problem.contact.compliance)
+        return columns
 
     def prepare(self) -> None:
         """Compute the results now, in the thread that solved the cases."""
@@ -343,75 +342,21 @@ class Block:
 
     def renumbered(self, numbers: list[int]) -> Block:
         """Return the same cases under other numbers, without computing anything again."""
-        again = copy.copy(self)
-        object.__setattr__(again, "numbers", numbers)
+        again = Block(self.problem, numbers, self.targets, self.results, self.error)
+        if "columns" in vars(self):
+            vars(again)["columns"] = self.columns
         return again
-
-    def _surveyed(self) -> Array:
-        """Return edges of strips that stand for those of all cases."""
-        edges = self.finest.edges
-        return edges[0] if self.finest.shared else np.linspace(edges.min(), edges.max(), SAMPLES + 1)
-
-    def _half_widths(self) -> Array:
-        half_width = self.problem.model.element.hertz_ratio * np.sqrt(self.finest.m)
-        return largest_half_width(self.finest.y, half_width, self.singular)[0]
-
-    def _contact_lengths(self) -> Array:
-        intervals = (contact_of(self.finest.one(row)) for row in range(len(self.numbers)))
-        return np.array([math.fsum(high - low for low, high in each) for each in intervals])
-
-    @cached_property
-    def largest(self) -> tuple[Array, Array]:
-        """Largest pressures [MPa] and where they are [mm], shape (cases,)."""
-        states = self.finest
-        half_width = self.problem.model.element.hertz_ratio * np.sqrt(states.m)
-        line_load, pressure = states.r * states.m / self.problem.contact.compliance, np.zeros_like(states.m)
-        touching = half_width > 0.0
-        pressure[touching] = 2.0 * line_load[touching] / (np.pi * half_width[touching])
-        return largest_pressure(states.y, pressure, half_width, self.singular)
-
-    @property
-    def _grids(self) -> Grids:
-        return self.problem.model.grids(self.finest.counts, self.finest.edges)
-
-    @cached_property
-    def singular(self) -> Array:
-        """The ends at which the pressure has no limit [mm], shape (cases, k), nan for no such end."""
-        return self._ends.singular
-
-    @cached_property
-    def _ends(self) -> Ends:
-        return ends_of(self.problem, self.finest)
-
-    @property
-    def has_singular_ends(self) -> NDArray[np.bool_]:
-        """Whether each contact has such an end."""
-        ends: NDArray[np.bool_] = np.any(np.isfinite(self.singular), axis=1)
-        return ends
 
     def solution(self, row: int) -> Solution:
         """Return the solution of one case."""
         if self.error is not None:
             # A copy, because every raise extends an error's traceback.
             raise copy.copy(self.error)
-        problem = self.problem.of(self.targets[row])
-        states = [states.one(row) for states in self.states]
-        return solution_of(problem, levels_from(problem, states))
+        return solution_of(self.problem.of(self.targets[row]), self.results[row])
 
     def strained(self) -> Iterator[int]:
         """Yield the numbers of cases that strain the model."""
-        if self.error is not None:
-            return
-        problem, states, ends = self.problem, self.states, self._ends
-        _, at = largest_of(self.finest, problem.model.element.hertz_ratio, ends.singular)
-        # Those whose largest pressure may be at a corner are suspected for it.
-        errors = estimates(problem, states, problem.accuracy, ends, np.zeros(at.shape, dtype=bool))
-        found = suspicions(problem, self._grids, states, ends, errors, at)
-        for row in np.flatnonzero(np.logical_or.reduce(found)).tolist():
-            if found.certain[row] or self._has_finding(row, found.strained[row]):
+        for row in range(len(self.numbers) if self.error is None else 0):
+            solution = self.solution(row)
+            if solution.judgement.strains(solution):
                 yield self.numbers[row]
-
-    def _has_finding(self, row: int, strained: bool) -> bool:
-        state = self.finest.one(row)
-        found = strains(self.solution(row), self.problem, state) if strained else missed_contact(self.problem, state)
-        return next(found, None) is not None

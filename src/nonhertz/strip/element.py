@@ -20,8 +20,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -93,6 +94,10 @@ class Element:
 
     def __repr__(self) -> str:
         return f"Element({self.name!r})"
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What is worked out from the fields is worked out again.
+        return {each.name: getattr(self, each.name) for each in fields(self)}
 
     def functions(self, t: ArrayLike) -> tuple[Array, Array, Array, Array]:
         """Return A, t A', B and t B' at ``t``, arrays of its shape, odd in t.

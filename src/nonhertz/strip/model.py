@@ -21,7 +21,7 @@ IN_CORE = {"semi-elliptic": core.SEMI_ELLIPTIC, "parabolic": core.PARABOLIC}
 
 
 def model_of(
-    contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions: bool = False, same_table: bool = False
+    contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions: bool = False, same_table: bool = True
 ) -> core.Model:
     """Return the core's model of a contact.
 

@@ -16,6 +16,7 @@ from nonhertz.native import core
 from nonhertz.strip.element import Element
 from nonhertz.strip.grid import turns_at
 from nonhertz.strip.influence import grid_of, kernel_of
+from nonhertz.strip.model import model_of
 from nonhertz.strip.records import ITERATION_LIMIT, Array, Flags, Grids, Indices, States
 from nonhertz.strip.solving import TOLERANCE, flags, solve_on_strips
 
@@ -55,6 +56,11 @@ class StripModel:
     def influence(self) -> Influence:
         """How strips act."""
         return influence_of(self.contact, self.element)
+
+    @cached_property
+    def in_core(self) -> core.Model:
+        """The same for the core."""
+        return model_of(self.contact, self.element)
 
     @cached_property
     def kernel(self) -> core.Kernel:
@@ -168,6 +174,12 @@ class Problem:
     accuracy: float | None = None
     accuracy_given: bool = False
     pressure_accuracy: float | None = None
+
+    @property
+    def conditions(self) -> tuple[tuple[bool, bool], tuple[float, float]]:
+        """What is prescribed, as the core takes it."""
+        (by_load, by_moment), (first, second) = self.prescribed, self.target
+        return (bool(by_load), bool(by_moment)), (float(first), float(second))
 
     def of(self, target: Array) -> Problem:
         """Return the problem with another target."""
