@@ -1,6 +1,7 @@
 """A contact as the core sees it: what varies along the axis, functions of the user's, and who keeps them."""
 
 import gc
+import pickle
 import threading
 import weakref
 
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.bodies.influence import influence_of
 from nonhertz.model.profile import Profile
 from nonhertz.strip.model import model_of
 
@@ -121,3 +123,9 @@ def test_a_model_keeps_its_functions_and_lets_go_of_them():
     del model
     gc.collect()
     assert kept() is None
+
+
+def test_what_a_whole_roller_does_can_be_sent_to_another_process():
+    influence = influence_of(nh.Contact(nh.Roller(diameter=20.0, length=20.0), nh.Plate()), nh.SEMI_ELLIPTIC)
+    moved = influence.at_depth(Y[1:], Y)
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(influence)).at_depth(Y[1:], Y), moved)

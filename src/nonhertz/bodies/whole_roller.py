@@ -33,8 +33,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache, cached_property, lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -124,6 +125,10 @@ class WholeRoller:
         """The same in C++."""
         z, outer = np.array(self.outline.z), np.array(self.outline.outer)
         return core.WholeRoller(z, outer, np.ascontiguousarray(self.matrix), self.curved, self.logarithm, self.beta)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What is in C++ is made again from the rest.
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
 
 @lru_cache(MOST)
