@@ -8,6 +8,8 @@ how narrow strips at a sharp end have to be; and whether the solve estimates its
 
 from __future__ import annotations
 
+import math
+import re
 import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -20,7 +22,6 @@ from scipy.interpolate import PchipInterpolator
 import nonhertz as nh
 from nonhertz.files.casefile import read_case
 from nonhertz.model.profile import Profile
-from nonhertz.strip import grid
 
 Array = NDArray[np.float64]
 
@@ -107,10 +108,13 @@ def _head() -> Iterator[str]:
 def _settings_table() -> Iterator[str]:
     yield "## Settings"
     yield ""
-    yield _row("in `strip/grid.py`", "value", "meaning")
+    yield _row("in `src/core/grids/sizes.cpp`", "value", "meaning")
     yield _rule(3)
+    source = (ROOT / "src" / "core" / "grids" / "sizes.cpp").read_text(encoding="utf-8")
     for name, meaning in SETTINGS.items():
-        yield _row(f"`{name}`", f"{getattr(grid, name):g}", meaning)
+        (number,) = re.findall(rf"\b{name} = ([\d. /]+)[,;]", source)
+        over, *under = map(float, number.split("/"))
+        yield _row(f"`{name}`", f"{over / math.prod(under):g}", meaning)
     yield ""
 
 

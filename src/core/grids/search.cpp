@@ -6,6 +6,7 @@
 #include "grids/first.hpp"
 #include "grids/overlaps.hpp"
 #include "grids/peaks.hpp"
+#include "numbers/sums.hpp"
 #include "strips/acceptance.hpp"
 #include "strips/summit.hpp"
 
@@ -33,9 +34,9 @@ constexpr double OF_PRESSURE = 0.7, PER_SAGITTA = 8.0;
 constexpr double POINTED = 5.0, TOO_WIDE = 0.7;
 
 double load_of(const Level& level) {
-  double load = 0.0;
-  for (Index i = 0; i < level.grid->count(); ++i) load += level.state.r[i] * level.state.m[i] * level.grid->width(i);
-  return load;
+  Numbers loads(level.grid->y.size());
+  for (Index i = 0; i < level.grid->count(); ++i) loads[i] = level.state.r[i] * level.state.m[i] * level.grid->width(i);
+  return sum_of(loads);
 }
 
 }  // namespace

@@ -146,6 +146,21 @@ def problem_of(
     return replace(problem, accuracy=min(0.5 * of_pressure, ACCURACY), pressure_accuracy=of_pressure)
 
 
+def bounded(problem: Problem) -> tuple[float, float]:
+    """Return the interval in which to look for the contact [mm]; finite even where the bodies are unbounded.
+
+    Raises
+    ------
+    InputError
+        If nothing ends the contact, or nothing can meet what is prescribed.
+    """
+    try:
+        low, high = core.bounded(problem.model.in_core, *problem.conditions)
+    except core.Refused as refused:
+        raise refusal(problem, refused) from None
+    return low, high
+
+
 def posed(
     contact: Contact,
     element: Element,

@@ -26,8 +26,7 @@ from nonhertz.model.prescription import Prescription
 from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.solver.many import solve_in_silence
-from nonhertz.solver.one import problem_of
-from nonhertz.strip.levels import bounded
+from nonhertz.solver.one import bounded, problem_of
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
 from nonhertz.verdict import Verdict, of_bearing, of_contact
 
