@@ -5,12 +5,15 @@ import math
 
 import numpy as np
 import pytest
+from core_pieces import strips_between
 
 import nonhertz as nh
+from nonhertz.bodies.influence import HALF_SPACE, FreeSide, Influence
 from nonhertz.bodies.quarter_space import free_face
 from nonhertz.native import core
 from nonhertz.strip import free_end
 from nonhertz.strip.free_end import AWAY, CLOSE, face_table, free_end_table
+from nonhertz.strip.influence import kernel_of
 
 ELEMENTS = [nh.SEMI_ELLIPTIC, nh.PARABOLIC]
 H, RHO_H, C, RHO_C = range(4)
@@ -118,3 +121,17 @@ def test_an_element_of_ones_own_has_a_table_of_its_own(element):
     shipped, own = free_end_table(element, 0.3), free_end_table(wider, 0.3)
     assert np.max(np.abs(own - shipped)) > 0.1
     np.testing.assert_array_equal(free_end_table(dataclasses.replace(element, name="own"), 0.3), shipped)
+
+
+def test_faces_of_two_materials_at_one_place_add_what_each_does():
+    """Of both bodies: what is kept of one face for its next place is none of the other's."""
+    grid = strips_between(np.array([-2.0, -1.2]))
+    sides = FreeSide(-2.0, -1, 0.4, 0.3), FreeSide(-2.0, -1, 0.6, 0.0)
+
+    def blocks(*faces):
+        kernel = kernel_of(Influence(np.atleast_2d(HALF_SPACE), faces=faces), nh.SEMI_ELLIPTIC)
+        return core.coefficients(grid, np.array([0.36]), np.array([0]), kernel)
+
+    one, other = (blocks(side) - blocks() for side in sides)
+    np.testing.assert_allclose(blocks(*sides) - blocks(), one + other, rtol=1e-12)
+    assert not np.allclose(one / 0.4, other / 0.6, rtol=1e-2)
