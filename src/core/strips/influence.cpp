@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "numbers/products.hpp"
+
 namespace nonhertz {
 namespace {
 
@@ -48,7 +50,8 @@ void add_far(double* powers, Index stride, Index begin, Index end, const double*
 /// Fill in the four functions of what one source does far away.
 void from_afar(const double* powers, double m, const double* table, std::vector<Four>& seen) {
   const Index n = static_cast<Index>(seen.size());
-  std::array<Four, 1 + POWERS> factors{Four(1.0, 0.0, 0.0, 0.0)};
+  std::array<Four, 1 + POWERS> factors;
+  factors[0] = {1.0, 0.0, 0.0, 0.0};
   double power = 1.0;
   for (int k = 1; k <= POWERS; ++k) {
     power *= m;
@@ -158,11 +161,10 @@ void Influence::seen_from(Index source, double m) {
     for (Index i = begin; i < end; ++i)
       seen_[i] += weight * (evaluate((upper - y[i]) * inverse, table) - evaluate((lower - y[i]) * inverse, table));
   }
-  Squares kept;
   for (const Face& face : kernel_.faces) {
     const auto [begin, end] = near(at++, source);
     for (Index i = begin; i < end; ++i)
-      seen_[i] += face.weight * added_by_face(y[i], low, high, inverse, face, element, kept);
+      seen_[i] += face.weight * added_by_face(y[i], low, high, inverse, face, element, squares_);
   }
   const auto [own, slope] = by_own_width(grid_.by_width, source, 1.0 / inverse);
   seen_[source] += {own, -slope, 0.0, 0.0};
@@ -191,8 +193,9 @@ void Influence::lift(View m, View q, Row out) {
     for (Index i = 0; i < n_; ++i) out[i] += q[j] * seen_[i].a();
   }
   if (grid_.at_depth.empty()) return;
-  for (Index i = 0; i < n_; ++i)
-    for (Index j = 0; j < n_; ++j) out[i] -= grid_.at_depth(i, j) * q[j];
+  away_.resize(n_);
+  for (Index j = 0; j < n_; ++j) away_[j] = -q[j];
+  add_products([this](Index i) { return grid_.at_depth[i].data(); }, away_, out);
 }
 
 Four added_by_face(double y, double low, double high, double inverse, const Face& face, const Element& element,

@@ -48,7 +48,8 @@ class Influence {
   Numbers limits_;           // largest m for which this holds, 0 where nothing is known
   std::vector<char> wider_;  // which strips are wider than that
   std::vector<Four> seen_;   // what one source does at all places
-  Numbers distance_;         // room to work in
+  Numbers distance_, away_;  // room to work in
+  Squares squares_;
 };
 
 /// What a free side face adds to [A], [t A'], [B] and [t B'] at y of a strip with 1/a = inverse.

@@ -1,8 +1,8 @@
 // Small dense linear equations, by Gaussian elimination with row pivoting, in a fixed order of operations.
 //
 // With a hundred unknowns, a call to LAPACK loses in copies and threads what it saves in arithmetic. Nearly all of the
-// work is one matrix product, in tiles of 4 x 8 numbers that stay in registers. Systems are padded to whole blocks with
-// equations x = 0, so that tiles never meet an edge.
+// work is one matrix product, in tiles of 4 x 8 numbers that stay in registers. Systems are padded to whole tiles with
+// equations x = 0, so that tiles hardly ever meet an edge.
 #pragma once
 
 #include "numbers/array.hpp"
@@ -10,13 +10,14 @@
 namespace nonhertz {
 
 inline constexpr Index BLOCK = 8;  // rows and columns eliminated at a time, also the width of a tile
+inline constexpr Index TALL = 4;   // the height of a tile, and the width of a last one
 
-inline constexpr Index padded(Index count) { return (count + BLOCK - 1) / BLOCK * BLOCK; }
+inline constexpr Index padded(Index count) { return (count + TALL - 1) / TALL * TALL; }
 
 /// A system of equations: the matrix, and from column `sides()` on its right-hand sides, which become the solutions.
 class System {
  public:
-  /// Make it all zero, but for the padding.
+  /// Change its size; only the padding is filled in.
   void reset(Index unknowns, Index sides);
   /// Replace the right-hand sides by the solutions; not finite where the matrix, which is overwritten, is singular.
   void solve();
@@ -28,9 +29,8 @@ class System {
   double operator()(Index i, Index j) const { return values_(i, j); }
 
  private:
-  void pivot(Index first);
+  void pivot(Index first, Index width);
 
-  Index unknowns_ = 0;
   Matrix values_, panel_;
 };
 

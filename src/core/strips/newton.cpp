@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "numbers/products.hpp"
+
 namespace nonhertz {
 namespace {
 
@@ -119,14 +121,15 @@ void Newton::find_active(const State& state) {
 Newton::Weighed Newton::weigh(const Prescription& given, const Options& options, State& state) {
   const double unbent = linearise(given, options, state);
   auto [scale, noise, unsettled] = scales(state);
+  idle_.clear(), raised_.clear();
   for (Index i = 0; i < grid_.count(); ++i) {
     // Where the bodies never meet the gap is infinite, whatever the displacement.
     const bool idle = !(state.m[i] > 0.0);
-    double gap = idle ? -state.interference(grid_, i) : 0.0;
-    if (idle && std::isfinite(gap))
-      for (std::size_t j = 0; j < r_.size(); ++j) gap += blocks_[0](i, j) * (r_[j] * m_[j]);
-    state.gap[i] = gap;
+    state.gap[i] = idle ? -state.interference(grid_, i) : 0.0;
+    if (idle && std::isfinite(state.gap[i])) idle_.push_back(i), raised_.push_back(state.gap[i]);
   }
+  add_products([this](Index i) { return blocks_[0][idle_[i]].data(); }, q_, raised_);
+  for (std::size_t i = 0; i < idle_.size(); ++i) state.gap[idle_[i]] = raised_[i];
   double largest = 0.0;
   for (double each : unclosed_) largest = worse(largest, std::fabs(each));
   unsettled = worse((largest - noise) / scale, unbent);
@@ -149,7 +152,7 @@ double Newton::linearise(const Prescription& given, const Options& options, Stat
   const Index k = static_cast<Index>(active_.size()), at = padded(k);
   influence_.coefficients(state.m, active_, blocks_);
   solve_curvature();
-  for (Numbers* each : {&r_, &m_, &missing_, &weights_, &lever_, &unclosed_}) each->resize(k);
+  for (Numbers* each : {&r_, &m_, &q_, &missing_, &weights_, &lever_}) each->resize(k);
   for (Index i = 0; i < k; ++i) {
     const Index source = active_[i];
     const double required = curved_(i, at + k), before = state.r[source];
@@ -159,19 +162,18 @@ double Newton::linearise(const Prescription& given, const Options& options, Stat
     if (std::isnan(before)) r_[i] = before;
     missing_[i] = required - r_[i];
     state.r[source] = r_[i];
-    weights_[i] = r_[i] * m_[i] * grid_.width(source);
+    q_[i] = r_[i] * m_[i];
+    weights_[i] = q_[i] * grid_.width(source);
     lever_[i] = grid_.y[source] / half_;
   }
+  unclosed_.assign(k, 0.0), bent_.assign(k, 0.0);
+  add_products([this](Index i) { return blocks_[0][active_[i]].data(); }, q_, unclosed_);
+  add_products([this](Index i) { return blocks_[2][active_[i]].data(); }, r_, bent_);
   double load = 0.0, moment = 0.0, unbent = 0.0;
   for (Index i = 0; i < k; ++i) {
     const Index source = active_[i];
-    double lift = 0.0, bend = 0.0;
-    for (Index j = 0; j < k; ++j) {
-      lift += blocks_[0](source, j) * (r_[j] * m_[j]);
-      bend += blocks_[2](source, j) * r_[j];
-    }
-    unclosed_[i] = lift - state.interference(grid_, source);
-    unbent = worse(unbent, std::fabs(bend / grid_.curvature[source] - 1.0));
+    unclosed_[i] -= state.interference(grid_, source);
+    unbent = worse(unbent, std::fabs(bent_[i] / grid_.curvature[source] - 1.0));
     load += weights_[i];
     moment += weights_[i] * lever_[i];
   }
@@ -220,22 +222,25 @@ void Newton::find_directions() {
   // Clear what the product left in the padding, so that it stays decoupled.
   for (Index i = 0; i < at; ++i)
     for (Index j = k; j < at; ++j) step_(i, j) = i == j ? 1.0 : 0.0;
+  changes_.assign(k, 0.0);
+  add_products([this](Index i) { return loaded_[i].data(); }, missing_, changes_);
   for (Index i = 0; i < k; ++i) {
-    double total = 0.0;
-    for (Index j = 0; j < k; ++j) total += loaded_(i, j) * missing_[j];
-    step_(i, at) = total - unclosed_[i];
+    step_(i, at) = changes_[i] - unclosed_[i];
     step_(i, at + 1) = 1.0;
     step_(i, at + 2) = lever_[i];
   }
   step_.solve();
-  d_r_.resize(k), d_q_.resize(k);
-  for (Index i = 0; i < k; ++i) {
-    std::array<double, 3> change{missing_[i], 0.0, 0.0};
-    for (Index j = 0; j < k; ++j)
-      for (int side = 0; side < 3; ++side) change[side] += curved_(i, at + j) * step_(j, at + side);
-    for (int side = 0; side < 3; ++side) {
-      d_r_[i][side] = change[side] / r_[i];
-      d_q_[i][side] = d_r_[i][side] + step_(i, at + side) / r_[i];
+  d_r_.resize(k), d_q_.resize(k), moved_.resize(k);
+  for (int side = 0; side < 3; ++side) {
+    if (side == 0)
+      changes_ = missing_;
+    else
+      changes_.assign(k, 0.0);
+    for (Index j = 0; j < k; ++j) moved_[j] = step_(j, at + side);
+    add_products([&](Index i) { return &curved_(i, at); }, moved_, changes_);
+    for (Index i = 0; i < k; ++i) {
+      d_r_[i][side] = changes_[i] / r_[i];
+      d_q_[i][side] = d_r_[i][side] + moved_[i] / r_[i];
     }
   }
 }

@@ -72,13 +72,15 @@ class Newton {
   Blocks blocks_;
   System curved_, step_;  // F = d r / d (r mu) and r itself; the step for three right-hand sides
   Matrix loaded_;
-  Numbers r_, m_, missing_, weights_, lever_, unclosed_;
+  Numbers r_, m_, q_, missing_, weights_, lever_, unclosed_, bent_;
+  Numbers moved_, changes_;                       // one of the solutions, and what follows from it
   std::vector<std::array<double, 3>> d_r_, d_q_;  // relative changes for the residual and both rigid motions
   std::array<std::array<double, 3>, 2> response_{};
   std::vector<char> has_left_;  // strips that have been in contact and are not, or were not
   Pair resultant_{};
-  Pair off_{};  // target minus current approach or load, and tilt or moment
-  Numbers q_, raised_;
+  Pair off_{};               // target minus current approach or load, and tilt or moment
+  std::vector<Index> idle_;  // strips out of contact where the bodies are
+  Numbers raised_;           // the surface there, or everywhere
 };
 
 /// Return the larger of two numbers, or NaN if either is.
