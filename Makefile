@@ -23,6 +23,7 @@ demo: $(INSTALLED)
 # Compiles what has changed of the core, in seconds; every other target takes it as it is.
 core: $(READY)
 	$(BIN)/cmake --build build
+	$(BIN)/python build-tools/stub.py
 
 # Workers share the cores: linear algebra has one thread in each. A file is one worker's: what its tests share is solved
 # once.
@@ -79,6 +80,8 @@ lint: $(READY)
 	$(BIN)/mypy
 	$(BIN)/mypy --platform win32
 	$(BIN)/lint-imports
+	$(BIN)/cmake --build build
+	$(BIN)/python build-tools/stub.py --check
 	$(BIN)/clang-format --dry-run -Werror src/core/*/*.[ch]pp src/bindings/*.[ch]pp
 
 docs: $(READY)
