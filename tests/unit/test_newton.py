@@ -6,8 +6,10 @@ from core_pieces import kernel_of, state_of, strips_between
 
 import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
+from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
-from nonhertz.strip import problem
+from nonhertz.result.outcome import Kept, outcome, restored
+from nonhertz.solver.one import problem_of
 
 STRIPS = 21
 EDGES = np.linspace(-10.0, 10.0, STRIPS + 1)
@@ -98,19 +100,23 @@ def test_nothing_in_contact_stagnates():
     assert (state.status, state.steps) == (STAGNATED, 0)
 
 
-@pytest.mark.parametrize("status", [nh.Status.ITERATION_LIMIT, nh.Status.STAGNATED])
-def test_a_loop_that_fails_raises_with_the_solution_so_far(monkeypatch, status):
-    def failing(grids, prescribed, targets, kernel, near, found, *options):
-        found.status[:] = list(nh.Status).index(status)
-
-    monkeypatch.setattr(problem, "solve_on_strips", failing)
+def ended(status):
+    """What is said of a contact whose loop has ended so."""
+    problem = problem_of(contact(), Prescription(load=7e3, tilt=0.0), nh.SEMI_ELLIPTIC)
+    edges, nothing = np.linspace(-10.0, 10.0, 12), np.zeros(11)
+    left = Kept(edges, nothing, nothing, nothing, (0.01, 0.0), ((0.0, 0.0), (0.0, 0.0)), int(status), 60, np.inf)
     with pytest.raises(nh.ConvergenceError) as failure:
-        nh.solve(contact(), load=7e3, strips=11)
-    solution = failure.value.solution
-    assert solution.status is status
-    assert str(failure.value).startswith(status.value)
-    assert solution.strips == 11
-    assert solution.error_estimate == nh.ErrorEstimate(*[np.inf] * 5)
+        outcome(problem, restored(problem, [left], 0.0))
+    return failure.value
+
+
+@pytest.mark.parametrize("name", ["ITERATION_LIMIT", "STAGNATED"])
+def test_a_loop_that_fails_raises_with_the_solution_so_far(name):
+    failure = ended(core.Status[name])
+    assert failure.solution.status is nh.Status[name]
+    assert str(failure).startswith(nh.Status[name].value)
+    assert failure.solution.strips == 11
+    assert failure.solution.error_estimate == nh.ErrorEstimate(*[np.inf] * 5)
 
 
 def test_a_contact_may_be_much_wider_than_long():
