@@ -1,5 +1,6 @@
 """A run of many cases as it goes on: what is announced, and what is kept when it is stopped."""
 
+import _thread
 import pickle
 import signal
 import subprocess
@@ -160,6 +161,15 @@ def test_cases_that_have_begun_end_with_the_step_that_they_are_in():
     assert len(ended) < 2000
     assert all(result.holds for result in ended)
     assert core.solve(problem.model.in_core, by_force, target, 15, stop) is None
+
+
+def test_ctrl_c_ends_one_solve_too():
+    waiting = threading.Timer(0.2, _thread.interrupt_main)
+    waiting.start()
+    start = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        nh.solve(CROWNED, load=5e3, strips=2000)  # some 20 s
+    assert time.perf_counter() - start < 10.0
 
 
 STOPPED = """

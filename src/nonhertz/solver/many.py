@@ -1,8 +1,8 @@
 """Thousands of cases in one call: loads, tilts and contacts, on all cores.
 
-On a number of strips, or on given ones, all cases of a contact go through compiled loops together. On the automatic
-grid every case has its own grid, so each is solved separately, in parallel. Either way the result of a case is that of
-`nonhertz.solve`: on equal strips to the tolerance of the equations, on the automatic grid to the last bit.
+Each case is solved as by `nonhertz.solve`, some dozens in a row by each thread. On a number of strips, or on given ones,
+a case may start from the one before, and then equals the result of `nonhertz.solve` to the tolerance of the equations;
+on the automatic grid, to the last bit.
 """
 
 from __future__ import annotations
@@ -81,7 +81,8 @@ def solve_many(
         If the input of any case is invalid. Failures that only solving reveals, such as bodies that do not touch, do
         not stop the other cases: see `Solutions.failures`.
     Interrupted
-        On Ctrl-C. Its ``solutions`` holds what was solved until then; the other cases are among the failures.
+        On Ctrl-C, within a step of the case that is being solved. Its ``solutions`` holds what was solved until then;
+        the other cases are among the failures.
 
     Warns
     -----
@@ -93,8 +94,8 @@ def solve_many(
     -----
     Each case stores its strips on all levels: some 3 kB on 41 strips, 15 kB on the automatic grid.
 
-    A case that starts from its neighbour may be solved where it would fail on its own; its error estimate may then use
-    a coarser grid that would also have failed on its own.
+    A case that starts from its neighbour may be solved where it would fail on its own. One that fails so is tried on
+    its own.
 
     Examples
     --------
@@ -126,7 +127,7 @@ def solve_in_silence(
 ) -> Solutions:
     """Return what `solve_many` does, in the caller's thread and without warnings.
 
-    Looking for warnings takes half as long again, and starting a thread as long as a simple case.
+    Starting a thread takes as long as a simple case.
 
     Raises
     ------
