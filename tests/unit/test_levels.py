@@ -8,23 +8,9 @@ import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
-from nonhertz.result.estimate import left_of_change
 from nonhertz.result.outcome import outcome
 from nonhertz.solver.one import problem_of
 from nonhertz.strip.model import model_of
-
-
-@pytest.mark.parametrize(
-    ("values", "whole", "left"),
-    [
-        # Twice the last change; half of that before where the last is small by chance.
-        ((1.0, 0.98, 0.97), 1.0, 0.04), ((1.0, 1.0, 0.9), 1.0, 0.1),
-        # Unknown without two levels, or with nothing to relate it to.
-        ((1.0,), 1.0, np.inf), ((0.0, 1.0), 0.0, np.inf),
-    ],
-)  # fmt: skip
-def test_what_is_left_follows_from_the_last_changes(values, whole, left):
-    assert left_of_change(np.array(values), whole) == pytest.approx(left)
 
 
 @pytest.mark.parametrize(

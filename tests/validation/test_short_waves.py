@@ -36,7 +36,8 @@ def solved(contact, **options):
 
 
 def unevenness(solution):
-    (check,) = (each for each in checks(solution, ()) if each.assumption.startswith("Relief that varies slowly"))
+    made = checks(solution, solution.judgement.judged(solution).checks, ())
+    (check,) = (each for each in made if each.assumption.startswith("Relief that varies slowly"))
     return check.value
 
 

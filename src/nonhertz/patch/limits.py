@@ -12,6 +12,7 @@ from nonhertz.amounts import mm
 from nonhertz.bodies.influence import Influence
 from nonhertz.bodies.shape import HERTZ
 from nonhertz.findings import Finding, finding
+from nonhertz.model.contact import sharper_curvature
 from nonhertz.patch.between import Unseen
 from nonhertz.patch.cascade import GridLevel, Outcome, PatchProblem
 from nonhertz.patch.features import Dent, Waviness
@@ -63,7 +64,7 @@ def error_estimate(
     unlimited = lost or bool(_cut_off(solution, outcome.grid) or _edges_of_bodies(solution))
     unlimited |= any(_too_long(solution, end) for end in solution.singular_ends)
     singular = singular_y(solution)
-    highest = [float(largest_pressure(*level.along, singular)[0]) for level in levels]
+    highest = [largest_pressure(*level.along, singular)[0] for level in levels]
     reach = 0.5 * (outcome.grid.y_span[1] - outcome.grid.y_span[0])
     turned, leaned = [level.moment for level in levels], [reach * level.tilt for level in levels]
     return ErrorEstimate(
@@ -103,7 +104,8 @@ def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[
     if touching.any():
         y, half_width = solution.y[touching], 0.5 * solution.dx * widest_run(solution.footprint)[touching]
         mean = solution.load / (float(solution.footprint.sum()) * solution.dx * solution.dy)
-        found += [curved(contact, y, half_width), small_strains(contact, mean), *thick(contact, HERTZ, y, half_width)]
+        ratio = float(np.max(half_width * sharper_curvature(contact, y)))
+        found += [curved(ratio), small_strains(contact, mean), *thick(contact, HERTZ, y, half_width)]
     return (*_cut_off(solution, grid), *(each for check in found for each in check.findings))
 
 

@@ -212,10 +212,14 @@ def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
     )
 
 
+def _checks(solution: Solution) -> tuple[ValidityCheck, ...]:
+    return checks(solution, solution.judgement.judged(solution).checks, ends(solution.contact))
+
+
 def _valid(contacts: Contacts) -> Iterator[Assumption]:
     """Yield each condition of the contacts once: at each ring the most loaded contact that violates it, or of all."""
     made = {
-        ring: [{check.assumption: check for check in checks(each, ends(each.contact))} for each in every]
+        ring: [{check.assumption: check for check in _checks(each)} for each in every]
         for ring, every in contacts.items()
     }
     for name in dict.fromkeys(name for ring in made.values() for each in ring for name in each):

@@ -18,9 +18,9 @@ from nonhertz.bodies.shape import Shape
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import BODIES, Body, BodyName
-from nonhertz.model.contact import Contact, sharper_curvature
+from nonhertz.model.contact import Contact
+from nonhertz.native import core
 from nonhertz.result.solution import Solution
-from nonhertz.strip.resolution import PLACES, departures
 
 Array = NDArray[np.float64]
 
@@ -68,20 +68,39 @@ class ValidityCheck:
         return not self.findings
 
 
-def checks(solution: Solution, freed: tuple[End, ...]) -> tuple[ValidityCheck, ...]:
-    """Return all checks of a solution with a contact; ``freed`` are the side faces from `nonhertz.bodies.ends`."""
+def checks(solution: Solution, values: core.Checks, freed: tuple[End, ...]) -> tuple[ValidityCheck, ...]:
+    """Return all checks of a solution with a contact.
+
+    Parameters
+    ----------
+    solution : Solution
+        The solution.
+    values : core.Checks
+        How it stands against each condition.
+    freed : tuple of End
+        The side faces from `nonhertz.bodies.ends`.
+    """
     contact, touching = solution.contact, solution.line_load > 0.0
     y, half_width = solution.y[touching], solution.half_width[touching]
-    area = 2.0 * float(np.sum(solution.half_width * solution.strip_width))
-    mean = float(np.sum(solution.line_load * solution.strip_width)) / area
     return (
-        _long(solution), curved(contact, y, half_width), _even(solution), small_strains(contact, mean),
-        *thick(contact, solution.element, y, half_width), *image_weights(freed),
+        _long(values.length_ratio), curved(values.radius_ratio), _even(values),
+        small_strains(contact, values.mean_pressure), *thick(contact, solution.element, y, half_width),
+        *image_weights(freed),
     )  # fmt: skip
 
 
-def _long(solution: Solution) -> ValidityCheck:
-    ratio = 2.0 * solution.max_half_width / max(end - start for start, end in solution.contact_y)
+def holding(values: core.Checks, softer: float) -> bool:
+    """Return whether all conditions hold but that of side faces; ``softer`` is the modulus of the softer body [MPa]."""
+    return (
+        values.length_ratio <= WIDER_THAN_LONG
+        and values.radius_ratio <= MOST_OF_RADIUS
+        and values.unevenness <= MOST_UNEVEN * max(values.deepest, 0.0)
+        and values.mean_pressure <= MOST_OF_MODULUS * softer
+        and values.depth_ratio >= LEAST_DEPTH
+    )
+
+
+def _long(ratio: float) -> ValidityCheck:
     what, criterion = "Strips across a contact that is long", f"width / length up to {WIDER_THAN_LONG:g}"
     if ratio <= WIDER_THAN_LONG:
         return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG)
@@ -94,9 +113,8 @@ def _long(solution: Solution) -> ValidityCheck:
     return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG, (found,), "Expect errors where the contact ends.")
 
 
-def curved(contact: Contact, y: Array, half_width: Array) -> ValidityCheck:
-    """Return the check that half-widths [mm] at ``y`` are small compared with the bodies' radii."""
-    ratio = float(np.max(half_width * sharper_curvature(contact, y)))
+def curved(ratio: float) -> ValidityCheck:
+    """Return the check that half-widths are small compared with the bodies' radii; ``ratio`` is the largest."""
     what = "Half-spaces, parabolic separation across"
     criterion = f"half-width up to {MOST_OF_RADIUS:g} of the smaller radius of curvature"
     found = finding(
@@ -109,38 +127,8 @@ def curved(contact: Contact, y: Array, half_width: Array) -> ValidityCheck:
     return ValidityCheck(what, criterion, ratio, MOST_OF_RADIUS, (found,) if ratio > MOST_OF_RADIUS else ())
 
 
-def unevenness(contact: Contact, y: Array, half_width: Array, load: Array, rigid: Array) -> Array:
-    """Return how far the bodies depart from parabolas within a half-width to either side, for one case or many.
-
-    Parameters
-    ----------
-    contact : Contact
-        The bodies.
-    y, half_width, load : ndarray, shape (..., n)
-        Centres, half-widths [mm] and loads of strips.
-    rigid : ndarray, shape (..., 2)
-        Approach and tilt [mm, rad]; only places where all of this lies within the interference count.
-
-    Returns
-    -------
-    ndarray, shape (...)
-        Root mean square departures [mm], in the mean of all strips by their loads.
-    """
-    places = y[..., None] + 2.0 * half_width[..., None] * PLACES
-    separation = contact.separation_at(places.ravel()).reshape(places.shape)
-    # Towards the ends of bodies and of the interference the relief may fall as it likes.
-    pressed = separation < rigid[..., :1, None] + rigid[..., 1:, None] * places
-    near = np.where(pressed, separation, np.inf)
-    with np.errstate(divide="ignore", invalid="ignore"):  # a case that was not solved may bear nothing
-        departure: Array = np.sum(load * departures(near), axis=-1) / np.sum(load, axis=-1)
-    return departure
-
-
-def _even(solution: Solution) -> ValidityCheck:
-    rigid = np.array([solution.approach, solution.tilt])
-    load = solution.line_load * solution.strip_width
-    departure = float(unevenness(solution.contact, solution.y, solution.half_width, load, rigid))
-    deepest = float(np.max(solution.interference))
+def _even(values: core.Checks) -> ValidityCheck:
+    departure, deepest = values.unevenness, values.deepest
     ratio = departure / deepest if deepest > 0.0 else 0.0
     what = "Relief that varies slowly along the contact"
     criterion = f"departure from a parabola within a half-width up to {100.0 * MOST_UNEVEN:g} % of the interference"

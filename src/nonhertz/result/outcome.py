@@ -14,12 +14,11 @@ from nonhertz.errors import ConvergenceError
 from nonhertz.findings import Finding
 from nonhertz.model.side_faces import SERIES
 from nonhertz.native import core
-from nonhertz.result.end_pressure import KINDS, end_in_words, with_strength
+from nonhertz.result.end_pressure import edge_pressures, with_strengths
 from nonhertz.result.shortfall import shortfall
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status, not_finite
 from nonhertz.result.validity import is_strained, refuse_wide, refuse_wide_series, singularities, strains
-from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import States
+from nonhertz.strip.problem import Problem, StripModel
 from nonhertz.strip.solving import PATIENT_STRIPS
 
 Array = NDArray[np.float64]
@@ -130,6 +129,18 @@ class Judgement:
     def _core(self) -> core.Judgement:
         return self.result.judgement
 
+    def judged(self, solution: Solution) -> core.Judgement:
+        """Return what the core says; of a solution that was read from a file, by its strips alone."""
+        if "problem" in vars(self):
+            return self._core
+        compliance, squares = solution.contact.compliance, solution.element_half_width**2
+        ratios = np.divide(compliance * solution.line_load, squares, out=np.zeros_like(squares), where=squares > 0.0)
+        rigid, stiffness = (solution.approach, solution.tilt), (compliance * solution.stiffness).tolist()
+        status = core.Status.CONVERGED if solution.status is Status.CONVERGED else core.Status.STAGNATED
+        state = core.State(ratios, squares, solution.gap, rigid, stiffness, status, solution.iterations, 0.0)
+        model = StripModel.of(solution.contact, solution.element).in_core
+        return core.judge(model, (False, False), rigid, [core.Level(model, solution.edges, state)], 0.0)
+
     @cached_property
     def contact_y(self) -> tuple[tuple[float, float], ...]:
         """The intervals in contact."""
@@ -138,30 +149,14 @@ class Judgement:
     @cached_property
     def ends(self) -> tuple[EdgePressure, EdgePressure]:
         """How the contact ends: the pressure at both ends, without strengths."""
-        low, high = (
-            EdgePressure(
-                end.y, KINDS[end.kind], end.pressure, end.width, end.image_weight, end.exponent, None, None,
-                end.correction_exponent, end_in_words(self.problem, KINDS[end.kind], end.y, end.width, side),
-            )
-            for end, side in zip(self._core.ends, (-1, 1), strict=True)
-        )  # fmt: skip
-        return low, high
+        return edge_pressures(self.problem, self._core)
 
     @cached_property
     def edge_pressure(self) -> tuple[EdgePressure, EdgePressure]:
         """The pressure at both ends."""
-        (low, high), state = self.ends, self.state
-        with _NONE if self.result.status is core.Status.CONVERGED else np.errstate(all="ignore"):
-            return with_strength(self.problem, state, low, -1), with_strength(self.problem, state, high, 1)
-
-    @property
-    def state(self) -> States:
-        """The state of the finest strips."""
         edges, state = self.result.levels[0]
-        return States(
-            np.array(edges.size - 1), edges, state.r, state.m, np.array(state.rigid), state.gap,
-            np.array(state.stiffness), np.array(int(state.status)), np.array(state.steps), np.array(state.residual),
-        )  # fmt: skip
+        with _NONE if self.result.status is core.Status.CONVERGED else np.errstate(all="ignore"):
+            return with_strengths(self.problem, edges, state.r, state.m, self.ends)
 
     @cached_property
     def singular_ends(self) -> tuple[SingularEnd, ...]:
@@ -185,12 +180,17 @@ class Judgement:
         """Return what strains the model, and ends without a limit of the pressure."""
         if "findings" in vars(self) or solution.status is not Status.CONVERGED:
             return tuple(vars(self).get("findings", ()))
-        return (*self.strains(solution), *(singularities(solution) if self.singular_ends else ()))
+        return (*self.strains(solution), *self.singularities(solution))
 
     def strains(self, solution: Solution) -> tuple[Finding, ...]:
         """Return what strains the model: nothing in most cases."""
-        is_clean = not is_strained(self.problem, self._core)
-        return () if is_clean else tuple(strains(solution, self.problem, self.state))
+        if not is_strained(self.problem, self._core):
+            return ()
+        return tuple(strains(solution, self.problem, self._core))
+
+    def singularities(self, solution: Solution) -> tuple[Finding, ...]:
+        """Return the ends without a limit of the pressure."""
+        return singularities(solution, self._core) if self._core.singular else ()
 
 
 class Kept(NamedTuple):

@@ -1,4 +1,7 @@
-"""What strains the model in a solved case, and what is refused for it; each in one sentence."""
+"""What strains the model in a solved case, and what is refused for it; each in one sentence.
+
+The core works out the numbers, for one case and for each of many alike; here they are compared with limits.
+"""
 
 from __future__ import annotations
 
@@ -10,73 +13,48 @@ from numpy.typing import NDArray
 from nonhertz.amounts import about, mm, um
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
-from nonhertz.model.contact import Contact, sharper_curvature
+from nonhertz.model.contact import sharper_curvature
 from nonhertz.model.side_faces import SERIES
 from nonhertz.native import core
-from nonhertz.result.checks import (
-    HEAVIEST,
-    LEAST_DEPTH,
-    LEAST_OF_ALL,
-    MOST_OF_MODULUS,
-    MOST_OF_RADIUS,
-    MOST_UNEVEN,
-    WAY_OUT,
-    WIDER_THAN_LONG,
-    checks,
-    refuse_thin_bodies,
-)
-from nonhertz.result.ends import step_at
-from nonhertz.result.estimate import (
-    LARGE_ERROR,
-    LARGE_PRESSURE_ERROR,
-    LEFT_BY_MODES,
-    MISSED,
-    PRESSURE_LEFT_BY_MODES,
-    has_whole_roller,
-)
+from nonhertz.result.checks import HEAVIEST, LEAST_OF_ALL, WAY_OUT, checks, holding, refuse_thin_bodies
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import EdgeKind, Solution, Status
-from nonhertz.strip.overlaps import overlapping, runs
 from nonhertz.strip.problem import Problem
-from nonhertz.strip.records import States
-from nonhertz.strip.solving import SCARCELY
 
 Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
-AT_CORNER = 1.5  # strips: a maximum this close to a corner of the profile is attributed to the corner
+LARGE_ERROR, LARGE_PRESSURE_ERROR = 0.05, 0.2  # estimated errors; a result worse than this is unfit for design
+MISSED = 0.02  # of the deepest interference: an overlap this large where no strip is in contact is a missed contact
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then accurate to 0.2 %
+SCARCELY = 4.0  # half-widths of springs: a body of less depth is to blame that no solution is found
 
 
-def is_strained(problem: Problem, judgement: core.Judgement) -> bool:
-    """Return whether `strains` finds anything."""
-    checks, errors, influence = judgement.checks, judgement.errors, problem.model.influence
-    contact, by_modes = problem.contact, has_whole_roller(problem)
-    asked = problem.accuracy if problem.accuracy_given and problem.accuracy is not None else LARGE_ERROR
-    of_pressure = LARGE_PRESSURE_ERROR if problem.pressure_accuracy is None else problem.pressure_accuracy
+def is_strained(problem: Problem, judged: core.Judgement) -> bool:
+    """Return whether `strains` finds anything, at a hundredth of its price."""
+    errors, contact = judged.errors, problem.contact
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
+    large, large_pressure = LARGE_ERROR, LARGE_PRESSURE_ERROR
+    if problem.pressure_accuracy is not None:
+        large_pressure = min(large_pressure, problem.pressure_accuracy + errors.pressure_left_by_modes)
+    elif problem.accuracy_given and problem.accuracy is not None:
+        large = min(large, problem.accuracy + errors.left_by_modes)
     return not (
-        checks.length_ratio <= WIDER_THAN_LONG
-        and checks.radius_ratio <= MOST_OF_RADIUS
-        and checks.unevenness <= MOST_UNEVEN * checks.deepest
-        and checks.mean_pressure <= MOST_OF_MODULUS * softer
-        and checks.depth_ratio >= LEAST_DEPTH
-        and max(errors.approach, errors.load) <= min(LARGE_ERROR, asked + LEFT_BY_MODES * by_modes)
-        and errors.max_pressure <= min(LARGE_PRESSURE_ERROR, of_pressure + PRESSURE_LEFT_BY_MODES * by_modes)
-        and not checks.missed > MISSED * checks.pressed
-        and not judgement.peaks_at_corner
-        and not any(end.kind == core.EndKind.CUT_OFF for end in judgement.ends)
-        and not any(end.requested > HEAVIEST for end in influence.ends)
+        holding(judged.checks, softer)
+        and errors.approach <= large
+        and errors.load <= large
+        and errors.max_pressure <= large_pressure
+        and not judged.checks.missed > MISSED * judged.checks.pressed
+        and all(end.requested <= HEAVIEST for end in problem.model.influence.ends)
     )
 
 
-def strains(solution: Solution, problem: Problem, state: States) -> Iterator[Finding]:
+def strains(solution: Solution, problem: Problem, judged: core.Judgement) -> Iterator[Finding]:
     """Yield every way in which the result leaves the model's validity."""
-    for check in checks(solution, problem.model.influence.ends):
+    for check in checks(solution, judged.checks, problem.model.influence.ends):
         yield from check.findings
     yield from _large_errors(solution)
-    yield from _short_of_accuracy(solution, problem)
-    yield from missed_contact(problem, state)
+    yield from _short_of_accuracy(solution, problem, judged.errors)
+    yield from _missed_contact(judged.checks)
     yield from _without_limit(solution)
 
 
@@ -92,16 +70,15 @@ def _large_errors(solution: Solution) -> Iterator[Finding]:
         yield from _uncertain("maximum pressure", estimate.max_pressure, LARGE_PRESSURE_ERROR)
 
 
-def _short_of_accuracy(solution: Solution, problem: Problem) -> Iterator[Finding]:
+def _short_of_accuracy(solution: Solution, problem: Problem, errors: core.Errors) -> Iterator[Finding]:
     """Yield that the accuracy that was asked for is not met; larger errors have findings of their own."""
-    estimate, asked = solution.error_estimate, problem.accuracy
-    name, error = max(("approach", estimate.approach), ("load", estimate.load), key=lambda each: each[1])
-    is_given, by_modes, large = problem.accuracy_given, LEFT_BY_MODES, LARGE_ERROR
+    name, error = max(("approach", errors.approach), ("load", errors.load), key=lambda each: each[1])
+    is_given, asked, by_modes, large = problem.accuracy_given, problem.accuracy, errors.left_by_modes, LARGE_ERROR
     if problem.pressure_accuracy is not None:
-        name, error, asked = "largest pressure", estimate.max_pressure, problem.pressure_accuracy
-        is_given, by_modes, large = True, PRESSURE_LEFT_BY_MODES, LARGE_PRESSURE_ERROR
+        name, error, asked = "largest pressure", errors.max_pressure, problem.pressure_accuracy
+        is_given, by_modes, large = True, errors.pressure_left_by_modes, LARGE_PRESSURE_ERROR
     # Strips have no part in what the modes of a whole roller leave.
-    if is_given and asked is not None and asked < error - by_modes * has_whole_roller(problem) <= large:
+    if is_given and asked is not None and asked < error - by_modes <= large:
         yield finding(
             "short-of-accuracy",
             "The accuracy of {asked:g} asked for is not met: the error of the {quantity} is estimated at {error:.2g}, "
@@ -130,38 +107,16 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> Itera
         )
 
 
-def missed_contact(problem: Problem, state: States) -> Iterator[Finding]:
+def _missed_contact(values: core.Checks) -> Iterator[Finding]:
     """Yield where the bodies overlap although no strip there is in contact."""
-    region = searched(problem.contact, float(state.edges[0]), float(state.edges[-1]))
-    y, overlap = overlapping(problem, state, region)
-    overlap = np.where(_next_to_contact(state, y), 0.0, overlap)
-    if not np.any(overlap > 0.0):
-        return
-    pressed = 0.5 * (state.edges[1:] + state.edges[:-1])[state.m > 0.0]
-    deepest = float(np.max(state.rigid[0] + state.rigid[1] * pressed - problem.model.separation(pressed)))
-    if np.any(overlap > MISSED * deepest):
-        worst = int(np.argmax(overlap))
+    if values.missed > MISSED * values.pressed:
         yield finding(
             "missed-contact",
             "The bodies overlap by {overlap:.2g} at y = {y:.6g}, where no strip has its centre: a contact region is "
             "missed; give narrower strips there.",
-            overlap=um(overlap[worst]),
-            y=mm(y[worst]),
+            overlap=um(values.missed),
+            y=mm(values.missed_y),
         )
-
-
-def searched(contact: Contact, low: float, high: float) -> tuple[float, float]:
-    """Return where contacts that strips between two places may have missed are looked for [mm]."""
-    return max(contact.interval[0], 2.0 * low - high), min(contact.interval[1], 2.0 * high - low)
-
-
-def _next_to_contact(state: States, y: Array) -> Flags:
-    """Return which places lie in strips in contact, or within a strip width beside them, where the contact ends."""
-    found: Flags = np.zeros(y.shape, dtype=bool)
-    for first, last in runs(state.m > 0.0):
-        low, high = state.edges[first] - state.width[first], state.edges[last + 1] + state.width[last]
-        found |= (y >= low) & (y <= high)
-    return found
 
 
 ROUND_IT = "round it as it is in reality, by a corner_radius or a chamfer with a blend_radius beside the profile"
@@ -171,13 +126,22 @@ _NO_LIMIT = (
 )
 
 
-def singularities(solution: Solution) -> tuple[Finding, ...]:
+def singularities(solution: Solution, judged: core.Judgement) -> tuple[Finding, ...]:
     """Return each end of the contact at which the pressure has no limit."""
     sharp = {edge.y: edge for edge in solution.judgement.ends if edge.kind is EdgeKind.SINGULAR}
     found = []
-    for end in solution.singular_ends:
-        width = mm(step_at(solution, end))
-        if end.kind is EdgeKind.SINGULAR:
+    for end in judged.singular:
+        if end.is_corner:
+            found.append(
+                finding(
+                    "corner-end",
+                    "The contact ends at a corner of the profile at y = {y:.6g}, where the pressure is singular: "
+                    f"{_NO_LIMIT}; {ROUND_IT}.",
+                    y=mm(end.y),
+                    width=mm(end.width),
+                )
+            )
+        else:
             edge = sharp[end.y]
             found.append(
                 finding(
@@ -187,17 +151,7 @@ def singularities(solution: Solution) -> tuple[Finding, ...]:
                     y=mm(edge.y),
                     convention=edge.convention,
                     exponent=edge.exponent,
-                    width=width,
-                )
-            )
-        else:
-            found.append(
-                finding(
-                    "corner-end",
-                    "The contact ends at a corner of the profile at y = {y:.6g}, where the pressure is singular: "
-                    f"{_NO_LIMIT}; {ROUND_IT}.",
-                    y=mm(end.y),
-                    width=width,
+                    width=mm(end.width),
                 )
             )
     return tuple(found)

@@ -24,7 +24,6 @@ from nonhertz.result.data import dataframe, dataset
 from nonhertz.result.outcome import kept, restored, solution_of
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
-from nonhertz.result.validity import singularities
 from nonhertz.strip.problem import Problem
 
 if TYPE_CHECKING:
@@ -274,7 +273,8 @@ class Solutions:
             found = self._solution(number).findings[0]
             yield self._of_many("strained", "cases strain the model", len(self._strained), number, found)
         for number in np.flatnonzero(self.singular)[:1].tolist():
-            found = singularities(self._solution(number))[0]
+            solution = self._solution(number)
+            found = solution.judgement.singularities(solution)[0]
             what = "contacts end where the pressure has no limit"
             yield self._of_many("sharp-ends", what, int(np.count_nonzero(self.singular)), number, found)
 
