@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.result.penetration import penetrations
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
 LOGARITHMIC = nh.profile.logarithmic(amplitude=0.005, length=20, fraction=1.0)  # infinite at the ends
@@ -41,12 +40,6 @@ def test_it_is_the_deepest_interference(name, tilt):
     dense = solution.approach + tilt * y - contact.separation(y)
     assert solution.penetration == pytest.approx(dense.max(), rel=1e-6)
     assert solution.penetration >= solution.interference.max()
-
-
-@pytest.mark.parametrize("at", [-7.0, 7.0])
-def test_a_crest_within_the_outermost_strip_counts(at):
-    wedge = nh.profile.tabulated([-20.0, at, 20.0], [0.3, 0.0, 0.3], interpolation="linear")
-    assert penetrations(on_plate(wedge), np.array([-10.0, 0.0, 10.0]), np.array([0.1, 0.0])) == pytest.approx(0.1)
 
 
 def test_a_gap_before_touch_changes_neither_it_nor_the_estimated_error():

@@ -9,25 +9,14 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.findings import Finding, finding
-from nonhertz.model.contact import Contact, derived
+from nonhertz.model.contact import Contact
 from nonhertz.model.profile.base import SAME_PLACE
+from nonhertz.native import core
 from nonhertz.result.maximum import distance_beyond, singular_y
 from nonhertz.result.solution import EdgeKind, EdgePressure, SingularEnd, Solved
-from nonhertz.strip.overlaps import runs
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-
-# A contact that extends past a corner by less than this, in half-widths, ends there: fine strips reach round it.
-PAST_CORNER = 0.1
-# The pressure at a corner that turns by theta grows by theta / (2 pi^2 K) each time the distance falls by a factor e.
-# Where that is less than this fraction of it, refinement makes no significant difference.
-COUNTS = 0.02
-LEFT_AT_CORNER = 0.5  # of the squared pressure in the strip next to it: if extrapolation leaves less, it is a run-out
-# Of the largest pressure: where less is left at a corner, the contact runs out there, as near as its end is known.
-RUNS_OUT = 0.05
-STEP = 1e-5  # of the length: step of the differences that distinguish a corner from a curve
-KEPT_TURNS = 64
 
 
 def away_from_ends(solution: Solved, y: Array) -> Flags:
@@ -83,53 +72,9 @@ def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Arr
     pressure, half_width : ndarray, shape (n,)
         Largest pressure [MPa] and half-width [mm] of each, zero out of contact.
     """
-    found: set[float] = set()
-    y = 0.5 * (edges[1:] + edges[:-1])
-    for first, last in runs(pressure > 0.0):
-        room = PAST_CORNER * float(half_width[first : last + 1].max())
-        # Outermost strip first; multiplied by ``side``, positions increase outwards.
-        for side, run in ((-1.0, np.arange(first, last + 1)), (1.0, np.arange(last, first - 1, -1))):
-            beyond = run[0] + int(side)
-            outermost = y[beyond] if 0 <= beyond < y.size else edges[run[0] + (side > 0.0)]
-            inner = min(side * edges[run[0] + (side < 0.0)], side * y[run[0]] - room)
-            near = [bend for bend in contact.bends if inner < side * bend < side * outermost]
-            found.update(bend for bend in near if _presses(contact, bend, side, y, pressure, run))
-    return tuple(sorted(found))
-
-
-def _presses(contact: Contact, bend: float, side: float, y: Array, pressure: Array, run: NDArray[np.int64]) -> bool:
-    """Return whether a bend is a corner that a contact presses against; ``run`` are its strips, outermost first."""
-    within = run[side * y[run] < side * bend]
-    if within.size == 0:
-        return False
-    step = STEP * float(np.ptp(y)) if y.size > 1 else STEP
-    turn = min(_turn(contact, bend, step), 2.0 * _turn(contact, bend, 0.1 * step))
-    beside = float(pressure[within[0]])
-    if turn < COUNTS * 2.0 * np.pi**2 * contact.compliance * beside or beside < RUNS_OUT * float(pressure.max()):
-        return False
-    if within[0] != run[0] and within.size > 1 and pressure[within[0]] < pressure[within[1]]:
-        return False
-    if within.size == 1:
-        return True
-    # The square of the pressure falls linearly to zero where a contact runs out. Given three strips the outermost is
-    # left out, because it may carry load for what lies beyond it.
-    last, next_in = within[1:3] if within.size > 2 else within[:2]
-    square = float(pressure[last] ** 2)
-    fall = (float(pressure[next_in] ** 2) - square) / abs(y[next_in] - y[last])
-    return bool(square - fall * abs(bend - y[last]) > LEFT_AT_CORNER * square)
-
-
-def _turn(contact: Contact, place: float, step: float) -> float:
-    """Return by how much the slope of the separation increases across a place [rad]."""
-    known = derived(contact, "turns", dict[tuple[float, float], float])
-    turn = known.get((place, step))
-    if turn is None:
-        before, there, after = contact.separation_at(np.array([place - step, place, place + step])).tolist()
-        turn = float((after - there) / step + (before - there) / step) if np.isfinite(there) else 0.0
-        if len(known) >= KEPT_TURNS:
-            known.clear()
-        known[place, step] = turn
-    return turn
+    bends = np.array(contact.bends, dtype=float)
+    found = core.corner_ends(bends, contact.compliance, contact.separation_at, edges, pressure, half_width)
+    return tuple(found)
 
 
 def ends_in_words(ends: Iterable[SingularEnd]) -> Finding:

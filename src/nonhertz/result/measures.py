@@ -12,12 +12,11 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.compiled import plain_array
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
+from nonhertz.native import core
 from nonhertz.result.maximum import counted, singular_y
 from nonhertz.result.solution import runs_out
-from nonhertz.strip.grid import intervals
 
 if TYPE_CHECKING:
     from nonhertz.result.solution import Solution
@@ -263,8 +262,8 @@ def _root(solution: Solution, y: float, values: Array, *, of_pressure: bool) -> 
     by_end = 0.5 * values[strip] ** 2 / found.value * (y - here) / (end - here) ** 2
     for near in {strip, min(max(strip + 1 - 2 * side, first), last)}:
         change = STEP * (np.arange(solution.strips) == near)
-        edges = plain_array(solution.edges)
-        ends = [intervals(edges, (solution.half_width * (1.0 + sign * change)) ** 2) for sign in (1, -1)]
-        moved = (ends[0][number, side] - ends[1][number, side]) / (2.0 * STEP * solution.half_width[near])
+        squares = [(solution.half_width * (1.0 + sign * change)) ** 2 for sign in (1, -1)]
+        wider, narrower = (core.intervals(solution.edges, each)[number][side] for each in squares)
+        moved = (wider - narrower) / (2.0 * STEP * solution.half_width[near])
         found.by_half_width[near] += by_end * moved
     return found

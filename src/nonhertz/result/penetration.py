@@ -12,27 +12,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.model.contact import Contact
-
 Array = NDArray[np.float64]
 
 # Of the penetration: an approach that differs from it by less is not told twice.
 NOTICEABLE = 0.05
-AT_ONCE = 2**20  # places of all cases
-
-
-def penetrations(contact: Contact, edges: Array, rigid: Array) -> Array:
-    """Return the penetration [mm] on strips between ``edges``, for one case or many.
-
-    ``rigid``, shape (..., 2), is approach and tilt [mm, rad]; the result has the shape (...).
-    """
-    crests = [crest for crest in contact.crests if edges[0] < crest < edges[-1]]
-    y = np.unique(np.concatenate([edges, 0.5 * (edges[1:] + edges[:-1]), crests]))
-    if rigid.ndim == 1:
-        return deepest(contact.separation, y, rigid)
-    at_once = max(1, AT_ONCE // y.size)
-    parts = [deepest(contact.separation, y, rigid[first : first + at_once]) for first in range(0, len(rigid), at_once)]
-    return np.concatenate(parts)
 
 
 def deepest(separation: Callable[[Array], Array], y: Array, rigid: Array) -> Array:

@@ -24,7 +24,6 @@ from nonhertz.model.profile.base import at_ends
 from nonhertz.result import brief
 from nonhertz.result.data import library
 from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
-from nonhertz.result.penetration import penetrations
 from nonhertz.result.quantities import ALONG
 from nonhertz.strip.element import Element
 
@@ -336,8 +335,7 @@ class Solved(HasFindings, ReadOnly, _Derived):
     def _largest(self) -> tuple[float, float]:
         if not self.contact_y:
             return 0.0, math.nan
-        pressure, y = largest_pressure(self.y, self.largest_across, self.half_width, singular_y(self))
-        return float(pressure), float(y)
+        return largest_pressure(self.y, self.largest_across, self.half_width, singular_y(self))
 
     @property
     def max_pressure(self) -> float:
@@ -352,7 +350,7 @@ class Solved(HasFindings, ReadOnly, _Derived):
     @cached_property
     def max_half_width(self) -> float:
         """The largest half-width more than a half-width from `singular_ends` [mm], zero where nothing touches."""
-        return float(largest_half_width(self.y, self.half_width, singular_y(self))[0])
+        return largest_half_width(self.y, self.half_width, singular_y(self))[0]
 
     @property
     def contact_length(self) -> float:
@@ -666,7 +664,7 @@ class Solution(Solved):
     @cached_property
     def penetration(self) -> float:
         """The largest interference of the undeformed bodies within the strips [mm]: the approach beyond first touch."""
-        return float(penetrations(self.contact, self.edges, np.array([self.approach, self.tilt])))
+        return self.judgement.judged(self).penetration
 
     def gradient(self, quantity: str | Measure, *, holding: tuple[str, str] = ("load", "tilt")) -> Gradient:
         """Return how a number of the solution changes with the shapes of the bodies and all that is given.

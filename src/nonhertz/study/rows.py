@@ -23,7 +23,7 @@ from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.planfile import LOAD, Template
 from nonhertz.model.prescription import Prescription
-from nonhertz.result.penetration import penetrations
+from nonhertz.native import core
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.solver.many import solve_in_silence
 from nonhertz.solver.one import bounded, problem_of
@@ -162,7 +162,7 @@ class Work:
             contact = replace(case.contact, interpolated=True)
             problem = problem_of(contact, Prescription(load=1.0, tilt=tilt), case.solver.element)
             edges = np.linspace(*bounded(problem), TOUCHING + 1)
-            touched = -float(penetrations(contact, edges, np.array([0.0, tilt])))
+            touched = -core.penetration(problem.model.in_core, edges, (0.0, tilt))
         except NonhertzError as error:
             return self._failed(error)
         known = dict.fromkeys(_NOTHING, 0.0) | {"approach": touched, "tilt": tilt}
