@@ -37,4 +37,7 @@ inline Pack angle_of(Pack y, Pack x) {
   return y;
 }
 
+inline Pack larger(Pack a, Pack b) { return a < b ? b : a; }
+inline Pack smaller(Pack a, Pack b) { return b < a ? b : a; }
+
 }  // namespace nonhertz

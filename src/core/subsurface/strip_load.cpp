@@ -30,7 +30,7 @@ Complex quotient(double a, Complex b) {
   return {(a * ratio + 0.0) / scale, (0.0 * ratio - a) / scale};
 }
 
-Complex root_of(Complex of) {
+Complex complex_root(Complex of) {
   const double a = of.real(), b = of.imag();
   if (a == 0.0 && b == 0.0) return {std::abs(b), b};
   const double half = std::sqrt((std::abs(a) + std::hypot(a, b)) * 0.5);
@@ -45,7 +45,7 @@ struct Infinite {
 Infinite infinite(double x, double z, double a) {
   const double across = x / a, deep = z / a;
   // Two separate roots, for the branch that behaves like zeta far away.
-  Complex root = product(root_of(Complex(across - 1.0, deep)), root_of(Complex(across + 1.0, deep)));
+  Complex root = product(complex_root({across - 1.0, deep}), complex_root({across + 1.0, deep}));
   if (root == 0.0) root = {1e-150, 0.0};
   const Complex outside = Complex(across, deep) + root, half = product(0.5, outside);
   const Complex log(std::log(std::hypot(half.real(), half.imag())), std::atan2(half.imag(), half.real()));
@@ -54,33 +54,39 @@ Infinite infinite(double x, double z, double a) {
           potential + std::log(a)};
 }
 
-/// The first rule that suffices at a distance, in y and z, from line loads within a of x = 0.
-Index sufficient(double x, double distance, double a, const Numbers& enough) {
-  const double across = x / a, apart = distance / a, square = apart * apart;
-  const double total =
-      std::sqrt((across - 1.0) * (across - 1.0) + square) + std::sqrt((across + 1.0) * (across + 1.0) + square);
+/// The sum of the distances from both edges of line loads within a of x = 0, over a, at a distance in y and z.
+template <class Real>
+Real to_edges(Real x, Real distance, Real a) {
+  const Real across = x / a, apart = distance / a, square = apart * apart;
+  return root_of((across - 1.0) * (across - 1.0) + square) + root_of((across + 1.0) * (across + 1.0) + square);
+}
+
+/// The first rule that suffices there.
+Index sufficient(double to_edges, const Numbers& enough) {
   Index rule = 0;
-  while (rule < count_of(enough) - 1 && total < enough[rule]) ++rule;
+  while (rule < count_of(enough) - 1 && to_edges < enough[rule]) ++rule;
   return rule;
 }
 
-/// Both tails that make up a segment: for each its distance, sign, and sign of components odd in y; and the fraction of
-/// the infinite strip that counts: all of it under the segment, and half exactly at one of its ends, where the tail
-/// that begins at the point is half the infinite strip except for the odd components.
-struct Tails {
-  double Y1, even1, odd1, Y2, even2, odd2, whole;
+/// The signs of both tails that make up a segment, and of their components that are odd in y.
+struct Signs {
+  double even1, odd1, even2, odd2;
+  bool operator==(const Signs&) const = default;
 };
 
-/// `low` and `high` are the segment's ends relative to the point, positive if ahead of it. No tail begins within
-/// `nearest` half-widths of the point.
-Tails tails(double low, double high, double z, double a, double nearest) {
-  const double near = nearest * a, nearer = 1e-9 * a;
-  const double least = std::sqrt(std::max(near * near - z * z, nearer * nearer));
-  if (low > 0.0) return {std::max(low, least), 1.0, 1.0, std::max(high, least), -1.0, -1.0, 0.0};
-  if (high < 0.0) return {std::max(-high, least), 1.0, -1.0, std::max(-low, least), -1.0, 1.0, 0.0};
-  if (low == 0.0) return {least, 0.0, 1.0, std::max(high, least), -1.0, -1.0, 0.5};
-  if (high == 0.0) return {least, 0.0, -1.0, std::max(-low, least), -1.0, 1.0, 0.5};
-  return {std::max(high, least), -1.0, -1.0, std::max(-low, least), -1.0, 1.0, 1.0};
+/// The same, and the fraction of the infinite strip that counts: all of it under the segment, and half exactly at one
+/// of its ends, where the tail that begins at the point is half the infinite strip except for the odd components.
+struct Sides {
+  Signs signs;
+  double whole;
+};
+
+/// `low` and `high` are the segment's ends relative to the point, positive if ahead of it.
+const Sides& sides(double low, double high) {
+  static constexpr Sides AHEAD{{1.0, 1.0, -1.0, -1.0}, 0.0}, BEHIND{{1.0, -1.0, -1.0, 1.0}, 0.0};
+  static constexpr Sides FROM_HERE{{0.0, 1.0, -1.0, -1.0}, 0.5}, UP_TO_HERE{{0.0, -1.0, -1.0, 1.0}, 0.5};
+  static constexpr Sides OVER{{-1.0, -1.0, -1.0, 1.0}, 1.0};
+  return low > 0.0 ? AHEAD : high < 0.0 ? BEHIND : low == 0.0 ? FROM_HERE : high == 0.0 ? UP_TO_HERE : OVER;
 }
 
 /// What represents strip j: the strip itself from afar, else its pieces.
@@ -107,7 +113,7 @@ struct Stress {
       s_xz = -2.0 * z * slope.imag();
     } else {
       const SemiEllipseRules& rules = semi_ellipse_rules();
-      const Index rule = sufficient(x, z, a, rules.enough);
+      const Index rule = sufficient(to_edges(x, z, a), rules.enough);
       for (Index k = rules.starts[rule]; k < rules.starts[rule + 1]; ++k) {
         const double X = x - a * rules.nodes[k], square = X * X + z * z;
         const double common = -4.0 * rules.weights[k] * z / (square * square);
@@ -141,10 +147,14 @@ class Sum {
  public:
   Sum(double z, double poisson) : z_(z), poisson_(poisson) {}
 
-  void add(double X, double weight, const Tails& of) {
-    X_[count_] = X, weight_[count_] = weight;
-    Y1_[count_] = of.Y1, even1_[count_] = of.even1, odd1_[count_] = of.odd1;
-    Y2_[count_] = of.Y2, even2_[count_] = of.even2, odd2_[count_] = of.odd2;
+  /// The signs of the tails that are added next. Pieces come in order, so that they change but a few times.
+  void turn_to(const Signs& signs) {
+    if (signs == signs_) return;
+    add_waiting();
+    signs_ = signs;
+  }
+  void add(double X, double weight, double Y1, double Y2) {
+    X_[count_] = X, weight_[count_] = weight, Y1_[count_] = Y1, Y2_[count_] = Y2;
     if (++count_ == ROOM) add_waiting();
   }
   void add_whole(double weight, const Six<double>& of) {
@@ -161,13 +171,13 @@ class Sum {
 
   void add_waiting() {
     // What fills up the last pack is not added.
-    for (int k = count_; k % WIDTH; ++k) X_[k] = 0.0, Y1_[k] = Y2_[k] = 1.0;
+    for (int k = count_; k % WIDTH; ++k) X_[k] = weight_[k] = 0.0, Y1_[k] = Y2_[k] = 1.0;
     const Pack z = Pack{} + z_;
+    const auto [even1, odd1, even2, odd2] = signs_;
     double done[6][ROOM];
     for (int k = 0; k < count_; k += WIDTH) {
       const Pack X = load(X_ + k), weight = load(weight_ + k);
       const Six<Pack> f = Kind::tail(X, load(Y1_ + k), z, poisson_), g = Kind::tail(X, load(Y2_ + k), z, poisson_);
-      const Pack even1 = load(even1_ + k), even2 = load(even2_ + k), odd1 = load(odd1_ + k), odd2 = load(odd2_ + k);
       for (int c : {0, 1, 2, 4}) store(done[c] + k, weight * (even1 * f[c] + even2 * g[c]));
       for (int c : {3, 5}) store(done[c] + k, weight * (odd1 * f[c] + odd2 * g[c]));
     }
@@ -180,10 +190,30 @@ class Sum {
 
   double z_, poisson_;
   Six<double> total_{};
+  Signs signs_{};
   int count_ = 0;
-  double X_[ROOM], Y1_[ROOM], Y2_[ROOM];
-  double weight_[ROOM] = {}, even1_[ROOM] = {}, odd1_[ROOM] = {}, even2_[ROOM] = {}, odd2_[ROOM] = {};
+  double X_[ROOM], weight_[ROOM], Y1_[ROOM], Y2_[ROOM];
 };
+
+/// Where both tails of each piece of a pack begin, and how far their loads are from the point (see `to_edges`).
+struct Distances {
+  double Y1[WIDTH], Y2[WIDTH], to_edges[WIDTH];
+};
+
+/// No tail begins within `nearest` half-widths of the point.
+Distances distances(double x, Pack low, Pack high, double z, Pack a, double nearest) {
+  const Pack near = nearest * a, nearer = 1e-9 * a;
+  const Pack least = root_of(larger(near * near - z * z, nearer * nearer));
+  const Pack to_low = larger(-low, least), to_high = larger(high, least);
+  const Pack Y2 = low >= 0.0 ? to_high : to_low;
+  const Pack inside = (low == 0.0 || high == 0.0) ? least : to_high;
+  const Pack Y1 = low > 0.0 ? larger(low, least) : high < 0.0 ? larger(-high, least) : inside;
+  const Pack apart = smaller(Y1, Y2);
+  Distances found;
+  store(found.Y1, Y1), store(found.Y2, Y2),
+      store(found.to_edges, to_edges(Pack{} + x, root_of(z * z + apart * apart), a));
+  return found;
+}
 
 template <class Kind>
 void add_up(const Lamination& strips, double poisson, View points, Row out) {
@@ -191,16 +221,23 @@ void add_up(const Lamination& strips, double poisson, View points, Row out) {
   for (Index i = 0; i < count_of(points) / 3; ++i) {
     const double x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
     Sum<Kind> sum(z, poisson);
+    const auto add_piece = [&](Index p, double Y1, double Y2, double to_edges) {
+      const double a = strips.half_width[p], q = Kind::SCALE * strips.line_load[p];
+      const auto& [signs, whole] = sides(strips.low[p] - y, strips.high[p] - y);
+      if (whole > 0.0) sum.add_whole(whole * q, Kind::whole(x, z, a, poisson));
+      sum.turn_to(signs);
+      const Index rule = sufficient(to_edges, rules.enough);
+      for (Index k = rules.starts[rule]; k < rules.starts[rule + 1]; ++k)
+        sum.add(x - a * rules.nodes[k], q * rules.weights[k], Y1, Y2);
+    };
     for (Index j = 0; j + 1 < std::ssize(strips.first); ++j) {
       const auto [begin, end] = counted(j, y, strips);
-      for (Index p = begin; p < end; ++p) {
-        const double a = strips.half_width[p], q = Kind::SCALE * strips.line_load[p];
-        const Tails both = tails(strips.low[p] - y, strips.high[p] - y, z, a, Kind::NEAREST);
-        if (both.whole > 0.0) sum.add_whole(both.whole * q, Kind::whole(x, z, a, poisson));
-        const double apart = std::min(both.Y1, both.Y2);
-        const Index rule = sufficient(x, std::sqrt(z * z + apart * apart), a, rules.enough);
-        for (Index k = rules.starts[rule]; k < rules.starts[rule + 1]; ++k)
-          sum.add(x - a * rules.nodes[k], q * rules.weights[k], both);
+      for (Index p = begin; p < end; p += WIDTH) {
+        const Index count = std::min<Index>(WIDTH, end - p);
+        const auto of = [p, count](const Numbers& values) { return load_some(&values[p], count); };
+        const auto [Y1, Y2, to_edges] =
+            distances(x, of(strips.low) - y, of(strips.high) - y, z, of(strips.half_width), Kind::NEAREST);
+        for (Index k = 0; k < count; ++k) add_piece(p + k, Y1[k], Y2[k], to_edges[k]);
       }
     }
     std::ranges::copy(sum.total(), out.begin() + 6 * i);
