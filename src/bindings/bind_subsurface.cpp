@@ -4,6 +4,7 @@
 
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
+#include "subsurface/face_table.hpp"
 #include "subsurface/load.hpp"
 #include "subsurface/tails.hpp"
 #include "subsurface/wall.hpp"
@@ -46,6 +47,17 @@ SixesOut sixes(std::size_t count, Fill fill) {
   double* data = values.get();
   nb::capsule owner(values.release(), [](void* p) noexcept { delete[] static_cast<double*>(p); });
   return SixesOut(data, {count, 6}, owner);
+}
+
+/// What is computed while Python goes on.
+template <class Compute>
+MatrixOut released(Compute compute) {
+  Matrix found;
+  {
+    const nb::gil_scoped_release others;
+    found = compute();
+  }
+  return matrix_of(std::move(found));
 }
 
 }  // namespace
@@ -98,6 +110,24 @@ void bind_subsurface(nb::module_& m) {
         add_from_afar(low, high, line_load, poisson, view(points), row(total));
       },
       nb::call_guard<nb::gil_scoped_release>());
+  m.def(
+      "at_nodes",
+      [](const VectorIn& panels, const MatrixIn& to_nodes, const VectorIn& weights, const VectorIn& k,
+         const VectorIn& edges, const MatrixIn& steps) {
+        const Matrix to = copy_of(to_nodes), of_edges = copy_of(steps);
+        const LoadPanels on{nonhertz::view(panels), to, nonhertz::view(weights)};
+        return released([&] { return at_nodes(on, nonhertz::view(k), nonhertz::view(edges), of_edges); });
+      },
+      "panels"_a, "to_nodes"_a, "weights"_a, "k"_a, "edges"_a, "steps"_a, nb::rv_policy::reference);
+  m.def(
+      "between_distances",
+      [](const VectorIn& knots, const VectorIn& log_k, const VectorIn& log_r, const MatrixIn& coefficients) {
+        const Matrix of_splines = copy_of(coefficients);
+        return released([&] {
+          return between_distances(nonhertz::view(knots), nonhertz::view(log_k), nonhertz::view(log_r), of_splines);
+        });
+      },
+      "knots"_a, "log_k"_a, "log_r"_a, "coefficients"_a, nb::rv_policy::reference);
   nb::class_<Wall>(m, "Wall")
       .def("__init__",
            [](Wall* self, const nb::ndarray<const double, nb::ndim<4>, nb::c_contig, nb::device::cpu>& modes,

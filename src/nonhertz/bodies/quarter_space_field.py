@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies.quarter_space import NODES, corner_operator, interpolation, nodes_on, to_legendre
 from nonhertz.bodies.stored import MOST, stored
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
@@ -85,30 +86,36 @@ class QuarterSpaceField:
         -------
         ndarray, shape (m, rank)
         """
-        count = self.panels.size - 1
-        at = np.minimum(k[:, None] * edges, self.panels[-1])
-        panel = np.clip(np.searchsorted(self.panels, at) - 1, 0, count - 1)
-        low, high = self.panels[panel], self.panels[panel + 1]
-        values = legendre.legvander((2.0 * at - low - high) / (high - low), NODES)
-        row = (np.arange(k.size)[:, None] * count + panel).ravel()
+        loads: Array = core.at_nodes(self.panels, to_legendre(), _gauss_weights(), k, edges, steps) @ self.loads
+        return loads
 
-        def sums(of: Array) -> Array:
-            return np.asarray(np.bincount(row, of.ravel(), k.size * count), dtype=float).reshape(k.size, count)
+    def at_places(self, coefficients: Array, components: slice, k: Array, log_r: Array) -> Array:
+        """Return some components of the field at distances from the edge, beyond `DISTANCES` nothing.
 
-        # Integrals of Legendre polynomials from the low end of the panel: (P_n+1 - P_n-1) / (2 n + 1).
-        half, degree = 0.5 * (high - low) * steps, np.arange(1, NODES)
-        within = np.concatenate([values[..., 1:2] + 1.0, (values[..., 2:] - values[..., :-2]) / (2 * degree + 1)], -1)
-        found = np.stack([sums(half * within[..., n]) for n in range(NODES)], axis=-1) @ to_legendre()
-        beyond = sums(steps)
-        beyond = np.cumsum(beyond[:, ::-1], axis=1)[:, ::-1] - beyond
-        found += beyond[..., None] * (0.5 * np.diff(self.panels)[:, None] * legendre.leggauss(NODES)[1])
-        projected: Array = found.reshape(k.size, -1) @ self.loads
-        return projected
+        Parameters
+        ----------
+        coefficients : ndarray, shape (m, rank)
+            Of the wave numbers ``k`` [1/mm].
+        log_r : ndarray, shape (n,)
+            Logarithms of distances [mm], ascending.
 
-    def at_places(self, coefficients: Array, components: slice) -> Array:
-        """Return some components of the field, shape (..., distances * directions * components)."""
-        found: Array = coefficients @ self.places[:, :, components].reshape(-1, self.places.shape[-1]).T
-        return found
+        Returns
+        -------
+        ndarray, shape (m, n, directions, components)
+        """
+        knots, splines = self._by_distance
+        of = splines[:, :, components]
+        of_waves = coefficients @ of.reshape(-1, of.shape[-1]).T
+        found = core.between_distances(knots, np.log(k), log_r, of_waves)
+        return found.reshape(k.size, log_r.size, DIRECTIONS, -1)
+
+    @cached_property
+    def _by_distance(self) -> tuple[Array, Array]:
+        """Knots and coefficients of the splines through `places`."""
+        from scipy.interpolate import make_interp_spline
+
+        spline = make_interp_spline(np.log(DISTANCES), self.places, 3)
+        return spline.t, spline.c
 
     @cached_property
     def _across(self) -> Callable[[Array], Array]:
@@ -125,14 +132,14 @@ class QuarterSpaceField:
         change: Callable[[Array], Array] = CubicSpline(np.log(_APART), np.array(found))
         return change
 
-    def between_faces(self, distance: Array, own: Array, other: Array, images: int) -> Array:
-        """Return the coefficients with which two faces take away what each leaves on the other.
+    def between_faces(self, distance: Array, one: Array, other: Array, images: int) -> tuple[Array, Array]:
+        """Return the coefficients with which two faces take away what each leaves on the other, of each of them.
 
         Parameters
         ----------
         distance : ndarray, shape (m,)
             Between the faces, times k.
-        own, other : ndarray, shape (m, rank)
+        one, other : ndarray, shape (m, rank)
             Coefficients of both without the other.
         images : int
             How many mirror images of what each of them adds there are on either side, twice the distance apart: its own
@@ -144,14 +151,18 @@ class QuarterSpaceField:
             change = self._across(np.log(np.clip(apart, _APART[0], FARTHEST_APART)))
             return np.where(apart < FARTHEST_APART, change.T, 0.0).T
 
-        even = np.eye(own.shape[1]) + 2.0 * sum(seen(2 * n) for n in range(1, images + 1))
+        even = np.eye(one.shape[1]) + 2.0 * sum(seen(2 * n) for n in range(1, images + 1))
         odd = 2.0 * sum(seen(2 * n - 1) for n in range(1, images + 1)) + seen(2 * images + 1)
         same, opposed = (
-            np.linalg.solve((even + sign * odd).transpose(0, 2, 1), (own + sign * other)[..., None])
+            np.linalg.solve((even + sign * odd).transpose(0, 2, 1), (one + sign * other)[..., None])[..., 0]
             for sign in (1.0, -1.0)
         )
-        found: Array = 0.5 * (same + opposed)[..., 0]
-        return found
+        return 0.5 * (same + opposed), 0.5 * (same - opposed)
+
+
+@cache
+def _gauss_weights() -> Array:
+    return legendre.leggauss(NODES)[1]
 
 
 def between_distances(logarithm: Array) -> Array:

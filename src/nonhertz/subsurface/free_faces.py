@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache, cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,11 +21,9 @@ from numpy.typing import NDArray
 from nonhertz.bodies.quarter_space_field import (
     COMPONENTS,
     DIRECTIONS,
-    DISTANCES,
     FARTHEST_APART,
     QuarterSpaceField,
     between_angles,
-    between_distances,
     quarter_space_field,
 )
 
@@ -66,6 +65,11 @@ class Spectrum:
     even: Array
     odd: Array | None
 
+    @property
+    def steps(self) -> tuple[Array, ...]:
+        """Both transforms, or the only one."""
+        return (self.even,) if self.odd is None else (self.even, self.odd)
+
 
 @dataclass(frozen=True, eq=False)
 class Between:
@@ -103,6 +107,50 @@ class Between:
         return np.asarray(total)
 
 
+@dataclass(eq=False)
+class _Part:
+    """What a face adds to the even or the odd part of a load.
+
+    Attributes
+    ----------
+    is_odd : bool
+        Which part.
+    alone, both : ndarray, shape (wave numbers, rank)
+        Coefficients of the field of this face, and with another one, see `QuarterSpaceField`.
+    """
+
+    is_odd: bool
+    alone: Array
+    both: Array
+
+    @property
+    def turned(self) -> NDArray[np.bool_]:
+        """Which components change their sign with x."""
+        return ~_ODD if self.is_odd else _ODD
+
+
+@dataclass(frozen=True, eq=False)
+class _Waves:
+    """Wave numbers [1/mm] with their weights in an integral, and the field of a material."""
+
+    field: QuarterSpaceField
+    k: Array
+    weight: Array
+
+    @classmethod
+    def of(cls, poisson: float, half_width: float, farthest: float) -> _Waves:
+        """Return those that a contact of this half-width needs."""
+        return cls(quarter_space_field(poisson), *_wave_numbers(half_width, farthest))
+
+    def alone(self, load: Spectrum, place: float, side: float) -> tuple[_Part, ...]:
+        """Return what a face adds to each part of a load."""
+        distance, parts = side * (place - load.edges), []
+        for odd, steps in enumerate(load.steps):
+            coefficients = self.field.projected(self.k, distance, -side * steps)
+            parts.append(_Part(bool(odd), coefficients, coefficients))
+        return tuple(parts)
+
+
 @dataclass(frozen=True, eq=False)
 class FreeFaceField:
     """What one free side face adds.
@@ -117,9 +165,10 @@ class FreeFaceField:
         The distance of another free face [mm], 0 if there is none.
     images : int
         How often what it adds is seen in mirror images on either side, if there is another free face.
-    parts : tuple of (ndarray of bool, NdBSpline, NdBSpline)
-        Of the even part of the pressure, and of the odd one if there is one: what changes its sign with x, and stress
-        and the shear modulus times displacement over x, the distance from the edge and the direction.
+    waves : _Waves
+        The wave numbers of which it is made up.
+    parts : tuple of _Part
+        Of the even part of the pressure, and of the odd one if there is one.
     """
 
     place: float
@@ -128,7 +177,8 @@ class FreeFaceField:
     farthest: float
     length: float
     images: int
-    parts: tuple[tuple[NDArray[np.bool_], NdBSpline, NdBSpline], ...]
+    waves: _Waves
+    parts: tuple[_Part, ...]
 
     @classmethod
     def of(
@@ -139,58 +189,104 @@ class FreeFaceField:
         half_width: float,
         reach: float,
         poisson: float,
-        opposite: float = math.inf,
-        between: Between | None = None,
     ) -> FreeFaceField:
-        """Return what a face adds to a load that has a spectrum, and its far end at the distance ``reach`` [mm].
+        """Return what a face adds to a load that has a spectrum, and its far end at the distance ``reach`` [mm]."""
+        farthest = _BEYOND * reach
+        waves = _Waves.of(poisson, half_width, farthest)
+        parts = waves.alone(spectrum(waves.k, place), place, side)
+        return cls(place, side, half_width, farthest, 0.0, 0, waves, parts)
 
-        Where the load is between this and another free face at ``opposite``, stress takes away what each leaves on the
-        other. Displacement does not: it is that of the solver.
+    @classmethod
+    def pair(
+        cls,
+        spectrum: Callable[[Array, float], Spectrum],
+        places: tuple[float, float],
+        half_widths: tuple[float, float],
+        reaches: tuple[float, float],
+        poisson: float,
+        between: Between,
+    ) -> tuple[FreeFaceField, FreeFaceField]:
+        """Return what both faces of a body add, low and high.
+
+        Stress takes away what each leaves on the other. Displacement does not: it is that of the solver.
         """
+        farthest_load = max(reaches)
+        low, high = cls._alike(spectrum, places, half_widths[0], farthest_load, poisson, between)
+        if half_widths[0] != half_widths[1]:
+            high = cls._alike(spectrum, places, half_widths[1], farthest_load, poisson, between)[1]
+        return low, high
+
+    @classmethod
+    def _alike(
+        cls,
+        spectrum: Callable[[Array, float], Spectrum],
+        places: tuple[float, float],
+        half_width: float,
+        reach: float,
+        poisson: float,
+        between: Between,
+    ) -> tuple[FreeFaceField, FreeFaceField]:
+        """Return what both faces add, seen on the scale of one half-width: much of the work is the same for both."""
+        length, sides = places[1] - places[0], (-1.0, 1.0)
+        images = min(math.ceil(_SEEN * half_width / length), _MOST_IMAGES)
+        farthest = max(_BEYOND * reach, (2.0 * images + 1.0) * length)
+        waves = _Waves.of(poisson, half_width, farthest)
+        near = waves.k * length < FARTHEST_APART
+        loads = [spectrum(waves.k, place) for place in places]
+        alone = [waves.alone(*each) for each in zip(loads, places, sides, strict=True)]
+        for parts in zip(*alone, strict=True):
+            odd = parts[0].is_odd
+            images_of = replace(between, afar=None) if odd else between  # an odd load has no mean
+            one, other = (
+                images_of.projected(waves.field, waves.k[near], load.edges, load.steps[odd][near], place, side)
+                for load, place, side in zip(loads, places, sides, strict=True)
+            )
+            changed = waves.field.between_faces(waves.k[near] * length, one, other, images)
+            for part, coefficients in zip(parts, changed, strict=True):
+                part.both = part.alone.copy()
+                part.both[near] = coefficients
+        low, high = (
+            cls(place, side, half_width, farthest, length, images, waves, parts)
+            for place, side, parts in zip(places, sides, alone, strict=True)
+        )
+        return low, high
+
+    @cached_property
+    def _of_stress(self) -> list[tuple[NDArray[np.bool_], NdBSpline]]:
+        return [(part.turned, self._spline(part, part.both, slice(_STRESSES))) for part in self.parts]
+
+    @cached_property
+    def _of_displacement(self) -> list[tuple[NDArray[np.bool_], NdBSpline]]:
+        return [(part.turned, self._spline(part, part.alone, slice(_STRESSES, COMPONENTS))) for part in self.parts]
+
+    @cached_property
+    def _grids(self) -> tuple[tuple[Array, Array, Array], Array, Array, Array]:
+        """Knots of the table, logarithms of radii, and the ways to coefficients from waves and from values at radii."""
+        across = _grid(0.0, np.arcsinh(self.farthest / (_ACROSS * self.half_width)), _ACROSS_STEP)
+        radial = _grid(np.log(_CLOSEST * self.half_width), np.log(self.farthest), _RADIAL)
+        (t_x, to_x), (t_r, to_r), (t_a, _) = _spline(across), _spline(radial), _of_angles()
+        x = _ACROSS * self.half_width * np.sinh(across)[:, None]
+        smoothed = _SMOOTHED * np.maximum(x - _FROM * self.half_width, 0.0)
+        k, weight = self.waves.k, self.waves.weight
+        waves = to_x @ (weight / np.pi * np.exp(1j * k * x - 0.5 * (k * smoothed) ** 2))
+        return (t_x, t_r, t_a), radial, waves, to_r
+
+    def _spline(self, part: _Part, coefficients: Array, of: slice) -> NdBSpline:
+        """Return some components over x, the distance from the edge and the direction."""
         from scipy.interpolate import NdBSpline
 
-        length = 0.0 if between is None else abs(place - opposite)
-        images = min(math.ceil(_SEEN * half_width / length), _MOST_IMAGES) if length else 0
-        farthest = max(_BEYOND * reach, (2.0 * images + 1.0) * length)
-        field, (k, weight) = quarter_space_field(poisson), _wave_numbers(half_width, farthest)
-        across = _grid(0.0, np.arcsinh(farthest / (_ACROSS * half_width)), _ACROSS_STEP)
-        radial = _grid(np.log(_CLOSEST * half_width), np.log(farthest), _RADIAL)
-        (t_x, to_x), (t_r, to_r), (t_a, to_a) = (_spline(each) for each in (across, radial, _ANGLES))
-        by_distance = to_r @ between_distances(np.log(k)[:, None] + radial)
-        by_angle = to_a @ between_angles(_ANGLES)
-        x = _ACROSS * half_width * np.sinh(across)[:, None]
-        smoothed = _SMOOTHED * np.maximum(x - _FROM * half_width, 0.0)
-        waves = to_x @ (weight / np.pi * np.exp(1j * k * x - 0.5 * (k * smoothed) ** 2))
-        load, parts = spectrum(k, place), []
-        for steps, turned, wave in ((load.even, _ODD, waves), (load.odd, ~_ODD, -1j * waves)):
-            if steps is None:
-                continue
-            distance = side * (place - load.edges)
-            alone = field.projected(k, distance, -side * steps)
-            both = alone
-            if between is not None and steps is load.odd:
-                between = replace(between, afar=None)  # an odd load has no mean
-            if between is not None:
-                near = k * length < FARTHEST_APART
-                own, other = (
-                    between.projected(field, k[near], load.edges, steps[near], *face)
-                    for face in ((place, side), (opposite, -side))
-                )
-                both = alone.copy()
-                both[near] = field.between_faces(k[near] * length, own, other, images)
-            splines = []
-            for coefficients, of in ((both, slice(_STRESSES)), (alone, slice(_STRESSES, COMPONENTS))):
-                found = by_distance @ field.at_places(coefficients, of).reshape(k.size, DISTANCES.size, -1)
-                found = by_angle @ found.reshape(k.size, radial.size, DIRECTIONS, -1)
-                if of.start:
-                    found *= 0.5 / k[:, None, None, None]
-                odd = _ODD[of]
-                table = np.empty((x.size, *found.shape[1:]))
-                table[..., ~odd] = np.tensordot(wave.real, found[..., ~odd], 1)
-                table[..., odd] = np.tensordot(wave.imag, found[..., odd], 1)
-                splines.append(NdBSpline((t_x, t_r, t_a), table, 3))
-            parts.append((turned, splines[0], splines[1]))
-        return cls(place, side, half_width, farthest, length, images, tuple(parts))
+        knots, radial, waves, to_r = self._grids
+        k, odd = self.waves.k, part.turned[of]
+        found = self.waves.field.at_places(coefficients, of, k, radial).reshape(k.size, -1, odd.size)
+        if of.start:
+            found = found * (0.5 / k[:, None, None])
+        wave = -1j * waves if part.is_odd else waves
+        table = np.empty((waves.shape[0], *found.shape[1:]))
+        table[..., ~odd] = np.tensordot(wave.real, found[..., ~odd], 1)
+        table[..., odd] = np.tensordot(wave.imag, found[..., odd], 1)
+        table = to_r @ table.reshape(waves.shape[0], radial.size, -1)
+        table = _of_angles()[1] @ table.reshape(*table.shape[:2], DIRECTIONS, -1)
+        return NdBSpline(knots, table, 3)
 
     def stress(self, points: Array) -> Array:
         """Return the stress [MPa] at ``points`` (n, 3), shape (n, 6)."""
@@ -199,14 +295,16 @@ class FreeFaceField:
         for sign, offset in [*ahead, *((-1.0, 2.0 * self.place + shift) for _, shift in ahead[1:])]:
             seen = np.column_stack([points[:, 0], sign * points[:, 1] + offset, points[:, 2]])
             where, nearer = self._seen(seen)
-            part = sum(stress(where) * self._signs(points, turned)[:, :_STRESSES] for turned, stress, _ in self.parts)
+            part = sum(stress(where) * self._signs(points, turned)[:, :_STRESSES] for turned, stress in self._of_stress)
             total += nearer**2 * part * np.where(_ALONG[:_STRESSES], sign, 1.0)
         return total
 
     def displacement(self, points: Array) -> Array:
         """Return the shear modulus times the displacement [N/mm] at ``points`` (n, 3), shape (n, 3)."""
         where, nearer = self._seen(points)
-        found = sum(moved(where) * self._signs(points, turned)[:, _STRESSES:] for turned, _, moved in self.parts)
+        found = sum(
+            moved(where) * self._signs(points, turned)[:, _STRESSES:] for turned, moved in self._of_displacement
+        )
         return np.asarray(nearer * found)
 
     def _seen(self, points: Array) -> tuple[Array, Array]:
@@ -249,3 +347,10 @@ def _spline(grid: Array) -> tuple[Array, Array]:
 
     spline = make_interp_spline(grid, np.eye(grid.size), 3)
     return spline.t, spline.c
+
+
+@cache
+def _of_angles() -> tuple[Array, Array]:
+    """Return the knots of splines over directions, and the matrix from values at the field's own to coefficients."""
+    knots, to = _spline(_ANGLES)
+    return knots, to @ between_angles(_ANGLES)

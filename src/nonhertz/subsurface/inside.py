@@ -8,7 +8,6 @@ individually are lumped into line loads that begin beyond the last separate imag
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
@@ -115,7 +114,7 @@ class Inside:
             mean = solution.load / (body.faces[1] - body.faces[0])
             afar = body.faces[0] - apart, body.faces[1] + apart, mean
         pressed = solution.contact.compliance * solution.line_load
-        faces = tuple(_faces(solution, body, load, freed, Between(terms, afar) if all(freed) else None))
+        faces = _faces(solution, body, load, freed, Between(terms, afar) if all(freed) else None)
         influence = influence_within(solution.contact, solution.shape, which)
         widened = np.zeros(pressed.size)
         if isinstance(solution, Solution):  # a plane grid takes any contact for one of usual width
@@ -217,13 +216,19 @@ _KEPT: WeakKeyDictionary[Solved, dict[BodyName, Inside]] = WeakKeyDictionary()
 
 def _faces(
     solution: Solved, body: Body, load: Load, freed: list[bool], between: Between | None
-) -> Iterator[FreeFaceField]:
-    """Yield what those side faces of a body add that are freed."""
+) -> tuple[FreeFaceField, ...]:
+    """Return what those side faces of a body add that are freed."""
     loaded = solution.line_load > 0.0
     y, half_width = solution.y[loaded], solution.extent_across[1][loaded]
     low, high = solution.edges[:-1][loaded][0], solution.edges[1:][loaded][-1]
-    for place, opposite, side in ((*body.faces, -1.0), (*body.faces[::-1], 1.0)):
-        if freed[side > 0.0]:
-            near = float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max()))
-            reach = max(high - place, place - low)
-            yield FreeFaceField.of(load.spectrum, place, side, near, reach, body.material.poisson, opposite, between)
+    faces, sides = body.faces, (-1.0, 1.0)
+    near = [
+        float(np.max(half_width - NARROWING * np.abs(y - place), initial=LEAST * half_width.max())) for place in faces
+    ]
+    reach = [max(high - place, place - low) for place in faces]
+    poisson = body.material.poisson
+    if between is not None:
+        return FreeFaceField.pair(load.spectrum, faces, (near[0], near[1]), (reach[0], reach[1]), poisson, between)
+    return tuple(
+        FreeFaceField.of(load.spectrum, faces[k], sides[k], near[k], reach[k], poisson) for k in (0, 1) if freed[k]
+    )
