@@ -1,6 +1,7 @@
 """The pressure at the ends of a contact: its kind, exponent, strength and convention."""
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -63,6 +64,12 @@ def test_the_strength_depends_little_on_the_strips(strips):
     contact = nh.Contact(roller(length=2.0, **HALF_SPACE), nh.Plate())
     coarse, fine = (nh.solve(contact, load=8e3, strips=number).edge_pressure[1].strength for number in (strips, 641))
     assert coarse == pytest.approx(fine, rel=0.006)
+
+
+def test_a_solution_from_another_process_has_the_same_strength():
+    solution = solved(roller(), nh.Plate())
+    sent = pickle.loads(pickle.dumps(solution))
+    assert [edge.strength for edge in sent.edge_pressure] == [edge.strength for edge in solution.edge_pressure]
 
 
 def test_nearly_whole_mirrors_are_called_finite_and_weak_singularities_have_no_strength():

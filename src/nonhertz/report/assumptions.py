@@ -198,7 +198,7 @@ def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
     yield _fine_enough("the largest pressure", max(each.max_pressure for each in estimates), at_corner=corner)
     element = every[0].element
     remark = "'nonhertz compare' solves a single contact on a plane grid that assumes no shape."
-    if element is not SEMI_ELLIPTIC:
+    if element != SEMI_ELLIPTIC:
         remark = f"The parabola has an error of about 1 % that no refinement removes. {remark}"
     yield Assumption("Pressure across", "has the shape of the strips' element", element.name, remark=remark)
     pressure = max(each.max_pressure for each in every)

@@ -75,7 +75,7 @@ def fitted_strength(
     strength = float(np.linalg.lstsq(relative, np.ones(near), rcond=None)[0][0])
     if strength <= 0.0:
         return None, None
-    if element is SEMI_ELLIPTIC and not free:
+    if element == SEMI_ELLIPTIC and not free:
         strength /= 1.0 + FLARE * (1.0 - kappa)
     # Weighted by their widths, or the many narrow strips next to the end would decide.
     first, second, width = relative[:, 0], relative[:, 1], np.diff(edges[: near + 1])

@@ -50,7 +50,7 @@ def free_end_table(element: Element, poisson: float) -> Array:
 
     Polynomials on squares, those of the series far away, and the slopes of h and c towards the edge.
     """
-    if ELEMENTS.get(element.name) is element:
+    if ELEMENTS.get(element.name) == element:
         return _table(element.name, poisson)
     return _made(element, poisson)
 

@@ -58,7 +58,7 @@ def model_of(
 
 def kernel_of(influence: Influence, element: Element, *, same_table: bool = False) -> core.Kernel:
     """Return how strips act on both surfaces; ``same_table`` as for `model_of`."""
-    own = IN_CORE[element.name] if ELEMENTS.get(element.name) is element else None
+    own = IN_CORE[element.name] if ELEMENTS.get(element.name) == element else None
     return core.Kernel(
         _with_table_of(element) if same_table or own is None else own,
         [core.Term(*term) for term in influence.terms.tolist()],
