@@ -1,13 +1,18 @@
 // Rollers between rings, and the states in which they are in balance.
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/unordered_map.h>
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
 
 #include "bearing/balance.hpp"
+#include "bearing/strip_law.hpp"
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
 #include "maps/contact_map.hpp"
@@ -36,22 +41,27 @@ std::vector<Value> rows_of(const MatrixIn& array) {
 }
 
 /// A law in Python: called with the interpreter's lock, with the rollers and the poses of their contacts.
-GroupLaw group_law(nb::callable of) {
-  const auto asked = [of = std::move(of)](std::span<const Index> rollers, std::span<const Pose> poses,
-                                          std::span<Answer> answers) {
+class PythonLaw : public GroupLaw {
+ public:
+  explicit PythonLaw(nb::callable law) : law_(std::move(law)) {}
+
+  void answer(std::span<const Index> rollers, std::span<const Pose> poses, std::span<Answer> answers,
+              const Stop&) override {
     if (rollers.empty()) return;
     const nb::gil_scoped_acquire lock;
     const std::size_t count = rollers.size(), contacts = poses.size() / count;
     const auto numbers = nb::ndarray<nb::numpy, const Index>(rollers.data(), {count});
     const auto places = nb::ndarray<nb::numpy, const double>(&poses[0].approach, {count, contacts, 2});
     const auto found = nb::cast<nb::ndarray<const double, nb::ndim<3>, nb::c_contig, nb::device::cpu>>(
-        of(nb::cast(numbers, nb::rv_policy::copy), nb::cast(places, nb::rv_policy::copy)));
+        law_(nb::cast(numbers, nb::rv_policy::copy), nb::cast(places, nb::rv_policy::copy)));
     if (found.size() * sizeof(double) != answers.size_bytes())
       throw std::invalid_argument("a law must answer for every contact that it is asked for");
     std::copy_n(found.data(), found.size(), &answers[0].load);
-  };
-  return {asked};
-}
+  }
+
+ private:
+  nb::callable law_;
+};
 
 MapLaw map_law(const VectorIn& table) {
   const MapHead& head = *reinterpret_cast<const MapHead*>(table.data());
@@ -119,6 +129,76 @@ States balance(const Assembly& assembly, std::array<bool, 5> by_force, double de
 
 }  // namespace
 
+namespace {
+
+/// Raise in Python what the core throws: an exception whose arguments are approach and tilt.
+void translate(const std::exception_ptr& thrown, void* type) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const Unsolved& unsolved) {
+    const nb::tuple fields = nb::make_tuple(unsolved.pose.approach, unsolved.pose.tilt);
+    PyErr_SetObject(static_cast<PyObject*>(type), fields.ptr());
+  }
+}
+
+Writable answers_of(GroupLaw& law, const std::vector<Index>& rollers,
+                    const nb::ndarray<const double, nb::ndim<3>, nb::c_contig, nb::device::cpu>& poses) {
+  const std::size_t count = rollers.size(), contacts = poses.shape(1), size = sizeof(Answer) / sizeof(double);
+  if (poses.shape(0) != count || poses.shape(2) != 2) throw std::invalid_argument("poses must be of the rollers");
+  std::vector<Pose> at(count * contacts);
+  std::copy_n(poses.data(), poses.size(), &at[0].approach);
+  std::vector<Answer> answers(at.size());
+  {
+    const nb::gil_scoped_release released;
+    law.answer(rollers, at, answers, signals());
+  }
+  const double* first = &answers[0].load;
+  return writable({first, first + size * answers.size()}, {count, contacts, size});
+}
+
+void bind_strips_of_rollers(nb::module_& m) {
+  const std::string name = nb::cast<std::string>(m.attr("__name__")) + ".Unsolved";
+  nb::object type = nb::steal(PyErr_NewException(name.c_str(), PyExc_Exception, nullptr));
+  m.attr("Unsolved") = type;
+  nb::register_exception_translator(translate, type.ptr());
+  nb::class_<StrippedContact>(m, "StrippedContact", "A contact between roller and ring, to be solved on strips.")
+      .def(nb::init<std::shared_ptr<const Model>>(), "model"_a)
+      .def_prop_ro("loops", &StrippedContact::loops, "How many loops are kept for strips.")
+      .def(
+          "penetration",
+          [](const StrippedContact& self, const MatrixIn& poses) {
+            return array_of(self.penetration(rows_of<Pose>(poses)));
+          },
+          "poses"_a, "How deep the undeformed bodies overlap where they do most [mm], at poses of the shape (n, 2).");
+  nb::class_<StripLaw, GroupLaw>(m, "StripLaw", "How the contacts of rollers answer by strips.")
+      .def(nb::init<std::vector<std::shared_ptr<StrippedContact>>, std::optional<Index>>(), "contacts"_a,
+           "strips"_a.none() = nb::none())
+      .def("lay_anew", &StripLaw::lay_anew,
+           "From now on lay strips anew for contacts that are not nearly those which they were laid for.")
+      .def(
+          "edges",
+          [](const StripLaw& self, Index roller, Index contact) {
+            return array_of(Numbers(self.strips(roller, contact).edges));
+          },
+          "roller"_a, "contact"_a = 0, "Of the strips on which a contact was solved last [mm].")
+      .def_prop_ro(
+          "laid_for",
+          [](const StripLaw& self) {
+            std::vector<std::pair<double, double>> poses;
+            for (const Pose& pose : self.work().laid_for) poses.emplace_back(pose.approach, pose.tilt);
+            return poses;
+          },
+          "The poses for which strips of the automatic grid were laid.")
+      .def_prop_ro(
+          "asked", [](const StripLaw& self) { return self.work().asked; }, "How often each roller's contacts were.")
+      .def_prop_ro(
+          "followed", [](const StripLaw& self) { return self.work().followed; }, "How many contacts were led on.")
+      .def_prop_ro(
+          "solved", [](const StripLaw& self) { return self.work().solved; }, "How many were solved on strips.");
+}
+
+}  // namespace
+
 void bind_bearing(nb::module_& m) {
   nb::class_<Slices>(m, "Slices")
       .def(
@@ -131,13 +211,17 @@ void bind_bearing(nb::module_& m) {
   nb::class_<MapLaw>(m, "MapLaw")
       .def(
           "__init__", [](MapLaw* self, const VectorIn& table) { new (self) MapLaw(map_law(table)); }, "table"_a);
-  nb::class_<GroupLaw>(m, "GroupLaw")
+  nb::class_<GroupLaw>(m, "GroupLaw", "A law that is asked for the contacts of many rollers at once.")
+      .def("answer", &answers_of, "rollers"_a, "poses"_a,
+           "Answers of contacts, shape (n, contacts, 7), at poses of the shape (n, contacts, 2).");
+  nb::class_<PythonLaw, GroupLaw>(m, "PythonLaw")
       .def(
           "__init__",
-          [](GroupLaw* self, nb::typed<nb::callable, nb::object(nb::object, nb::object)> answer) {
-            new (self) GroupLaw(group_law(std::move(answer)));
+          [](PythonLaw* self, nb::typed<nb::callable, nb::object(nb::object, nb::object)> law) {
+            new (self) PythonLaw(std::move(law));
           },
-          "answer"_a);
+          "law"_a);
+  bind_strips_of_rollers(m);
   nb::class_<Joint>(m, "Joint")
       .def(
           "__init__",

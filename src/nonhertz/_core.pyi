@@ -661,7 +661,61 @@ class MapLaw:
     def __init__(self, table: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> None: ...
 
 class GroupLaw:
-    def __init__(self, answer: Callable[[object, object], object]) -> None: ...
+    """A law that is asked for the contacts of many rollers at once."""
+
+    def answer(self, rollers: Sequence[int], poses: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)]) -> NDArray[numpy.float64]:
+        """
+        Answers of contacts, shape (n, contacts, 7), at poses of the shape (n, contacts, 2).
+        """
+
+class PythonLaw(GroupLaw):
+    def __init__(self, law: Callable[[object, object], object]) -> None: ...
+
+class Unsolved(Exception):
+    pass
+
+class StrippedContact:
+    """A contact between roller and ring, to be solved on strips."""
+
+    def __init__(self, model: Model) -> None: ...
+
+    @property
+    def loops(self) -> int:
+        """How many loops are kept for strips."""
+
+    def penetration(self, poses: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]:
+        """
+        How deep the undeformed bodies overlap where they do most [mm], at poses of the shape (n, 2).
+        """
+
+class StripLaw(GroupLaw):
+    """How the contacts of rollers answer by strips."""
+
+    def __init__(self, contacts: Sequence[StrippedContact], strips: int | None = None) -> None: ...
+
+    def lay_anew(self) -> None:
+        """
+        From now on lay strips anew for contacts that are not nearly those which they were laid for.
+        """
+
+    def edges(self, roller: int, contact: int = 0) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]:
+        """Of the strips on which a contact was solved last [mm]."""
+
+    @property
+    def laid_for(self) -> list[tuple[float, float]]:
+        """The poses for which strips of the automatic grid were laid."""
+
+    @property
+    def asked(self) -> dict[int, int]:
+        """How often each roller's contacts were."""
+
+    @property
+    def followed(self) -> int:
+        """How many contacts were led on."""
+
+    @property
+    def solved(self) -> int:
+        """How many were solved on strips."""
 
 class Joint:
     def __init__(self, inner: bool, motion: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], gap: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], law: Slices | MapLaw | GroupLaw, column: int, first: int) -> None: ...

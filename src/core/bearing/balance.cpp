@@ -43,7 +43,7 @@ Balance::Balance(const Assembly& assembly, const Conditions& conditions, const B
 
 Equilibrium Balance::found(const Stop& stop) {
   do stop.look();
-  while (answer() && advance());
+  while (answer(stop) && advance());
   Equilibrium state{ring_.motion, ring_.force, ring_.stiffness, left_, ring_.trial.steps, {}, {}, {}};
   for (const Roller& roller : rollers_) state.rollers.push_back(roller.motion);
   state.poses = std::move(poses_), state.answers = std::move(answers_);
@@ -51,7 +51,7 @@ Equilibrium Balance::found(const Stop& stop) {
 }
 
 /// Let contacts answer that are asked; return whether they still may.
-bool Balance::answer() {
+bool Balance::answer(const Stop& stop) {
   const bool solved = !assembly_.groups().empty();
   int most = 0;
   for (const int times : times_) most = std::max(most, times);
@@ -68,11 +68,11 @@ bool Balance::answer() {
       if (const auto* map = std::get_if<MapLaw>(&law)) roller.answers[c] = map->answer(roller.poses[c]);
     }
   }
-  for (const Group& group : assembly_.groups()) answer(group);
+  for (const Group& group : assembly_.groups()) answer(group, stop);
   return true;
 }
 
-void Balance::answer(const Group& group) {
+void Balance::answer(const Group& group, const Stop& stop) {
   numbers_.clear(), asked_poses_.clear();
   for (Index j = group.first; j < group.end; ++j) {
     if (!rollers_[j].asked) continue;
@@ -80,7 +80,7 @@ void Balance::answer(const Group& group) {
     for (const Index c : group.columns) asked_poses_.push_back(rollers_[j].poses[c]);
   }
   given_answers_.resize(asked_poses_.size());
-  group.law->answer(numbers_, asked_poses_, given_answers_);
+  group.law->answer(numbers_, asked_poses_, given_answers_, stop);
   auto next = given_answers_.begin();
   for (const Index number : numbers_)
     for (const Index c : group.columns) rollers_[number - first_number_].answers[c] = *next++;

@@ -133,8 +133,8 @@ class Balance {
     double loads;          ///< [N]
   };
 
-  bool answer();
-  void answer(const Group& group);
+  bool answer(const Stop& stop);
+  void answer(const Group& group, const Stop& stop);
   bool advance();
   void follow_alike();
   void ask(Index j);

@@ -1,12 +1,12 @@
 // How contacts of rollers answer approach and tilt: with load, moment, their derivatives and the overlap.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <variant>
 
 #include "numbers/array.hpp"
+#include "numbers/stop.hpp"
 
 namespace nonhertz {
 
@@ -37,9 +37,13 @@ struct MapLaw {
 };
 
 /// A law that is asked for the contacts of many rollers at once, and may begin where it ended the last time.
-struct GroupLaw {
-  /// Rollers, counted through all states; poses and answers of their contacts with this law, one roller after another.
-  std::function<void(std::span<const Index> rollers, std::span<const Pose> poses, std::span<Answer> answers)> answer;
+class GroupLaw {
+ public:
+  virtual ~GroupLaw() = default;
+  /// Rollers are counted through all states; poses and answers are of their contacts with this law, as many for each,
+  /// one roller after another.
+  virtual void answer(std::span<const Index> rollers, std::span<const Pose> poses, std::span<Answer> answers,
+                      const Stop& stop) = 0;
 };
 
 using Law = std::variant<Slices, MapLaw, std::shared_ptr<GroupLaw>>;

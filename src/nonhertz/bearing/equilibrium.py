@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bearing.laws import OVERLAP, ContactLaw, for_core
+from nonhertz.bearing.strips import unsolved
 from nonhertz.life.lamina import roller_stiffness
 from nonhertz.native import core
 
@@ -59,7 +60,7 @@ class States(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """One contact of every roller of a row; those of a roller with the same `GroupLaw` are asked together."""
+    """One contact of every roller of a row; those of a roller with the same `core.GroupLaw` are asked together."""
 
     inner: bool  # whether the other body is the inner ring, which moves; the outer one is at rest
     motion: Array  # approach and tilt per motion of ring against roller, shape (2, 3)
@@ -135,13 +136,19 @@ def balanced(
         Motions of the rollers to begin with; if left out or NaN, those that equal springs would give them.
     threads : int
         How many may work on many states at once, where no law is asked for many contacts.
+
+    Raises
+    ------
+    ConvergenceError
+        If a contact has no solution by strips.
     """
     ring = np.where(by_force, start, target)
     begin = np.full((len(ring), system.rollers, 3), np.nan if motion is None else motion).reshape(-1, 3)
-    found = core.balance(
-        system.assembly, by_force.tolist(), float(depth), float(tolerance), STEPS, target, ring, begin, threads
-    )
-    return States(*found)
+    conditions = by_force.tolist(), float(depth), float(tolerance), STEPS
+    try:
+        return States(*core.balance(system.assembly, *conditions, target, ring, begin, threads))
+    except core.Unsolved as error:
+        raise unsolved(error) from None
 
 
 def at_edge(system: System, state: States) -> tuple[Indices, Array]:

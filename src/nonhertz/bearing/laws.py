@@ -1,13 +1,12 @@
 """How contacts of rollers answer approach and tilt: with load, moment, their derivatives and the overlap.
 
-Slices and maps answer in the core, one contact at a time; any other law, such as strips, which are laid and solved, is
-asked for the contacts of many rollers at once.
+Slices and maps are asked for one contact at a time; any other law, such as strips, which are laid and solved, for the
+contacts of many rollers at once.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,22 +23,6 @@ Indices = NDArray[np.int64]
 #: undeformed bodies overlap where they do most, negative where they are apart [mm].
 ANSWER = 7
 OVERLAP = 6
-
-
-class GroupLaw(Protocol):
-    """A law that is asked for the contacts of many rollers at once."""
-
-    def answer(self, rows: Indices, pose: Array) -> Array:
-        """Return the answers of contacts, shape (n, contacts, ANSWER).
-
-        Parameters
-        ----------
-        rows : ndarray of int, shape (n,)
-            Which rollers, of all states: a law that iterates may begin where it ended the last time.
-        pose : ndarray, shape (n, contacts, 2)
-            Approach [mm] and tilt [rad] of their contacts that have this law.
-        """
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,11 +70,12 @@ class MapLaw:
         return inside
 
 
-ContactLaw = Slices | MapLaw | GroupLaw
+#: Those of `core.GroupLaw` are asked for the contacts of many rollers at once.
+ContactLaw = Slices | MapLaw | core.GroupLaw
 
 
 def for_core(law: ContactLaw) -> core.Slices | core.MapLaw | core.GroupLaw:
     """Return a law as the core asks it."""
     if isinstance(law, Slices):
         return core.Slices(law.y, law.relief, float(law.stiffness), float(law.exponent))
-    return core.MapLaw(law.map_.table) if isinstance(law, MapLaw) else core.GroupLaw(law.answer)  # type: ignore[arg-type]
+    return core.MapLaw(law.map_.table) if isinstance(law, MapLaw) else law

@@ -19,12 +19,13 @@ from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
-from nonhertz.bearing.strips import StripLaw, StrippedContact
+from nonhertz.bearing.strips import stripped
 from nonhertz.errors import ConvergenceError, InputError
 from nonhertz.findings import said, warn
 from nonhertz.inputs.checks import thread_count
 from nonhertz.inputs.fields import Count, Input, Word, described, taking
 from nonhertz.life.lamina import FEWEST, MOST, STIFFENING, roller_stiffness
+from nonhertz.native import core
 
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
@@ -245,8 +246,8 @@ def _solved(
     # where springs would have them.
     idle = ~(near.load[:, :, :1] > 0.0)
     motion = np.where(idle, near.motion, np.nan)
-    contacts = [[StrippedContact(each) for each in row.bearing.contacts] for row in bearing.rows]
-    few, many = ([StripLaw(each, strips) for each in contacts] for strips in (ROUGH_STRIPS, None))
+    contacts = [[stripped(each) for each in row.bearing.contacts] for row in bearing.rows]
+    few, many = ([core.StripLaw(each, strips) for each in contacts] for strips in (ROUGH_STRIPS, None))
     coarse, fine = (joined(bearing, load, [(law, law) for law in laws]) for laws in (few, many))
     near = balanced(coarse, by_force, target, near.ring, depth, NEARBY, motion)
     near = balanced(fine, by_force, target, near.ring, depth, NEARBY, near.motion)

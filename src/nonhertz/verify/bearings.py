@@ -27,8 +27,9 @@ from nonhertz.bearing import (
 from nonhertz.bearing.equilibrium import Joint, System, balanced
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.section import raceway_motion, ring_motion
-from nonhertz.bearing.strips import StripLaw, StrippedContact
+from nonhertz.bearing.strips import stripped
 from nonhertz.bearing.verb import joined
+from nonhertz.native import core
 from nonhertz.verify import known_bearings as known
 from nonhertz.verify.bearing_sums import sums_in_space
 from nonhertz.verify.claim import Array, Claim, Evidence, solved
@@ -306,7 +307,7 @@ def _of_slices(bearing: TaperedRollerBearing, ring: Array) -> tuple[Array, Array
 
 def _of_kept_strips(solution: BearingSolution) -> Callable[[Array], tuple[Array, Array]]:
     """Return the same by strips that are laid once: where they are laid anew, the error of the grid jumps."""
-    laws = [StripLaw([StrippedContact(contact)]) for contact in solution.bearing.rows[0].bearing.contacts]
+    laws = [core.StripLaw([stripped(contact)]) for contact in solution.bearing.rows[0].bearing.contacts]
     system = joined(solution.bearing, solution.roller_load, [laws])
     none, ring = np.zeros(5, dtype=bool), solution.displacement[None]
     begun = balanced(system, none, ring, ring, 0.01).motion

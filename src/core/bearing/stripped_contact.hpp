@@ -1,0 +1,66 @@
+// A contact between roller and ring by the strip-element method, on strips that are kept from one pose to the next.
+#pragma once
+
+#include <map>
+
+#include "bearing/law.hpp"
+#include "bodies/model.hpp"
+#include "strips/follow.hpp"
+
+namespace nonhertz {
+
+/// Thrown where a contact of a roller has no solution.
+struct Unsolved {
+  Pose pose;
+};
+
+/// A contact solved on strips.
+struct LaidContact {
+  Level level;
+  Pose laid_for;  ///< that the strips were laid for
+  double depth;   ///< and the penetration there [mm]
+  Pose pose;      ///< at which it is solved
+  Answer answer;  ///< but for the overlap, times K
+};
+using SharedContact = std::shared_ptr<const LaidContact>;
+
+/// What does not depend on approach and tilt, and the loops that run on strips.
+class StrippedContact {
+ public:
+  explicit StrippedContact(std::shared_ptr<const Model> model);
+  StrippedContact(const StrippedContact&) = delete;
+
+  double half_length() const { return 0.5 * (high_ - low_); }
+  double compliance() const { return model_->contact().compliance; }
+  const Samples& surveyed() const { return surveyed_; }
+
+  /// How many loops are kept.
+  std::size_t loops() const { return loops_.size(); }
+
+  /// How deep the undeformed bodies overlap where they do most [mm].
+  Numbers penetration(std::span<const Pose> poses) const;
+  /// About so many strips, nearly equal.
+  std::shared_ptr<const Grid> even(Index strips) const;
+
+  /// A contact solved on strips of the automatic grid; throws Unsolved.
+  SharedContact laid(const Pose& pose, double depth, const Stop& stop) const;
+  /// A contact solved anew on given strips; nothing if it has no solution.
+  SharedContact solved(std::shared_ptr<const Grid> strips, const Pose& pose, double depth, const Stop& stop) const;
+  /// A contact solved elsewhere on its strips, beginning with what it was; nothing if it has no solution.
+  SharedContact solved(const LaidContact& before, const Pose& pose, const Stop& stop) const;
+  /// A contact led elsewhere on its strips, which is quicker; nothing if it got lost.
+  SharedContact followed(const LaidContact& before, const Pose& pose);
+  /// A guess of this contact, with the other ring, from one on strips that suit both.
+  LaidContact on_strips_of(const LaidContact& other) const;
+
+ private:
+  SharedContact answering(LaidContact contact) const;
+
+  std::shared_ptr<const Model> model_;
+  std::shared_ptr<const Kernel> kernel_;
+  double low_, high_;
+  Samples surveyed_;
+  std::map<const Grid*, Following> loops_;  // each of which keeps its grid
+};
+
+}  // namespace nonhertz
