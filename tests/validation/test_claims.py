@@ -12,12 +12,12 @@ import nonhertz as nh
 from nonhertz import verify
 from nonhertz.bearing import bearings as rows
 from nonhertz.bearing import equilibrium, standard, verb
-from nonhertz.bodies import depths, images, whole_roller
+from nonhertz.bodies import depths, images
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.life import capacity
 from nonhertz.native import core
 from nonhertz.patch import convolution, free_faces, inverse
-from nonhertz.strip import problem
+from nonhertz.strip import model, problem
 from nonhertz.subsurface.field import TAU_XZ
 from nonhertz.subsurface.inside import Inside
 from nonhertz.verify import bearings, fatigue_life, plane_grid
@@ -123,7 +123,7 @@ FAST = [
     ),
     *(Mistake(*DEPTH, [f"{name}/*"], ["*"]) for name in ("finite-bodies", "whole-roller")),
     Mistake(
-        "a kernel of strips five per cent off", [(problem, "influence_of")],
+        "a kernel of strips five per cent off", [(model, "influence_of")],
         changed(lambda found: replace(found, terms=found.terms * [1.0, 1.0, 1.05])), ["plane-grid/tilted-crown*"],
         ["*/tilted-crown-approach", "*/tilted-crown-pressure-in-the-middle"],
     ),
@@ -196,15 +196,17 @@ def test_a_mistake_is_noticed(monkeypatch, mistake):
 
 
 def test_a_whole_roller_that_is_five_per_cent_softer_at_large_is_noticed_by_whole_rollers_alone(monkeypatch):
-    right = whole_roller.WholeRoller.displacement
-    monkeypatch.setattr(whole_roller.WholeRoller, "displacement", times(1.05)(right))
+    softer = property(lambda of: core.AxisOfRoller(of.below.core, of.whole.core, of.radius, of.middle, 1.05 * of.share))
+    monkeypatch.setattr(depths.AxisOfRoller, "core", softer)
     ids = failed(["whole-roller/*"])
     assert ids
     assert all(fnmatch(each, "*/whole-roller*") or fnmatch(each, "*/hollow-roller*") for each in ids)
 
 
 def test_a_table_that_is_five_per_cent_off_contradicts_what_strips_do_far_away(monkeypatch):
-    monkeypatch.setitem(vars(nh.SEMI_ELLIPTIC), "table", 1.05 * nh.SEMI_ELLIPTIC.table)
+    right = nh.SEMI_ELLIPTIC
+    wrong = core.Element(right.name, right.line_factor, right.hertz_ratio, right.far_constant, 1.05 * right.table)
+    monkeypatch.setitem(vars(right), "core", wrong)
     case = plane_grid.TILTED_CROWN
     with pytest.raises(nh.ConvergenceError, match="leaves a gap"):
         nh.solve(case.contact, **case.given)
