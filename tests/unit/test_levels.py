@@ -24,16 +24,25 @@ from nonhertz.strip.model import model_of
 )
 def test_peaks_are_looked_for_alike_on_both_sides(pressure):
     """A strip on y = 0 belongs to both."""
-
-    def peaks(pressure):
-        m, n = np.square(pressure), len(pressure)
-        grid = strips_between(np.linspace(-n, n, n + 1))
-        return np.array(core.peaks(grid, state_of(np.ones(n), m, (0.0, 0.0)), [], 1e-4))
-
     found, mirrored = peaks(pressure), peaks(pressure[::-1])
     np.testing.assert_array_equal(found[:, 0], -mirrored[::-1, 0])
     np.testing.assert_array_equal(found[:, 1:], mirrored[::-1, 1:])
     assert found.size
+
+
+@pytest.mark.parametrize("rounding", [0.0, 1e-15, -1e-15])
+def test_a_strip_beside_the_middle_belongs_to_its_side_alone(rounding):
+    """Of two strips that bear the same, an ulp decided otherwise which was the largest pressure on both sides."""
+    for more in ((0.0, 1e-15), (1e-15, 0.0)):
+        found = peaks((0.5, 0.9, 1.0 + more[0], 1.0 + more[1], 0.9, 0.5), middle=rounding)
+        np.testing.assert_allclose(found[:, 0], [-1.0, 1.0], rtol=1e-12)
+
+
+def peaks(pressure, middle=0.0):
+    """Peaks of a pressure on strips 2 mm wide around the middle."""
+    m, n = np.square(pressure), len(pressure)
+    grid = strips_between(np.linspace(-n, n, n + 1) + middle)
+    return np.array(core.peaks(grid, state_of(np.ones(n), m, (0.0, 0.0)), [], 1e-4))
 
 
 @pytest.mark.filterwarnings("ignore:.*maximum pressure is not known")
