@@ -133,14 +133,6 @@ void bind_grids(nb::module_& m) {
       "y"_a, "depth"_a,
       "The vertices of parabolas through three neighbouring places each, where they are deeper than zero.");
   m.def(
-      "overlapping",
-      [](const Model& model, std::shared_ptr<Grid> grid, const State& state, double low, double high) {
-        Samples samples = overlapping(model, {std::move(grid), state}, model.surveyed(low, high));
-        return std::pair(std::move(samples.y), std::move(samples.h));
-      },
-      "model"_a, "grid"_a, "state"_a, "low"_a, "high"_a, Released(),
-      "Places [mm], and by how much the surfaces overlap there although no strip is in contact [mm].");
-  m.def(
       "overlaps",
       [](const Model& model, std::shared_ptr<Grid> grid, const State& state, double low, double high) {
         const auto region = model.region(low, high);

@@ -396,11 +396,6 @@ def summits_of(y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C
     The vertices of parabolas through three neighbouring places each, where they are deeper than zero.
     """
 
-def overlapping(model: Model, grid: Grid, state: State, low: float, high: float) -> tuple[list[float], list[float]]:
-    """
-    Places [mm], and by how much the surfaces overlap there although no strip is in contact [mm].
-    """
-
 def overlaps(model: Model, grid: Grid, state: State, low: float, high: float) -> list[list[float]]:
     """
     Where another contact may have been missed, and widths for strips there [mm].

@@ -357,6 +357,60 @@ def test_an_overlap_is_found_where_it_is_and_as_wide_as_it_is():
     assert 1e-4 < width < 2e-3
 
 
+@pytest.mark.parametrize(("share", "extra"), [(1.0, None), (0.5, None), (1.0, 0.4)])
+def test_strips_are_laid_as_a_coarser_solution_calls_for(share, extra):
+    grid, state = crowned_on_part(-10.0, 10.0, 40)
+    ((first, last),) = core.intervals(grid, state.m)
+    model = model_of(nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate()))
+    wanted = [] if extra is None else [(extra, 0.01)]
+    laid = np.array(core.lay(model, grid, state, -10.0, 10.0, wanted, 0.28, share, 40.0))
+    assert laid[0] == -10.0
+    assert laid[-1] == 10.0
+    # An edge lies on each end of the contact, and the middle of a strip on y = 0.
+    assert {first, last} <= set(laid.tolist())
+    middle = np.searchsorted(laid, 0.0)
+    assert laid[middle] == pytest.approx(-laid[middle - 1], rel=1e-12)
+    widths, whole = np.diff(laid), core.lay(model, grid, state, -10.0, 10.0, wanted, 0.28, 1.0, 40.0)
+    assert laid.size - 1 == pytest.approx(share * (len(whole) - 1), abs=2)
+    if extra is not None:
+        at = np.searchsorted(laid, extra) - 1
+        assert 0.005 < widths[at] < 0.015
+        assert widths[at] == widths.min()
+
+
+def test_more_strips_than_the_limit_are_not_laid():
+    grid, state = crowned_on_part(-10.0, 10.0, 40)
+    model = model_of(nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate()))
+    narrow = [(place, 0.01) for place in np.linspace(-1.0, 1.0, 21)]
+    counts = [len(core.lay(model, grid, state, -10.0, 10.0, narrow, 1.0, 1.0, limit)) - 1 for limit in (30.0, 1000.0)]
+    assert counts[0] <= 32 < counts[1]
+
+
+@pytest.mark.parametrize(
+    ("shape", "places", "turn"),
+    [
+        (profile.tapered_ends(14, 1e-3), [-7.0, 7.0], np.tan(1e-3)),
+        (profile.partial_crown(500, 12, blended=True), [], 0.0),  # only the curvature jumps
+    ],
+    ids=["kinks", "none"],
+)
+def test_a_kink_is_where_the_slope_jumps(shape, places, turn):
+    contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=shape), nh.Plate())
+    kinks, turns = core.kinks_among(model_of(contact), contact.bends, 20.0)
+    np.testing.assert_allclose(kinks, places, rtol=1e-12)
+    np.testing.assert_allclose(turns, turn, rtol=1e-6)
+
+
+def test_first_strips_see_a_contact_that_falls_between_those_along_the_bodies():
+    # 24 strips have their middle edge where a crown touches; its contact is 0.06 mm long.
+    model = model_of(nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(500)), nh.Plate()))
+    given = (False, False), (1e-6, 0.0)
+    assert not core.is_feasible(model, np.linspace(-10.0, 10.0, 25), *given)
+    edges = core.first_strips(model, *given)
+    assert core.is_feasible(model, edges, *given)
+    assert edges[-1] - edges[0] < 1.0
+
+
 @pytest.mark.parametrize("side", [-1.0, 1.0])
 def test_a_grid_cut_from_an_end_next_to_the_middle_does_not_depend_on_the_unit_of_length(side):
     # 5 mm are next to the middle of 20 m, in strips, if not in millimetres.
