@@ -6,6 +6,7 @@ PYTHONS ?= python3.11 python3.12 python3.13
 ORDERS ?= 1 2 3 4 5
 MUTANTS ?=
 SPHINX ?=
+SANITIZE ?=
 WORKERS ?= auto
 MARKS ?= slow
 ENGINE ?= chromium
@@ -14,7 +15,7 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 READY := $(VENV)/.ready
 
-.PHONY: demo core test test-slow test-orders test-versions dist dist-tests mutants campaign campaign-all browser verify lint docs bench docs-numbers clean
+.PHONY: demo core test test-slow test-orders test-versions dist dist-tests mutants campaign campaign-all browser verify sanitize lint docs bench docs-numbers clean
 
 demo: $(INSTALLED)
 	$(BIN)/nonhertz solve examples/cylindrical-roller-bearing.toml --out out/demo
@@ -73,6 +74,10 @@ browser: $(READY)
 
 verify: $(READY)
 	$(BIN)/nonhertz verify --out out/verify
+
+# Tests on builds of the core that look for mistakes in memory and for races; SANITIZE=--short runs a few.
+sanitize: $(READY)
+	$(BIN)/python tests/core/sanitized.py $(SANITIZE)
 
 lint: $(READY)
 	$(BIN)/ruff check .

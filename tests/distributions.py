@@ -3,9 +3,10 @@
     python tests/distributions.py python3.11 python3.12 python3.13
     python tests/distributions.py python3.13 --tests
 
-On each Python the wheel is installed into an environment of its own below ``out/distributions``, first with nothing but
-what the solver needs, then with the extras, and used as a newcomer would use it. With ``--tests`` the unpacked sdist
-runs its own tests there, too, those left out that take seconds each. What was built is in ``dist``.
+Wheels are built from the sdist, for every kind of processor: one for Python 3.11 and one for all later ones. On each
+Python its wheel is installed into an environment of its own below ``out/distributions``, first with nothing but what
+the solver needs, then with the extras, and used as a newcomer would use it. With ``--tests`` the unpacked sdist runs
+its own tests there, too, those left out that take seconds each. What was built is in ``dist``.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ from __future__ import annotations
 import argparse
 import importlib.util
 import os
+import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -32,8 +35,10 @@ BARE = """
 import importlib.metadata
 import importlib.resources
 import nonhertz as nh
+from nonhertz.native import core
 there = {each.name.lower() for each in importlib.metadata.distributions()}
 assert there == {"nonhertz", "numpy", "scipy", "numba", "llvmlite"}, there
+assert importlib.import_module("nonhertz._core") and core
 assert nh.__version__ == importlib.metadata.version("nonhertz")
 assert importlib.resources.files("nonhertz").joinpath("py.typed").is_file()
 contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=1000)), nh.Ring(diameter=80))
@@ -91,12 +96,21 @@ def clean() -> dict[str, str]:
     return {name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | {"PYTHONUTF8": "1"}
 
 
-def built() -> tuple[Path, Path]:
-    """Build both distributions, the wheel from the sdist, and return their paths."""
+def built(interpreters: list[str]) -> tuple[dict[str, Path], Path]:
+    """Build both distributions, wheels from the sdist, and return that of each interpreter, and the sdist."""
     shutil.rmtree(DIST, ignore_errors=True)
-    uv("build", "--out-dir", DIST)
-    (wheel,), (sdist,) = DIST.glob("*.whl"), DIST.glob("*.tar.gz")
-    return wheel, sdist
+    options = ("--out-dir", DIST, "--build-constraints", ROOT / "constraints.txt")
+    uv("build", "--sdist", *options)
+    (sdist,) = DIST.glob("*.tar.gz")
+    every = ("--config-setting", "cmake.define.NONHERTZ_EVERY_PROCESSOR=ON")
+    wheels = {}
+    for interpreter in interpreters:
+        asked = [interpreter, "-c", "import sys; print('abi3' if sys.version_info >= (3, 12) else 'cp311')"]
+        tag = subprocess.run(asked, capture_output=True, encoding="utf-8", check=True).stdout.strip()
+        if not list(DIST.glob(f"*-{tag}-*.whl")):
+            uv("build", "--wheel", "--python", interpreter, *options, *every, sdist)
+        (wheels[interpreter],) = DIST.glob(f"*-{tag}-*.whl")
+    return wheels, sdist
 
 
 def tracked(*below: str) -> set[str]:
@@ -106,7 +120,7 @@ def tracked(*below: str) -> set[str]:
 
 
 def check_contents(wheel: Path, sdist: Path) -> None:
-    """Check that the sdist is the checkout, and the wheel the package and the licences, no more and no less."""
+    """Check that the sdist is the checkout, and a wheel the package, its core and the licences, no more and no less."""
     with zipfile.ZipFile(wheel) as archive:
         names = set(archive.namelist())
     texts = {name.partition("/licenses/")[2] for name in names if "/licenses/" in name}
@@ -114,8 +128,10 @@ def check_contents(wheel: Path, sdist: Path) -> None:
     if not (ROOT / ".git").exists():
         print("This is no checkout: that nothing is missing was not checked.")
         return
-    package = {name.removeprefix("src/") for name in tracked("src")}
-    assert {name for name in names if ".dist-info/" not in name} == package, names ^ package
+    package = {name.removeprefix("src/") for name in tracked("src/nonhertz")}
+    core = {name for name in names if re.fullmatch(r"nonhertz/_core(_v3)?\..*(so|pyd)", name)}
+    assert len(core) == (2 if platform.machine().lower() in {"x86_64", "amd64"} else 1), core
+    assert {name for name in names if ".dist-info/" not in name} - core == package, (names - core) ^ package
     assert {name for name in tracked("src") if name.endswith(".LICENSE")} < texts, texts
     with tarfile.open(sdist) as archive:
         held = {name.partition("/")[2] for name in archive.getnames()}
@@ -179,10 +195,11 @@ def main() -> int:
     parser.add_argument("interpreters", nargs="+", help="such as python3.11")
     parser.add_argument("--tests", action="store_true", help="run the tests of the sdist, too")
     asked = parser.parse_args()
-    wheel, sdist = built()
-    check_contents(wheel, sdist)
-    check_metadata(wheel, sdist)
-    for interpreter in filter(found, asked.interpreters):
+    wheels, sdist = built([each for each in asked.interpreters if found(each)])
+    for wheel in set(wheels.values()):
+        check_contents(wheel, sdist)
+    check_metadata(*set(wheels.values()), sdist)
+    for interpreter, wheel in wheels.items():
         print(f"{interpreter}:", flush=True)
         environment = Environment(interpreter, wheel)
         check_installed(environment)

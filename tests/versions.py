@@ -14,6 +14,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -37,6 +38,12 @@ def python_in(environment: Path) -> Path:
     return environment / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
 
+def build_tools(resolution: str) -> list[str]:
+    """Return constraints on what the package is built with."""
+    required = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["build-system"]["requires"]
+    return [each.replace(">=", "==") for each in required] if resolution == "lowest" else required
+
+
 def environment(interpreter: str, resolution: str) -> Path:
     """Make an environment and return its folder."""
     folder = ROOT / "out" / "versions" / f"{Path(interpreter).name}-{resolution}"
@@ -49,7 +56,12 @@ def environment(interpreter: str, resolution: str) -> Path:
         "--output-file", versions, "pyproject.toml",
     )  # fmt: skip
     uv("pip", "install", "--python", python, "--no-deps", "--requirement", versions)
-    uv("pip", "install", "--python", python, "--no-deps", ROOT)
+    # Built as a wheel, and anew: of a folder uv may remember what it built before.
+    wheels = folder / "wheel"
+    constraints = folder / "build.txt"
+    constraints.write_text("\n".join(build_tools(resolution)), encoding="utf-8")
+    uv("build", "--wheel", "--python", python, "--build-constraints", constraints, "--out-dir", wheels, ROOT)
+    uv("pip", "install", "--python", python, "--no-deps", *wheels.glob("*.whl"))
     return folder
 
 

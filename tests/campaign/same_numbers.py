@@ -198,6 +198,8 @@ def of_commits(commits, options):
             if commit:
                 subprocess.run([*git, "worktree", "add", "--quiet", "--detach", str(tree), commit], check=True)
             try:
+                if (tree / "CMakeLists.txt").exists():
+                    _build_core(tree)
                 words = [sys.executable, __file__, "record", str(written), *options]
                 # Golden runs as that state makes them: commands may have changed their names and what they write.
                 paths = os.pathsep.join([str(root / "src"), str(root / "tests" / "golden")])
@@ -207,6 +209,14 @@ def of_commits(commits, options):
                     subprocess.run([*git, "worktree", "remove", "--force", str(tree)], check=True)
             records.append(written)
         return compared(*records)
+
+
+def _build_core(tree):
+    """Build the core of a worktree beside its sources."""
+    words = ["cmake", "-S", str(tree), "-B", str(tree / "build"), "-G", "Ninja", "-DNONHERTZ_IN_PLACE=ON"]
+    tools = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])  # where make has installed them
+    for command in ([*words, f"-DPython_EXECUTABLE={sys.executable}"], ["cmake", "--build", str(tree / "build")]):
+        subprocess.run(command, env=os.environ | {"PATH": tools}, stdout=subprocess.DEVNULL, check=True)
 
 
 def difference(one, other):
