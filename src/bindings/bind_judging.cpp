@@ -70,6 +70,7 @@ void bind_judging(nb::module_& m) {
   m.def(
       "judge",
       [](const Model& model, std::array<bool, 2> by_force, Pair target, std::vector<Level> levels, double accuracy) {
+        if (levels.empty()) throw std::invalid_argument("a solution has a level at least");
         const nb::gil_scoped_release unlocked;
         return judge(model, {by_force, target}, {std::move(levels), accuracy});
       },
@@ -99,8 +100,12 @@ void bind_judging(nb::module_& m) {
       "bends"_a, "compliance"_a, "separation"_a, "edges"_a, "pressure"_a, "half_width"_a);
   m.def(
       "penetration",
-      [](const Model& model, const VectorIn& edges, Pair rigid) { return penetration_of(model, view(edges), rigid); },
-      "model"_a, "edges"_a, "rigid"_a, nb::call_guard<nb::gil_scoped_release>());
+      [](const Model& model, const VectorIn& edges, Pair rigid) {
+        if (edges.size() < 2) throw std::invalid_argument("a strip has two edges");
+        const nb::gil_scoped_release unlocked;
+        return penetration_of(model, view(edges), rigid);
+      },
+      "model"_a, "edges"_a, "rigid"_a);
   m.def(
       "intervals",
       [](const VectorIn& edges, const VectorIn& squares) {
