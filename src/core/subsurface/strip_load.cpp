@@ -157,6 +157,21 @@ class Sum {
     X_[count_] = X, weight_[count_] = weight, Y1_[count_] = Y1, Y2_[count_] = Y2;
     if (++count_ == ROOM) add_waiting();
   }
+  /// Add as many pieces as a pack has numbers, which have the same nodes and signs: one piece after the other.
+  void add_pack(Pack x, Pack a, Pack load, Pack Y1, Pack Y2, View nodes, View weights) {
+    add_waiting();
+    const Pack z = Pack{} + z_;
+    double done[6][ROOM];
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const Six<Pack> both = pair(x - a * nodes[k], load * weights[k], Y1, Y2, z);
+      for (int c = 0; c < 6; ++c) store(done[c] + WIDTH * k, both[c]);
+    }
+    Six<double> total = total_;
+    for (int piece = 0; piece < WIDTH; ++piece)
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        for (int c = 0; c < 6; ++c) total[c] += done[c][WIDTH * k + piece];
+    total_ = total;
+  }
   void add_whole(double weight, const Six<double>& of) {
     add_waiting();
     for (int c : {0, 1, 2, 4}) total_[c] += weight * of[c];
@@ -166,20 +181,27 @@ class Sum {
     return total_;
   }
 
- private:
   static constexpr int ROOM = 64;
 
+ private:
+  /// What pairs of tails do.
+  Six<Pack> pair(Pack X, Pack weight, Pack Y1, Pack Y2, Pack z) const {
+    const Six<Pack> f = Kind::tail(X, Y1, z, poisson_), g = Kind::tail(X, Y2, z, poisson_);
+    Six<Pack> both;
+    for (int c : {0, 1, 2, 4}) both[c] = weight * (signs_.even1 * f[c] + signs_.even2 * g[c]);
+    for (int c : {3, 5}) both[c] = weight * (signs_.odd1 * f[c] + signs_.odd2 * g[c]);
+    return both;
+  }
+
   void add_waiting() {
+    if (count_ == 0) return;
     // What fills up the last pack is not added.
     for (int k = count_; k % WIDTH; ++k) X_[k] = weight_[k] = 0.0, Y1_[k] = Y2_[k] = 1.0;
     const Pack z = Pack{} + z_;
-    const auto [even1, odd1, even2, odd2] = signs_;
     double done[6][ROOM];
     for (int k = 0; k < count_; k += WIDTH) {
-      const Pack X = load(X_ + k), weight = load(weight_ + k);
-      const Six<Pack> f = Kind::tail(X, load(Y1_ + k), z, poisson_), g = Kind::tail(X, load(Y2_ + k), z, poisson_);
-      for (int c : {0, 1, 2, 4}) store(done[c] + k, weight * (even1 * f[c] + even2 * g[c]));
-      for (int c : {3, 5}) store(done[c] + k, weight * (odd1 * f[c] + odd2 * g[c]));
+      const Six<Pack> both = pair(load(X_ + k), load(weight_ + k), load(Y1_ + k), load(Y2_ + k), z);
+      for (int c = 0; c < 6; ++c) store(done[c] + k, both[c]);
     }
     Six<double> total = total_;
     for (int k = 0; k < count_; ++k)
@@ -197,7 +219,7 @@ class Sum {
 
 /// Where both tails of each piece of a pack begin, and how far their loads are from the point (see `to_edges`).
 struct Distances {
-  double Y1[WIDTH], Y2[WIDTH], to_edges[WIDTH];
+  Pack Y1, Y2, to_edges;
 };
 
 /// No tail begins within `nearest` half-widths of the point.
@@ -209,10 +231,15 @@ Distances distances(double x, Pack low, Pack high, double z, Pack a, double near
   const Pack inside = (low == 0.0 || high == 0.0) ? least : to_high;
   const Pack Y1 = low > 0.0 ? larger(low, least) : high < 0.0 ? larger(-high, least) : inside;
   const Pack apart = smaller(Y1, Y2);
-  Distances found;
-  store(found.Y1, Y1), store(found.Y2, Y2),
-      store(found.to_edges, to_edges(Pack{} + x, root_of(z * z + apart * apart), a));
-  return found;
+  return {Y1, Y2, to_edges(Pack{} + x, root_of(z * z + apart * apart), a)};
+}
+
+/// The rule that suffices for all pieces of a pack, if it is the same for all, else -1.
+Index shared_rule(Pack to_edges, const Numbers& enough) {
+  const Index rule = sufficient(to_edges[0], enough);
+  for (int k = 1; k < WIDTH; ++k)
+    if (sufficient(to_edges[k], enough) != rule) return -1;
+  return rule;
 }
 
 template <class Kind>
@@ -235,9 +262,18 @@ void add_up(const Lamination& strips, double poisson, View points, Row out) {
       for (Index p = begin; p < end; p += WIDTH) {
         const Index count = std::min<Index>(WIDTH, end - p);
         const auto of = [p, count](const Numbers& values) { return load_some(&values[p], count); };
-        const auto [Y1, Y2, to_edges] =
-            distances(x, of(strips.low) - y, of(strips.high) - y, z, of(strips.half_width), Kind::NEAREST);
-        for (Index k = 0; k < count; ++k) add_piece(p + k, Y1[k], Y2[k], to_edges[k]);
+        const Pack a = of(strips.half_width);
+        const auto [Y1, Y2, to_edges] = distances(x, of(strips.low) - y, of(strips.high) - y, z, a, Kind::NEAREST);
+        const auto& [signs, whole] = sides(strips.low[p] - y, strips.high[p + count - 1] - y);
+        const Index rule = count == WIDTH && whole == 0.0 ? shared_rule(to_edges, rules.enough) : -1;
+        if (rule >= 0 && SemiEllipseRules::LADDER[rule] * WIDTH <= Sum<Kind>::ROOM) {
+          sum.turn_to(signs);
+          const Index first = rules.starts[rule], nodes = SemiEllipseRules::LADDER[rule];
+          sum.add_pack(Pack{} + x, a, Kind::SCALE * of(strips.line_load), Y1, Y2,
+                       View(rules.nodes).subspan(first, nodes), View(rules.weights).subspan(first, nodes));
+        } else {
+          for (Index k = 0; k < count; ++k) add_piece(p + k, Y1[k], Y2[k], to_edges[k]);
+        }
       }
     }
     std::ranges::copy(sum.total(), out.begin() + 6 * i);

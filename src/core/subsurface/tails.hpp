@@ -7,7 +7,7 @@ namespace nonhertz {
 
 /// 2 pi times the stress of the tail, Y > 0.
 template <class Real>
-Six<Real> stress_tail(Real X, Real Y, Real z, double poisson) {
+[[gnu::always_inline]] inline Six<Real> stress_tail(Real X, Real Y, Real z, double poisson) {
   const Real R = root_of(X * X + Y * Y + z * z);
   const Real inverse = 1.0 / R, sum_inverse = 1.0 / (R + Y);
   const Real c = inverse * sum_inverse, cube = inverse * inverse * inverse;
