@@ -52,6 +52,7 @@ WIDER, DEEPER = 1.15, 0.8
 FLAT = 3.0  # half-widths deep: there points next to the contact turn half with the body
 AROUND = 12  # samples beyond these in a quarter of a turn
 REFINEMENTS = 3
+DEEP = 0.15  # half-widths: from there on every other sample shows which passes matter
 POINTS_AT_ONCE = 2**18
 
 
@@ -115,6 +116,11 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
     return _passage(solution, y, z, options, turning=False)
 
 
+def sampled_passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
+    """Return the same from samples alone, within some per cent: enough to see where the largest of all are."""
+    return _passage(solution, y, z, options, turning=False, sampled=True)
+
+
 def revolution(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
     """Return the largest stresses that points in a round body undergo in a revolution.
 
@@ -124,7 +130,9 @@ def revolution(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[W
     return _passage(solution, y, z, options, turning=True)
 
 
-def _passage(solution: Solved, y: ArrayLike, z: ArrayLike, options: Within, *, turning: bool) -> Passage:
+def _passage(
+    solution: Solved, y: ArrayLike, z: ArrayLike, options: Within, *, turning: bool, sampled: bool = False
+) -> Passage:
     """Return the largest stresses along straight lines, or along circles about the axis."""
     checked_solution(solution)
     along, below = broadcast(POINTS_REMEDY, finite_numbers("y", y), finite_numbers("z", z))
@@ -134,15 +142,29 @@ def _passage(solution: Solved, y: ArrayLike, z: ArrayLike, options: Within, *, t
     found = np.empty((2 * len(QUANTITIES) + 1, along.size))
     at_once = POINTS_AT_ONCE // (2 * (WITHIN + OUTSIDE))
     for start in range(0, along.size, at_once):
-        part = slice(start, start + at_once)
-        found[:, part] = _over(solution, inside, along.flat[part], below.flat[part], options.get("threads"), turning)
+        part = np.arange(start, min(start + at_once, along.size))
+        deep = below.flat[part] >= DEEP * across_at(solution, along.flat[part])[1] if sampled else np.zeros(part.size)
+        for of, every in ((part[deep == 0], 1), (part[deep != 0], 2)):
+            if of.size:
+                places = along.flat[of], below.flat[of]
+                refinements = 0 if sampled else REFINEMENTS
+                found[:, of] = _over(solution, inside, *places, options.get("threads"), turning, every, refinements)
         if announce is not None:
             announce(min(start + at_once, along.size), along.size)
     largest = [values.reshape(along.shape) for values in found]
     return Passage(inside.name, along, below, *largest)
 
 
-def _over(solution: Solved, inside: Inside, y: Array, z: Array, threads: int | None, turning: bool) -> Array:
+def _over(
+    solution: Solved,
+    inside: Inside,
+    y: Array,
+    z: Array,
+    threads: int | None,
+    turning: bool,
+    every: int,
+    refinements: int,
+) -> Array:
     """Return the largest values, their x, and the range of tau_xz, shape (7, points)."""
     centre, half_width = across_at(solution, y)
     along, below = y[:, None], z[:, None]
@@ -156,6 +178,7 @@ def _over(solution: Solved, inside: Inside, y: Array, z: Array, threads: int | N
         x = _samples(flat, np.minimum(WIDER * flat + DEEPER * z, 0.5 * quarter))
         around = np.linspace(0.0, 1.0, AROUND + 1)[1:] ** 2
         x = np.concatenate([x, x[:, -1:] + (quarter[:, None] - x[:, -1:]) * around], axis=1)
+    x = x[:, ::every]
     if not solution.symmetric_across:
         x = centre[:, None] + np.concatenate([-x[:, :0:-1], x], axis=1)
 
@@ -174,7 +197,7 @@ def _over(solution: Solved, inside: Inside, y: Array, z: Array, threads: int | N
         signed = {"up": lambda each: each[..., TAU_XZ], "down": lambda each: -each[..., TAU_XZ]}
     else:
         signed = {}
-    tops = {name: _largest(quantity, x, sampled, at) for name, quantity in (QUANTITIES | signed).items()}
+    tops = {name: _largest(quantity, x, sampled, at, refinements) for name, quantity in (QUANTITIES | signed).items()}
     reach = tops["up"][0] + tops["down"][0] if signed else 2.0 * tops["orthogonal_shear"][0]
     values, places = zip(*(tops[name] for name in QUANTITIES), strict=True)
     return np.stack([*values, *places, reach])
@@ -211,7 +234,9 @@ def _samples(half_width: Array, reach: Array) -> Array:
     return np.concatenate([half_width[:, None] * inwards, half_width[:, None] + beyond[:, None] * outwards], axis=1)
 
 
-def _largest(measure: StressMeasure, x: Array, stresses: Array, at: Callable[[Array], Array]) -> tuple[Array, Array]:
+def _largest(
+    measure: StressMeasure, x: Array, stresses: Array, at: Callable[[Array], Array], refinements: int = REFINEMENTS
+) -> tuple[Array, Array]:
     """Return the largest value along each row of samples, and its x, refined between the samples.
 
     Samples without material count nothing; the value of a row of these is NaN.
@@ -229,7 +254,7 @@ def _largest(measure: StressMeasure, x: Array, stresses: Array, at: Callable[[Ar
     rows = np.arange(best.size)[:, None]
     near = best[:, None] + np.array([-1, 0, 1])
     x, values = x[rows, near], values[rows, near]
-    for _ in range(REFINEMENTS):
+    for _ in range(refinements):
         vertex = _vertex(x, values)[:, None]
         x = np.concatenate([x, vertex], axis=1)
         values = np.concatenate([values, quantity(at(vertex))], axis=1)

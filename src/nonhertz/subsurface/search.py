@@ -1,7 +1,7 @@
 """The largest stresses below a contact and their positions: in the whole body, and in one cross-section.
 
-Both searches start with the largest values over a pass on a grid of points, as deep and as fine as the half-width
-requires, and end with a grid that shrinks around the best point of each quantity.
+Both searches start with samples of passes on a grid of points, as deep and as fine as the half-width requires, look
+closer at the passes that stand out, and end with nets that shrink around the best point of each.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.solution import EdgeKind, ReadOnly, Solved
 from nonhertz.subsurface.evaluation import Within, across_at, field_at, one_station, refuse_options
 from nonhertz.subsurface.inside import Inside, checked_solution
-from nonhertz.subsurface.rolling import QUANTITIES, Passage, StressMeasure, passage
+from nonhertz.subsurface.rolling import QUANTITIES, Passage, StressMeasure, passage, sampled_passage
 
 Array = NDArray[np.float64]
 
@@ -34,6 +34,8 @@ CRESTS, WORTH = 3, 0.7  # local maxima to refine, and their least height over th
 EQUAL, ROUNDING = 1e-6, 1e-9
 ALONG_BORE = 33  # places along and around the bore at which the search there starts
 MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 12, 0.5
+# After a first such net, nets of three places along each axis; all together still reach as far as the first is wide.
+NARROW, NARROW_ROUNDS, NARROW_SPAN, NARROWING = np.array([-1.0, 0.0, 1.0]), 14, 0.3, 0.6
 
 
 EVERYWHERE = (0.0, np.inf)
@@ -156,20 +158,27 @@ def extremes(
     below = across_at(solution, sections)[1][:, None] * DEPTHS
     if station is not None:  # outside the contact the stress comes from further away and peaks further down
         below = np.unique(np.concatenate([below, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
-    coarse = passage(solution, sections[:, None], np.minimum(depths[0] + below, depths[1]), **options)
-    largest = {}
+    coarse = sampled_passage(solution, sections[:, None], np.minimum(depths[0] + below, depths[1]), **options)
+    threads, climbs = options.get("threads"), []
     for name in QUANTITIES:
         values = np.nan_to_num(getattr(coarse, name), nan=0.0)
-        found = [
-            _refined(solution, inside, name, coarse, place, stretches, depths, options.get("threads"))
-            for place in [_first_of_equals(values, coarse.y), *_other_crests(values)]
-        ]
+        places = dict.fromkeys([_first_of_equals(values, coarse.y), *_other_crests(values)])
+        climbs += [_Climb(name, *_around(solution, coarse, place, stretches)) for place in places]
+    points = np.array([climb.best for climb in climbs])
+    closer = passage(solution, points[:, 1], points[:, 2], body=inside.name, threads=threads)
+    for k, climb in enumerate(climbs):
+        climb.top = float(np.nan_to_num(getattr(closer, climb.name)[k], nan=0.0))
+        climb.best[0] = getattr(closer, f"{climb.name}_x")[k]
+    _climb(inside, climbs, depths, threads)
+    largest = {}
+    for name in QUANTITIES:
+        of_name = [climb for climb in climbs if climb.name == name]
+        best = max(climb.top for climb in of_name)
         # The first among equals.
-        best = max(each.max for each in found)
-        largest[name] = next(each for each in found if each.max >= (1.0 - EQUAL) * best)
+        largest[name] = next(climb.extreme(solution) for climb in of_name if climb.top >= (1.0 - EQUAL) * best)
     at_bore = {} if inside.wall is None else _at_bore(inside, station, depths)
-    for name, at in at_bore.items():
-        largest[name] = max(largest[name], at, key=lambda each: each.max)
+    for name, found in at_bore.items():
+        largest[name] = max(largest[name], found, key=lambda each: each.max)
     left_out = (*(_findings(solution) if station is None else ()), *inside.findings)
     return Extremes(body=inside.name, findings=left_out, bore=at_bore.get("von_mises"), **largest)
 
@@ -310,35 +319,82 @@ def _distances(solution: Solved, station: Array) -> Array:
     return np.array([[largest], [largest + nearest], [4.0 * (largest + nearest)]])
 
 
-def _refined(
-    solution: Solved,
-    inside: Inside,
-    name: str,
-    coarse: Passage,
-    place: tuple[int, int],
-    stretches: list[Span],
-    depths: Span,
-    threads: int | None,
-) -> Extreme:
-    """Return the largest value near one point of a grid, on shrinking grids."""
+@dataclass
+class _Climb:
+    """The way to one local maximum of a quantity.
+
+    Attributes
+    ----------
+    name : str
+        A key of `QUANTITIES`.
+    best : ndarray, shape (3,)
+        The best point so far [mm].
+    span : ndarray, shape (3,)
+        How far from it the next net reaches [mm].
+    limits : tuple of float
+        Of y [mm].
+    half_width : float
+        Of the contact there [mm].
+    top : float
+        The value at the best point [MPa].
+    """
+
+    name: str
+    best: Array
+    span: Array
+    limits: Span
+    half_width: float
+    top: float = 0.0
+
+    def net(self, mesh: Array, depths: Span) -> Array:
+        """Return points around the best one, shape (n, 3)."""
+        limits = ((-np.inf, np.inf), self.limits, depths)
+        axes = [
+            np.unique(np.clip(centre + reach * mesh, *ends))
+            for centre, reach, ends in zip(self.best, self.span, limits, strict=True)
+        ]
+        return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+
+    def look(self, net: Array, stresses: Array) -> None:
+        """Move to the best point of a net."""
+        values = np.nan_to_num(QUANTITIES[self.name](stresses), nan=0.0)
+        if values.max() > self.top:
+            self.top, self.best = float(values.max()), net[int(values.argmax())]
+
+    def extreme(self, solution: Solved) -> Extreme:
+        """Return where it has led."""
+        across = float(abs(self.best[0]) if solution.symmetric_across else self.best[0])
+        across = 0.0 if abs(across) < ROUNDING * self.half_width else across
+        along = 0.0 if abs(self.best[1]) < ROUNDING * self.half_width else float(self.best[1])
+        return Extreme(self.top, across, along, float(self.best[2]) + 0.0)
+
+
+def _around(
+    solution: Solved, coarse: Passage, place: tuple[int, int], stretches: list[Span]
+) -> tuple[Array, Array, Span, float]:
+    """Return a point of a grid, how far from it its maximum may be, the limits of y, and the half-width there."""
     row, column = place
-    best = np.array([getattr(coarse, f"{name}_x")[place], coarse.y[place], coarse.z[place]])
-    top, sections = float(getattr(coarse, name)[place]), coarse.y[:, 0]
+    best = np.array([0.0, coarse.y[place], coarse.z[place]])
+    sections = coarse.y[:, 0]
     limits = next(each for each in stretches if each[0] <= best[1] <= each[1])
     half_width = float(across_at(solution, sections[row])[1])
     neighbours = sections[max(row - 1, 0) : row + 2]
     step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()
     reach = max(0.1 * half_width, 0.5 * step)
-    span = np.array([reach, float(np.ptp(neighbours)) if sections.size > 1 else 0.0, max(0.2 * half_width, step)])
+    along = float(np.ptp(neighbours)) if sections.size > 1 else 0.0
+    return best, np.array([reach, along, max(0.2 * half_width, step)]), limits, half_width
 
-    def at(net: Array) -> Array:
-        return np.nan_to_num(QUANTITIES[name](field_at(inside, tuple(net.T), threads=threads).stress), nan=0.0)
 
-    top, best = _highest(at, best, span, [(-np.inf, np.inf), limits, depths], top)
-    across = float(abs(best[0]) if solution.symmetric_across else best[0])
-    across = 0.0 if abs(across) < ROUNDING * half_width else across
-    along = 0.0 if abs(best[1]) < ROUNDING * half_width else float(best[1])
-    return Extreme(top, across, along, float(best[2]) + 0.0)
+def _climb(inside: Inside, climbs: list[_Climb], depths: Span, threads: int | None) -> None:
+    """Follow all climbs to their ends, in step: the stress of all their nets is asked for at once."""
+    for mesh in (MESHES, *[NARROW] * NARROW_ROUNDS):
+        nets = [climb.net(mesh, depths) for climb in climbs]
+        points = np.concatenate(nets)
+        stresses = field_at(inside, tuple(points.T), threads=threads).stress
+        ends = np.cumsum([len(net) for net in nets])[:-1]
+        for climb, net, part in zip(climbs, nets, np.split(stresses, ends), strict=True):
+            climb.look(net, part)
+            climb.span = climb.span * (NARROW_SPAN if mesh is MESHES else NARROWING)
 
 
 def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
