@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -21,10 +21,9 @@ from machine import machine
 from matplotlib.figure import Figure
 
 import nonhertz as nh
-from nonhertz.bodies import depths
+from nonhertz.native import core
 from nonhertz.plot import save
 from nonhertz.plot.style import FAINT_INK, FIRST, LINE, SECOND, THIN, sheet_style
-from nonhertz.strip import acceptance, levels, problem
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "docs" / "benchmarks"
@@ -35,7 +34,7 @@ COMMAND_RUNS = 11
 SPLIT_RUNS = 101
 MANY_ROUNDS = 9
 BELOW_ROUNDS = 5
-PARTS = ("solving strips", "laying strips", "points at depth", "checking the answer", "Python around them")
+PARTS = ("the core", "Python around it")
 
 
 def main() -> None:
@@ -98,13 +97,11 @@ def command_time(*words: str) -> float:
 def automatic(solve: cases.Solve) -> dict[str, float]:
     """Return time, strips and Newton steps of a solve on the automatic grid."""
     solution = solve()
-    with timed(levels, "solved_on") as levels_solved:
-        solve()
     return {
         "time": median_time(solve),
         "strips": solution.strips,
         "steps": solution.iterations,
-        "steps on all grids": sum(int(states.steps.sum()) for states in levels_solved.returned),
+        "steps on all grids": sum(state.steps for _, state in solution.judgement.result.levels),
     }
 
 
@@ -199,22 +196,18 @@ def timed(module: ModuleType, name: str) -> Iterator[Stopwatch]:
 def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
     """Return the share of each part in the time of a solve, from the fastest of many runs."""
     solve()
-    compiled = (problem, "solve_on_strips"), (levels, "lay_all"), (depths, "_at_depth"), (acceptance, "first_unmet")
-    with ExitStack() as stack:
-        watches = {name: stack.enter_context(timed(module, name)) for module, name in compiled}
+    with timed(core, "solve") as watch:
         rows = []
         for _ in range(runs):
-            whole = seconds(solve, watches)
-            parts = [watch.seconds for watch in watches.values()]
-            rows.append([*parts, whole - sum(parts)])
+            whole = seconds(solve, watch)
+            rows.append([watch.seconds, whole - watch.seconds])
     best = min(rows, key=sum)
     return dict(zip(PARTS, (part / sum(best) for part in best), strict=True))
 
 
-def seconds(solve: cases.Solve, watches: dict[str, Stopwatch]) -> float:
-    """Return how long a solve takes, with all watches started anew."""
-    for watch in watches.values():
-        watch.reset()
+def seconds(solve: cases.Solve, watch: Stopwatch) -> float:
+    """Return how long a solve takes, with the watch started anew."""
+    watch.reset()
     start = time.perf_counter()
     solve()
     return time.perf_counter() - start

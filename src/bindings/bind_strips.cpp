@@ -157,6 +157,20 @@ void bind_solving(nb::module_& m) {
       },
       "grid"_a, "by_force"_a, "target"_a, "kernel"_a, "near_grid"_a.none() = nb::none(),
       "near_state"_a.none() = nb::none(), "tolerance"_a = TOLERANCE, "patient"_a = true, Released());
+  nb::class_<Following>(m, "Following", "Strips on which solved contacts follow to other motions.")
+      .def(
+          "__init__",
+          [](Following* self, std::shared_ptr<Grid> grid, const Kernel& kernel) {
+            new (self) Following(std::move(grid), std::make_shared<const Kernel>(kernel));
+          },
+          "grid"_a, "kernel"_a)
+      .def(
+          "follow",
+          [](Following& self, Pair motion, State state) {
+            const std::optional<Pair> resultant = self.follow(motion, state);
+            return std::pair(resultant, std::move(state));
+          },
+          "motion"_a, "state"_a, Released(), "K Q and K T, None if the contact got lost, and the state that is left.");
   m.attr("TOLERANCE") = TOLERANCE;
   m.attr("ROUGH_TOLERANCE") = ROUGH_TOLERANCE;
   m.attr("PATIENT_STRIPS") = PATIENT_STRIPS;

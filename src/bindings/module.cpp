@@ -10,7 +10,6 @@ NB_MODULE(bound, m) {
   nanobind::set_leak_warnings(false);
   bind_strips(m);
   bind_harmonic_elements(m);
-  bind_strip_rows(m);
   bind_strip_parts(m);
   bind_bodies(m);
   bind_grids(m);

@@ -7,7 +7,6 @@ namespace nonhertz {
 
 void bind_strips(nanobind::module_& m);
 void bind_harmonic_elements(nanobind::module_& m);
-void bind_strip_rows(nanobind::module_& m);
 void bind_strip_parts(nanobind::module_& m);
 void bind_bodies(nanobind::module_& m);
 void bind_reliefs(nanobind::module_& m);

@@ -122,6 +122,14 @@ class State:
 
 def solve_on(grid: Grid, by_force: Sequence[bool], target: Sequence[float], kernel: Kernel, near_grid: Grid | None = None, near_state: State | None = None, tolerance: float = 1e-11, patient: bool = True) -> State: ...
 
+class Following:
+    """Strips on which solved contacts follow to other motions."""
+
+    def __init__(self, grid: Grid, kernel: Kernel) -> None: ...
+
+    def follow(self, motion: Sequence[float], state: State) -> tuple[list[float] | None, State]:
+        """K Q and K T, None if the contact got lost, and the state that is left."""
+
 TOLERANCE: float = 1e-11
 
 ROUGH_TOLERANCE: float = 1e-06
@@ -151,24 +159,6 @@ class LogarithmicTable:
     def __init__(self, arg0: float, arg1: float, arg2: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], /) -> None: ...
 
 def flat_modes(loads: LogarithmicTable, planes: LogarithmicTable, curved: LogarithmicTable, weights: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], distances: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], image: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], face: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_length: float, places: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], radius: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]: ...
-
-def solve_on_strips(grids: object, by_force: Sequence[bool], targets: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], kernel: Kernel, near: object, found: object, tolerance: float, patient: bool) -> None:
-    """Solve every case on its strips, overwriting found."""
-
-def met_by(grids: object, by_force: Sequence[bool], targets: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], kernel: Kernel, states: object) -> list[bool]: ...
-
-def first_unmet(grids: object, by_force: Sequence[bool], target: Sequence[float], kernel: Kernel, q: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_width: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gap: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], motion: Sequence[float]) -> tuple[int, float, int]:
-    """
-    The first condition that is not met, the value found, and the strip where it was found.
-    """
-
-class Following:
-    def __init__(self, grids: object, kernel: Kernel) -> None: ...
-
-    def follow(self, motion: Sequence[float], found: object) -> list[float] | None:
-        """
-        Let a solved case follow to another approach and tilt; return K Q and K T.
-        """
 
 BLOCK: int = 8
 

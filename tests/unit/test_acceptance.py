@@ -150,7 +150,9 @@ def test_a_loop_that_is_mistaken_of_itself_is_not_believed():
     edges, y = result.edges, middles(kept(result)[0])
     none, sharper = np.zeros((0, 0)), np.full(y.shape, 0.1)
     grid = core.Grid(edges, FINITE.curvature(y), FINITE.separation(y), np.full(y.shape, np.inf), sharper, none, none)
-    springs = core.start_from_springs(grid, *problem.conditions, kernel_of(problem.model.influence, nh.SEMI_ELLIPTIC))
+    springs = core.start_from_springs(
+        grid, problem.by_force, problem.target, kernel_of(problem.model.influence, nh.SEMI_ELLIPTIC)
+    )
     wrong = changed_of(result, {})._replace(r=springs.r, m=springs.m, rigid=springs.rigid)
     assert "The state reached leaves a gap" in verdict(problem, wrong)
 

@@ -66,7 +66,7 @@ def test_where_very_many_strips_fail_fewer_are_the_way_out(strips, way_out):
     contact = nh.Contact(nh.Roller(diameter=20, length=20), nh.Plate())
     problem = problem_of(contact, Prescription(load=1e3), nh.SEMI_ELLIPTIC, strips)
     failed = np.linspace(-10.0, 10.0, strips + 1), state_of(np.zeros(strips), np.zeros(strips), (0.0, 0.0))
-    result = core.restored(problem.model.in_core, *problem.conditions, [failed], 0.0, accepted=False)
+    result = core.restored(problem.model.in_core, problem.by_force, problem.target, [failed], 0.0, accepted=False)
     with pytest.raises(nh.ConvergenceError, match=way_out):
         outcome(problem, result)
 

@@ -151,7 +151,7 @@ def test_a_profile_that_is_being_asked_is_waited_for_but_not_for_long(monkeypatc
 def test_cases_that_have_begun_end_with_the_step_that_they_are_in():
     stop = core.Stop()
     problem = problem_of(CROWNED, Prescription(load=5e3), nh.SEMI_ELLIPTIC)
-    by_force, target = problem.conditions
+    by_force, target = problem.by_force, problem.target
     waiting = threading.Timer(0.2, stop.set)
     waiting.start()
     start = time.perf_counter()

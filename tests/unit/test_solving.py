@@ -5,12 +5,10 @@ import pytest
 from core_pieces import kernel_of, strips_between
 
 import nonhertz as nh
-from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
-from nonhertz.solver.one import problem_of
-from nonhertz.strip.problem import row_of, solved_on
+from nonhertz.strip.problem import StripModel
 
-STRIPS = row_of(np.linspace(-10.0, 10.0, 22))
+EDGES = np.linspace(-10.0, 10.0, 22)
 K_LOAD = 1e-3
 
 
@@ -36,28 +34,29 @@ def test_on_very_many_strips_the_load_is_not_raised():
 
 @pytest.fixture
 def followed():
-    """A solved case, the problem, and strips on which it follows."""
+    """A contact that is solved, its model, and strips on which it follows."""
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(4000))
-    problem = problem_of(nh.Contact(roller, nh.Plate()), Prescription(approach=0.01, tilt=0.0), nh.SEMI_ELLIPTIC)
-    grids = problem.model.deep(problem.model.grids(*STRIPS))
-    states = solved_on(problem, grids)
-    assert states.converged[0]
-    return problem, grids, states
+    model = StripModel.of(nh.Contact(roller, nh.Plate()), nh.SEMI_ELLIPTIC).in_core
+    grid = model.grid(EDGES)
+    state = core.solve_on(grid, (False, False), (0.01, 0.0), model.kernel)
+    assert state.status == core.Status.CONVERGED
+    return model, grid, state
 
 
 def test_a_case_that_follows_is_the_one_that_is_solved_there(followed):
-    problem, grids, states = followed
+    model, grid, state = followed
     pose = 0.011, 1e-4
-    resultant = core.Following(grids, problem.model.kernel).follow(pose, states)
-    alone = solved_on(problem, grids, np.array([pose]))
+    (load, moment), there = core.Following(grid, model.kernel).follow(pose, state)
+    alone = core.solve_on(grid, (False, False), pose, model.kernel)
+    loads = alone.r * alone.m * np.diff(EDGES)
     # Load and moment are accurate to the square of the last step, what they come from to the step.
-    np.testing.assert_allclose(resultant, [alone.scaled_load[0], alone.scaled_moment[0]], rtol=1e-9)
-    np.testing.assert_allclose(states.stiffness, alone.stiffness, rtol=1e-4)
+    np.testing.assert_allclose([load, moment], [loads.sum(), loads @ grid.y], rtol=1e-9)
+    np.testing.assert_allclose(there.stiffness, alone.stiffness, rtol=1e-4)
 
 
 def test_a_case_that_cannot_follow_is_left_as_it_was(followed):
-    problem, grids, states = followed
-    before = [each.copy() for each in states]
-    assert core.Following(grids, problem.model.kernel).follow((-1.0, 0.0), states) is None
-    for was, each in zip(before, states, strict=True):
-        np.testing.assert_array_equal(each, was)
+    model, grid, state = followed
+    resultant, there = core.Following(grid, model.kernel).follow((-1.0, 0.0), state)
+    assert resultant is None
+    for name in ("r", "m", "gap", "rigid", "stiffness"):
+        np.testing.assert_array_equal(getattr(there, name), getattr(state, name))

@@ -9,11 +9,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
-from nonhertz.solver.one import problem_of
-from nonhertz.strip.influence import grid_of
-from nonhertz.strip.problem import row_of
+from nonhertz.strip.problem import StripModel
 from nonhertz.verify import bodies, paper_rollers
 from nonhertz.verify.claim import pressures
 from nonhertz.verify.free_ends import DISTANCES, EXACT_ROLLER, FAR, with_weights
@@ -62,10 +59,10 @@ def test_single_coefficients(body, yi, displacement, by_c, flattening, flattenin
     # One body alone: the other is all but rigid.
     roller = nh.Roller(**{"diameter": 15, "length": 16, "material": STEEL, "side_faces": "mirror"} | body)
     contact = nh.Contact(roller, nh.Plate(material=nh.Material(1e18, 0.3)))
-    problem = problem_of(contact, Prescription(approach=0.01), nh.PARABOLIC)
+    model = StripModel.of(contact, nh.PARABOLIC).in_core
     edges, c = np.array([-0.2, 0.2, 0.8, 1.2, 1.8, 2.2]), 0.25
-    strips = grid_of(problem.model.deep(problem.model.grids(*row_of(edges))))
-    blocks = core.coefficients(strips, np.full(5, c**2), np.arange(5), problem.model.kernel)
+    strips = model.grid(edges)
+    blocks = core.coefficients(strips, np.full(5, c**2), np.arange(5), model.kernel)
     a, ta, b, tb = roller.material.compliance * blocks[:, np.argmin(np.abs(strips.y - yi)), 2]
     found = [4.0 / 3.0 * c**3 * a, 4.0 / 3.0 * c**2 * (3.0 * a - ta), 4.0 / 3.0 * c * b, 4.0 / 3.0 * (b - tb)]
     # Nine digits are given.

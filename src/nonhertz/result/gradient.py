@@ -18,16 +18,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import Influence, influence_of
-from nonhertz.compiled import plain_array
 from nonhertz.errors import InputError, nearest
 from nonhertz.inputs.checks import finite, positive
 from nonhertz.model.contact import Contact
+from nonhertz.native import core
 from nonhertz.result.measures import Measure, measure_of
 from nonhertz.result.outcome import Judgement
 from nonhertz.result.solution import ReadOnly, Solution, Status
 from nonhertz.strip.adjoint import Linearised, linearised
 from nonhertz.strip.influence import kernel_of
-from nonhertz.strip.records import Grids
 
 Array = NDArray[np.float64]
 Family = Callable[[float], Contact]
@@ -157,15 +156,15 @@ class _Linear:
     solution: Solution
     linear: Linearised
     influence: Influence
-    grids: Grids
+    grid: core.Grid
 
     @classmethod
     def of(cls, solution: Solution) -> _Linear:
         influence = influence_of(solution.contact, solution.element)
         m = solution.element_half_width**2
         r = np.divide(solution.contact.compliance * solution.line_load, m, out=np.zeros_like(m), where=m > 0.0)
-        grids = _grids(solution, influence)
-        return cls(solution, linearised(grids, r, m, kernel_of(influence, solution.element)), influence, grids)
+        grid = _grid(solution, influence)
+        return cls(solution, linearised(grid, r, m, kernel_of(influence, solution.element)), influence, grid)
 
     def moved(self, contact: Contact) -> Solution:
         """Return the same loads per length and half-widths on strips that move as the ends of a contact do.
@@ -212,16 +211,16 @@ class _Linear:
         """
         linear = self.linear
         influence = influence_of(contact, moved.element)
-        grids = _grids(moved, influence)
+        grid = _grid(moved, influence)
         y, (displaced, _, curved, _), loads = linear.y, linear.blocks, linear.r * linear.m
         alike = np.array_equal(influence.terms, self.influence.terms) and influence.faces == self.influence.faces
-        alike = alike and np.array_equal(grids.by_width, self.grids.by_width)
+        alike = alike and np.array_equal(grid.by_width, self.grid.by_width)
         if moved is not self.solution or not alike:
             m = moved.element_half_width**2
-            again = linearised(grids, m, m, kernel_of(influence, moved.element))
+            again = linearised(grid, m, m, kernel_of(influence, moved.element))
             y, (displaced, _, curved, _) = again.y, again.blocks
-        elif not np.array_equal(grids.at_depth, self.grids.at_depth):
-            displaced = displaced + (self.grids.at_depth - grids.at_depth)[0][np.ix_(linear.active, linear.active)]
+        elif not np.array_equal(grid.at_depth, self.grid.at_depth):
+            displaced = displaced + (self.grid.at_depth - grid.at_depth)[np.ix_(linear.active, linear.active)]
         bent = curved @ linear.r - contact.curvature_at(y)
         gap = displaced @ loads + contact.separation_at(y) - moved.tilt * y
         forces = self.solution.contact.compliance * np.array([moved.load, moved.moment]) * by_force
@@ -330,9 +329,9 @@ def _with(holder: Any, part: str, value: object) -> Any:
     return dataclasses.replace(holder, **{part: value})
 
 
-def _grids(solution: Solution, influence: Influence) -> Grids:
-    y, edges = plain_array(solution.y)[None], plain_array(solution.edges)[None]
-    nothing = np.zeros_like(y)
-    at_depth = influence.at_depth(y, edges) if influence.references else np.zeros((1, 0, 0))
-    by_width = influence.by_width(y[0], solution.element.hertz_ratio)[None]
-    return Grids(np.array([solution.strips]), edges, y, nothing, nothing, nothing, nothing, at_depth, by_width)
+def _grid(solution: Solution, influence: Influence) -> core.Grid:
+    """Return the strips of a solution without the bodies' shapes."""
+    y, edges, nothing = solution.y, solution.edges, np.zeros(solution.strips)
+    at_depth = influence.at_depth(y, edges) if influence.references else np.zeros((0, 0))
+    by_width = influence.by_width(y, solution.element.hertz_ratio)
+    return core.Grid(edges, nothing, nothing, nothing, nothing, at_depth, by_width)

@@ -19,10 +19,10 @@ from nonhertz.result.shortfall import shortfall
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status, not_finite
 from nonhertz.result.validity import is_strained, refuse_wide, refuse_wide_series, singularities, strains
 from nonhertz.strip.problem import Problem, StripModel
-from nonhertz.strip.solving import PATIENT_STRIPS
 
 Array = NDArray[np.float64]
 
+PATIENT_STRIPS = core.PATIENT_STRIPS
 _WAY_OUT = "Try another number of strips, or a smaller load first."
 _FEWER = f"Give fewer strips: on more than {PATIENT_STRIPS}, where a step takes seconds, few other starts are tried."
 _STATUS = {
@@ -226,5 +226,4 @@ def restored(problem: Problem, levels: list[Kept], accuracy: float, *, accepted:
         )
         for edges, r, m, gap, rigid, stiffness, status, steps, residual in levels
     ]
-    by_force, target = problem.conditions
-    return core.restored(problem.model.in_core, by_force, target, states, accuracy, accepted)
+    return core.restored(problem.model.in_core, problem.by_force, problem.target, states, accuracy, accepted)

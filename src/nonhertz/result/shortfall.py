@@ -19,7 +19,7 @@ def shortfall(problem: Problem, result: core.Result) -> str | None:
         return None
     if condition in _PRESCRIBED:
         which = int(condition is core.Unmet.SECOND)
-        by_force = bool(problem.prescribed[which])
+        by_force = problem.by_force[which]
         name, unit = _PRESCRIBED[condition][2 * by_force : 2 * by_force + 2]
         per = compliance if by_force else 1.0
         return f"The {name} of the state reached is {value / per:.6g} {unit}, not {problem.target[which] / per:.6g}."

@@ -184,15 +184,15 @@ def refuse_wide(solution: Solution, problem: Problem) -> None:
     # A loop that failed leaves meaningless half-widths; those of springs may be too small by half.
     half_width = solution.half_width
     if not converged:
-        squares = core.springs(problem.model.in_core, *problem.conditions, solution.edges)
+        squares = core.springs(problem.model.in_core, problem.by_force, problem.target, solution.edges)
         half_width = solution.element.hertz_ratio * np.sqrt(squares)
     if not np.isfinite(np.max(half_width)):
         return
-    name, per = ("load", problem.contact.compliance) if problem.prescribed[0] else ("approach", 1.0)
+    name, per = ("load", problem.contact.compliance) if problem.by_force[0] else ("approach", 1.0)
     pressed = name, float(problem.target[0]) / per
     wide = np.flatnonzero(half_width * sharper_curvature(solution.contact, solution.y) > 1.0)
     # Springs under a moment near the ends are wide whatever the load is.
-    if wide.size and (converged or not problem.prescribed[1]):
+    if wide.size and (converged or not problem.by_force[1]):
         worst = wide[np.argmax(half_width[wide])]
         radius = 1.0 / float(sharper_curvature(solution.contact, solution.y[worst : worst + 1])[0])
         condition = (

@@ -27,7 +27,7 @@ from nonhertz.result.outcome import Kept, kept, outcome, restored
 from nonhertz.solver.one import posed
 from nonhertz.solver.solutions import Block, several
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
-from nonhertz.strip.problem import Problem
+from nonhertz.strip.problem import Problem, Target
 
 Array = NDArray[np.float64]
 
@@ -73,7 +73,7 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
     fields = {
         "shape": np.array(shape),
         "element": np.asarray(problem.model.element.name),
-        "prescribed": np.array(problem.prescribed),
+        "prescribed": np.array(problem.by_force),
         "accuracy": np.array(
             [problem.accuracy or math.nan, float(problem.accuracy_given), problem.pressure_accuracy or math.nan]
         ),
@@ -89,7 +89,7 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
             ]
         ),
         "numbers": np.concatenate([case.numbers for case in cases]).astype(np.int64),
-        "targets": np.concatenate([case.targets for case in cases]),
+        "targets": np.array([target for case in cases for target in case.targets]).reshape(-1, 2),
         "problems": np.array([source.problem.target for source in sources.values()]),
         "levels": np.array([(1, 1, level.r.size) for level in levels], dtype=np.int64),
         "errors": np.asarray(json.dumps([_described(error) for error in errors])),
@@ -131,7 +131,7 @@ class _Saved:
 
     block: Block
     numbers: list[int]
-    targets: Array
+    targets: list[Target]
     levels: list[Kept]
 
     @classmethod
@@ -154,7 +154,10 @@ def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> I
     for contact, cases, grids, failed in fields["blocks"].tolist():
         part = slice(first, first + cases)
         first += cases
-        numbers, targets = fields["numbers"][part].tolist(), fields["targets"][part]
+        numbers, targets = (
+            fields["numbers"][part].tolist(),
+            [(one, two) for one, two in fields["targets"][part].tolist()],
+        )
         # All are compared; the same contact may have been given several times as equal ones.
         problem, *_ = (problems.of(contact, given, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
         states = [next(levels) for _ in range(grids)]
@@ -179,7 +182,7 @@ def _together(blocks: list[Block]) -> Iterator[Block]:
     if blocks:
         yield Block(
             blocks[0].problem, [number for block in blocks for number in block.numbers],
-            np.concatenate([block.targets for block in blocks]),
+            [target for block in blocks for target in block.targets],
             [result for block in blocks for result in block.results],
         )  # fmt: skip
 
@@ -298,9 +301,11 @@ class _Problems:
         contact, fields = given[at], self._fields
         if (stored, id(contact)) not in self._known:
             accuracy, accuracy_given, of_pressure = fields["accuracy"].tolist()
+            (by_load, by_moment), (first, second) = fields["prescribed"], fields["problems"][stored]
             problem = posed(
-                contact, _ELEMENTS[str(fields["element"])], fields["prescribed"], fields["problems"][stored].copy(),
-                None if math.isnan(accuracy) else accuracy, accuracy_given=bool(accuracy_given),
+                contact, _ELEMENTS[str(fields["element"])], (bool(by_load), bool(by_moment)),
+                (float(first), float(second)), None if math.isnan(accuracy) else accuracy,
+                accuracy_given=bool(accuracy_given),
             )  # fmt: skip
             problem = replace(problem, pressure_accuracy=None if math.isnan(of_pressure) else of_pressure)
             part = slice(self._ends[stored] - fields["contact_sizes"][stored], self._ends[stored])

@@ -1,8 +1,8 @@
 """Thousands of cases in one call: loads, tilts and contacts, on all cores.
 
-Each case is solved as by `nonhertz.solve`, some dozens in a row by each thread. On a number of strips, or on given ones,
-a case may start from the one before, and then equals the result of `nonhertz.solve` to the tolerance of the equations;
-on the automatic grid, to the last bit.
+Each case is solved as by `nonhertz.solve`, some dozens in a row by each thread. On a number of strips, or on given
+ones, a case may start from the one before, and then equals the result of `nonhertz.solve` to the tolerance of the
+equations; on the automatic grid, to the last bit.
 """
 
 from __future__ import annotations
@@ -253,7 +253,7 @@ def _tasks(
         at_once = CASES_APART if is_automatic(options.strips) else CASES_AT_ONCE
         for first in range(0, len(numbers), at_once):
             portion = slice(first, first + at_once)
-            tasks.append(Task(problem, numbers[portion], targets[portion], strips))
+            tasks.append(Task(problem, numbers[portion], list(map(tuple, targets[portion].tolist())), strips))
     return tasks
 
 

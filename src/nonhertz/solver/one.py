@@ -21,8 +21,7 @@ from nonhertz.result.outcome import outcome
 from nonhertz.result.solution import Solution
 from nonhertz.solver.refusals import refusal
 from nonhertz.strip.element import ELEMENTS, SEMI_ELLIPTIC, Element
-from nonhertz.strip.problem import Problem, StripModel
-from nonhertz.strip.records import Flags
+from nonhertz.strip.problem import Flags, Problem, StripModel, Target
 
 Array = NDArray[np.float64]
 #: A number of equal strips, the edges of strips, or an automatic grid.
@@ -134,10 +133,9 @@ def problem_of(
     element = element_of(element)
     refuse_accuracy(strips, accuracy, accuracy_of)
     given.refuse_outside(contact)
-    prescribed, target = np.array(given.by_force), np.array(given.target(contact.compliance))
     problem = posed(
-        contact, element, prescribed, target, (accuracy or ACCURACY) if is_automatic(strips) else None,
-        accuracy_given=accuracy is not None,
+        contact, element, given.by_force, given.target(contact.compliance),
+        (accuracy or ACCURACY) if is_automatic(strips) else None, accuracy_given=accuracy is not None,
     )  # fmt: skip
     if accuracy_of != "pressure":
         return problem
@@ -155,7 +153,7 @@ def bounded(problem: Problem) -> tuple[float, float]:
         If nothing ends the contact, or nothing can meet what is prescribed.
     """
     try:
-        low, high = core.bounded(problem.model.in_core, *problem.conditions)
+        low, high = core.bounded(problem.model.in_core, problem.by_force, problem.target)
     except core.Refused as refused:
         raise refusal(problem, refused) from None
     return low, high
@@ -164,14 +162,14 @@ def bounded(problem: Problem) -> tuple[float, float]:
 def posed(
     contact: Contact,
     element: Element,
-    prescribed: Flags,
-    target: Array,
+    by_force: Flags,
+    target: Target,
     accuracy: float | None,
     *,
     accuracy_given: bool,
 ) -> Problem:
     """Return the problem of a contact; arguments as in `Problem`."""
-    return Problem(contact, StripModel.of(contact, element), prescribed, target, accuracy, accuracy_given)
+    return Problem(contact, StripModel.of(contact, element), by_force, target, accuracy, accuracy_given)
 
 
 def element_of(given: Element | str) -> Element:
@@ -225,9 +223,8 @@ def result_of(problem: Problem, strips: core.Accuracy | int | Array) -> core.Res
     InputError
         If no strips can meet what is prescribed.
     """
-    by_force, target = problem.conditions
     try:
-        result = core.solve(problem.model.in_core, by_force, target, strips)
+        result = core.solve(problem.model.in_core, problem.by_force, problem.target, strips)
     except core.Refused as refused:
         raise refusal(problem, refused) from None
     assert result is not None  # nobody stops it but by a signal, whose exception passes

@@ -22,7 +22,7 @@ from nonhertz.result.outcome import has_series, outcome
 from nonhertz.result.solution import read_only
 from nonhertz.solver.refusals import refusal
 from nonhertz.solver.solutions import Block, Solutions
-from nonhertz.strip.problem import Problem
+from nonhertz.strip.problem import Problem, Target
 
 Array = NDArray[np.float64]
 
@@ -74,7 +74,7 @@ class Task:
 
     problem: Problem
     numbers: list[int]
-    targets: Array
+    targets: list[Target]
     strips: core.Accuracy | int | Array
 
     def solved(self, stop: core.Stop) -> list[Block]:
@@ -82,15 +82,15 @@ class Task:
 
         Once the run is stopped, the cases that are left are not begun.
         """
-        by_force, _ = self.problem.conditions
+        problem = self.problem
         try:
-            ended = core.solve_in_turn(self.problem.model.in_core, by_force, self.targets.tolist(), self.strips, stop)
+            ended = core.solve_in_turn(problem.model.in_core, problem.by_force, self.targets, self.strips, stop)
         # Whatever a case raises, even from a user-written profile, must not stop the others.
         except Exception as error:  # noqa: BLE001
             return self.without((), error.with_traceback(None))
         failed: list[Block] = []
         solved: dict[int, core.Result] = {}
-        is_looked_at = has_series(self.problem)
+        is_looked_at = has_series(problem)
         for row, each in enumerate(ended):
             result = each if isinstance(each, core.Result) else None
             reason = self._failure(row, each) if result is None or not result.holds or is_looked_at else None
@@ -115,7 +115,9 @@ class Task:
         return None
 
     def _block(self, rows: list[int], results: list[core.Result], error: Exception | None = None) -> Block:
-        return Block(self.problem, [self.numbers[row] for row in rows], self.targets[rows], results, error)
+        return Block(
+            self.problem, [self.numbers[row] for row in rows], [self.targets[row] for row in rows], results, error
+        )
 
     def without(self, numbers: Collection[int], error: Exception) -> list[Block]:
         """Return the cases that are not among ``numbers`` in a block with an error, or no block if there are none."""

@@ -13,7 +13,7 @@ from nonhertz.strip.problem import Problem
 def refusal(problem: Problem, refused: core.Refused) -> InputError:
     """Return the error of a case that the core has refused."""
     why, value, low, high, strips = refused.args
-    compliance, (first, second) = problem.contact.compliance, problem.conditions[1]
+    compliance, (first, second) = problem.contact.compliance, problem.target
     between, arm = mm(low, high, between=" and "), mm(value)
     apart = f"exceed {mm(value):.6g}, where the bodies begin to touch"
     words: dict[core.Refusal, tuple[str, object, str, str]] = {

@@ -24,7 +24,7 @@ from nonhertz.result.data import dataframe, dataset
 from nonhertz.result.outcome import kept, restored, solution_of
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution, read_only
-from nonhertz.strip.problem import Problem
+from nonhertz.strip.problem import Problem, Target
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -309,7 +309,7 @@ class Block:
 
     problem: Problem
     numbers: list[int]
-    targets: Array
+    targets: list[Target]
     results: list[core.Result]
     error: Exception | None = None
 
@@ -319,7 +319,7 @@ class Block:
 
     @classmethod
     def _again(
-        cls, problem: Problem, numbers: list[int], targets: Array, states: list[Any], error: Exception | None
+        cls, problem: Problem, numbers: list[int], targets: list[Target], states: list[Any], error: Exception | None
     ) -> Block:
         """Return a block that was sent or copied."""
         accepted = error is None

@@ -16,10 +16,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.native import core
-from nonhertz.strip.influence import grid_of
-from nonhertz.strip.records import Array, Grids, Indices
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
 
 
 class Linearised(NamedTuple):
@@ -82,19 +84,19 @@ class Linearised(NamedTuple):
         return np.asarray(np.linalg.solve(self.matrix(by_force).T, derivatives))
 
 
-def linearised(grids: Grids, r: Array, m: Array, kernel: core.Kernel) -> Linearised:
+def linearised(grid: core.Grid, r: Array, m: Array, kernel: core.Kernel) -> Linearised:
     """Return a solved contact, linearised.
 
     Parameters
     ----------
-    grids : Grids
-        One row.
+    grid : core.Grid
+        The strips.
     r, m : ndarray, shape (strips,)
         K q / a^2 and a^2, zero out of contact.
     kernel : Kernel
         How strips act.
     """
     active = np.flatnonzero(m > 0.0)
-    blocks = core.coefficients(grid_of(grids), m, active, kernel)[:, active]
-    y, width = grids.y[0, active], np.diff(grids.edges[0])[active]
+    blocks = core.coefficients(grid, m, active, kernel)[:, active]
+    y, width = grid.y[active], np.diff(grid.edges)[active]
     return Linearised(active, blocks, r[active], m[active], y, width)

@@ -9,12 +9,14 @@ independent of the half-widths, so it is worked out once per grid, as a matrix t
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.bodies.influence import Influence
 from nonhertz.native import core
 from nonhertz.strip.element import Element
 from nonhertz.strip.free_end import face_table
-from nonhertz.strip.records import Array, Grids
+
+Array = NDArray[np.float64]
 
 
 def kernel_of(influence: Influence, element: Element) -> core.Kernel:
@@ -24,15 +26,6 @@ def kernel_of(influence: Influence, element: Element) -> core.Kernel:
         core.Face(face.y, face.side, face.share, face_table(element, face.poisson)) for face in influence.faces
     ]  # fmt: skip
     return core.Kernel(element.core, terms, faces)
-
-
-def grid_of(grids: Grids, row: int = 0) -> core.Grid:
-    """Return one of many grids, for the core."""
-    n = int(grids.counts[row])
-    curvature, separation, min_depth, sharper = (np.ascontiguousarray(each[row, :n]) for each in grids[3:7])
-    at_depth = grids.at_depth[row, :n, :n] if grids.at_depth.size else np.zeros((0, 0))
-    matrices = map(np.ascontiguousarray, (at_depth, grids.by_width[row, :, :n]))
-    return core.Grid(grids.edges[row, : n + 1], curvature, separation, min_depth, sharper, *matrices)
 
 
 def displacements(influence: Influence, y: Array, edges: Array, r: Array, m: Array, element: Element) -> Array:
