@@ -170,10 +170,10 @@ class EdgeSolution:
     @classmethod
     def of(cls, poisson: float) -> EdgeSolution:
         """Solve the integral equation."""
-        panels, y, weight, brought, operator = corner_operator(poisson)
+        panels, y, _, brought, operator = corner_operator(poisson)
         # In the core, whose last digits depend on no number of threads: what follows is kept on disk.
         beyond = core.product(operator, core.solved(np.eye(y.size) - core.product(operator, operator), brought))
-        values = 2.0 * core.product(_raised(panels, y, weight), beyond)
+        values = 2.0 * core.product(_raised(), beyond)
         # By reciprocity; what differs is error.
         return cls(panels, 0.5 * (values + values.T))
 
@@ -193,7 +193,7 @@ def corner_operator(poisson: float) -> tuple[Array, Array, Array, Array, Array]:
     """
     panels = _panels()
     y, weight = nodes_on(panels)
-    brought = _brought(panels, y, poisson)
+    brought = _brought(poisson)
     operator = brought * weight
     _mend_corner(operator, panels, y, weight)
     return panels, y, weight, brought, operator
@@ -228,18 +228,26 @@ def to_legendre() -> Array:
     return np.asarray(np.linalg.inv(legendre.legvander(node, NODES - 1)), dtype=float)
 
 
-def _brought(panels: Array, y: Array, poisson: float) -> Array:
+def _brought(poisson: float) -> Array:
     """Return the kernel a between all nodes: places in rows, loads in columns."""
+    of_all, of_compressible = _bessel_functions()
+    found: Array = 2.0 / math.pi * (of_all - (1.0 - 2.0 * poisson) * of_compressible)
+    return found
+
+
+@stored(__name__)
+def _bessel_functions() -> Array:
+    """Return the parts of the kernel a that do not depend on Poisson's ratio, shape (2, nodes, nodes)."""
     from scipy import special
 
+    panels = _panels()
+    y, _ = nodes_on(panels)
     z = y[:, None]
     distance = np.hypot(z, y)
     of_order_0, of_order_1 = special.k0(distance), special.k1(distance)
     of_order_2 = of_order_0 + 2.0 * of_order_1 / distance
-    beyond = _integral_beyond(panels, of_order_0)
     near = 2.0 * z * of_order_1 / distance - z**3 * of_order_2 / distance**2
-    found: Array = 2.0 / math.pi * (near + z * of_order_0 - (1.0 - 2.0 * poisson) * beyond)
-    return found
+    return np.array([near + z * of_order_0, _integral_beyond(panels, of_order_0)])
 
 
 def _integral_beyond(panels: Array, values: Array) -> Array:
@@ -271,10 +279,13 @@ def _mend_corner(operator: Array, panels: Array, y: Array, weight: Array) -> Non
     operator[first, first] += exact - rough
 
 
-def _raised(panels: Array, y: Array, weight: Array) -> Array:
+@stored(__name__)
+def _raised() -> Array:
     """Return the matrix from loads at nodes to displacement there over 2 K, mirrored loads included."""
     from scipy import special
 
+    panels = _panels()
+    y, weight = nodes_on(panels)
     direct = special.k0(np.abs(y[:, None] - y) + np.eye(y.size)) * weight
     node, share = legendre.leggauss(NODES)
     halved = np.concatenate([[0.0], 2.0 ** np.arange(-_LOGARITHMIC, 1.0)])
