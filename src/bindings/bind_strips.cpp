@@ -10,6 +10,7 @@
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
 #include "strips/acceptance.hpp"
+#include "strips/face_density.hpp"
 #include "strips/follow.hpp"
 #include "strips/solving.hpp"
 #include "strips/start.hpp"
@@ -44,30 +45,52 @@ void matrix_property(nb::class_<Owner>& owner, const char* name, Matrix Owner::*
 void bind_kernel(nb::module_& m) {
   nb::class_<Element> element(m, "Element");
   element
-      .def("__init__",
-           [](Element* self, const std::string& name, double line_factor, double hertz_ratio, double far_constant,
-              const VectorIn& table) {
-             new (self) Element{name, line_factor, hertz_ratio, far_constant, numbers(table)};
-           })
+      .def(
+          "__init__",
+          [](Element* self, const Element& like, const VectorIn& table) {
+            new (self) Element(like);
+            self->table = numbers(table);
+          },
+          "like"_a, "table"_a, "The same with another table: to see what a mistake in it would do.")
       .def_ro("name", &Element::name)
       .def_ro("line_factor", &Element::line_factor)
       .def_ro("hertz_ratio", &Element::hertz_ratio)
-      .def_ro("far_constant", &Element::far_constant);
+      .def_ro("far_constant", &Element::far_constant)
+      .def_prop_ro("leading", [](const Element& self) {
+        return std::array{self.table[LEADING_AT], self.table[LEADING_AT + 1], self.table[LEADING_AT + 2],
+                          self.table[LEADING_AT + 3]};
+      });
   view_property(element, "table", &Element::table);
+  m.attr("POWERS") = POWERS;
   m.attr("SEMI_ELLIPTIC") = nb::cast(std::make_shared<const Element>(semi_elliptic()));
   m.attr("PARABOLIC") = nb::cast(std::make_shared<const Element>(parabolic()));
   m.def(
       "evaluate",
       [](const Element& of, const VectorIn& t) {
-        Numbers found;
+        Numbers found(4 * t.size());
         for (std::size_t i = 0; i < t.size(); ++i) {
           const Four s = evaluate(t.data()[i], of.table.data());
-          found.insert(found.end(), {s.a(), s.ta(), s.b(), s.tb()});
+          found[4 * i] = s.a(), found[4 * i + 1] = s.ta(), found[4 * i + 2] = s.b(), found[4 * i + 3] = s.tb();
         }
         return array_of(std::move(found), std::array{t.size(), std::size_t{4}});
       },
       "element"_a, "t"_a, "A, t A', B and t B', shape (t, 4).");
   nb::class_<Term>(m, "Term").def(nb::init<double, double, double>(), "sign"_a, "offset"_a, "weight"_a);
+  m.def(
+      "face_densities",
+      [](const Element& of, const VectorIn& distances, const MatrixIn& weights, const VectorIn& u, const VectorIn& v) {
+        if (weights.shape(1) != 2 * distances.size() || u.size() != v.size()) throw std::invalid_argument("shapes");
+        const std::size_t n = u.size();
+        Numbers found(2 * n);
+        const FaceWeights face{numbers(distances), copy_of(weights)};
+        {
+          const nb::gil_scoped_release released;
+          face_densities(of, face, view(u), view(v), Row(found).first(n), Row(found).last(n));
+        }
+        return array_of(std::move(found), std::array{std::size_t{2}, n});
+      },
+      "element"_a, "distances"_a, "weights"_a, "u"_a, "v"_a,
+      "What a free side face adds to displacement and curvature of a load of unit length, shape (2, u).");
   nb::class_<FaceTable>(m, "FaceTable").def("__init__", [](FaceTable* self, const VectorIn& of) {
     new (self) FaceTable{numbers(of)};
   });

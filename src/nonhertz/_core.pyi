@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 
 class Element:
-    def __init__(self, arg0: str, arg1: float, arg2: float, arg3: float, arg4: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...
+    def __init__(self, like: Element, table: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> None:
+        """The same with another table: to see what a mistake in it would do."""
 
     @property
     def name(self) -> str: ...
@@ -24,7 +25,12 @@ class Element:
     def far_constant(self) -> float: ...
 
     @property
+    def leading(self) -> list[float]: ...
+
+    @property
     def table(self) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), writable=False)]: ...
+
+POWERS: int = 5
 
 SEMI_ELLIPTIC: Element = ...
 
@@ -35,6 +41,11 @@ def evaluate(element: Element, t: Annotated[NDArray[numpy.float64], dict(shape=(
 
 class Term:
     def __init__(self, sign: float, offset: float, weight: float) -> None: ...
+
+def face_densities(element: Element, distances: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], u: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), writable=False)]:
+    """
+    What a free side face adds to displacement and curvature of a load of unit length, shape (2, u).
+    """
 
 class FaceTable:
     def __init__(self, arg: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], /) -> None: ...

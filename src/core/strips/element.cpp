@@ -158,6 +158,26 @@ Four parabolic_forms(double t) {
   return {slope, t * slope, 3.0 * t * inverse, 3.0 * t * (inverse - 1.0 / root)};
 }
 
+std::array<double, 2> semi_elliptic_smoothed(double t) {
+  const double root = std::sqrt(1.0 + t * t);
+  return {2.0 / PI / (root + t), 2.0 / PI / (root * root * root)};
+}
+
+std::array<double, 2> parabolic_smoothed(double t) {
+  if (t <= CANCELLING) {
+    const double angle = std::atan(1.0 / t), square = 1.0 + t * t;
+    return {1.5 / PI * (square * angle - t), 3.0 / PI * (angle - t / square)};
+  }
+  // (1 + t^2) arctan(1/t) - t and arctan(1/t) - t / (1 + t^2), by their series in 1 / t
+  const double x = 1.0 / (t * t);
+  double value = 0.0, second = 0.0, power = 1.0;
+  for (int k = 0; k < LONG_SERIES; ++k, power *= -x) {
+    value += power * (1.0 / (2 * k + 1) - 1.0 / (2 * k + 3));
+    second += power * (1.0 - 1.0 / (2 * k + 3));
+  }
+  return {1.5 / PI / t * value, 3.0 / PI * x / t * second};
+}
+
 }  // namespace
 
 /// Reusner's element: semi-elliptic across, exact for line contacts and elliptical Hertz contacts.
@@ -169,7 +189,7 @@ Element semi_elliptic() {
       [](int k) { return 2.0 * central(k); },
       semi_elliptic_forms,
   };
-  return {"semi-elliptic", 4.0, 1.0, shape.far_constant, table_of(shape)};
+  return {"semi-elliptic", 4.0, 1.0, shape.far_constant, table_of(shape), semi_elliptic_smoothed};
 }
 
 /// The paper's element: parabolic across, with the bias that this shape introduces.
@@ -181,7 +201,7 @@ Element parabolic() {
       [](int k) { return 3.0 / (2 * k + 1); },
       parabolic_forms,
   };
-  return {"parabolic", 6.0, std::sqrt(2.0 / 3.0), shape.far_constant, table_of(shape)};
+  return {"parabolic", 6.0, std::sqrt(2.0 / 3.0), shape.far_constant, table_of(shape), parabolic_smoothed};
 }
 
 Four evaluate_far(double t, const double* table) {

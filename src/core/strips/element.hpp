@@ -4,6 +4,7 @@
 // then a far series, leading terms, and the factors of t^-2k (docs/explain/theory.md has the functions).
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -33,6 +34,7 @@ struct Element {
   double hertz_ratio;   ///< from the element's half-width to that of the Hertz line contact of equal load
   double far_constant;  ///< A(t) - ln(2 t) at infinity
   Numbers table;
+  std::array<double, 2> (*smoothed)(double t);  ///< (1/pi) int phi t / (xi^2 + t^2), t > 0, and its second derivative
 };
 
 Element semi_elliptic();

@@ -15,8 +15,7 @@ the direct effect of the element has, too.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from functools import lru_cache, partial
+from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
@@ -25,10 +24,11 @@ from numpy.typing import NDArray
 from nonhertz.bodies.quarter_space import EDGE_SLOPE, FreeFace, free_face
 from nonhertz.bodies.stored import MOST, stored
 from nonhertz.native import core
-from nonhertz.strip.element import ELEMENTS, LEADING_AT, POWERS, Element
+from nonhertz.strip.element import ELEMENTS, Element
 
 Array = NDArray[np.float64]
-Density = Callable[[Array, Array], Array]
+
+POWERS = core.POWERS
 
 FIRST_OCTAVE, LAST_OCTAVE = -14, 2
 CLOSE, AWAY = 2.0**FIRST_OCTAVE, 2.0**LAST_OCTAVE
@@ -42,28 +42,14 @@ _FINE = 14  # nodes on each octave, from which the table is made
 @lru_cache(MOST)
 def face_table(element: Element, poisson: float) -> core.FaceTable:
     """Return what the core reads for the free side face of a body."""
-    return core.FaceTable(free_end_table(element, poisson))
+    return core.FaceTable(_table(element.name, poisson))
 
 
-def free_end_table(element: Element, poisson: float) -> Array:
-    """Return the numbers of `face_table`, in one flat array.
-
-    Polynomials on squares, those of the series far away, and the slopes of h and c towards the edge.
-    """
-    if ELEMENTS.get(element.name) == element:
-        return _table(element.name, poisson)
-    return _made(element, poisson)
-
-
-@stored(__name__, "nonhertz.strip.element", "nonhertz.bodies.quarter_space")
+@stored(__name__, core.__name__, "nonhertz.bodies.quarter_space")
 def _table(name: str, poisson: float) -> Array:
-    return _made(ELEMENTS[name], poisson)
-
-
-@lru_cache(MOST)
-def _made(element: Element, poisson: float) -> Array:
-    face = free_face(poisson)
-    slopes = EDGE_SLOPE * element.table[LEADING_AT : LEADING_AT + 3 : 2] / 2.0
+    """Return polynomials on squares, those of the series far away, and the slopes of h and c towards the edge."""
+    element, face = ELEMENTS[name], free_face(poisson)
+    slopes = 0.5 * EDGE_SLOPE * np.array(element.core.leading[::2])
     return np.concatenate([_squares(element, face), _directions(face), slopes])
 
 
@@ -74,42 +60,44 @@ def _squares(element: Element, face: FreeFace) -> Array:
     to_nodes, slopes = _interpolation(fine, nodes)
     octave = 2.0 ** np.arange(FIRST_OCTAVE, LAST_OCTAVE)
     edges = _places(nodes)
-    values = np.empty((OCTAVES, nodes.size, OCTAVES, nodes.size, 4))
-    for kind, density in enumerate(densities(element, face)):
-        integral = _integral(density, _places(fine).ravel(), nodes).reshape(OCTAVES, _FINE, OCTAVES, nodes.size)
-        along_u = np.einsum("nf,ofpm->onpm", slopes, integral) * (2.0 / octave)[:, None, None, None]
-        along_v = density(edges[:, :, None, None], edges)
-        values[..., 2 * kind] = np.einsum("nf,ofpm->onpm", to_nodes, integral)
-        values[..., 2 * kind + 1] = edges[:, :, None, None] * along_u + edges * along_v
-    to_powers = np.linalg.inv(np.vander(nodes))
-    return np.ascontiguousarray(np.einsum("pn,qm,onrmf->orpqf", to_powers, to_powers, values)).ravel()
+    integral = _integral(element, face, _places(fine).ravel(), nodes)
+    integral = integral.reshape(2, OCTAVES, _FINE, OCTAVES, nodes.size)
+    along_u = _summed("nf,kofpm->konpm", slopes, integral) * (2.0 / octave)[:, None, None, None]
+    along_v = densities(element, face, edges[:, :, None, None], edges)
+    values = np.empty((OCTAVES, nodes.size, OCTAVES, nodes.size, 2, 2))
+    values[..., 0] = np.moveaxis(_summed("nf,kofpm->konpm", to_nodes, integral), 0, -1)
+    values[..., 1] = np.moveaxis(edges[:, :, None, None] * along_u + edges * along_v, 0, -1)
+    to_powers = np.asarray(np.linalg.inv(np.vander(nodes)), dtype=float)
+    of_v = _summed("qm,onrmkf->onrqkf", to_powers, values)
+    return np.ascontiguousarray(_summed("pn,onrqkf->orpqkf", to_powers, of_v)).ravel()
 
 
-def _integral(density: Density, u: Array, nodes: Array) -> Array:
-    """Return the integral of a density over v from the face, shape (u, octaves of v, nodes)."""
-    gauss, share = legendre.leggauss(_FINE)
-    octave = 2.0 ** np.arange(FIRST_OCTAVE, LAST_OCTAVE)
-    on_octaves = density(u[:, None, None], _places(gauss))
-    before = 0.5 * CLOSE * density(u[:, None], 0.5 * CLOSE * (1.0 + gauss)) @ share
-    whole = 0.5 * octave * (on_octaves @ share)
-    start = before[:, None] + np.cumsum(whole, axis=1) - whole
-    up_to = np.array([legendre.legval(nodes, legendre.legint(unit, lbnd=-1.0)) for unit in np.eye(_FINE)])
-    to_integral = np.linalg.inv(legendre.legvander(gauss, _FINE - 1)).T @ up_to
-    found: Array = start[:, :, None] + 0.5 * octave[:, None] * (on_octaves @ to_integral)
+def _summed(indices: str, matrix: Array, values: Array) -> Array:
+    """Return a sum over one index, as a product of matrices."""
+    found: Array = np.einsum(indices, matrix, values, optimize=True)
     return found
 
 
-def densities(element: Element, face: FreeFace) -> tuple[Density, Density]:
-    """Return h and c as functions of u and v."""
+def _integral(element: Element, face: FreeFace, u: Array, nodes: Array) -> Array:
+    """Return the integrals of h and c over v from the face, shape (2, u, octaves of v, nodes)."""
+    gauss, share = legendre.leggauss(_FINE)
+    octave = 2.0 ** np.arange(FIRST_OCTAVE, LAST_OCTAVE)
+    on_octaves = densities(element, face, u[:, None, None], _places(gauss))
+    before = 0.5 * CLOSE * densities(element, face, u[:, None], 0.5 * CLOSE * (1.0 + gauss)) @ share
+    whole = 0.5 * octave * (on_octaves @ share)
+    start = before[..., None] + np.cumsum(whole, axis=-1) - whole
+    up_to = np.array([legendre.legval(nodes, legendre.legint(unit, lbnd=-1.0)) for unit in np.eye(_FINE)])
+    to_integral = np.linalg.inv(legendre.legvander(gauss, _FINE - 1)).T @ up_to
+    found: Array = start[..., None] + 0.5 * octave[:, None] * (on_octaves @ to_integral)
+    return found
 
-    def density(kind: int, u: Array, v: Array) -> Array:
-        weights = face.towards(u, v)
-        t = np.multiply.outer(u + v, face.distances)
-        of_image = element.functions(t)[1 + 2 * kind] / t
-        added: Array = np.sum(weights[..., 0, :] * of_image + weights[..., 1, :] * element.smoothed(t)[kind], axis=-1)
-        return added
 
-    return partial(density, 0), partial(density, 1)
+def densities(element: Element, face: FreeFace, u: Array, v: Array) -> Array:
+    """Return h and c of places at ``u`` and loads at ``v``, shape (2, ...)."""
+    u, v = np.broadcast_arrays(u, v)
+    weights = face.weights.reshape(len(face.weights), -1)
+    places, loads = (np.ascontiguousarray(each, dtype=float).ravel() for each in (u, v))
+    return core.face_densities(element.core, face.distances, weights, places, loads).reshape(2, *u.shape)
 
 
 def _places(nodes: Array) -> Array:
