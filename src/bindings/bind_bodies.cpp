@@ -21,6 +21,12 @@ Curvature curvature(CurvatureIn of) {
   return std::get<double>(of);
 }
 
+using DepthIn = std::variant<double, DepthInDiameters>;
+
+Depth depth_of(DepthIn of) {
+  return std::visit([](auto&& depth) { return Depth(std::move(depth)); }, std::move(of));
+}
+
 /// Do what takes long without the interpreter's lock.
 template <class Work>
 auto without_lock(Work work) {
@@ -85,21 +91,29 @@ void bind_references(nb::module_& m) {
   nb::class_<PointsAtDepth>(m, "PointsAtDepth")
       .def(
           "__init__",
-          [](PointsAtDepth* self, Depth depth, double factor, std::vector<Term> terms, std::optional<FarImages> far,
+          [](PointsAtDepth* self, DepthIn depth, double factor, std::vector<Term> terms, std::optional<FarImages> far,
              std::vector<PointsAtDepth::FreeFace> faces, const VectorIn& over_image) {
-            new (self) PointsAtDepth{std::move(depth), factor,           std::move(terms),
-                                     std::move(far),   std::move(faces), numbers(over_image)};
+            new (self)
+                PointsAtDepth{depth_of(std::move(depth)), factor, std::move(terms), std::move(far), std::move(faces),
+                              numbers(over_image)};
           },
           "depth"_a, "poisson_factor"_a, "terms"_a, "far"_a.none(), "faces"_a, "over_image"_a)
       .def("displacement", asked(&PointsAtDepth::displacement), "y"_a, "edges"_a);
   nb::class_<AxisOfCylinder>(m, "AxisOfCylinder")
       .def(
           "__init__",
-          [](AxisOfCylinder* self, Depth diameter, std::shared_ptr<Cubics> smooth, std::vector<Term> terms) {
-            new (self) AxisOfCylinder{std::move(diameter), std::move(smooth), std::move(terms)};
+          [](AxisOfCylinder* self, DepthIn diameter, std::shared_ptr<Cubics> smooth, std::vector<Term> terms) {
+            new (self) AxisOfCylinder{depth_of(std::move(diameter)), std::move(smooth), std::move(terms)};
           },
           "diameter"_a, "smooth"_a, "terms"_a)
       .def("displacement", asked(&AxisOfCylinder::displacement), "y"_a, "edges"_a);
+  nb::class_<OtherReference>(m, "OtherReference")
+      .def(
+          "__init__",
+          [](OtherReference* self, FunctionIn below, MatrixFunctionIn displaced) {
+            new (self) OtherReference{function(std::move(below)), matrix_function(std::move(displaced))};
+          },
+          "below"_a, "displaced"_a);
   nb::class_<AxisOfRoller>(m, "AxisOfRoller")
       .def(
           "__init__",

@@ -32,6 +32,20 @@ inline Function function(FunctionIn of) {
   };
 }
 
+/// A function of places and edges, which returns a matrix of all by all strips.
+using MatrixFunctionIn = nb::typed<nb::callable, MatrixOut(VectorOut, VectorOut)>;
+
+inline std::function<Matrix(View, View)> matrix_function(MatrixFunctionIn of) {
+  return [held = std::make_shared<const Held>(std::move(of))](View y, View edges) {
+    const nb::gil_scoped_acquire lock;
+    const auto copied = [](View values) { return array_of(Numbers(values.begin(), values.end())); };
+    const auto values = nb::cast<MatrixIn>(held->of(copied(y), copied(edges)));
+    if (values.shape(0) != y.size() || values.shape(1) + 1 != edges.size())
+      throw std::invalid_argument("a displacement must have a row for each place and a column for each strip");
+    return copy_of(values);
+  };
+}
+
 inline Polyline polyline(const VectorIn& places, const VectorIn& values) { return {numbers(places), numbers(values)}; }
 
 }  // namespace nonhertz

@@ -52,7 +52,15 @@ struct AxisOfRoller {
   Matrix displacement(View y, View edges) const;
 };
 
-using Reference = std::variant<PointsAtDepth, AxisOfCylinder, AxisOfRoller>;
+/// Any other, whose displacement is a function of places and edges.
+struct OtherReference {
+  Depth depth;
+  std::function<Matrix(View y, View edges)> displaced;
+
+  Matrix displacement(View y, View edges) const { return displaced(y, edges); }
+};
+
+using Reference = std::variant<PointsAtDepth, AxisOfCylinder, AxisOfRoller, OtherReference>;
 
 /// Displacement under places y per unit of K q of strips between edges, shape (places, strips).
 Matrix displacement(const Reference& reference, View y, View edges);

@@ -24,7 +24,7 @@ struct DepthInDiameters {
 };
 
 /// Depth below the surface [mm], compared with which half-widths must be small.
-using Depth = std::variant<double, DepthInDiameters>;
+using Depth = std::variant<double, DepthInDiameters, Function>;
 
 void fill(const Curvature& curvature, View y, Row out);
 void fill(const Depth& depth, View y, Row out);

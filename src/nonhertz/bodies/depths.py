@@ -28,16 +28,18 @@ from nonhertz.native import core
 Array = NDArray[np.float64]
 
 
+InCore = core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller | core.OtherReference
+
+
 class Reference(Protocol):
-    """What the displacement of one body is measured against, in contact with another."""
+    """What the displacement of one body is measured against, in contact with another.
+
+    One that has a ``core``, as those below, is worked out in C++; any other is called in Python.
+    """
 
     @property
-    def below(self) -> Depth:
+    def below(self) -> Callable[[Array], Array]:
         """Y [mm] -> depth below the surface [mm], compared with which half-widths must be small."""
-
-    @property
-    def core(self) -> core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller:
-        """The same in C++."""
 
     def displacement(self, y: Array, edges: Array) -> Array:
         """Return its displacement under ``y`` per unit of K q of each strip, shape (..., places, strips).
@@ -269,6 +271,18 @@ class AxisOfRoller:
         """The same in C++."""
         assert isinstance(self.below, EvenDepth)
         return core.AxisOfRoller(self.below.core, self.whole.core, self.radius, self.middle, self.share)
+
+
+def in_core(reference: Reference) -> InCore:
+    """Return a reference in C++, or what calls it."""
+    found: InCore | None = getattr(reference, "core", None)
+    if found is not None:
+        return found
+
+    def displaced(y: Array, edges: Array) -> Array:
+        return np.ascontiguousarray(reference.displacement(y, edges), dtype=float)
+
+    return core.OtherReference(of_whole_arrays(reference.below), displaced)
 
 
 def _by_rows(reference: core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller, y: Array, edges: Array) -> Array:

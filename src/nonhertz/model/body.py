@@ -318,12 +318,16 @@ class Body(Input):
         half = np.inf if self.length is None else 0.5 * self.length
         return (self.position - half, self.position + half)
 
-    @property
+    def __getstate__(self) -> dict[str, Any]:
+        # What follows from the fields is worked out again.
+        return {name: getattr(self, name) for name in self.descriptions}
+
+    @cached_property
     def sides(self) -> tuple[SideFace, SideFace]:
         """How the side faces at low and high y are treated, if there are any."""
         return side_faces(self.side_faces)
 
-    @property
+    @cached_property
     def behind(self) -> Depth:
         """What displacement is measured against."""
         return depth_of(self._usual_depth if self.depth is None else self.depth, convex(self.diameter))
@@ -348,7 +352,7 @@ class Body(Input):
         faces = self.side_faces if isinstance(self.side_faces, tuple) else (self.side_faces,)
         return f"ends {' and '.join(str(face) for face in faces)}, {depth}"
 
-    @property
+    @cached_property
     def face_weights(self) -> tuple[float, float]:
         """Weights of the images about the side faces; zero where a face is not freed or does not exist."""
         if self.length is None:
@@ -356,7 +360,7 @@ class Body(Input):
         low, high = (side.image_weight(self.material.poisson) for side in self.sides)
         return low, high
 
-    @property
+    @cached_property
     def free_faces(self) -> tuple[bool, bool]:
         """Whether the side faces at low and high y are free of normal stress, too."""
         low, high = (self.length is not None and side.exact for side in self.sides)
@@ -367,7 +371,7 @@ class Body(Input):
         """The outline of a roller, and the radius of its surface in the middle [mm], which is its unit."""
         return outline_of(self)
 
-    @property
+    @cached_property
     def corner_angles(self) -> tuple[float, float]:
         """Angles between surface and side faces at low and high y, within the body [rad].
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
+from nonhertz.bodies.depths import in_core
 from nonhertz.bodies.formulas import curvature_of, of_whole_arrays, relief_of_body
 from nonhertz.bodies.influence import influence_of
 from nonhertz.model.body import Body
@@ -13,6 +14,7 @@ from nonhertz.model.contact import Contact
 from nonhertz.native import core
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.influence import kernel_of
+from nonhertz.strip.records import Array
 
 
 def model_of(contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions: bool = False) -> core.Model:
@@ -36,15 +38,19 @@ def model_of(contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions
     return core.Model(
         bodies=[_body(body, as_functions) for body in (contact.a, contact.b)],
         kernel=kernel_of(influence, element),
-        references=[each.core for each in influence.references],
+        references=[in_core(each) for each in influence.references],
         freed=[core.FreedFace(end.y, end.side, end.image_weight, end.free) for end in influence.ends],
         compliance=contact.compliance,
         interval=contact.interval,
         bends=np.array(contact.bends, dtype=float),
         crests=np.array(contact.crests, dtype=float),
-        # Of a twin: a contact that is kept by what it keeps would stay for ever.
-        refuse=of_whole_arrays(replace(contact).curvature_at),
+        # Of the bodies alone: a contact that is kept by what it keeps would stay for ever.
+        refuse=of_whole_arrays(partial(_curvature, contact.a, contact.b)),
     )
+
+
+def _curvature(a: Body, b: Body, y: Array) -> Array:
+    return Contact(a, b).curvature_at(y)
 
 
 def _body(body: Body, as_functions: bool) -> core.Body:
