@@ -90,7 +90,7 @@ def page(seconds: dict[str, float]) -> str:
 
 The steps of [start in ten minutes](../start.md), one after another in an empty folder, on a machine with
 {machine}. `make demo` includes the download of all packages
-and the first compilation of the solver. On a busy machine, or a slow line, these two take two to four minutes.
+and the compilation of the core. On a busy machine, or a slow line, these two take two to four minutes.
 
 | step | takes |
 |---|--:|

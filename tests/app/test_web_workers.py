@@ -10,7 +10,6 @@ import anyio
 import pytest
 from starlette.exceptions import HTTPException
 
-from nonhertz.compiled import WHEN_COMPILING
 from nonhertz.web.server import workers
 from nonhertz.web.server.workers import EndedError, FailedError, TooSlowError, Workers
 
@@ -37,14 +36,6 @@ def dying():
 
 def raising():
     raise ZeroDivisionError("by zero")
-
-
-def compiling(until):
-    for call in WHEN_COMPILING:
-        call()
-    while not until.exists():
-        time.sleep(0.01)
-    return 3
 
 
 def dying_the_first_time(path):
@@ -160,22 +151,3 @@ def test_all_processes_end_with_the_server():
     number = with_workers(1, use)
     with pytest.raises(ProcessLookupError):
         os.kill(number, 0)
-
-
-def test_a_process_that_compiles_says_so_until_it_is_done(tmp_path):
-    async def use(workers):
-        seen, done = [], []
-
-        async def ask():
-            done.append(await workers.run(compiling, tmp_path / "done", seconds=PATIENT))
-
-        async with anyio.create_task_group() as tasks:
-            seen.append(workers.compiling)
-            tasks.start_soon(ask)
-            with anyio.fail_after(PATIENT):
-                while not workers.compiling:
-                    await anyio.sleep(0.01)
-            (tmp_path / "done").touch()
-        return [*seen, workers.compiling, *done]
-
-    assert with_workers(1, use) == [False, False, 3]

@@ -98,29 +98,3 @@ def test_the_program_may_be_away_for_a_while(open_desk):
     assert_allclose(desk.numbers["Load"], 25000.0, rtol=SAME)
     # The browser itself writes of the request that was cut off.
     desk.forgive("ERR_FAILED")
-
-
-@pytest.mark.parametrize("said", [False, True])
-def test_the_page_says_that_the_solver_is_being_compiled_unless_it_is_only_starting(desk, said):
-    asked, times = 0, 3
-
-    def answer(route: Any) -> None:
-        nonlocal asked
-        asked += 1
-        route.fulfill(json={"ready": asked > times, "compiling": said and asked <= times})
-
-    desk.page.route("**/status", answer)
-    desk.page.add_init_script(
-        """addEventListener("DOMContentLoaded", () => {
-          const notice = document.getElementById("notice");
-          new MutationObserver(() => (window.told ||= !notice.hidden)).observe(notice, { attributeFilter: ["hidden"] });
-        });"""
-    )
-    desk.page.reload()
-    if said:
-        desk.page.locator("#notice", has_text="being compiled").wait_for()
-    desk.page.wait_for_timeout(1000)
-    while asked <= times:
-        desk.page.wait_for_timeout(100)
-    desk.page.locator("#notice").wait_for(state="hidden")
-    assert desk.page.evaluate("() => Boolean(window.told)") is said

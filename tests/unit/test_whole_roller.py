@@ -219,7 +219,7 @@ def test_gradients_by_dimensions_are_what_contacts_solved_anew_differ_by(name):
 
 
 def test_arrays_are_computed_once_and_kept_on_disk(tmp_path, monkeypatch):
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    monkeypatch.setenv("NONHERTZ_CACHE_DIR", str(tmp_path))
     made = []
 
     def make(value):
@@ -239,7 +239,7 @@ def test_arrays_are_computed_once_and_kept_on_disk(tmp_path, monkeypatch):
 
 def test_arrays_are_computed_where_nothing_can_be_kept(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "file"))
+    monkeypatch.setenv("NONHERTZ_CACHE_DIR", str(tmp_path / "file"))
     np.testing.assert_array_equal(stored(__name__)(lambda value: np.array([value]))(3.0), [3.0])
 
 

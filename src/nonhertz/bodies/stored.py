@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.compiled.files import read, write
+from nonhertz.bodies.files import read, write
 
 Array = NDArray[np.float64]
 
@@ -21,7 +21,7 @@ MOST = 16
 
 
 def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
-    """Keep what a function returns, in this process and beside the machine code on disk.
+    """Keep what a function returns, in this process and on disk.
 
     Parameters
     ----------

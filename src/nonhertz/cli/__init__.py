@@ -20,7 +20,7 @@ from pathlib import Path
 from nonhertz.errors import CaseError, InputError, Interrupted
 
 FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL, NOT_MET, NOT_JUDGED, STRAINED = range(7)
-NOT_VERIFIED = NOT_KEPT = NOT_CONVERGED
+NOT_VERIFIED = NOT_CONVERGED
 # As a shell reports a program ended by a signal.
 INTERRUPTED, BROKEN_PIPE = 130, 141
 _OUT_OF_CALLBACK = 0.02  # s; where this was too early, the next repetition is not

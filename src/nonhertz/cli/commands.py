@@ -60,7 +60,6 @@ GROUPS = {
     "Verify": {
         "compare": "compare roller.toml --cells 64 256",
         "verify": "verify --only hertz-ellipse bearings",
-        "warm": "warm",
     },
 }
 EXAMPLES = {name: example for commands in GROUPS.values() for name, example in commands.items()}

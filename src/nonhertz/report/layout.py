@@ -30,7 +30,7 @@ MARK = '<meta name="generator" content="nonhertz report">'
 _DOTS = 110  # per inch, of what is drawn as dots within a figure
 _LONG_NUMBER = re.compile(r"(?<=\d)(\.\d\d)\d+(?=[ \n\"])")
 _UNCHANGED = " !$()*+,-./:;=?@[]_~"  # in an address, of what HTML does not escape
-_PACKAGES = ("numpy", "scipy", "numba", "matplotlib")
+_PACKAGES = ("numpy", "scipy", "matplotlib")
 _ADDRESS = re.compile(r"doi:(10\.\S+?)(?=[.,;:]?(?:\s|$))|(https?://\S+?)(?=[.,;:]?(?:\s|$))")
 
 

@@ -389,7 +389,7 @@ def _work(plan: Plan, quantities: tuple[Quantity, ...]) -> Work:
 def _seconds_per_row(solve: Callable[[Portion], object], portion: Portion) -> float:
     """Return how long a row takes, by the first of a portion: twice as many each time, until that can be measured."""
     number, rows, values = portion
-    solve((number, rows[:1], values[:1]))  # loads what is compiled
+    solve((number, rows[:1], values[:1]))  # what it loads is not counted
     count, took = 1, 0.0
     while True:
         begun = time.perf_counter()

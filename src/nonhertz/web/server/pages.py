@@ -143,9 +143,8 @@ class Page:
         return reply({"ok": True, "document": parsed(text, name), "text": text})
 
     async def status(self, request: Request) -> Response:
-        """Answer whether the processes are ready, and whether one of them compiles the solver."""
-        compiling = any(each.compiling for each in self.processes)
-        return reply({"ready": self.quick.ready.is_set(), "compiling": compiling})
+        """Answer whether the processes are ready."""
+        return reply({"ready": self.quick.ready.is_set()})
 
     def routes(self) -> list[Route]:
         """Return the routes of the page, but for its own address."""

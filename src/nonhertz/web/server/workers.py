@@ -1,7 +1,7 @@
 """Processes that compute, and are killed when they take too long.
 
-A compiled loop cannot be interrupted from another thread, and no limit on the input can guarantee how long Newton's
-method takes. So all computing is done in worker processes: one that exceeds its deadline is killed and replaced, and
+No limit on the input can guarantee how long an answer takes, and Python itself cannot be interrupted from another
+thread. So all computing is done in worker processes: one that exceeds its deadline is killed and replaced, and
 the server answers in time whatever the request.
 """
 
@@ -23,11 +23,10 @@ from anyio.abc import TaskGroup
 from starlette.exceptions import HTTPException
 
 from nonhertz.amounts import chosen, read_in
-from nonhertz.compiled import WHEN_COMPILING
 from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
 
-WARM_UP_SECONDS: Final = 300.0
-"""Long enough for a machine on which everything has to be compiled first."""
+WARM_UP_SECONDS: Final = 60.0
+"""Long enough to load everything on a busy machine."""
 
 _STEP = 0.05  # s between checks of the deadline
 _PAUSE = 1.0  # s before trying again to start a process
@@ -64,8 +63,6 @@ class Worker:
         self._process = context.Process(target=_work, args=(its_own, warm_up), daemon=True)
         self._process.start()
         its_own.close()
-        #: Whether it compiles the solver, for what it is doing now.
-        self.compiling = False
 
     def wait(self, seconds: float) -> Any:
         """Return what the process sends next.
@@ -85,9 +82,6 @@ class Worker:
             fine, value = pickle.loads(self._connection.recv_bytes())
         except (EOFError, OSError):
             raise EndedError("its process ended") from None
-        self.compiling = fine is None
-        if self.compiling:
-            return self.wait(end - time.monotonic())
         if not fine:
             raise FailedError(value)
         return value
@@ -141,11 +135,6 @@ class Workers:
         self._waiting = 0
         self._tasks: TaskGroup | None = None
 
-    @property
-    def compiling(self) -> bool:
-        """Whether one of the processes compiles the solver."""
-        return any(worker.compiling for worker in self._living)
-
     def start(self, tasks: TaskGroup, *, at_once: bool = True) -> None:
         """Start the processes, at once or when `wake` is called or there is a first job."""
         self._tasks = tasks
@@ -153,7 +142,7 @@ class Workers:
             self.wake()
 
     def wake(self) -> None:
-        """Start the processes that are missing one after the other, since the first one compiles for all."""
+        """Start the processes that are missing one after the other, so that the first is ready soon."""
         if self._tasks is not None and self._missing:
             self._tasks.start_soon(self._add, self._missing)
             self._missing = 0
@@ -256,7 +245,6 @@ def _work(connection: Connection, warm_up: Job | None) -> None:
     """Run the jobs that arrive on a connection until its other end is closed."""
     # An interrupt at the terminal reaches the whole process group, but only the server should end this process.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    WHEN_COMPILING.append(lambda: connection.send_bytes(pickle.dumps((None, None))))
     if warm_up is not None:
         _answer(connection, warm_up, ())
     while True:

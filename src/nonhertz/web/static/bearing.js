@@ -9,7 +9,7 @@ import { digits } from "./numbers.js";
 import { Polar, degrees, newtons } from "./polar.js";
 import { entitle, outdate, sayLater, sayMistakes, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
 import { drawRoller } from "./roller.js";
-import { notice, timed, watchProgram } from "./status.js";
+import { notice, timed } from "./status.js";
 import { amount, parts } from "./units.js";
 import { Work } from "./work.js";
 
@@ -258,5 +258,4 @@ byId("most").addEventListener("click", () => choose(null));
 for (const ring of /** @type {("inner" | "outer")[]} */ (["inner", "outer"]))
   document.querySelector(`[data-contact="${ring}"]`)?.addEventListener("click", () => void openContact(ring));
 whenResized(drawPictures);
-void watchProgram("bearing/status");
 await work.begin();

@@ -3,7 +3,7 @@
 import { Curve } from "./curve.js";
 import { byId } from "./elements.js";
 import { Live, post } from "./live.js";
-import { roundTrip, watchProgram } from "./status.js";
+import { roundTrip } from "./status.js";
 import { Sketch } from "./sketch.js";
 import { Strength } from "./strength.js";
 import { View } from "./view.js";
@@ -106,5 +106,4 @@ for (const choice of document.querySelectorAll("[name=stress-body], #stress-on")
     live.wantMore();
   });
 }
-void watchProgram();
 await work.begin();

@@ -1,4 +1,4 @@
-// What the page says about itself: notices, whether the program is ready, and how long the last answer took.
+// What the page says about itself: notices, and how long the last answer took.
 
 import { byId } from "./elements.js";
 
@@ -13,31 +13,7 @@ export function notice(reason, sentence) {
   byId("notice").hidden = !text;
 }
 
-const COMPILING = "The solver is being compiled, which takes about a minute the first time. The result will appear by itself.";
 const AGAIN = 1000; // ms
-
-/**
- * Show a notice while the solver is being compiled, until the program is ready.
- * @param {string} [place] where to ask
- */
-export async function watchProgram(place = "status") {
-  for (;;) {
-    const { ready, compiling } = await statusOf(place);
-    notice("compiling", compiling ? COMPILING : "");
-    if (ready) return;
-    await new Promise((done) => window.setTimeout(done, AGAIN));
-  }
-}
-
-async function statusOf(place) {
-  try {
-    const response = await fetch(place);
-    if (response.ok) return await response.json();
-  } catch {
-    // No answer at all: the requests for solutions report that.
-  }
-  return { ready: true, compiling: false };
-}
 
 /**
  * Count the seconds of an answer that takes long, beside a button that gives it up; return what ends that.

@@ -165,7 +165,7 @@ def report(document: dict[str, Any], kind: type[Case | BearingCase]) -> bytes:
 
 
 def warm_up() -> None:
-    """Solve the starting case with stresses, so that everything is loaded and compiled."""
+    """Solve the starting case with stresses, so that everything is loaded."""
     # With a unit, so that the units library, which takes a second, is loaded too.
     solve(parsed(starting_case(), "case.toml") | {"load": {"load": "20 kN"}}, True, "a")
 
