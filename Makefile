@@ -57,7 +57,6 @@ dist dist-tests: $(READY)
 # cores, of some rooms less: make mutants MUTANTS="--rooms measured files".
 mutants: $(READY)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --group mutants
-	$(BIN)/nonhertz warm
 	$(BIN)/python tests/mutation/run.py $(MUTANTS) --out out/mutants
 
 campaign: $(READY)

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import scipy.linalg  # noqa: F401  (its linear algebra is numba's; a limit holds for what is loaded by then)
+import scipy.linalg  # noqa: F401  (a limit of threads holds for the linear algebra that is loaded by then)
 from threadpoolctl import threadpool_limits
 
 import nonhertz as nh

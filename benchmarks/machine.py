@@ -15,7 +15,7 @@ import nonhertz as nh
 
 def machine() -> dict[str, Any]:
     """Return what the figures depend on."""
-    names = ("numpy", "scipy", "numba")
+    names = ("numpy", "scipy")
     return {
         "processor": processor(),
         "cores": os.cpu_count(),

@@ -49,7 +49,7 @@ PLAYOFF_CELLS = (64, 256)
 JUDGES = ("ContactMechanics: with restart", "tamaas", "patch")
 LONGEST = 1.0  # s, for the repeats of a run
 MARGIN = 1.4  # iterations grow with the grid
-THREADS = ("OMP", "OPENBLAS", "MKL", "NUMBA", "VECLIB_MAXIMUM", "NUMEXPR")
+THREADS = ("OMP", "OPENBLAS", "MKL", "VECLIB_MAXIMUM", "NUMEXPR")
 
 
 def main() -> None:

@@ -261,7 +261,7 @@ def test_an_internal_error_is_one_sentence(case, run, monkeypatch):
 
 
 def test_an_interruption_of_a_callback_ends_the_program(case, capsys, monkeypatch):
-    # As LLVM calls Numba back: C code ignores what a callback raises, and Python drops it.
+    # C code ignores what a callback raises, and Python drops it.
     callback = ctypes.CFUNCTYPE(None)(lambda: signal.raise_signal(signal.SIGINT))
 
     def interrupted_in_callback(*_: object, **__: object) -> None:

@@ -102,7 +102,7 @@ def test_solving(client):
     found = response.json()
     assert found.pop("ms") > 0.0
     del alone["ms"]
-    # Another process, but the same machine and the same compiled code.
+    # Another process, but the same machine.
     assert found == alone
 
 

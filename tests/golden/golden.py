@@ -18,8 +18,6 @@ import tempfile
 import tomllib
 from pathlib import Path
 
-import llvmlite.binding as llvm
-import numba
 import numpy as np
 import scipy
 import tomli_w
@@ -127,10 +125,9 @@ def compact(found):
 
 
 def machine():
-    """Return what rounding depends on: processor, compiler and libraries."""
-    features = ",".join(sorted(name for name, there in llvm.get_host_cpu_features().items() if there))
-    found = [platform.machine(), *platform.libc_ver(), llvm.get_host_cpu_name(), features, platform.python_version()]
-    return " ".join([*found, *(library.__version__ for library in (np, scipy, numba))])
+    """Return what rounding depends on: system and libraries."""
+    system = [platform.machine(), *platform.libc_ver(), platform.python_version()]
+    return " ".join([*system, *(library.__version__ for library in (np, scipy))])
 
 
 def kept(command):

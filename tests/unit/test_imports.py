@@ -3,7 +3,7 @@
 import subprocess
 import sys
 
-HEAVY = ("numpy", "scipy", "numba", "pint", "matplotlib")
+HEAVY = ("numpy", "scipy", "pint", "matplotlib")
 #: What is done one after the other in a new process, and what is not there after it.
 STEPS = [
     ("import nonhertz.cli.commands", HEAVY),

@@ -171,22 +171,6 @@ def test_a_map_is_called_by_the_address_of_a_function(made):
     assert found[2] == made.at(approach=0.01, tilt=3e-4).load
 
 
-def test_code_compiled_at_run_time_calls_the_map(made):
-    """As in the how-to guide: a function of ctypes is one that Numba can call."""
-    numba = pytest.importorskip("numba")
-
-    @numba.njit
-    def borne(table, approach, tilts):
-        at, total = np.empty(8), 0.0
-        for tilt in tilts:
-            PRESSED(table.ctypes, approach, tilt, at.ctypes)
-            total += at[2]
-        return total
-
-    tilts = np.linspace(-5e-4, 5e-4, 7)
-    assert_allclose(borne(made.table, 0.01, tilts), made.at(approach=0.01, tilt=tilts).load.sum(), rtol=1e-12)
-
-
 @pytest.mark.parametrize("tilt", [0.0, 9e-4, 1.5e-3, -0.1])
 def test_outside_c_functions_continue_without_a_step_and_say_so(made, tilt):
     within = min(max(tilt, -TILT), TILT)

@@ -85,7 +85,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 @contextlib.contextmanager
 def _interrupts_repeated() -> Iterator[None]:
-    """Repeat a Ctrl-C that Python drops: one during a finaliser, or a callback from C such as the compiler's."""
+    """Repeat a Ctrl-C that Python drops: one during a finaliser, or a callback from C."""
     before, timers = sys.unraisablehook, []
 
     def repeat(dropped: sys.UnraisableHookArgs) -> None:

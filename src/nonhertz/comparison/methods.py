@@ -86,7 +86,7 @@ def compare(
     given: dict[str, Any] = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
 
     def timed(name: str, again: int, run: Callable[[], Outcome]) -> tuple[Outcome, float]:
-        """Return an outcome and the median time of ``again`` further runs, or the time of the first if there are none."""
+        """Return an outcome and the median time of ``again`` further runs, or that of the first if there are none."""
         if announce is not None:
             announce(name)
         times = []

@@ -31,9 +31,7 @@ def sections(found: Comparison) -> list[Section]:
 
 def _sentences(found: Comparison) -> list[str]:
     """Return how times were taken, remarks on quantities, and every stretch that differs."""
-    lines = [
-        f"Times: one solve on the plane grid, the median of {found.seconds.runs} on strips."
-    ]
+    lines = [f"Times: one solve on the plane grid, the median of {found.seconds.runs} on strips."]
     remarks: dict[str, list[str]] = {}
     for each in found.quantities:
         if each.remark is not None:
