@@ -11,14 +11,18 @@ import subprocess
 import sys
 from pathlib import Path
 
-# What the core asks for beyond C++20: vectors, which MSVC does not have.
+# What the core asks for beyond old C++20: vectors, which MSVC does not have, and threads, which libc++ has from 18 on.
 PROBE = """
+#define _LIBCPP_ENABLE_EXPERIMENTAL
 #include <numbers>
 #include <span>
+#include <stop_token>
+#include <thread>
 #if defined(__clang__) ? __clang_major__ < 14 : !defined(__GNUC__) || __GNUC__ < 11
 #error "too old"
 #endif
 using Pack [[gnu::vector_size(32)]] = double;
+std::jthread thread;
 """
 NONE = "nonhertz: no C++20 compiler (g++ 11, clang 14 or newer) was found"
 
