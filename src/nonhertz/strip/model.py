@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.bodies.depths import in_core
 from nonhertz.bodies.formulas import curvature_of, of_whole_arrays, relief_of_body
@@ -14,7 +15,8 @@ from nonhertz.model.contact import Contact
 from nonhertz.native import core
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.influence import kernel_of
-from nonhertz.strip.records import Array
+
+Array = NDArray[np.float64]
 
 
 def model_of(contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions: bool = False) -> core.Model:
