@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.bodies.ends import edge_powers, ends
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.result.ends import away_from_ends
 from nonhertz.result.maximum import counted
@@ -108,6 +109,17 @@ def test_each_face_whose_images_weigh_less_than_asked_is_named():
     solution = solved(roller(side_faces=5.0), roller(length=30.0, side_faces=5.0))
     named = [f"y = {y} mm" for y in (-10, -15, 10, 15)]
     assert all(any(place in sentence and "lowered" in sentence for sentence in solution.warnings) for place in named)
+
+
+@pytest.mark.parametrize(
+    ("other", "modulus"), [(nh.Plate(), 207e3), (nh.Plate(material=nh.Material(70e3, 0.33)), 207e3)]
+)
+def test_a_free_end_has_the_exponents_of_its_wedge(other, modulus):
+    solution = solved(roller(side_faces="free", depth="none", material=nh.Material(modulus, 0.3)), other)
+    (face, _), edge = ends(solution.contact), solution.edge_pressure[0]
+    first, second, _ = edge_powers(face.image_weight, face.free)
+    assert 0.0 < face.free < 1.0
+    assert (edge.exponent, edge.correction_exponent) == pytest.approx((-first, second - first), rel=1e-12)
 
 
 def test_too_few_strips_near_the_end_give_no_strength():
