@@ -8,7 +8,7 @@ import pytest
 from extent import extent
 
 import nonhertz as nh
-from nonhertz.bodies import whole_roller
+from nonhertz.bodies import smooth_part
 from nonhertz.bodies.harmonic_elements import HarmonicElements
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.outline import outline_of
@@ -47,8 +47,8 @@ def dimension(rng, roller):
 def counts(roller):
     """The whole numbers that follow from a shape: polynomials, and elements along and across."""
     outline, _ = outline_of(roller)
-    terms, most = whole_roller.terms_along(outline), whole_roller.modes_around(outline)
-    elements = HarmonicElements(outline, 0.3, most, whole_roller.PER_TERM * outline.half_length / terms)
+    terms, most = smooth_part.terms_along(outline), smooth_part.modes_around(outline)
+    elements = HarmonicElements(outline, 0.3, most, smooth_part.PER_TERM * outline.half_length / terms)
     return math.ceil(terms), elements.axial_borders.size, elements.wall_borders.size
 
 

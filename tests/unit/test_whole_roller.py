@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.bodies import whole_roller as module
+from nonhertz.bodies import smooth_part, solid_rollers
 from nonhertz.bodies.harmonic_elements import DEGREE, HarmonicElements, nodal_polynomials, with_kinks
+from nonhertz.bodies.smooth_part import fading, response_matrix, terms_along
 from nonhertz.bodies.stored import stored
 from nonhertz.bodies.whole_roller import whole_roller
 from nonhertz.model.outline import Outline
@@ -147,8 +148,8 @@ def test_sums_over_modes_are_those_of_their_terms():
     n = np.arange(2.0, 400.0, 2.0)[:, None]
     images = 2.0 / math.pi * np.sum(2.0 * special.k0(n * distance), axis=0) - 1.0 / distance
     planes = 2.0 / math.pi * np.sum(np.exp(-n * distance), axis=0) - 1.0 / math.pi / distance
-    np.testing.assert_allclose(module.sum_over_images(distance), images, atol=1e-9)
-    np.testing.assert_allclose(module.sum_over_planes(distance), planes, atol=1e-9)
+    np.testing.assert_allclose(smooth_part.sum_over_images(distance), images, atol=1e-9)
+    np.testing.assert_allclose(smooth_part.sum_over_planes(distance), planes, atol=1e-9)
 
 
 def roller(**changes):
@@ -243,10 +244,16 @@ def test_arrays_are_computed_where_nothing_can_be_kept(tmp_path, monkeypatch):
     np.testing.assert_array_equal(stored(__name__)(lambda value: np.array([value]))(3.0), [3.0])
 
 
-def test_a_contact_is_interpolated_by_what_it_says_itself():
-    # 0.7373 radii is between lengths of which shapes are kept.
-    exact = nh.Contact(nh.Roller(diameter=20.0, length=14.746, profile=nh.profile.crown(1e3)), nh.Plate())
-    between = dataclasses.replace(exact, interpolated=True)
-    first, near, again = (nh.solve(each, load=2e3).approach for each in (exact, between, dataclasses.replace(exact)))
-    assert 0.0 < abs(near / first - 1.0) < 3e-7
-    assert again == first
+@pytest.mark.parametrize(("half_length", "poisson"), [(0.11, 0.3), (0.1999, 0.02), (0.73, 0.3), (1.37, 0.475)])
+def test_the_table_of_solid_rollers_gives_what_short_elements_give(half_length, poisson):
+    outline = Outline.cylinder(half_length)
+    count = math.ceil(terms_along(outline))
+    worked_out = response_matrix(outline, poisson, count, 1.2 * half_length / count)
+    tabulated = solid_rollers.response_matrix(half_length, poisson, count)
+    counting = np.outer(fading(outline), fading(outline))
+    np.testing.assert_allclose(counting * tabulated, counting * worked_out, atol=3e-6 * np.abs(worked_out).max())
+
+
+def test_outside_the_table_a_solid_roller_is_worked_out():
+    assert solid_rollers.response_matrix(1.0, 0.49, 18) is None
+    assert whole_roller(Outline.cylinder(1.0), 0.49).matrix.shape == (18, 18)

@@ -932,13 +932,3 @@ def parts_of(bearing: RollerBearing | Paired) -> dict[str, Input]:
 def _along(y: Array, middle: float, slope: float) -> TabulatedDiameter:
     """Return a diameter that changes evenly along a generator."""
     return TabulatedDiameter(tuple(y.tolist()), tuple((middle + slope * y).tolist()))
-
-
-def of_interpolated_shapes(bearing: RollerBearing | Paired) -> RollerBearing | Paired:
-    """Return an equal bearing with contacts that are ``interpolated``; see `nonhertz.Contact`."""
-    if isinstance(bearing, Paired):
-        rows = [of_interpolated_shapes(each) for each in bearing.bearings]
-        return replace(bearing, bearings=tuple(rows))  # type: ignore[arg-type]
-    found = replace(bearing)
-    vars(found)["contacts"] = tuple(replace(each, interpolated=True) for each in bearing.contacts)
-    return found

@@ -155,7 +155,7 @@ class PointsAtDepth:
     over_image: Array = field(default_factory=lambda: np.zeros(0))
 
     @classmethod
-    def of(cls, body: Body, shape: Shape, images: Images, _: bool = False) -> PointsAtDepth | None:
+    def of(cls, body: Body, shape: Shape, images: Images) -> PointsAtDepth | None:
         """Return how those of a body with these mirror images move; None if they are far away."""
         below = depth_below(body, shape)
         if below is None:
@@ -203,7 +203,7 @@ class AxisOfCylinder:
     terms: Array
 
     @classmethod
-    def of(cls, body: Body, shape: Shape, images: Images, _: bool = False) -> AxisOfCylinder:
+    def of(cls, body: Body, shape: Shape, images: Images) -> AxisOfCylinder:
         """Return that of a body with these mirror images."""
         return cls(DepthInDiameters(body, 1.0), body.material.poisson, images.with_direct())
 
@@ -250,10 +250,10 @@ class AxisOfRoller:
     share: float
 
     @classmethod
-    def of(cls, body: Body, shape: Shape, images: Images, interpolated: bool = False) -> AxisOfRoller:
-        """Return that of a body with these mirror images, interpolated between shapes or its own."""
+    def of(cls, body: Body, shape: Shape, images: Images) -> AxisOfRoller:
+        """Return that of a body with these mirror images."""
         outline, radius = body.outline
-        below, whole = depth_below(body, shape), whole_roller(outline, body.material.poisson, interpolated)
+        below, whole = depth_below(body, shape), whole_roller(outline, body.material.poisson)
         assert below is not None
         return cls(below, whole, radius, body.position, images.share)
 
@@ -298,15 +298,12 @@ def terms_of(rows: Array) -> list[core.Term]:
 
 
 #: What brings a matrix of its own in place of that of points at depth, by the word of the depth.
-REFERENCES: Final[dict[str, Callable[[Body, Shape, Images, bool], Reference]]] = {
+REFERENCES: Final[dict[str, Callable[[Body, Shape, Images], Reference]]] = {
     "cylinder": AxisOfCylinder.of,
     "finite": AxisOfRoller.of,
 }
 
 
-def reference_of(body: Body, shape: Shape, images: Images, interpolated: bool) -> Reference | None:
-    """Return what the displacement of a body with these mirror images is measured against; None if far away.
-
-    Rollers that deform as a whole are interpolated between shapes or each by itself.
-    """
-    return REFERENCES.get(body.behind.word, PointsAtDepth.of)(body, shape, images, interpolated)
+def reference_of(body: Body, shape: Shape, images: Images) -> Reference | None:
+    """Return what the displacement of a body with these mirror images is measured against; None if far away."""
+    return REFERENCES.get(body.behind.word, PointsAtDepth.of)(body, shape, images)

@@ -127,4 +127,4 @@ def _of_body(
         for y, side, is_free, angle in zip(body.faces, (-1, 1), body.free_faces, body.corner_angles, strict=True)
         if is_free
     ]
-    return images, reference_of(body, shape, images, contact.interpolated), free
+    return images, reference_of(body, shape, images), free

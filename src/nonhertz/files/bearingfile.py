@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
-from nonhertz.bearing.bearings import Paired, RollerBearing, of_interpolated_shapes, parts_of
+from nonhertz.bearing.bearings import Paired, RollerBearing, parts_of
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.ratings import rating
@@ -32,7 +32,7 @@ from nonhertz.files.held import OF_BEARINGS, HeldCase, starting_text
 from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import Surroundings
 from nonhertz.files.writing import document_of
-from nonhertz.inputs.checks import flag, one_of, whole
+from nonhertz.inputs.checks import one_of, whole
 from nonhertz.inputs.fields import Input
 from nonhertz.model.prescription import Prescription
 
@@ -156,15 +156,13 @@ class BearingCase(HeldCase):
         """The speed at which the inner ring and the shaft widen [1/min]."""
         return self.prescribed.speed if self.life.turning == "inner" else 0.0
 
-    def solve(self, method: str | None = None, *, interpolated: bool = False) -> BearingSolution:
+    def solve(self, method: str | None = None) -> BearingSolution:
         """Return the loaded bearing, as `nonhertz.bearing.solve` does.
 
         Parameters
         ----------
         method : {"strips", "slices"}, optional
             In place of that of the file.
-        interpolated : bool
-            As of `nonhertz.Contact`.
 
         Raises
         ------
@@ -175,11 +173,9 @@ class BearingCase(HeldCase):
         """
         from nonhertz.bearing.verb import solve
 
-        flag("interpolated", interpolated, "write True for thousands of different rollers")
         solver = self.solver.keywords | ({} if method is None else {"method": method})
-        bearing = of_interpolated_shapes(self.mounted) if interpolated else self.mounted
         try:
-            return solve(bearing, **self.prescribed.keywords, turning=self.life.turning, **solver)
+            return solve(self.mounted, **self.prescribed.keywords, turning=self.life.turning, **solver)
         except InputError as error:
             raise placed(error, document=self.document) from None
 

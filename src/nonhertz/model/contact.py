@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import field
 from functools import cached_property
 from typing import Annotated, Any, TypeVar
 
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.fields import Flag, Input, Part, described, together
+from nonhertz.inputs.fields import Input, Part, described, together
 from nonhertz.model.body import Body
 from nonhertz.model.profile.base import places
 
@@ -46,15 +45,6 @@ class Contact(Input):
 
     a: Annotated[Body, Part("one body; their order matters only for what is reported about each", Body, _MADE_BY)]
     b: Annotated[Body, Part("the other body", Body, _MADE_BY)]
-    interpolated: Annotated[
-        bool,
-        Flag(
-            "whether solid rollers that deform as a whole are interpolated between those of fixed lengths, which "
-            "changes an approach by less than 3e-7 of itself; for thousands of different ones: a new shape takes up to "
-            "a second",
-            remedy="write True for thousands of different rollers",
-        ),
-    ] = field(default=False, repr=False, kw_only=True)
 
     @together("a", "b")
     def _check_overlap(self) -> None:

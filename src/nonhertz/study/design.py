@@ -366,7 +366,7 @@ def _verdict(case: Case, loads: Sequence[LoadCase]) -> Verdict | None:
 
 
 def _solved(case: Case, load: LoadCase) -> Solution:
-    return solve(replace(case.contact, interpolated=True), load=load.load, tilt=load.tilt, **case.solver.keywords)
+    return solve(case.contact, load=load.load, tilt=load.tilt, **case.solver.keywords)
 
 
 def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:

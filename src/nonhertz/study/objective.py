@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -153,7 +153,7 @@ class Task:
         with without_accuracy_warnings():
             solver = case.solver.keywords | ({"accuracy": accuracy} if self.is_automatic else {})
             pressed = {name: [getattr(each, name) for each in self.loads] for name in ("load", "tilt")}
-            solutions = tuple(solve_in_silence(replace(case.contact, interpolated=True), pressed, **solver))
+            solutions = tuple(solve_in_silence(case.contact, pressed, **solver))
         return Judged(self, x.copy(), case, solutions)
 
 
@@ -234,7 +234,7 @@ class Judged:
         """Return the contact with one variable elsewhere."""
         x = self.x.copy()
         x[k] = share
-        return replace(self.task.case(x).contact, interpolated=True)
+        return self.task.case(x).contact
 
     @cached_property
     def _reliefs(self) -> dict[tuple[int, int], Array]:

@@ -107,7 +107,7 @@ class Work:
 
     def _together(self, case: Case, given: Sequence[Prescription]) -> list[Row]:
         columns = {name: np.array([getattr(each, name) for each in given]) for name in given[0].keywords}
-        solutions = solve_in_silence(replace(case.contact, interpolated=True), columns, **case.solver.keywords)
+        solutions = solve_in_silence(case.contact, columns, **case.solver.keywords)
         at_once = {each.name: solutions.column(each.name) for each in self.quantities if each.name in QUANTITIES}
         converged = solutions.converged.tolist()
         rows = []
@@ -159,7 +159,7 @@ class Work:
                 condition = "be zero where there is no load"
                 raise InputError("moment", case.prescribed.moment, condition, "leave it out, or give a load")
             tilt = case.prescribed.tilt or 0.0
-            contact = replace(case.contact, interpolated=True)
+            contact = case.contact
             problem = problem_of(contact, Prescription(load=1.0, tilt=tilt), case.solver.element)
             edges = np.linspace(*bounded(problem), TOUCHING + 1)
             touched = -core.penetration(problem.model.in_core, edges, (0.0, tilt))
@@ -191,8 +191,7 @@ def _solved(template: Template, values: Values) -> SolvedBearing | SolvedContact
     """Return a row solved alone; raises what reading and solving do."""
     case = template.case(values)
     if isinstance(case, BearingCase):
-        return SolvedBearing(case, case.solve(interpolated=True))
-    case = replace(case, contact=replace(case.contact, interpolated=True))
+        return SolvedBearing(case, case.solve())
     return SolvedContact(case, case.solve())
 
 
