@@ -15,6 +15,7 @@
 #include "bearing/strip_law.hpp"
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
+#include "bindings/signals.hpp"
 #include "maps/contact_map.hpp"
 
 namespace nonhertz {
@@ -70,13 +71,6 @@ MapLaw map_law(const VectorIn& table) {
   return {{table.data(), table.data() + ContactMap::size_of_mean_approach(head)}};
 }
 
-Stop signals() {
-  return {{}, [] {
-            const nb::gil_scoped_acquire lock;
-            if (PyErr_CheckSignals() != 0) throw nb::python_error();
-          }};
-}
-
 /// States as arrays: ring, force, stiffness, residual, steps, rollers' motions, poses and answers.
 using States = std::tuple<Writable, Writable, Writable, Writable, nb::ndarray<nb::numpy, std::int64_t>, Writable,
                           Writable, Writable>;
@@ -107,8 +101,9 @@ States arrays(const Assembly& assembly, const std::vector<Equilibrium>& states) 
           writable(std::move(answer), {count, rollers, columns, sizeof(Answer) / sizeof(double)})};
 }
 
-States balance(const Assembly& assembly, std::array<bool, 5> by_force, double depth, double tolerance, int steps,
-               const MatrixIn& target, const MatrixIn& start, const MatrixIn& motion, int threads) {
+std::optional<States> balance(const Assembly& assembly, std::array<bool, 5> by_force, double depth, double tolerance,
+                              int steps, const MatrixIn& target, const MatrixIn& start, const MatrixIn& motion,
+                              int threads, const std::stop_source* source) {
   const auto targets = rows_of<Vector<5>>(target), starts = rows_of<Vector<5>>(start);
   const auto motions = rows_of<Vector<3>>(motion);
   const std::size_t rollers = assembly.ring.size();
@@ -119,10 +114,15 @@ States balance(const Assembly& assembly, std::array<bool, 5> by_force, double de
     const auto first = motions.begin() + static_cast<Index>(k * rollers);
     beginnings.push_back({targets[k], starts[k], {first, first + static_cast<Index>(rollers)}});
   }
+  Signals signals;
+  const Stop stop = watched(source, signals);
   std::vector<Equilibrium> states;
-  {
+  try {
     const nb::gil_scoped_release released;
-    states = equilibria(assembly, {by_force, depth, tolerance, steps}, beginnings, threads, signals());
+    states = equilibria(assembly, {by_force, depth, tolerance, steps}, beginnings, threads, stop);
+  } catch (const Stopped&) {
+    signals.raise();
+    return {};
   }
   return arrays(assembly, states);
 }
@@ -150,7 +150,7 @@ Writable answers_of(GroupLaw& law, const std::vector<Index>& rollers,
   std::vector<Answer> answers(at.size());
   {
     const nb::gil_scoped_release released;
-    law.answer(rollers, at, answers, signals());
+    law.answer(rollers, at, answers, Stop{});
   }
   const double* first = &answers[0].load;
   return writable({first, first + size * answers.size()}, {count, contacts, size});
@@ -240,7 +240,7 @@ void bind_bearing(nb::module_& m) {
           },
           "ring"_a, "joints"_a, "load"_a, "lever"_a, "stiffness"_a);
   m.def("balance", &balance, "assembly"_a, "by_force"_a, "depth"_a, "tolerance"_a, "steps"_a, "target"_a, "start"_a,
-        "motion"_a, "threads"_a);
+        "motion"_a, "threads"_a, "stop"_a.none() = nb::none(), "States of a bearing in balance; None once stopped.");
 }
 
 }  // namespace nonhertz

@@ -6,44 +6,13 @@
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
-#include <chrono>
-
 #include "bindings/arrays.hpp"
 #include "bindings/rooms.hpp"
+#include "bindings/signals.hpp"
 #include "solve/cases.hpp"
 
 namespace nonhertz {
 namespace {
-
-using namespace std::chrono_literals;
-
-/// Looks for signals while the interpreter's lock is released. Ctrl-C is noticed by the main thread alone.
-class Signals {
- public:
-  void look() {
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    next_ = now + EVERY;
-    const nb::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() == 0) return;
-    raised_ = std::make_exception_ptr(nb::python_error());
-    throw Stopped{};
-  }
-  /// Raise what the signal's handler raised.
-  void raise() const {
-    if (raised_) std::rethrow_exception(raised_);
-  }
-
- private:
-  static constexpr auto EVERY = 20ms;  // a loop of microseconds must not wait for the lock at every step
-  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + EVERY;
-  std::exception_ptr raised_;
-};
-
-/// What a solve looks at: a stop that any thread of Python may set, if there is one, and signals.
-Stop watched(const std::stop_source* source, Signals& signals) {
-  return {source != nullptr ? source->get_token() : std::stop_token(), [&signals] { signals.look(); }};
-}
 
 /// Why a case has no result, as an exception of Python.
 nb::object reason(const std::exception_ptr& why, const nb::object& refused_type) {

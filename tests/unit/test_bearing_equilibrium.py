@@ -165,3 +165,22 @@ def test_laws_without_a_balance_are_asked_a_hundred_times_at_most():
     states = balanced(rollers, RADIAL, np.array([[0.0, 150.0, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
     assert states.residual[0] > 1e-9
     assert max(times.values()) == 100
+
+
+def test_a_search_that_is_stopped_returns_nothing():
+    stop, held = core.Stop(), [False] * 5
+    ring = np.array([[0.0, 0.02, 0.0, 0.0, 0.0]])
+    given = CASES["clearance"].assembly, held, 0.01, 1e-9, 80, ring, ring, np.full((14, 3), np.nan), 1
+    assert core.balance(*given, stop=stop) is not None
+    stop.set()
+    assert core.balance(*given, stop=stop) is None
+
+
+def test_what_a_law_raises_passes_through_the_search():
+    def failing(rollers, pose):
+        raise LookupError("no answer")
+
+    joints = [Joint(True, raceway_motion(0.0, inner=True), np.zeros(8), core.PythonLaw(failing), 0)]
+    rollers = System(ring_motion(np.pi / 4.0 * np.arange(8), (0.0, 30.0)), tuple(joints), np.zeros((8, 3)), 5.0)
+    with pytest.raises(LookupError, match="no answer"):
+        balanced(rollers, RADIAL, np.array([[0.0, 150.0, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)

@@ -16,16 +16,16 @@ constexpr std::size_t PART = 64;  // states, below which a thread of its own doe
 std::vector<Equilibrium> equilibria(const Assembly& assembly, const Conditions& conditions,
                                     const std::vector<Beginning>& beginnings, int threads, const Stop& stop) {
   std::vector<Equilibrium> states(beginnings.size());
-  const auto solve_part = [&](std::size_t first) {
+  const auto solve_part = [&](std::size_t first, const Stop& stop) {
     for (std::size_t k = first; k < std::min(first + PART, states.size()); ++k)
       states[k] = Balance(assembly, conditions, beginnings[k], static_cast<Index>(k)).found(stop);
   };
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failed;
-  const auto work = [&] {
+  const auto work = [&](const Stop& stop) {
     try {
-      for (std::size_t first; (first = next.fetch_add(PART)) < states.size();) solve_part(first);
+      for (std::size_t first; (first = next.fetch_add(PART)) < states.size();) solve_part(first, stop);
     } catch (...) {
       const std::lock_guard lock(failed);
       failure = failure ? failure : std::current_exception();
@@ -37,8 +37,9 @@ std::vector<Equilibrium> equilibria(const Assembly& assembly, const Conditions& 
     const auto parts = (states.size() + PART - 1) / PART;
     const auto most = assembly.groups().empty() ? std::min(static_cast<std::size_t>(threads), parts) : 1;
     std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < most; ++k) others.emplace_back(work);
-    work();
+    // What the program around looks at is for the thread that it called in.
+    for (std::size_t k = 1; k < most; ++k) others.emplace_back([&] { work({stop.token, {}}); });
+    work(stop);
   }
   if (failure) std::rethrow_exception(failure);
   return states;

@@ -146,9 +146,11 @@ def balanced(
     begin = np.full((len(ring), system.rollers, 3), np.nan if motion is None else motion).reshape(-1, 3)
     conditions = by_force.tolist(), float(depth), float(tolerance), STEPS
     try:
-        return States(*core.balance(system.assembly, *conditions, target, ring, begin, threads))
+        found = core.balance(system.assembly, *conditions, target, ring, begin, threads)
     except core.Unsolved as error:
         raise unsolved(error) from None
+    assert found is not None  # nobody stops it but by a signal, whose exception passes
+    return States(*found)
 
 
 def at_edge(system: System, state: States) -> tuple[Indices, Array]:

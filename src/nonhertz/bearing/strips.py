@@ -5,14 +5,12 @@ The core lays and solves them; see ``src/core/bearing/strip_law.hpp``.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from nonhertz.amounts import mrad, um
 from nonhertz.errors import ConvergenceError
-from nonhertz.model.contact import Contact, derived
+from nonhertz.model.contact import Contact
 from nonhertz.native import core
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
-from nonhertz.strip.model import model_of
+from nonhertz.strip.problem import StripModel
 
 
 def stripped(contact: Contact, element: Element = SEMI_ELLIPTIC) -> core.StrippedContact:
@@ -30,9 +28,7 @@ def stripped(contact: Contact, element: Element = SEMI_ELLIPTIC) -> core.Strippe
     InputError
         If a depth is in diameters of a body that is not convex.
     """
-    # Of a twin: a contact that is kept by what it keeps would stay for ever.
-    model = derived(contact, (core.Model, id(element)), lambda: model_of(replace(contact), element))
-    return core.StrippedContact(model)
+    return core.StrippedContact(StripModel.of(contact, element).in_core)
 
 
 def unsolved(error: core.Unsolved) -> ConvergenceError:
