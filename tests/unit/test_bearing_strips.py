@@ -180,6 +180,15 @@ def test_a_contact_without_a_solution_is_named():
     assert str(unsolved(raised.value)).startswith(said)
 
 
+def test_a_profile_without_a_number_is_named():
+    class Broken(nh.profile.Profile):
+        def relief(self, y):
+            return np.where(np.asarray(y) > 3.1, np.nan, np.square(y) / 8000.0)
+
+    with pytest.raises(nh.InputError, match=r"^profile = nan must not be NaN, but is at y = 3\.\d+: correct"):
+        nh.bearing.solve(nu206(profile=Broken()), radial=5e3)
+
+
 @pytest.mark.parametrize(("speed", "most"), [(30.0, 100), (3000.0, 26)])
 def test_rollers_that_speed_alone_presses_cost_little(speed, most, laws):
     """They crossed the clearance in leaps that pressed them half a millimetre deep: a hundred times the work."""

@@ -6,6 +6,7 @@ rollers and their contacts are put together for it, and the states that it retur
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -17,6 +18,7 @@ from nonhertz.bearing.laws import OVERLAP, ContactLaw, for_core
 from nonhertz.bearing.strips import unsolved
 from nonhertz.life.lamina import roller_stiffness
 from nonhertz.native import core
+from nonhertz.solver.refusals import in_words
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -139,6 +141,8 @@ def balanced(
 
     Raises
     ------
+    InputError
+        If a profile is NaN where a contact by strips reaches.
     ConvergenceError
         If a contact has no solution by strips.
     """
@@ -149,6 +153,8 @@ def balanced(
         found = core.balance(system.assembly, *conditions, target, ring, begin, threads)
     except core.Unsolved as error:
         raise unsolved(error) from None
+    except core.Refused as refused:  # of contacts on strips
+        raise in_words(refused, math.nan, (math.nan, math.nan)) from None
     assert found is not None  # nobody stops it but by a signal, whose exception passes
     return States(*found)
 

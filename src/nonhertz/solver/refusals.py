@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
@@ -12,8 +13,13 @@ from nonhertz.strip.problem import Problem
 
 def refusal(problem: Problem, refused: core.Refused) -> InputError:
     """Return the error of a case that the core has refused."""
+    return in_words(refused, problem.contact.compliance, problem.target)
+
+
+def in_words(refused: core.Refused, compliance: float, target: Iterable[float]) -> InputError:
+    """Return the error of what the core has refused, given a compliance K, and K Q or delta and K T or gamma."""
     why, value, low, high, strips = refused.args
-    compliance, (first, second) = problem.contact.compliance, problem.target
+    first, second = target
     between, arm = mm(low, high, between=" and "), mm(value)
     apart = f"exceed {mm(value):.6g}, where the bodies begin to touch"
     words: dict[core.Refusal, tuple[str, object, str, str]] = {
