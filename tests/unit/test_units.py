@@ -104,15 +104,23 @@ def test_of_a_dynamic_viscosity_the_density_is_asked_for(text):
     assert in_unit("viscosity", "22.99 mm^2/s", "mm^2/s") == pytest.approx(20.0 / 0.87, rel=1e-4)
 
 
-@pytest.mark.parametrize("text", ["20 mm", "8 um/25 mm"])
+@pytest.mark.parametrize("text", ["20 inch", "8 um/25 yd"])
 def test_without_pint_a_unit_is_refused_in_a_sentence(text, monkeypatch):
     monkeypatch.setitem(sys.modules, "pint", None)
     units._factor.cache_clear()
     with pytest.raises(InputError, match=r"must be a plain number in rad where pint, .*: pip install pint\.$"):
         in_unit("angle", text, "rad")
-    with pytest.raises(InputError, match=r"^diameter = '20 mm' must be a plain number in mm where pint, which reads"):
-        nh.Roller(diameter="20 mm", length=20.0)
-    assert nh.Roller(diameter=20.0, length=20.0).diameter == 20.0
+    with pytest.raises(InputError, match=r"^diameter = '2 cm' must be a plain number in mm where pint, which reads"):
+        nh.Roller(diameter="2 cm", length=20.0)
+    assert nh.Roller(diameter="20 mm", length=20.0).diameter == 20.0
+
+
+@pytest.mark.parametrize(("unit", "text"), [(unit, text) for unit, known in units._KNOWN.items() for text in known])
+def test_units_that_are_known_without_pint_are_what_pint_says(unit, text, monkeypatch):
+    known = in_unit("field", f"0.7 {text}", unit)
+    monkeypatch.setattr(units, "_KNOWN", {})
+    units._factor.cache_clear()
+    assert in_unit("field", f"0.7 {text}", unit) == known
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """Quantities as people write them: from a number, or text such as ``"0.5 mrad"``, to a number in the base units.
 
-Everything inside the package is in mm, N, MPa and rad, speeds in 1/min. Only this module knows other units, and only
-it imports pint, which takes a quarter of a second and so waits until a text with a unit comes along.
+Everything inside the package is in mm, N, MPa and rad, speeds in 1/min. Only this module knows other units: those that
+most files are written in by itself, all others by pint, which takes a third of a second to import and so waits for one.
 Text is parsed here and pint sees only the unit, because pint's own parser evaluates arithmetic and would
 happily work for hours on ``"9**9**9 mm"``.
 """
@@ -40,6 +40,16 @@ _UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR
 _SLOPE = re.compile(rf"\s*({_NUMBER})\s*({_FACTOR})\s*/\s*(?:({_NUMBER})\s*)?({_FACTOR})\s*")
 _DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d")
 _LONGEST = 40
+# How many of a unit make one of another as most files write it: what pint says of them, to the last bit.
+_KNOWN = {
+    "mm": {"mm": 1.0, "um": 1e-3, "µm": 1e-3, "m": 1e3},
+    "N": {"N": 1.0, "kN": 1e3},
+    "MPa": {"MPa": 1.0, "GPa": 1e3},
+    "rad": {"rad": 1.0, "mrad": 1e-3, "deg": math.pi / 180.0},
+    "N mm": {"N mm": 1.0, "N m": 1e3},
+    "1/min": {"1/min": 1.0, "rpm": 1.0},
+    "mm^2/s": {"mm^2/s": 1.0},
+}
 # What is meant by the same letters in another case, and by a mass that is given for a force.
 _USUAL = (
     "N", "kN", "MN", "N m", "Nm", "N mm", "Nmm", "kN m", "MPa", "GPa", "mm", "um", "rad", "mrad", "deg", "Hz", "rpm",
@@ -193,6 +203,8 @@ def _times(number: float, factor: float) -> float:
 @functools.lru_cache(maxsize=256)
 def _factor(written: str, unit: str) -> float:
     """Return how many ``unit`` make one ``written``; the text of a ValueError says what the quantity must do."""
+    if written in _KNOWN.get(unit, ()):
+        return _KNOWN[unit][written]
     if len(written) > _LONGEST or _UNIT.fullmatch(written) is None:
         raise ValueError("be a number with a unit")
     import pint
