@@ -78,8 +78,9 @@ _OF_ANSWERS = {
 }
 
 
-def _application() -> App:
-    """Return all commands."""
+@functools.cache
+def application(only: str | None = None) -> App:
+    """Return all commands, or the only one that runs: reading the others from their sources takes longer than it."""
     found = App(
         name="nonhertz",
         help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
@@ -93,6 +94,8 @@ def _application() -> App:
     for title, commands in GROUPS.items():
         group = Group.create_ordered(title)
         for place, (name, example) in enumerate(commands.items()):
+            if only not in (None, name):
+                continue
             after = f"Example: nonhertz {example}\n\n{_EXIT_CODES}"
             command = _command(name, _FUNCTIONS.get(name, name))
             found.command(command, name=name, group=group, sort_key=place, help_epilogue=after)
@@ -127,9 +130,6 @@ def _command(name: str, function: str) -> Callable[..., Answer | int | None]:
     every = [*(each for key, each in own.items() if key not in added), *added.values()]
     vars(imported)["__signature__"] = signature.replace(parameters=every)
     return imported
-
-
-app = _application()
 
 
 def run(words: Sequence[str]) -> int:
@@ -174,6 +174,7 @@ def _help_on(words: Sequence[str]) -> str:
 
 def _run(words: Sequence[str]) -> int:
     """Run one command in the units that it is asked to show; JSON is in SI units."""
+    app = application(words[0] if words and words[0] in COMMANDS else None)
     command, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
     given = bound.arguments
     choose_units("si" if given.get("as_json") else given.get("units", "si"))
