@@ -10,16 +10,13 @@ import math
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import loaded, mpa
-from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.clearance import OperatingClearance
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import joined
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import BODIES
@@ -29,6 +26,11 @@ from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
 from nonhertz.strength import Check, Strength, judge
 from nonhertz.strength import Verdict as OfStrength
+
+if TYPE_CHECKING:
+    from nonhertz.bearing.assessed import BearingLife
+    from nonhertz.bearing.clearance import OperatingClearance
+    from nonhertz.bearing.solution import BearingSolution
 
 #: What is said where a check is passed.
 _PASSED: Final = {

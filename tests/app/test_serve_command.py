@@ -10,7 +10,7 @@ import pytest
 from nonhertz.cli import main
 from nonhertz.cli.serve import starting_document
 from nonhertz.files.casefile import read_case, starting_case
-from nonhertz.show.analysis import solved
+from nonhertz.show.solving import solved
 from nonhertz.web import limits
 from nonhertz.web.server import serving
 from nonhertz.web.view import jobs

@@ -24,9 +24,10 @@ from nonhertz.files.held import parsed
 from nonhertz.report import compose
 from nonhertz.show import bearing as of_bearing
 from nonhertz.show import stresses
-from nonhertz.show.analysis import assessed, largest_stresses, models_for, solved, spectrum_solved
+from nonhertz.show.analysis import assessed, largest_stresses, models_for, spectrum_solved
 from nonhertz.show.lives import sections as life_sections
 from nonhertz.show.sections import Section, Table
+from nonhertz.show.solving import solved
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASE = EXAMPLES / "roller-15x20.toml"
@@ -91,7 +92,7 @@ def printed_to(capsys, run, monkeypatch, tmp_path):
         return Console(**{**how, "width": 4000})
 
     monkeypatch.setattr(printing, "Console", wide)
-    for module in ("show.analysis", "strength"):
+    for module in ("show.analysis", "subsurface"):
         monkeypatch.setattr(f"nonhertz.{module}.extremes", EXTREMES)
     monkeypatch.setattr("nonhertz.life.assessment.exposure", EXPOSURE)
     monkeypatch.setattr("nonhertz.report.layout.image", lambda *_: b"<svg></svg>")  # whose words are not read here

@@ -1,18 +1,33 @@
 """What is not imported before it is needed, since that takes longer than the first solve."""
 
+import ast
+import importlib
 import subprocess
 import sys
+from pathlib import Path
+
+import pytest
 
 HEAVY = ("numpy", "scipy", "pint", "matplotlib")
+#: What has no part in a contact whose pressure runs out.
+OTHERS = (
+    *("scipy.special", "scipy.interpolate", "scipy.optimize", "scipy.fft", "scipy.linalg", "scipy.sparse"),
+    *("nonhertz.bearing.bearings", "nonhertz.maps", "nonhertz.patch.solver", "nonhertz.subsurface", *HEAVY[2:]),
+)
+CASE = Path(__file__).parents[2] / "examples" / "cylindrical-roller-bearing.toml"
 #: What is done one after the other in a new process, and what is not there after it.
 STEPS = [
     ("import nonhertz.cli.commands", HEAVY),
     ("nonhertz.cli.main(['--help'])", HEAVY),
     ("nonhertz.cli.main(['design', '--help'])", HEAVY),
     ("import nonhertz.model.profile", HEAVY[1:]),
-    ("import nonhertz.subsurface, nonhertz.patch, nonhertz.life", HEAVY[2:]),
     # No module hides the verb.
-    ("import nonhertz.solver.one; assert callable(nonhertz.solve)", HEAVY[2:]),
+    ("import nonhertz.solver.one; assert callable(nonhertz.solve)", OTHERS),
+    ("roller = nonhertz.Roller(diameter='20 mm', length=20, profile=nonhertz.profile.crown(4000))", OTHERS),
+    ("nonhertz.solve(nonhertz.Contact(roller, nonhertz.Plate()), load='2 kN')", (*OTHERS, "nonhertz.files")),
+    # Its table of a whole roller, which is made once, takes functions of scipy.
+    (f"assert nonhertz.cli.main(['solve', {str(CASE)!r}]) == 0", OTHERS[1:]),
+    ("import nonhertz.subsurface.evaluation, nonhertz.patch.solver, nonhertz.life.volume", HEAVY[2:]),
     ("from nonhertz.inputs.units import in_unit; in_unit('field', 3, 'mm')", HEAVY[2:]),
     ("import nonhertz.plot", HEAVY[2:]),
     ("import nonhertz.plot.sheets; nonhertz.plot.sheets.sheet(3.0)", ("matplotlib.pyplot",)),
@@ -24,3 +39,16 @@ def test_libraries_are_not_imported_before_they_are_needed():
     program = "\n".join(["import sys", *lines])
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("name", ["bearing", "life", "maps", "measured", "patch", "subsurface"])
+def test_a_package_has_the_names_that_its_types_are_checked_by(name):
+    package = importlib.import_module(f"nonhertz.{name}")
+    found = ast.walk(ast.parse(Path(package.__file__).read_text("utf-8")))
+    names = [each.name for node in found if isinstance(node, ast.ImportFrom) for each in node.names]
+    of_types = [each for each in names if each not in {"TYPE_CHECKING", "door"}]
+    assert len(of_types) > 5
+    for each in of_types:
+        assert each in dir(package)
+        assert getattr(package, each).__class__.__name__ != "module"
+    assert not hasattr(package, "nothing")

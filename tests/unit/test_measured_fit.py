@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 
 from nonhertz.errors import InputError
 from nonhertz.measured import Points, ProfileFit, fit, fit_best
-from nonhertz.measured.fit import KINDS
+from nonhertz.measured.fitting import KINDS
 from nonhertz.model.profile import CATALOGUE
 from nonhertz.show.measured import _parameter
 

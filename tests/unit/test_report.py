@@ -25,8 +25,8 @@ from nonhertz.report.method import method
 from nonhertz.report.overview import first_numbers, opening
 from nonhertz.report.page import compose, rendered
 from nonhertz.result.solution import Status
-from nonhertz.show.analysis import solved
 from nonhertz.show.sections import Cell
+from nonhertz.show.solving import solved
 from nonhertz.show.summary import summary_rows
 
 TITLE = "Roller & <script>alert('title')</script>"

@@ -11,47 +11,90 @@ Examples
 array([6860., 5710., 2670.,    0.])
 """
 
-from nonhertz.bearing.assessed import BearingLife as BearingLife
-from nonhertz.bearing.assessed import assess as assess
-from nonhertz.bearing.bearings import CylindricalRollerBearing as CylindricalRollerBearing
-from nonhertz.bearing.bearings import CylindricalThrustBearing as CylindricalThrustBearing
-from nonhertz.bearing.bearings import NeedleRollerBearing as NeedleRollerBearing
-from nonhertz.bearing.bearings import Paired as Paired
-from nonhertz.bearing.bearings import RollerBearing as RollerBearing
-from nonhertz.bearing.bearings import Row as Row
-from nonhertz.bearing.bearings import SphericalRollerBearing as SphericalRollerBearing
-from nonhertz.bearing.bearings import TaperedRollerBearing as TaperedRollerBearing
-from nonhertz.bearing.bearings import paired as paired
-from nonhertz.bearing.catalogue import CatalogueGuess as CatalogueGuess
-from nonhertz.bearing.catalogue import from_catalogue as from_catalogue
-from nonhertz.bearing.clearance import Housing as Housing
-from nonhertz.bearing.clearance import InterferenceFit as InterferenceFit
-from nonhertz.bearing.clearance import Mounting as Mounting
-from nonhertz.bearing.clearance import OperatingClearance as OperatingClearance
-from nonhertz.bearing.clearance import Shaft as Shaft
-from nonhertz.bearing.fatigue import VolumeLife as VolumeLife
-from nonhertz.bearing.fatigue import volume_life as volume_life
-from nonhertz.bearing.lubrication import contamination_factor as contamination_factor
-from nonhertz.bearing.lubrication import life_factor as life_factor
-from nonhertz.bearing.lubrication import oil_viscosity as oil_viscosity
-from nonhertz.bearing.lubrication import reference_viscosity as reference_viscosity
-from nonhertz.bearing.lubrication import reliability_factor as reliability_factor
-from nonhertz.bearing.mapped import BearingMaps as BearingMaps
-from nonhertz.bearing.mapped import maps as maps
-from nonhertz.bearing.ratings import Rating as Rating
-from nonhertz.bearing.ratings import rating as rating
-from nonhertz.bearing.ribs import Rib as Rib
-from nonhertz.bearing.shapes import RingShape as RingShape
-from nonhertz.bearing.shapes import fourier_shape as fourier_shape
-from nonhertz.bearing.shapes import tabulated_shape as tabulated_shape
-from nonhertz.bearing.solution import BearingSolution as BearingSolution
-from nonhertz.bearing.solution import UnrolledPressure as UnrolledPressure
-from nonhertz.bearing.spectrum import LoadCase as LoadCase
-from nonhertz.bearing.spectrum import shares_of_revolutions as shares_of_revolutions
-from nonhertz.bearing.spectrum import solve_spectrum as solve_spectrum
-from nonhertz.bearing.states import BearingSolutions as BearingSolutions
-from nonhertz.bearing.static import pressure_safety as pressure_safety
-from nonhertz.bearing.tables import ForceTable as ForceTable
-from nonhertz.bearing.tables import table as table
-from nonhertz.bearing.verb import solve as solve
-from nonhertz.bearing.verb import solve_many as solve_many
+from typing import TYPE_CHECKING
+
+from nonhertz.doors import door
+
+if TYPE_CHECKING:
+    from nonhertz.bearing.assessed import BearingLife as BearingLife
+    from nonhertz.bearing.assessed import assess as assess
+    from nonhertz.bearing.bearings import CylindricalRollerBearing as CylindricalRollerBearing
+    from nonhertz.bearing.bearings import CylindricalThrustBearing as CylindricalThrustBearing
+    from nonhertz.bearing.bearings import NeedleRollerBearing as NeedleRollerBearing
+    from nonhertz.bearing.bearings import Paired as Paired
+    from nonhertz.bearing.bearings import RollerBearing as RollerBearing
+    from nonhertz.bearing.bearings import Row as Row
+    from nonhertz.bearing.bearings import SphericalRollerBearing as SphericalRollerBearing
+    from nonhertz.bearing.bearings import TaperedRollerBearing as TaperedRollerBearing
+    from nonhertz.bearing.bearings import paired as paired
+    from nonhertz.bearing.catalogue import CatalogueGuess as CatalogueGuess
+    from nonhertz.bearing.catalogue import from_catalogue as from_catalogue
+    from nonhertz.bearing.clearance import Housing as Housing
+    from nonhertz.bearing.clearance import InterferenceFit as InterferenceFit
+    from nonhertz.bearing.clearance import Mounting as Mounting
+    from nonhertz.bearing.clearance import OperatingClearance as OperatingClearance
+    from nonhertz.bearing.clearance import Shaft as Shaft
+    from nonhertz.bearing.fatigue import VolumeLife as VolumeLife
+    from nonhertz.bearing.fatigue import volume_life as volume_life
+    from nonhertz.bearing.lubrication import contamination_factor as contamination_factor
+    from nonhertz.bearing.lubrication import life_factor as life_factor
+    from nonhertz.bearing.lubrication import oil_viscosity as oil_viscosity
+    from nonhertz.bearing.lubrication import reference_viscosity as reference_viscosity
+    from nonhertz.bearing.lubrication import reliability_factor as reliability_factor
+    from nonhertz.bearing.mapped import BearingMaps as BearingMaps
+    from nonhertz.bearing.mapped import maps as maps
+    from nonhertz.bearing.ratings import Rating as Rating
+    from nonhertz.bearing.ratings import rating as rating
+    from nonhertz.bearing.ribs import Rib as Rib
+    from nonhertz.bearing.shapes import RingShape as RingShape
+    from nonhertz.bearing.shapes import fourier_shape as fourier_shape
+    from nonhertz.bearing.shapes import tabulated_shape as tabulated_shape
+    from nonhertz.bearing.solution import BearingSolution as BearingSolution
+    from nonhertz.bearing.solution import UnrolledPressure as UnrolledPressure
+    from nonhertz.bearing.spectrum import LoadCase as LoadCase
+    from nonhertz.bearing.spectrum import shares_of_revolutions as shares_of_revolutions
+    from nonhertz.bearing.spectrum import solve_spectrum as solve_spectrum
+    from nonhertz.bearing.states import BearingSolutions as BearingSolutions
+    from nonhertz.bearing.static import pressure_safety as pressure_safety
+    from nonhertz.bearing.tables import ForceTable as ForceTable
+    from nonhertz.bearing.tables import table as table
+    from nonhertz.bearing.verb import solve as solve
+    from nonhertz.bearing.verb import solve_many as solve_many
+
+__getattr__, __dir__ = door(
+    __name__,
+    {
+        "assessed": ("BearingLife", "assess"),
+        "bearings": (
+            "CylindricalRollerBearing",
+            "CylindricalThrustBearing",
+            "NeedleRollerBearing",
+            "Paired",
+            "RollerBearing",
+            "Row",
+            "SphericalRollerBearing",
+            "TaperedRollerBearing",
+            "paired",
+        ),
+        "catalogue": ("CatalogueGuess", "from_catalogue"),
+        "clearance": ("Housing", "InterferenceFit", "Mounting", "OperatingClearance", "Shaft"),
+        "fatigue": ("VolumeLife", "volume_life"),
+        "lubrication": (
+            "contamination_factor",
+            "life_factor",
+            "oil_viscosity",
+            "reference_viscosity",
+            "reliability_factor",
+        ),
+        "mapped": ("BearingMaps", "maps"),
+        "ratings": ("Rating", "rating"),
+        "ribs": ("Rib",),
+        "shapes": ("RingShape", "fourier_shape", "tabulated_shape"),
+        "solution": ("BearingSolution", "UnrolledPressure"),
+        "spectrum": ("LoadCase", "shares_of_revolutions", "solve_spectrum"),
+        "states": ("BearingSolutions",),
+        "static": ("pressure_safety",),
+        "tables": ("ForceTable", "table"),
+        "verb": ("solve", "solve_many"),
+    },
+)

@@ -23,7 +23,7 @@ from nonhertz.files.writing import document_of
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.fields import Input
 from nonhertz.model.body import BODIES, Body
-from nonhertz.show.analysis import attempted
+from nonhertz.show.solving import attempted
 from nonhertz.study.design import checked as checked_design
 from nonhertz.study.points import Points
 from nonhertz.study.quantities import chosen

@@ -14,8 +14,8 @@ from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.nodes import as_object, as_table, read_nodes
 from nonhertz.files.results import key_by_key
 from nonhertz.result.nodes import NodalLoads
-from nonhertz.show.analysis import solved
 from nonhertz.show.sections import Said, Section
+from nonhertz.show.solving import solved
 from nonhertz.verdict import of_contact
 
 _NOTICED = 1e-6  # of the load

@@ -18,7 +18,7 @@ from nonhertz.files.prepared import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import one_of
 from nonhertz.measured import ProfileFit
-from nonhertz.measured.fit import KINDS
+from nonhertz.measured.fitting import KINDS
 from nonhertz.plot.measured import measured_figure
 from nonhertz.show.measured import sections
 

@@ -15,8 +15,8 @@ from nonhertz.files.folder import write_files
 from nonhertz.files.several import HEAD, Attempt, folders, objects, rows
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer, write_workbook
 from nonhertz.result.tables import csv_text
-from nonhertz.show.analysis import attempted
 from nonhertz.show.sections import Section
+from nonhertz.show.solving import attempted
 from nonhertz.show.summary import overview_table, sections
 from nonhertz.verdict import of_contact, worst_of
 

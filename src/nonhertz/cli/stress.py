@@ -16,8 +16,9 @@ from nonhertz.files.stresses import all_findings, as_object, files
 from nonhertz.model.body import BODIES
 from nonhertz.model.profile.base import at_ends
 from nonhertz.plot import stress_figures, stress_planes
-from nonhertz.show.analysis import largest_stresses, solved
+from nonhertz.show.analysis import largest_stresses
 from nonhertz.show.sections import assumed_section
+from nonhertz.show.solving import solved
 from nonhertz.show.stresses import sections
 from nonhertz.strength import assess
 from nonhertz.verdict import of_contact

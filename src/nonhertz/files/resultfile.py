@@ -9,15 +9,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import starmap, zip_longest
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files import bearing_results, results
-from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files import results
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case
 from nonhertz.files.folder import write_files
@@ -29,7 +26,12 @@ from nonhertz.result.outcome import Judgement
 from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
 from nonhertz.strip.element import ELEMENTS
 
-AnyCase = TypeVar("AnyCase", Case, BearingCase)
+if TYPE_CHECKING:
+    from nonhertz.bearing.assessed import BearingLife
+    from nonhertz.bearing.solution import BearingSolution
+    from nonhertz.files.bearingfile import BearingCase
+
+AnyCase = TypeVar("AnyCase", "Case", "BearingCase")
 
 LARGEST_RESULT = 200_000_000  # bytes
 _WAY_OUT = "give a result.json that 'nonhertz solve', 'nonhertz bearing' or a page wrote"
@@ -112,9 +114,14 @@ class Result:
 
     def texts(self) -> dict[str, str]:
         """Return what `save` writes but figures, by file name: result.json and tables; raise what `to_json` does."""
+        if isinstance(self.case, Case) and isinstance(self.solution, Solution):
+            return results.files(self.solution, self.case)
+        # Imported here, like bearings below, since a contact needs nothing of them.
+        from nonhertz.bearing.solution import BearingSolution
+        from nonhertz.files import bearing_results
+        from nonhertz.files.bearingfile import BearingCase
+
         match self.case, self.solution:
-            case Case() as case, Solution() as solution:
-                return results.files(solution, case)
             case BearingCase() as bearing, BearingSolution() as loaded:
                 return bearing_results.files(loaded, bearing, *(self.rated or bearing.rated(loaded)))
         remedy = "give what the solve method of the case returned"
@@ -165,6 +172,8 @@ def read_result(path: str | Path) -> Result:
         raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
     try:
         if meant_as(found["case"]) == "bearing":
+            from nonhertz.files.bearingfile import BearingCase
+
             bearing = _with_assumptions(BearingCase.of(found["case"], path, files=False), found)
             return Result(bearing, _bearing_solution(found, bearing))
         case = _with_assumptions(Case.of(found["case"], path, files=False), found)
@@ -218,6 +227,8 @@ def _solution(found: dict[str, Any], case: Case) -> Solution:
 
 
 def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSolution:
+    from nonhertz.bearing.solution import BearingSolution
+
     bearing = case.mounted
     count = sum(row.bearing.rollers for row in bearing.rows)
     shapes: dict[str, tuple[int, ...]] = {

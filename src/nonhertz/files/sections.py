@@ -28,16 +28,15 @@ from nonhertz.inputs.fields import (
     described,
     together,
 )
-from nonhertz.life import MODELS, LoadCase, Model, model
 from nonhertz.life.capacity import ANGLE_REMEDY, contact_angle_at_most
-from nonhertz.life.catalogue import SLOPE_REMEDY, weibull_slope
+from nonhertz.life.catalogue import MODELS, SLOPE_REMEDY, Model, model, weibull_slope
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
-from nonhertz.life.spectrum import refuse_other_than_whole
+from nonhertz.life.spectrum import LoadCase, refuse_other_than_whole
 from nonhertz.model.body import BODIES, Body, BodyName, convex
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
-from nonhertz.patch import Dent
+from nonhertz.patch.features import Dent
 from nonhertz.solver.one import FEWEST_STRIPS, GOALS, MOST_STRIPS, refuse_accuracy
 from nonhertz.strip.element import ELEMENTS
 

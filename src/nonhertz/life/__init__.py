@@ -6,24 +6,52 @@ made by name with `model`, or by their functions: `lundberg_palmgren`, `ioannide
 `iso_16281`.
 """
 
-from nonhertz.life.assessment import Life as Life
-from nonhertz.life.assessment import assess as assess
-from nonhertz.life.capacity import Raceway as Raceway
-from nonhertz.life.capacity import raceway as raceway
-from nonhertz.life.catalogue import MODELS as MODELS
-from nonhertz.life.catalogue import RATED as RATED
-from nonhertz.life.catalogue import Model as Model
-from nonhertz.life.catalogue import VolumeModel as VolumeModel
-from nonhertz.life.catalogue import ioannides_harris as ioannides_harris
-from nonhertz.life.catalogue import lundberg_palmgren as lundberg_palmgren
-from nonhertz.life.catalogue import model as model
-from nonhertz.life.catalogue import weibull as weibull
-from nonhertz.life.catalogue import zaretsky as zaretsky
-from nonhertz.life.lamina import LaminaModel as LaminaModel
-from nonhertz.life.lamina import iso_16281 as iso_16281
-from nonhertz.life.overrolling import Overrolled as Overrolled
-from nonhertz.life.overrolling import overrolled as overrolled
-from nonhertz.life.spectrum import LoadCase as LoadCase
-from nonhertz.life.spectrum import solve_spectrum as solve_spectrum
-from nonhertz.life.volume import Exposure as Exposure
-from nonhertz.life.volume import exposure as exposure
+from typing import TYPE_CHECKING
+
+from nonhertz.doors import door
+
+if TYPE_CHECKING:
+    from nonhertz.life.assessment import Life as Life
+    from nonhertz.life.assessment import assess as assess
+    from nonhertz.life.capacity import Raceway as Raceway
+    from nonhertz.life.capacity import raceway as raceway
+    from nonhertz.life.catalogue import MODELS as MODELS
+    from nonhertz.life.catalogue import RATED as RATED
+    from nonhertz.life.catalogue import Model as Model
+    from nonhertz.life.catalogue import VolumeModel as VolumeModel
+    from nonhertz.life.catalogue import ioannides_harris as ioannides_harris
+    from nonhertz.life.catalogue import lundberg_palmgren as lundberg_palmgren
+    from nonhertz.life.catalogue import model as model
+    from nonhertz.life.catalogue import weibull as weibull
+    from nonhertz.life.catalogue import zaretsky as zaretsky
+    from nonhertz.life.lamina import LaminaModel as LaminaModel
+    from nonhertz.life.lamina import iso_16281 as iso_16281
+    from nonhertz.life.overrolling import Overrolled as Overrolled
+    from nonhertz.life.overrolling import overrolled as overrolled
+    from nonhertz.life.spectrum import LoadCase as LoadCase
+    from nonhertz.life.spectrum import solve_spectrum as solve_spectrum
+    from nonhertz.life.volume import Exposure as Exposure
+    from nonhertz.life.volume import exposure as exposure
+
+__getattr__, __dir__ = door(
+    __name__,
+    {
+        "assessment": ("Life", "assess"),
+        "capacity": ("Raceway", "raceway"),
+        "catalogue": (
+            "MODELS",
+            "RATED",
+            "Model",
+            "VolumeModel",
+            "ioannides_harris",
+            "lundberg_palmgren",
+            "model",
+            "weibull",
+            "zaretsky",
+        ),
+        "lamina": ("LaminaModel", "iso_16281"),
+        "overrolling": ("Overrolled", "overrolled"),
+        "spectrum": ("LoadCase", "solve_spectrum"),
+        "volume": ("Exposure", "exposure"),
+    },
+)

@@ -28,7 +28,6 @@ from nonhertz.inputs.checks import text
 from nonhertz.inputs.fields import Count, Input, Word, described
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL, STEEL_MODULUS
-from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.solution import Solved
 
 Array = NDArray[np.float64]
@@ -206,6 +205,9 @@ def refuse_rolling_on(solution: Solved) -> None:
     ------
     InputError
     """
+    # Imported here, because case files need this module and few of them the plane grid.
+    from nonhertz.patch.solution import PatchSolution
+
     if isinstance(solution, PatchSolution) and solution.rolls_on:
         condition = "stay as it is while the surfaces roll, and a dent rolls on with its surface"
         remedy = "solve the contact without it, and roll it through with nonhertz.life.overrolled"

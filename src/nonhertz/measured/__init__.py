@@ -6,18 +6,34 @@ is never modified. `Measured.profile()` is a profile like any other, `Measured.f
 `Measured.warnings` what to know before solving with it. `nonhertz.files.traces.read_trace` reads files.
 """
 
-from nonhertz.measured.chain import Measured as Measured
-from nonhertz.measured.chain import prepare as prepare
-from nonhertz.measured.fit import ProfileFit as ProfileFit
-from nonhertz.measured.fit import fit as fit
-from nonhertz.measured.fit import fit_best as fit_best
-from nonhertz.measured.roughness import Roughness as Roughness
-from nonhertz.measured.steps import Align as Align
-from nonhertz.measured.steps import Level as Level
-from nonhertz.measured.steps import Outliers as Outliers
-from nonhertz.measured.steps import Smooth as Smooth
-from nonhertz.measured.steps import StepResult as StepResult
-from nonhertz.measured.steps import Thin as Thin
-from nonhertz.measured.steps import Trim as Trim
-from nonhertz.measured.trace import Points as Points
-from nonhertz.measured.trace import Trace as Trace
+from typing import TYPE_CHECKING
+
+from nonhertz.doors import door
+
+if TYPE_CHECKING:
+    from nonhertz.measured.chain import Measured as Measured
+    from nonhertz.measured.chain import prepare as prepare
+    from nonhertz.measured.fitting import ProfileFit as ProfileFit
+    from nonhertz.measured.fitting import fit as fit
+    from nonhertz.measured.fitting import fit_best as fit_best
+    from nonhertz.measured.roughness import Roughness as Roughness
+    from nonhertz.measured.steps import Align as Align
+    from nonhertz.measured.steps import Level as Level
+    from nonhertz.measured.steps import Outliers as Outliers
+    from nonhertz.measured.steps import Smooth as Smooth
+    from nonhertz.measured.steps import StepResult as StepResult
+    from nonhertz.measured.steps import Thin as Thin
+    from nonhertz.measured.steps import Trim as Trim
+    from nonhertz.measured.trace import Points as Points
+    from nonhertz.measured.trace import Trace as Trace
+
+__getattr__, __dir__ = door(
+    __name__,
+    {
+        "chain": ("Measured", "prepare"),
+        "fitting": ("ProfileFit", "fit", "fit_best"),
+        "roughness": ("Roughness",),
+        "steps": ("Align", "Level", "Outliers", "Smooth", "StepResult", "Thin", "Trim"),
+        "trace": ("Points", "Trace"),
+    },
+)

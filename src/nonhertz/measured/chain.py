@@ -49,7 +49,7 @@ from nonhertz.model.profile.table import Interpolation
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from nonhertz.measured.fit import ProfileFit
+    from nonhertz.measured.fitting import ProfileFit
 
 # Fraction of outliers that no sound surface has: beyond it the threshold is wrong or the surface scratched.
 _MANY_OUTLIERS = 0.02
@@ -234,8 +234,8 @@ class Measured:
         return tuple(found)
 
     def fit(self, kind: str, *, shift: bool = True, tilt: bool = False, **fixed: float) -> ProfileFit:
-        """Return the best-fitting profile of one kind from the catalogue; see `nonhertz.measured.fit.fit`."""
-        from nonhertz.measured.fit import fit
+        """Return the best-fitting profile of one kind from the catalogue; see `nonhertz.measured.fit`."""
+        from nonhertz.measured.fitting import fit
 
         highest = float(self.points.height.max())
         return fit(self._before("smooth", "thin").on_land, kind, shift=shift, tilt=tilt, highest=highest, **fixed)
@@ -243,8 +243,8 @@ class Measured:
     def fit_best(
         self, kinds: Iterable[str] | None = None, *, shift: bool = True, tilt: bool = False
     ) -> tuple[ProfileFit, ...]:
-        """Return fits of several kinds, best first; see `nonhertz.measured.fit.fit_best`."""
-        from nonhertz.measured.fit import fit_best
+        """Return fits of several kinds, best first; see `nonhertz.measured.fit_best`."""
+        from nonhertz.measured.fitting import fit_best
 
         highest = float(self.points.height.max())
         return fit_best(self._before("smooth", "thin").on_land, kinds, shift=shift, tilt=tilt, highest=highest)

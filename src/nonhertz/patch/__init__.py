@@ -5,10 +5,26 @@ is distributed across the contact, whether it is symmetric, or how many separate
 slanted chamfers are treated just like a crown. Nothing here comes from the strips, so the two methods check each other.
 """
 
-from nonhertz.patch.features import ChamferRun as ChamferRun
-from nonhertz.patch.features import Dent as Dent
-from nonhertz.patch.features import Waviness as Waviness
-from nonhertz.patch.resources import memory as memory
-from nonhertz.patch.solution import PatchSolution as PatchSolution
-from nonhertz.patch.solver import solve as solve
-from nonhertz.patch.surface import undeformed_gap as undeformed_gap
+from typing import TYPE_CHECKING
+
+from nonhertz.doors import door
+
+if TYPE_CHECKING:
+    from nonhertz.patch.features import ChamferRun as ChamferRun
+    from nonhertz.patch.features import Dent as Dent
+    from nonhertz.patch.features import Waviness as Waviness
+    from nonhertz.patch.resources import memory as memory
+    from nonhertz.patch.solution import PatchSolution as PatchSolution
+    from nonhertz.patch.solver import solve as solve
+    from nonhertz.patch.surface import undeformed_gap as undeformed_gap
+
+__getattr__, __dir__ = door(
+    __name__,
+    {
+        "features": ("ChamferRun", "Dent", "Waviness"),
+        "resources": ("memory",),
+        "solution": ("PatchSolution",),
+        "solver": ("solve",),
+        "surface": ("undeformed_gap",),
+    },
+)

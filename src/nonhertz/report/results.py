@@ -23,7 +23,6 @@ from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
     Announce,
     assessed,
-    attempted,
     bears_something,
     in_silence,
     largest_stresses,
@@ -31,6 +30,7 @@ from nonhertz.show.analysis import (
     spectrum_solved,
     strengths,
 )
+from nonhertz.show.solving import attempted
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
 from nonhertz.verdict import Verdict, findings_of, of_bearing, of_contact, worst_of

@@ -1,4 +1,4 @@
-"""From a case to its results: solution, largest stresses, lives.
+"""From a solved case to its results: largest stresses, lives.
 
 Shared by the command line, reports and the page. Errors name the key of the case file. Python warnings are suppressed,
 since the results carry them as sentences.
@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from nonhertz.amounts import mm
-from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
+from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.lives import Assessment
 from nonhertz.findings import finding
@@ -23,6 +23,7 @@ from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
+from nonhertz.show.solving import solved
 from nonhertz.strength import Strength, assess
 from nonhertz.subsurface import Extremes, extremes
 
@@ -32,34 +33,6 @@ Announce = Callable[[str], None]
 
 def in_silence(name: str) -> None:
     """Announce nothing."""
-
-
-def solved(case: Case) -> Solution:
-    """Return the solution of a case.
-
-    Raises
-    ------
-    CaseError
-        If the solver rejects the case.
-    ConvergenceError
-        If it stops short of a solution.
-    """
-    with without_accuracy_warnings():
-        return case.solve()
-
-
-def attempted(case: Case) -> tuple[Solution, str]:
-    """Return the solution of a case, or the state in which the solver stopped, and why; empty if it converged.
-
-    Raises
-    ------
-    CaseError
-        If the solver rejects the case.
-    """
-    try:
-        return solved(case), ""
-    except ConvergenceError as error:
-        return error.solution, str(error)
 
 
 def spectrum_solved(case: Case) -> Spectrum:

@@ -10,7 +10,7 @@ from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case
 from nonhertz.files.paths import parameter, parameters
 from nonhertz.files.results import plain
-from nonhertz.show.analysis import attempted
+from nonhertz.show.solving import attempted
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
 from nonhertz.web.limits import CURVE_SECONDS
 from nonhertz.web.view.jobs import sound

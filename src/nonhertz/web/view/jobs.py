@@ -17,7 +17,7 @@ from nonhertz.files.commented import as_toml_like
 from nonhertz.files.held import HeldCase, parsed
 from nonhertz.files.resultfile import Result
 from nonhertz.model.body import BodyName
-from nonhertz.show.analysis import attempted
+from nonhertz.show.solving import attempted
 from nonhertz.web.form.fields import is_number
 from nonhertz.web.limits import refuse, too_long, too_slow, unfit
 from nonhertz.web.view.answers import answer, drawable

@@ -1,0 +1,35 @@
+"""Names of a package that are imported from the modules that define them when somebody asks for them.
+
+So a module of a package can be imported without the package's others, and what these need.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Callable, Mapping
+from typing import Any
+
+
+def door(package: str, homes: Mapping[str, tuple[str, ...]]) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """Return ``__getattr__`` and ``__dir__`` of a package.
+
+    Parameters
+    ----------
+    package : str
+        Its name.
+    homes : mapping of str to tuple of str
+        Its modules, and which of their names are the package's own, too.
+    """
+    home = {name: f"{package}.{module}" for module, names in homes.items() for name in names}
+
+    def attribute(name: str) -> Any:
+        if name in homes:
+            return importlib.import_module(f"{package}.{name}")
+        if name not in home:
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        value = getattr(importlib.import_module(home[name]), name)
+        setattr(sys.modules[package], name, value)
+        return value
+
+    return attribute, lambda: sorted({*vars(sys.modules[package]), *home})

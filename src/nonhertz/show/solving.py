@@ -1,0 +1,39 @@
+"""From a case to its solution.
+
+Shared by the command line, reports and the page. Errors name the key of the case file. Python warnings are suppressed,
+since the solution carries them as sentences.
+"""
+
+from __future__ import annotations
+
+from nonhertz.errors import ConvergenceError, without_accuracy_warnings
+from nonhertz.files.casefile import Case
+from nonhertz.result.solution import Solution
+
+
+def solved(case: Case) -> Solution:
+    """Return the solution of a case.
+
+    Raises
+    ------
+    CaseError
+        If the solver rejects the case.
+    ConvergenceError
+        If it stops short of a solution.
+    """
+    with without_accuracy_warnings():
+        return case.solve()
+
+
+def attempted(case: Case) -> tuple[Solution, str]:
+    """Return the solution of a case, or the state in which the solver stopped, and why; empty if it converged.
+
+    Raises
+    ------
+    CaseError
+        If the solver rejects the case.
+    """
+    try:
+        return solved(case), ""
+    except ConvergenceError as error:
+        return error.solution, str(error)
