@@ -18,7 +18,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import Any, Final, Unpack
+from typing import TYPE_CHECKING, Any, Final, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,10 +31,10 @@ from nonhertz.model.body import Body, BodyName
 from nonhertz.model.materials import name_of
 from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.solution import EdgeKind, ReadOnly, Solution, Solved
-from nonhertz.subsurface import Extreme, Extremes, extremes
-from nonhertz.subsurface.evaluation import Within, refuse_options
-from nonhertz.subsurface.inside import Inside, checked_solution
-from nonhertz.subsurface.search import clear_of_ends
+
+if TYPE_CHECKING:
+    from nonhertz.subsurface import Extreme, Extremes
+    from nonhertz.subsurface.evaluation import Within
 
 __all__ = ["CRITERIA", "Check", "Strength", "Verdict", "assess", "judge", "onset_of_yield"]
 
@@ -197,6 +197,11 @@ def assess(
     >>> found.yield_ratio < 1.0
     True
     """
+    # Imported here, because few contacts are searched to be judged.
+    from nonhertz.subsurface import Extremes, extremes
+    from nonhertz.subsurface.evaluation import Within, refuse_options
+    from nonhertz.subsurface.inside import Inside, checked_solution
+
     refuse_options("assess", options, Within)
     checked_solution(solution)
     one_of("criterion", criterion, tuple(CRITERIA), "choose how the material yields")
@@ -338,7 +343,12 @@ class _Limit:
             corner = "the corner of the profile at y = {y:.5g}"
             places["corner"] = finding("corner", corner, y=mm(solution.max_pressure_y))
         towards = finding("ends", " and ".join(f"{{{name}}}" for name in places), **places) if places else None
-        return cls(towards, clear_of_ends(solution) and not solution.peaks_at_corner)
+        away = not solution.peaks_at_corner
+        if solution.singular_ends:
+            from nonhertz.subsurface.search import clear_of_ends  # here, as in `assess`
+
+            away = away and clear_of_ends(solution)
+        return cls(towards, away)
 
     def __bool__(self) -> bool:
         return self.towards is None
