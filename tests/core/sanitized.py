@@ -23,7 +23,7 @@ SHORT = ("test_newton.py", "test_linear.py", "test_levels.py", "test_judgement.p
 OPTIONS = {
     "ASAN_OPTIONS": "detect_leaks=0",
     "UBSAN_OPTIONS": "print_stacktrace=1",
-    "TSAN_OPTIONS": "exitcode=66",
+    "TSAN_OPTIONS": f"exitcode=66:suppressions={HERE / 'threads.supp'}",
     "PYTHONMALLOC": "malloc",
 }
 
