@@ -8,7 +8,6 @@ from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import RegularGridInterpolator
 
 from nonhertz.amounts import digits, given, mrad, um
 from nonhertz.bearing.bearings import Paired, RollerBearing
@@ -181,6 +180,9 @@ class ForceTable(ReadOnly):
         return SAFETY * np.max(off, axis=0) if off.size else np.full(5, np.nan)
 
     def _between(self, kind: Kind, at: Array) -> Array:
+        # Imported here, because most bearings need no table.
+        from scipy.interpolate import RegularGridInterpolator
+
         found: Array = RegularGridInterpolator(self.axes, self.force, method=kind)(at)
         return found.reshape(*at.shape[:-1], 5)
 

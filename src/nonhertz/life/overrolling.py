@@ -23,7 +23,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.fft import irfft2, next_fast_len, rfft2
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, without_accuracy_warnings
@@ -406,6 +405,9 @@ def _below(
     cells: PatchSolution, window: int, rows: NDArray[np.int64], z: Array, poisson: float
 ) -> Callable[[Array], Array]:
     """Return a function from pressures on cells to the stress below their middles, shape (columns, rows, depths, 6)."""
+    # Imported here, because most lives are without a dent.
+    from scipy.fft import irfft2, next_fast_len, rfft2
+
     half = cells.x.size // 2
     low, high = max(int(rows[0]), 0), min(int(rows[-1]) + 1, cells.y.size)
     shape = next_fast_len(2 * (half + window) + 1), next_fast_len(int(max(high, rows[-1]) - min(low, rows[0])) * 2 + 1)

@@ -10,16 +10,18 @@ the largest possible smooth part of the solutions: their scatter from grid to gr
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
-from scipy.sparse.linalg import splu
 
 from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING
 from nonhertz.maps.spline import cells, roughness, rows, size
 from nonhertz.native import core
 from nonhertz.result.solution import read_only
+
+if TYPE_CHECKING:
+    from scipy import sparse
 
 Array = NDArray[np.float64]
 
@@ -124,6 +126,9 @@ def fitted(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> tuple[
     tuple of ndarray
         Shapes (first basis functions, second basis functions) and (quantities, the same).
     """
+    # Imported here, because a map that is read, or none, needs nothing of it.
+    from scipy import sparse
+
     counts = [size(each) for each in shape.breaks]
     x, z = shape.coordinates(samples.load, samples.tilt)
     light = np.maximum(samples.load, LIGHT * shape.max_load)
@@ -151,6 +156,8 @@ def _mean_approach_rows(
     shape: Shape, samples: Samples, x: Array, z: Array, light: Array
 ) -> tuple[list[sparse.sparray], list[Array]]:
     """Return weighted equations for the mean approach: approach, moment and the three stiffnesses."""
+    from scipy import sparse
+
     at, z_x, z_g, z_xx, z_xg, z_gg = z
     load = samples.load
 
@@ -190,6 +197,9 @@ def _mean_approach_rows(
 def _least_squares(
     system: list[sparse.sparray], right: list[Array], rough: sparse.sparray, merged: sparse.sparray | None
 ) -> Array:
+    from scipy import sparse
+    from scipy.sparse.linalg import splu
+
     rows = sparse.vstack([*system, rough])
     if merged is not None:
         rows = rows @ merged

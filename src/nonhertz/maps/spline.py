@@ -7,13 +7,16 @@ Degree 5 leaves the fourth derivative continuous, so that a stiffness, a second 
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
-from scipy.interpolate import BSpline, NdBSpline
 
 from nonhertz.maps.evaluation import ORDER
+
+if TYPE_CHECKING:
+    from scipy import sparse
+    from scipy.interpolate import BSpline
 
 Array = NDArray[np.float64]
 
@@ -28,6 +31,9 @@ def size(breaks: Array) -> int:
 
 def basis(breaks: Array, derivative: int = 0) -> BSpline:
     """Return derivatives of all basis functions, as splines of a lower degree."""
+    # Imported here, because a map that is read, or none, needs nothing of it.
+    from scipy.interpolate import BSpline
+
     clamped = np.concatenate([np.repeat(breaks[0], DEGREE), breaks, np.repeat(breaks[-1], DEGREE)])
     return BSpline(clamped, np.eye(size(breaks)), DEGREE).derivative(derivative)
 
@@ -46,6 +52,9 @@ def rows(
     derivatives : tuple of int
         Its order in both directions.
     """
+    from scipy import sparse
+    from scipy.interpolate import NdBSpline
+
     first, second = (basis(each, order) for each, order in zip(breaks, derivatives, strict=True))
     lower = sparse.kron(*(each.c[: each.t.size - each.k - 1] for each in (first, second)), format="csr")
     found = NdBSpline.design_matrix(np.column_stack(places), (first.t, second.t), (first.k, second.k))
@@ -59,6 +68,8 @@ def roughness(breaks: tuple[Array, Array]) -> sparse.csr_array:
 
     They determine coefficients in cells without data, and vanish for what varies little from cell to cell.
     """
+    from scipy import sparse
+
     counts = [size(each) for each in breaks]
     steps = [sparse.csr_array(np.diff(np.eye(count), n=_ROUGHNESS, axis=0)) for count in counts]
     return sparse.csr_array(
