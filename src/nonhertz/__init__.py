@@ -75,7 +75,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 # Where each public name is defined. Nothing is imported until it is accessed, so that `import nonhertz` takes
-# milliseconds and the command line answers `--help` without loading a compiler.
+# milliseconds and the command line answers `--help` without loading numpy.
 _HOMES = {
     "AccuracyWarning": "nonhertz.errors",
     "BearingCase": "nonhertz.files.bearingfile",

@@ -27,6 +27,7 @@ STEPS = [
     ("nonhertz.solve(nonhertz.Contact(roller, nonhertz.Plate()), load='2 kN')", (*OTHERS, "nonhertz.files")),
     # Its table of a whole roller, which is made once, takes functions of scipy.
     (f"assert nonhertz.cli.main(['solve', {str(CASE)!r}]) == 0", OTHERS[1:]),
+    ("import nonhertz.plot.finished, nonhertz.bearing.bearings, nonhertz.maps.value", OTHERS[1:6]),
     ("import nonhertz.subsurface.evaluation, nonhertz.patch.solver, nonhertz.life.volume", HEAVY[2:]),
     ("from nonhertz.inputs.units import in_unit; in_unit('field', 3, 'mm')", HEAVY[2:]),
     ("import nonhertz.plot", HEAVY[2:]),
@@ -41,7 +42,7 @@ def test_libraries_are_not_imported_before_they_are_needed():
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize("name", ["bearing", "life", "maps", "measured", "patch", "subsurface"])
+@pytest.mark.parametrize("name", ["bearing", "life", "maps", "measured", "patch", "plot", "subsurface"])
 def test_a_package_has_the_names_that_its_types_are_checked_by(name):
     package = importlib.import_module(f"nonhertz.{name}")
     found = ast.walk(ast.parse(Path(package.__file__).read_text("utf-8")))

@@ -14,25 +14,48 @@ dent that is rolled over) and `measured_figure` (the steps of a measured profile
 Nothing here uses pyplot or leaves a setting changed, and matplotlib is imported only when something is drawn.
 """
 
-from nonhertz.plot.bearing.displacement import displacement_against_load as displacement_against_load
-from nonhertz.plot.bearing.loads import bearing_loads as bearing_loads
-from nonhertz.plot.bearing.pressure import bearing_pressure as bearing_pressure
-from nonhertz.plot.bearing.roller import most_loaded_roller as most_loaded_roller
-from nonhertz.plot.bearing.roller import roller_relief as roller_relief
-from nonhertz.plot.centre_line import pressure as pressure
-from nonhertz.plot.centre_line import profile as profile
-from nonhertz.plot.contact_area import footprint as footprint
-from nonhertz.plot.fatigue import dent_figure as dent_figure
-from nonhertz.plot.fatigue import life_density as life_density
-from nonhertz.plot.fatigue import life_figure as life_figure
-from nonhertz.plot.finished import bearing_figures as bearing_figures
-from nonhertz.plot.finished import draw as draw
-from nonhertz.plot.finished import figures as figures
-from nonhertz.plot.measured import measured_figure as measured_figure
-from nonhertz.plot.sheets import save as save
-from nonhertz.plot.sheets import save_all as save_all
-from nonhertz.plot.side_by_side import comparison as comparison
-from nonhertz.plot.subsurface import axial_stress as axial_stress
-from nonhertz.plot.subsurface import section_stress as section_stress
-from nonhertz.plot.subsurface import stress_figures as stress_figures
-from nonhertz.plot.subsurface import stress_planes as stress_planes
+from typing import TYPE_CHECKING
+
+from nonhertz.doors import door
+
+if TYPE_CHECKING:
+    from nonhertz.plot.bearing.displacement import displacement_against_load as displacement_against_load
+    from nonhertz.plot.bearing.loads import bearing_loads as bearing_loads
+    from nonhertz.plot.bearing.pressure import bearing_pressure as bearing_pressure
+    from nonhertz.plot.bearing.roller import most_loaded_roller as most_loaded_roller
+    from nonhertz.plot.bearing.roller import roller_relief as roller_relief
+    from nonhertz.plot.centre_line import pressure as pressure
+    from nonhertz.plot.centre_line import profile as profile
+    from nonhertz.plot.contact_area import footprint as footprint
+    from nonhertz.plot.fatigue import dent_figure as dent_figure
+    from nonhertz.plot.fatigue import life_density as life_density
+    from nonhertz.plot.fatigue import life_figure as life_figure
+    from nonhertz.plot.finished import bearing_figures as bearing_figures
+    from nonhertz.plot.finished import draw as draw
+    from nonhertz.plot.finished import figures as figures
+    from nonhertz.plot.measured import measured_figure as measured_figure
+    from nonhertz.plot.sheets import save as save
+    from nonhertz.plot.sheets import save_all as save_all
+    from nonhertz.plot.side_by_side import comparison as comparison
+    from nonhertz.plot.subsurface import axial_stress as axial_stress
+    from nonhertz.plot.subsurface import section_stress as section_stress
+    from nonhertz.plot.subsurface import stress_figures as stress_figures
+    from nonhertz.plot.subsurface import stress_planes as stress_planes
+
+__getattr__, __dir__ = door(
+    __name__,
+    {
+        "bearing.displacement": ("displacement_against_load",),
+        "bearing.loads": ("bearing_loads",),
+        "bearing.pressure": ("bearing_pressure",),
+        "bearing.roller": ("most_loaded_roller", "roller_relief"),
+        "centre_line": ("pressure", "profile"),
+        "contact_area": ("footprint",),
+        "fatigue": ("dent_figure", "life_density", "life_figure"),
+        "finished": ("bearing_figures", "draw", "figures"),
+        "measured": ("measured_figure",),
+        "sheets": ("save", "save_all"),
+        "side_by_side": ("comparison",),
+        "subsurface": ("axial_stress", "section_stress", "stress_figures", "stress_planes"),
+    },
+)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from nonhertz.amounts import mrad, newton
-from nonhertz.bearing import BearingMaps, BearingSolution
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import Artist, Axes, Figure
@@ -33,6 +33,9 @@ from nonhertz.plot.sheets import (
 )
 from nonhertz.plot.style import SMALL_SIZE, sheet_style
 from nonhertz.result.solution import Solution
+
+if TYPE_CHECKING:
+    from nonhertz.bearing import BearingMaps
 
 Drawings = Mapping[str, Callable[..., Any]]
 

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nonhertz import bearing
 from nonhertz.amounts import um
-from nonhertz.bearing import BearingMaps, BearingSolution, solve
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.plot.axes import OWN, Array, Axes, drawing, key_above, measure, open_frame
 from nonhertz.plot.axial import written
 from nonhertz.plot.style import FIRST, LINE, SECOND, THIN
+
+if TYPE_CHECKING:
+    from nonhertz.bearing import BearingMaps, BearingSolution
 
 # Multiples of the load: close together where clearance makes the curve steep.
 MULTIPLES = 1.5 * (np.arange(1, 7) / 6.0) ** 2
@@ -132,7 +135,7 @@ def _speed(solution: BearingSolution) -> float:
 def _one(solution: BearingSolution, given: dict[str, Any], how: dict[str, Any]) -> BearingSolution | None:
     with without_accuracy_warnings():
         try:
-            return solve(solution.bearing, **given, **how)
+            return bearing.solve(solution.bearing, **given, **how)
         except ConvergenceError:
             return None
         except InputError:
