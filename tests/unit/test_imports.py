@@ -25,8 +25,7 @@ STEPS = [
     ("import nonhertz.solver.one; assert callable(nonhertz.solve)", OTHERS),
     ("roller = nonhertz.Roller(diameter='20 mm', length=20, profile=nonhertz.profile.crown(4000))", OTHERS),
     ("nonhertz.solve(nonhertz.Contact(roller, nonhertz.Plate()), load='2 kN')", (*OTHERS, "nonhertz.files")),
-    # Its table of a whole roller, which is made once, takes functions of scipy.
-    (f"assert nonhertz.cli.main(['solve', {str(CASE)!r}]) == 0", OTHERS[1:]),
+    (f"assert nonhertz.cli.main(['solve', {str(CASE)!r}]) == 0", OTHERS),
     ("import nonhertz.plot.finished, nonhertz.bearing.bearings, nonhertz.maps.value", OTHERS[1:6]),
     ("import nonhertz.subsurface.evaluation, nonhertz.patch.solver, nonhertz.life.volume", HEAVY[2:]),
     ("from nonhertz.inputs.units import in_unit; in_unit('field', 3, 'mm')", HEAVY[2:]),
@@ -38,8 +37,13 @@ STEPS = [
 def test_libraries_are_not_imported_before_they_are_needed():
     lines = [f"{step}\nfound = {set(absent)!r} & set(sys.modules)\nassert not found, found" for step, absent in STEPS]
     program = "\n".join(["import sys", *lines])
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    # The first time may find no tables of these materials on disk, and make them with functions of scipy.
+    first, second = (
+        subprocess.run([sys.executable, "-c", each], capture_output=True, text=True, check=False)
+        for each in (program.replace("\nassert not found, found", ""), program)
+    )
+    assert first.returncode == 0, first.stderr
+    assert second.returncode == 0, second.stderr
 
 
 @pytest.mark.parametrize("name", ["bearing", "life", "maps", "measured", "patch", "plot", "subsurface"])
