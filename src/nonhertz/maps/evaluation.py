@@ -58,6 +58,6 @@ LOADED = _at_a_point(_loaded)
 PRESSURES = _at_a_point(_pressures)
 #: ``void share(const double *table, double load, double tilt, int64_t strips, const double *stations, double *loads)``
 #: writes the load on each strip [N] between ascending stations [mm], of which there is one more than strips, such as
-#: `ContactMap.stations`. Where the strips cover the contact, their sum is the load; outside the range of the map the
+#: those of the map. Where the strips cover the contact, their sum is the load; outside the range of the map the
 #: contact is as wide as at its border.
 SHARE = _along_strips(_share)
