@@ -7,16 +7,6 @@
 #include "bodies/harmonic_elements.hpp"
 
 namespace nonhertz {
-namespace {
-
-Matrix copy(const MatrixIn& array) {
-  Matrix copied(static_cast<Index>(array.shape(0)), static_cast<Index>(array.shape(1)));
-  std::copy_n(array.data(), array.size(), copied.all().begin());
-  return copied;
-}
-
-}  // namespace
-
 void bind_harmonic_elements(nb::module_& m) {
   nb::class_<HarmonicElements>(m, "HarmonicElements")
       .def(
@@ -25,9 +15,9 @@ void bind_harmonic_elements(nb::module_& m) {
              const MatrixIn& outer, const MatrixIn& inner, const MatrixIn& outer_slope, const MatrixIn& inner_slope,
              const MatrixIn& values, const MatrixIn& slopes, const VectorIn& points, const VectorIn& weights,
              bool bored, bool symmetric) {
-            Mesh mesh{numbers(across),   numbers(along),    copy(outer),  copy(inner),
-                      copy(outer_slope), copy(inner_slope), copy(values), copy(slopes),
-                      numbers(points),   numbers(weights),  bored,        symmetric};
+            Mesh mesh{numbers(across),      numbers(along),       copy_of(outer),  copy_of(inner),
+                      copy_of(outer_slope), copy_of(inner_slope), copy_of(values), copy_of(slopes),
+                      numbers(points),      numbers(weights),     bored,           symmetric};
             new (self) HarmonicElements(std::move(mesh), poisson);
           },
           "poisson"_a, "across"_a, "along"_a, "outer"_a, "inner"_a, "outer_slope"_a, "inner_slope"_a, "values"_a,
@@ -39,7 +29,7 @@ void bind_harmonic_elements(nb::module_& m) {
             std::vector<Matrix> found;
             {
               const nb::gil_scoped_release release;
-              found = self.works(waves, copy(loads), copy(readings), threads);
+              found = self.works(waves, copy_of(loads), copy_of(readings), threads);
             }
             std::vector<MatrixOut> arrays;
             for (Matrix& each : found) arrays.push_back(matrix_of(std::move(each)));
@@ -52,14 +42,14 @@ void bind_harmonic_elements(nb::module_& m) {
             Matrix found;
             {
               const nb::gil_scoped_release release;
-              found = self.displacement(waves, copy(loads));
+              found = self.displacement(waves, copy_of(loads));
             }
             return matrix_of(std::move(found));
           },
           "waves"_a, "loads"_a);
   nb::class_<LogarithmicTable>(m, "LogarithmicTable")
       .def("__init__", [](LogarithmicTable* self, double first, double step, const MatrixIn& pieces) {
-        new (self) LogarithmicTable{first, step, copy(pieces)};
+        new (self) LogarithmicTable{first, step, copy_of(pieces)};
       });
   m.def(
       "flat_modes",
@@ -69,9 +59,9 @@ void bind_harmonic_elements(nb::module_& m) {
         Matrix effect;
         {
           const nb::gil_scoped_release release;
-          const FlatModes flat{loads,          planes,        curved,     copy(weights), numbers(distances),
+          const FlatModes flat{loads,          planes,        curved,     copy_of(weights), numbers(distances),
                                numbers(image), numbers(face), half_length};
-          effect = effect_of(flat, view(places), copy(points), copy(radius));
+          effect = effect_of(flat, view(places), copy_of(points), copy_of(radius));
         }
         return matrix_of(std::move(effect));
       },

@@ -157,10 +157,7 @@ class Sum {
       for (int c : {0, 1, 2, 4}) store(done[c] + k, load(mirrored_ + k) * of[c]);
       for (int c : {3, 5}) store(done[c] + k, load(step_ + k) * of[c]);
     }
-    Six<double> total = total_;
-    for (int k = 0; k < count_; ++k)
-      for (int c = 0; c < 6; ++c) total[c] += done[c][k];
-    total_ = total;
+    add_in_turn(done, count_, total_);
     count_ = 0;
   }
 

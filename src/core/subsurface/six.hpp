@@ -16,6 +16,15 @@ inline constexpr double TWO_PI = 2.0 * std::numbers::pi;
 template <class Real>
 using Six = std::array<Real, 6>;
 
+/// Add the first `count` numbers of each component in turn, as if none had waited for a pack.
+template <int ROOM>
+void add_in_turn(const double (&waiting)[6][ROOM], int count, Six<double>& total) {
+  Six<double> sum = total;
+  for (int k = 0; k < count; ++k)
+    for (int c = 0; c < 6; ++c) sum[c] += waiting[c][k];
+  total = sum;
+}
+
 /// A function of each number of a pack.
 template <class Function>
 Pack each(Function function, Pack x) {

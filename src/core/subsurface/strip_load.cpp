@@ -203,10 +203,7 @@ class Sum {
       const Six<Pack> both = pair(load(X_ + k), load(weight_ + k), load(Y1_ + k), load(Y2_ + k), z);
       for (int c = 0; c < 6; ++c) store(done[c] + k, both[c]);
     }
-    Six<double> total = total_;
-    for (int k = 0; k < count_; ++k)
-      for (int c = 0; c < 6; ++c) total[c] += done[c][k];
-    total_ = total;
+    add_in_turn(done, count_, total_);
     count_ = 0;
   }
 
