@@ -1,6 +1,7 @@
 """Every profile of the catalogue is a formula in C++, which gives the relief of its class in Python."""
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from test_profile_algebra import LENGTH, number, profiles, untimed
@@ -111,11 +112,27 @@ class Raised(Arcs):
     """A class of the user's, derived from one that has a formula."""
 
     def relief(self, y):
-        return self.radius + super().relief_at(np.asarray(y, dtype=float))
+        return self.radius + super().relief(y)
 
 
-def test_a_class_derived_from_one_of_the_catalogue_has_its_own_relief():
-    profile = Raised(700.0, 900.0, 8.0, 0.0)
+class RaisedAtPlaces(Raised):
+    """One more, which redefines what the solver calls."""
+
+    def relief_at(self, y):
+        return 1.0 + super().relief_at(y)
+
+
+class RaisedTwice(Raised):
+    """One more, which redefines what everybody calls."""
+
+    def relief(self, y):
+        return 1.0 + super().relief(y)
+
+
+@pytest.mark.parametrize(("cls", "by"), [(Raised, 700.0), (RaisedAtPlaces, 701.0), (RaisedTwice, 701.0)])
+def test_a_class_derived_from_one_of_the_catalogue_has_its_own_relief(cls, by):
+    profile, base = (of(700.0, 900.0, 8.0, 0.0) for of in (cls, Arcs))
     y = np.array([0.0, 5.0])
-    np.testing.assert_array_equal(relief_of(profile)(y), profile.relief(y))
-    np.testing.assert_array_equal(relief_of(profile + crown(800.0))(y), (profile + crown(800.0)).relief(y))
+    for summed in (profile, profile + crown(800.0)):
+        np.testing.assert_array_equal(relief_of(summed)(y), summed.relief(y))
+    np.testing.assert_array_equal(profile.relief(y.tolist()), by + base.relief(y))

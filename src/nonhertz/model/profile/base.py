@@ -125,9 +125,12 @@ class Formula(Profile):
     """A profile of this package, which computes its relief at positions that are checked once."""
 
     def __init_subclass__(cls) -> None:
-        # A class of the user's that redefines only the relief is asked for that.
+        # A class that redefines one of the two has the other by it: by its own, not by that of a class derived from it,
+        # so that either may call those of its base.
         if "relief" in vars(cls) and "relief_at" not in vars(cls):
-            cls.relief_at = Profile.relief_at  # type: ignore[method-assign]
+            cls.relief_at = cls.relief  # type: ignore[method-assign]
+        elif "relief_at" in vars(cls) and "relief" not in vars(cls):
+            cls.relief = lambda self, y: cls.relief_at(self, places(y))  # type: ignore[method-assign]
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
