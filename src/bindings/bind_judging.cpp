@@ -1,6 +1,7 @@
 // How a solution is judged: what Python compares with limits and puts into words.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include "bindings/arrays.hpp"
@@ -81,7 +82,8 @@ void bind_judging(nb::module_& m) {
         if (y.size() == 0 || values.size() != y.size() || half_width.size() != y.size())
           throw std::invalid_argument("places, values and half-widths must be as many");
         Counted found = counted(view(y), view(values), view(half_width), view(ends));
-        return std::pair(array_of(std::move(found.places)), array_of(std::move(found.values)));
+        const Index at = found.at();
+        return std::tuple(array_of(std::move(found.places)), array_of(std::move(found.values)), at);
       },
       "y"_a, "values"_a, "half_width"_a, "ends"_a);
   m.def(

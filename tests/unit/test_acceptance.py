@@ -248,6 +248,14 @@ def test_the_largest_pressure_is_never_above_that_of_all_strips(seed):
     assert y[0] <= place <= y[-1]
 
 
+@pytest.mark.parametrize("towards", [-1.0, 1.0])
+def test_of_two_maxima_that_mirror_each_other_the_first_along_the_contact_is_named(towards):
+    y, half_width = np.array([-3.0, -2.0, 0.0, 2.0, 3.0]), np.full(5, 0.1)
+    pressure = np.array([1.0, 2.0, 1.0, 2.0, 1.0]) * (1.0 + towards * 1e-12 * np.sign(y))
+    assert largest_pressure(y, pressure, half_width, np.empty(0)) == (pressure.max(), -2.0)
+    assert largest_pressure(y, pressure, half_width, np.array([-2.05]))[1] == 2.0
+
+
 def test_no_patch_whose_results_are_not_numbers_leaves_as_converged(monkeypatch):
     monkeypatch.setattr("nonhertz.patch.solution.PatchSolution._largest", (np.nan, 0.0), raising=False)
     with pytest.raises(nh.ConvergenceError, match="The max_pressure is nan, not a finite number"):

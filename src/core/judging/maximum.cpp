@@ -1,12 +1,14 @@
 #include "judging/maximum.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace nonhertz {
 namespace {
 
-constexpr double SAME = 1e-6;  // relative difference up to which two values count as equally large
+constexpr double SAME = 1e-6;      // relative difference up to which a place counts as that of a border
+constexpr double ROUNDING = 1e-9;  // up to which two values count as equal; of mirrored maxima it is 1e-12 at most
 
 double nearest(double y, View ends) {
   double least = std::numeric_limits<double>::infinity();
@@ -67,11 +69,14 @@ Counted counted(View y, View values, View half_width, View ends) {
   return found;
 }
 
-Largest Counted::largest() const {
-  Largest found{values[0], places[0]};
-  for (std::size_t k = 1; k < values.size(); ++k)
-    if (values[k] > found.value) found = {values[k], places[k]};
-  return found;
+Index Counted::at() const {
+  const double least = (1.0 - ROUNDING) * *std::max_element(values.begin(), values.end());
+  Index first = -1;
+  for (Index k = 0; k < count_of(values); ++k)
+    if (values[k] >= least && (first < 0 || places[k] < places[first])) first = k;
+  return first;
 }
+
+Largest Counted::largest() const { return {*std::max_element(values.begin(), values.end()), places[at()]}; }
 
 }  // namespace nonhertz

@@ -16,6 +16,9 @@ struct Largest {
 struct Counted {
   Numbers places, values;
 
+  /// Which is the largest; of those equal to rounding, as maxima that mirror each other are, the first along the
+  /// contact.
+  Index at() const;
   Largest largest() const;
 };
 

@@ -96,7 +96,7 @@ def _peak(semi: Solution, one: Solution | PatchSolution, near: float) -> tuple[f
     For all methods, the half-width next to singular ends, as found by semi-elliptic strips, is left out.
     """
     half_width = np.where(one.centre_pressure > 0.0, np.interp(one.y, semi.y, semi.half_width), 0.0)
-    places, found = counted(one.y, one.centre_pressure, half_width, singular_y(semi))
+    places, found, _ = counted(one.y, one.centre_pressure, half_width, singular_y(semi))
     if not np.any(found > 0.0):
         return math.nan, math.nan
     largest = np.flatnonzero(found >= (1.0 - SAME) * found.max())

@@ -66,9 +66,8 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
     tuple of float
         Pressure, and place [mm].
     """
-    places, found = counted(y, pressure, half_width, ends)
-    at = int(found.argmax())
-    return float(found[at]), float(places[at])
+    places, found, at = counted(y, pressure, half_width, ends)
+    return float(found.max()), float(places[at])
 
 
 def largest_half_width(y: Array, half_width: Array, ends: Array) -> tuple[float, float]:
@@ -79,10 +78,11 @@ def largest_half_width(y: Array, half_width: Array, ends: Array) -> tuple[float,
     return largest_pressure(y, half_width, half_width, ends)
 
 
-def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array]:
-    """Return all places that `largest_pressure` considers, and the pressures there, zero where they do not count.
+def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array, int]:
+    """Return the places that `largest_pressure` considers, the pressures there, and the number of the largest.
 
-    First those of the strips, then those between each and the next.
+    First those of the strips, then those between each and the next; zero where they do not count. Of pressures equal to
+    rounding, as maxima that mirror each other are, that of the least y is the largest.
     """
     return core.counted(y, pressure, half_width, ends)
 
@@ -91,7 +91,7 @@ def places_of_largest(solution: Solved) -> tuple[float, ...]:
     """Return where the largest pressure that counts is [mm], ascending: both places if they mirror each other."""
     if not solution.contact_y:
         return ()
-    places, values = counted(solution.y, solution.largest_across, solution.half_width, singular_y(solution))
+    places, values, _ = counted(solution.y, solution.largest_across, solution.half_width, singular_y(solution))
     places, values = places[values > 0.0], values[values > 0.0]
     order = np.argsort(places)
     equal = np.flatnonzero(values[order] >= (1.0 - SAME) * values.max())

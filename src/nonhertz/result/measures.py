@@ -171,9 +171,8 @@ class _Largest:
     def partials(self, solution: Solution) -> Partials:
         b, ends = solution.half_width, singular_y(solution)
         values = solution.centre_pressure if self.of_pressure else b
-        found = counted(solution.y, values, b, ends)[1]
-        at = int(found.argmax())
-        partials = Partials.of(solution, float(found[at]))
+        _, found, at = counted(solution.y, values, b, ends)
+        partials = Partials.of(solution, float(found.max()))
         into = partials.by_pressure if self.of_pressure else partials.by_half_width
         if at < solution.strips:
             into[at] = 1.0

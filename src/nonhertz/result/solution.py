@@ -344,7 +344,7 @@ class Solved(HasFindings, ReadOnly, _Derived):
 
     @property
     def max_pressure_y(self) -> float:
-        """Where along the contact the largest pressure is [mm]; nan where nothing touches."""
+        """Where the largest pressure is [mm], the least y of two that are equal; nan where nothing touches."""
         return self._largest[1]
 
     @cached_property

@@ -198,7 +198,7 @@ class Judged:
         found = []
         for number, solution in enumerate(self.solutions):
             given = solution.y, solution.centre_pressure, solution.half_width
-            places, pressure = counted(*given, singular_y(solution))
+            places, pressure, _ = counted(*given, singular_y(solution))
             touching = np.flatnonzero(pressure > 0.0)
             along = touching[np.argsort(places[touching], kind="stable")]
             for zone in np.array_split(along, self.task.zones):

@@ -195,10 +195,19 @@ def _highest(
         net = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, best.size)
         values = at(net)
         if values.max() > top:
-            top, best = float(values.max()), net[int(values.argmax())]
+            top, best = float(values.max()), net[_highest_of(values, wide=mesh.size > MESHES.size)]
         span = span * (SHRINKING if mesh.size == MESHES.size else 2.0 / (mesh.size - 1))
         mesh = MESHES
     return top, best
+
+
+def _highest_of(values: Array, *, wide: bool) -> int:
+    """Return which value of a net is the largest: on a wide net the first of those that are equal to rounding.
+
+    A wide net may hold places that mirror each other; on a narrow one they would be those around the same maximum.
+    """
+    most = values.max()
+    return int(np.flatnonzero(values >= most - (ROUNDING * abs(most) if wide else 0.0))[0])
 
 
 def _at_bore(inside: Inside, station: float | None, depths: Span) -> dict[str, Extreme]:
@@ -355,11 +364,11 @@ class _Climb:
         ]
         return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
 
-    def look(self, net: Array, stresses: Array) -> None:
+    def look(self, net: Array, stresses: Array, *, wide: bool) -> None:
         """Move to the best point of a net."""
         values = np.nan_to_num(QUANTITIES[self.name](stresses), nan=0.0)
         if values.max() > self.top:
-            self.top, self.best = float(values.max()), net[int(values.argmax())]
+            self.top, self.best = float(values.max()), net[_highest_of(values, wide=wide)]
 
     def extreme(self, solution: Solved) -> Extreme:
         """Return where it has led."""
@@ -393,7 +402,7 @@ def _climb(inside: Inside, climbs: list[_Climb], depths: Span, threads: int | No
         stresses = field_at(inside, tuple(points.T), threads=threads).stress
         ends = np.cumsum([len(net) for net in nets])[:-1]
         for climb, net, part in zip(climbs, nets, np.split(stresses, ends), strict=True):
-            climb.look(net, part)
+            climb.look(net, part, wide=mesh is MESHES)
             climb.span = climb.span * (NARROW_SPAN if mesh is MESHES else NARROWING)
 
 
