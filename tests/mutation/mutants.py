@@ -1,7 +1,8 @@
 """Small mistakes in the sources, one at a time: which there can be, and a list of them that stays the same.
 
-Every mutant changes one expression or leaves out one statement. Which are chosen is decided by a hash of what they
-change and where, so that an edit of one function leaves the rest of the list as it is.
+Every mutant changes one expression or leaves out one statement. Python is parsed, C++ searched as text. Which are
+chosen is decided by a hash of what they change and where, so that an edit of one function leaves the rest of the list
+as it is.
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+
+import cpp
 
 COMPARISONS = {
     ast.Lt: (ast.LtE, ast.Gt),
@@ -33,7 +36,6 @@ OPERATIONS = {
     ast.MatMult: None,
 }
 CALLS = {"min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum", "any": "all", "all": "any"}
-COMPILING = ("compiled", "inlined")
 DROPPED_CALLS = {"abs", "sqrt", "cumsum", "sort", "copy"}
 
 
@@ -47,36 +49,20 @@ class Mutant:
         File, below the sources.
     function : str
         The function or class it is in, with those around it; empty for a module's own constants.
-    line : int
-        Where, counted from 1; not part of the key.
     start, end : int
-        Offsets in the text.
+        Offsets in the text; not part of the key.
     before, after : str
         What stood there, and what does now.
     ordinal : int
         Which of several with the same words in the same function.
-    compiled : bool
-        Whether machine code changes by it.
-    last : int
-        Line on which the expression ends.
-    statement : int
-        Line on which the statement begins.
-    names : tuple of str
-        What runs when it does, where its own lines say nothing of that: a compiled function, whose lines no tracer
-        sees, a class, a constant; empty in other functions.
     """
 
     path: str
     function: str
-    line: int
     start: int
     end: int
     before: str
     after: str
-    compiled: bool
-    last: int
-    statement: int
-    names: tuple[str, ...]
     ordinal: int = 1
 
     @property
@@ -86,58 +72,37 @@ class Mutant:
         return f"{self.path} {self.function or '-'}: {self.before} -> {self.after}{numbered}"
 
     def applied(self, text: str) -> str:
-        """Return the text of the file with the mistake in it; all other lines keep their numbers."""
-        lost = "\n" * text.count("\n", self.start, self.end)
-        after = f"{self.after[:-1]}{lost})" if lost and self.after.endswith(")") else self.after + lost
-        return text[: self.start] + after + text[self.end :]
+        """Return the text of the file with the mistake in it."""
+        return text[: self.start] + self.after + text[self.end :]
 
 
 def mutants(path: Path, name: str) -> list[Mutant]:
-    """Return all mutants of a file, each of which still is Python."""
+    """Return all mutants of a file; those of Python still are Python, of those of C++ most are C++."""
     text = path.read_text(encoding="utf-8")
-    found = _Finder(text, name).found
+    found = _Finder(text).found if path.suffix == ".py" else cpp.changes(text)
     seen: Counter[str] = Counter()
     numbered = []
-    for each in found:
+    for function, start, end, after in found:
+        each = Mutant(name, function, start, end, " ".join(text[start:end].split()), after)
         seen[each.key] += 1
         numbered.append(replace(each, ordinal=seen[each.key]))
     return numbered
 
 
-def chosen(of_group: list[Mutant], count: int, seed: int) -> list[Mutant]:
-    """Return so many of the mutants of one group, in the order of their files."""
-    ranked = sorted(of_group, key=lambda each: hashlib.sha256(f"{seed} {each.key}".encode()).digest())
-    return sorted(ranked[:count], key=lambda each: (each.path, each.start, each.after))
-
-
-def assigned(statement: ast.AST) -> tuple[str, ...]:
-    """Return the names that a statement gives values."""
-    return tuple(
-        each.id for each in ast.walk(statement) if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
-    )
-
-
-def is_compiled(node: ast.AST) -> bool:
-    """Return whether this is a function that is compiled, or what it makes is, of which no line is seen to run."""
-    return isinstance(node, ast.FunctionDef) and any(
-        isinstance(each, ast.Name) and each.id in COMPILING for each in ast.walk(node)
-    )
+def ranked(of_room: list[Mutant], seed: int) -> list[Mutant]:
+    """Return the mutants of one room in the order in which they are tried."""
+    return sorted(of_room, key=lambda each: hashlib.sha256(f"{seed} {each.key}".encode()).digest())
 
 
 class _Finder(ast.NodeVisitor):
-    def __init__(self, text: str, name: str) -> None:
-        self.text, self.name = text, name
-        self.found: list[Mutant] = []
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.found: list[tuple[str, int, int, str]] = []
         self._lines = [0]
         for line in text.splitlines(keepends=True):
             self._lines.append(self._lines[-1] + len(line))
         self._within: list[str] = []
-        self._compiled, self._runs = "", False
-        self._statement: ast.stmt = ast.Pass(lineno=0)
-        tree = ast.parse(text)
-        # A constant of the module may be compiled into any function.
-        self._module_compiled = any(f"@{each}" in text for each in COMPILING)
-        self.visit(tree)
+        self.visit(ast.parse(text))
 
     def _offset(self, line: int, column: int) -> int:
         """Return the offset in characters; Python counts columns in bytes."""
@@ -148,46 +113,21 @@ class _Finder(ast.NodeVisitor):
     def _add(self, node: ast.expr | ast.stmt, after: str) -> None:
         start = self._offset(node.lineno, node.col_offset)
         end = self._offset(node.end_lineno or node.lineno, node.end_col_offset or 0)
-        before = " ".join(self.text[start:end].split())
-        if before == after:
-            return
-        compiled = bool(self._compiled) if self._within else self._module_compiled
-        last = node.end_lineno or node.lineno
-        self.found.append(
-            Mutant(
-                self.name, ".".join(self._within), node.lineno, start, end, before, after, compiled,
-                last, self._statement.lineno, () if self._runs and not compiled else self._known_as(),
-            )
-        )  # fmt: skip
-
-    def _known_as(self) -> tuple[str, ...]:
-        """Return the names by which others use what is being read."""
-        return (self._compiled or self._within[-1],) if self._within else assigned(self._statement)
+        if " ".join(self.text[start:end].split()) != after:
+            self.found.append((".".join(self._within), start, end, after))
 
     def _replace(self, node: ast.expr, changed: ast.expr) -> None:
         self._add(node, f"({ast.unparse(changed)})")
 
     # Where to look
 
-    def visit(self, node: ast.AST) -> None:
-        """Remember the statement."""
-        outer = self._statement
-        self._statement = node if isinstance(node, ast.stmt) else outer
-        super().visit(node)
-        self._statement = outer
-
     def _visit_body(self, node: ast.FunctionDef | ast.ClassDef) -> None:
-        outer, ran = self._compiled, self._runs
-        self._compiled = outer or (node.name if is_compiled(node) else "")
         self._within.append(node.name)
-        defaults = [*node.args.defaults, *filter(None, node.args.kw_defaults)] if _is_function(node) else []
-        for each in defaults:
-            self.visit(each)
-        self._runs = _is_function(node)
-        for each in node.body:
+        of_function = isinstance(node, ast.FunctionDef)
+        defaults = [*node.args.defaults, *filter(None, node.args.kw_defaults)] if of_function else []
+        for each in (*defaults, *node.body):
             self.visit(each)
         self._within.pop()
-        self._compiled, self._runs = outer, ran
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
         self._visit_body(node)
@@ -216,7 +156,7 @@ class _Finder(ast.NodeVisitor):
     # Expressions
 
     def visit_Constant(self, node: ast.Constant) -> None:
-        for after in _other_numbers(node.value):
+        for after in other_numbers(node.value):
             self._add(node, after)
 
     def visit_Compare(self, node: ast.Compare) -> None:
@@ -283,7 +223,8 @@ class _Finder(ast.NodeVisitor):
         self._add(node, "continue")
 
 
-def _other_numbers(value: object) -> Iterator[str]:
+def other_numbers(value: object) -> Iterator[str]:
+    """Yield what a number or truth value is replaced by."""
     if isinstance(value, bool):
         yield str(not value)
     elif isinstance(value, int):
@@ -306,7 +247,3 @@ def _is_text(node: ast.expr) -> bool:
 
 def _is_type(node: ast.BinOp) -> bool:
     return isinstance(node.op, ast.BitOr)
-
-
-def _is_function(node: ast.AST) -> bool:
-    return isinstance(node, ast.FunctionDef)
