@@ -46,17 +46,17 @@ Grids given_grids(const Model& model, Numbers edges) {
   return grids;
 }
 
-Levels solve_on_grids(const Model& model, const Grids& grids, const Prescription& given, const State* before,
-                      const Prescription& of_before, const Stop* stop) {
+Levels solve_on_grids(std::deque<Track>& tracks, const Prescription& given, const Stop* stop) {
   Levels solved;
-  for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid) {
-    const bool is_last = *grid == grids.front();
+  for (auto track = tracks.rbegin(); track != tracks.rend(); ++track) {
+    const bool is_last = &*track == &tracks.front();
     Attempt attempt;
+    attempt.before = track->solutions.next(given, *track->grid);
     attempt.near = solved.levels.empty() ? nullptr : &solved.levels[0];
     attempt.tolerance = is_last ? TOLERANCE : ROUGH_TOLERANCE, attempt.patient = is_last, attempt.stop = stop;
-    if (is_last) attempt.before = before, attempt.of_before = of_before;
-    State state = solve_on(**grid, given, model.kernel(), attempt);
-    solved.levels.insert(solved.levels.begin(), {*grid, std::move(state)});
+    State state = solve_on(track->loop, given, attempt);
+    track->solutions.add(given, state);
+    solved.levels.insert(solved.levels.begin(), {track->grid, std::move(state)});
   }
   drop_unsolved(solved.levels);
   return solved;

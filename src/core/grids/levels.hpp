@@ -4,10 +4,12 @@
 // a start that has the shape of the contact, which a coarser level provides. The levels also give an error estimate.
 #pragma once
 
+#include <deque>
 #include <limits>
 
 #include "grids/laying.hpp"
 #include "grids/region.hpp"
+#include "strips/continuation.hpp"
 #include "strips/solving.hpp"
 
 namespace nonhertz {
@@ -39,8 +41,17 @@ Grids equal_grids(const Model& model, const Prescription& given, Index count);
 /// Strips between given edges, and coarser ones that leave out every other edge.
 Grids given_grids(const Model& model, Numbers edges);
 
-/// Solve one case on given grids; `before`: a similar case, solved on the finest.
-Levels solve_on_grids(const Model& model, const Grids& grids, const Prescription& given, const State* before,
-                      const Prescription& of_before, const Stop* stop = nullptr);
+/// A grid with the loop on it, and where its solutions lead.
+struct Track {
+  Track(std::shared_ptr<const Grid> of, const Kernel& kernel) : grid(std::move(of)), loop(*grid, kernel) {}
+
+  std::shared_ptr<const Grid> grid;
+  std::shared_ptr<const Grid> light;  ///< the same without the matrix of all by all, for results
+  Newton loop;
+  Continuation solutions;
+};
+
+/// Solve one case on given grids, finest first, where others may have been solved before.
+Levels solve_on_grids(std::deque<Track>& tracks, const Prescription& given, const Stop* stop = nullptr);
 
 }  // namespace nonhertz

@@ -25,33 +25,52 @@ bool are_shared(const Model& model, const Strips& strips) {
          (std::holds_alternative<Index>(strips) && model.region() != nullptr);
 }
 
-/// A case that may start from the one before on shared grids.
-Levels solve_levels(const Model& model, const Prescription& given, const Strips& strips, const Grids& shared,
-                    const Result* before, const Stop* stop) {
-  if (const auto* accuracy = std::get_if<Accuracy>(&strips)) return solve_automatically(model, given, *accuracy, stop);
-  const Grids& grids = shared.empty() ? grids_of(model, given, strips) : shared;
-  refuse_infeasible(model, *grids[0], given);
-  if (before == nullptr || shared.empty()) return solve_on_grids(model, grids, given, nullptr, {}, stop);
-  return solve_on_grids(model, grids, given, &before->finest().state, before->given, stop);
-}
+/// The grids of one case or, if they are shared, of one after the other, and the same without their matrices for
+/// results.
+class Course {
+ public:
+  Course(const Model& model, const Strips& strips) : model_(model), strips_(strips) {}
 
-/// Grids that cases share, and the same without their matrices for the results.
-struct Shared {
-  Grids whole, light;
-};
-
-Result solve_one(const Model& model, const Prescription& given, const Strips& strips, const Shared& shared,
-                 const Result* before, const Stop* stop) {
-  Result result = checked(model, given, solve_levels(model, given, strips, shared.whole, before, stop));
-  for (Level& level : result.levels.levels) {
-    const auto at = std::find(shared.whole.begin(), shared.whole.end(), level.grid) - shared.whole.begin();
-    if (at < std::ssize(shared.light))
-      level.grid = shared.light[at];
-    else if (!level.grid->at_depth.empty())
-      level.grid = without_depth(*level.grid);
+  Result solve(const Prescription& given, const Stop* stop) {
+    Result result = checked(model_, given, solve_levels(given, stop));
+    for (Level& level : result.levels.levels) level.grid = light(level.grid);
+    return result;
   }
-  return result;
-}
+
+  /// Solve a case that may start from those before. One that misleads is no reason to fail.
+  Result solve_next(const Prescription& given, const Stop* stop) {
+    const bool is_first = tracks_.empty();
+    Result result = solve(given, stop);
+    if (is_first || result.holds()) return result;
+    tracks_.clear();
+    return solve(given, stop);
+  }
+
+ private:
+  Levels solve_levels(const Prescription& given, const Stop* stop) {
+    if (const auto* accuracy = std::get_if<Accuracy>(&strips_))
+      return solve_automatically(model_, given, *accuracy, stop);
+    if (!are_shared(model_, strips_)) tracks_.clear();
+    if (tracks_.empty())
+      for (const auto& grid : grids_of(model_, given, strips_)) tracks_.emplace_back(grid, model_.kernel());
+    refuse_infeasible(model_, *tracks_[0].grid, given);
+    return solve_on_grids(tracks_, given, stop);
+  }
+
+  std::shared_ptr<const Grid> light(const std::shared_ptr<const Grid>& grid) {
+    if (grid->at_depth.empty()) return grid;
+    for (Track& track : tracks_)
+      if (track.grid == grid) {
+        if (!track.light) track.light = without_depth(*grid);
+        return track.light;
+      }
+    return without_depth(*grid);
+  }
+
+  const Model& model_;
+  const Strips& strips_;
+  std::deque<Track> tracks_;
+};
 
 }  // namespace
 
@@ -87,29 +106,17 @@ Result checked(const Model& model, const Prescription& given, Levels levels) {
 }
 
 Result solve(const Model& model, const Prescription& given, const Strips& strips, const Stop* stop) {
-  return solve_one(model, given, strips, {}, nullptr, stop);
+  return Course(model, strips).solve(given, stop);
 }
 
 std::vector<Ended> solve_in_turn(const Model& model, std::array<bool, 2> by_force, const std::vector<Pair>& targets,
                                  const Strips& strips, const Stop* stop) {
   std::vector<Ended> cases;
   cases.reserve(targets.size());
-  Shared shared;
-  const auto solve_next = [&](const Pair& target) {
-    const Prescription given{by_force, target};
-    if (shared.whole.empty() && are_shared(model, strips)) {
-      shared.whole = grids_of(model, given, strips);
-      for (const auto& grid : shared.whole) shared.light.push_back(without_depth(*grid));
-    }
-    const Result* before = cases.empty() ? nullptr : std::get_if<Result>(&cases.back());
-    Result result = solve_one(model, given, strips, shared, before, stop);
-    // A neighbour that misleads is no reason to fail.
-    if (before == nullptr || shared.whole.empty() || result.holds()) return result;
-    return solve_one(model, given, strips, shared, nullptr, stop);
-  };
+  Course course(model, strips);
   for (const Pair& target : targets) {
     try {
-      cases.emplace_back(solve_next(target));
+      cases.emplace_back(course.solve_next({by_force, target}, stop));
     } catch (const Stopped&) {
       break;
     } catch (...) {

@@ -9,7 +9,9 @@ namespace nonhertz {
 namespace {
 
 constexpr double SHORT = 0.25;  // width over distance below which nine terms of a logarithm's series are exact
-constexpr double ROOM = 1.2;    // for m to grow before what a strip does far away has to be worked out again
+// What a strip does far away is worked out for an m so many times as large, and again once it is beyond that or below
+// this share of it: then far begins closer.
+constexpr double ROOM = 1.2, LEAST_SHARE = 0.25;
 
 /// Add what a source does at places from begin to end, at these distances from its nearer edge.
 void add_far(double* powers, Index stride, Index begin, Index end, const double* distance, double width,
@@ -74,17 +76,15 @@ Influence::Influence(const Grid& grid, const Kernel& kernel)
       near_((kernel.terms.size() + kernel.faces.size()) * n_),
       powers_(n_ * (1 + POWERS), n_),
       limits_(n_),
-      wider_(n_),
+      stale_(n_),
       seen_(n_),
       distance_(n_) {}
-
-void Influence::restart() { std::fill(limits_.begin(), limits_.end(), 0.0); }
 
 void Influence::keep_up(View m) {
   bool some = false;
   for (Index j = 0; j < n_; ++j) {
-    wider_[j] = m[j] > limits_[j];
-    if (!wider_[j]) continue;
+    stale_[j] = m[j] > limits_[j] || (m[j] > 0.0 && m[j] < LEAST_SHARE * limits_[j]);
+    if (!stale_[j]) continue;
     some = true;
     limits_[j] = ROOM * m[j];
     for (int k = 0; k <= POWERS; ++k) std::fill(power(j, k).begin(), power(j, k).end(), 0.0);
@@ -98,7 +98,7 @@ void Influence::keep_up(View m) {
 void Influence::add_far_term(const Term& term, Index at) {
   const Numbers& y = grid_.y;
   for (Index j = 0; j < n_; ++j) {
-    if (!wider_[j]) continue;
+    if (!stale_[j]) continue;
     const double low = term.sign * grid_.low(j) + term.offset, high = term.sign * grid_.high(j) + term.offset;
     const double left = std::min(low, high), right = std::max(low, high), width = grid_.width(j);
     const double reach = REMOTE * std::sqrt(limits_[j]);
@@ -121,11 +121,11 @@ void Influence::add_beyond_face(const Face& face, Index at) {
   for (Index i = 0; i < n_; ++i) u[i] = away_from_face(grid_.y[i]);
   Matrix terms[2] = {Matrix(1 + POWERS, n_ + TILE), Matrix(1 + POWERS, n_ + TILE)}, work(2, n_ + TILE);
   for (Index j = 0; j < n_; ++j) {
-    if (!wider_[j]) continue;
+    if (!stale_[j]) continue;
     const double of_low = away_from_face(grid_.low(j)), of_high = away_from_face(grid_.high(j));
     Matrix &low = terms[j % 2], &high = terms[1 - j % 2];
     // From one strip to the next the edge between them is the same.
-    if (j == 0 || !wider_[j - 1]) far_terms(u, of_low, table, low, work);
+    if (j == 0 || !stale_[j - 1]) far_terms(u, of_low, table, low, work);
     far_terms(u, of_high, table, high, work);
     const double inner = std::min(of_low, of_high), outer = std::max(of_low, of_high);
     const double away = AWAY * std::sqrt(limits_[j]);

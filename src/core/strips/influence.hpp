@@ -16,14 +16,12 @@ using Blocks = std::array<Matrix, 4>;
 /// How the strips of one grid act on one another.
 ///
 /// What a strip does far away needs a short series in m only: all its terms, hundreds of images among them, are added
-/// up once, and serve for as long as the strip is not much wider than it was then (`keep_up`).
+/// up once, and serve for as long as the strip is not wider than it may become, nor so narrow that it pays (`keep_up`).
 class Influence {
  public:
   Influence(const Grid& grid, const Kernel& kernel);
 
-  /// Forget what strips do far away.
-  void restart();
-  /// Work out what those strips do far away that are wider than it holds for.
+  /// Work out what those strips do far away that have left the widths for which it was.
   void keep_up(View m);
   /// Fill in the coefficients of the strips `active`.
   void coefficients(View m, const std::vector<Index>& active, Blocks& out);
@@ -46,7 +44,7 @@ class Influence {
   std::vector<Range> near_;  // of each term and face, and source: the places that are not far
   Matrix powers_;            // of each source: the logarithm of far edge over near, and differences of 1 / y'^2k
   Numbers limits_;           // largest m for which this holds, 0 where nothing is known
-  std::vector<char> wider_;  // which strips are wider than that
+  std::vector<char> stale_;  // which strips have to be worked out again
   std::vector<Four> seen_;   // what one source does at all places
   Numbers distance_, away_;  // room to work in
   Squares squares_;

@@ -51,7 +51,6 @@ void Newton::run(const Prescription& given, const Options& options, State& state
   const auto ends = [&state](Status status, int steps, double residual) {
     state.status = status, state.steps = steps, state.residual = residual;
   };
-  if (!options.follows) influence_.restart();
   has_left_.assign(grid_.count(), false);
   bool has_returned = false;
   double residual = INFINITE;

@@ -28,10 +28,12 @@ class Newton {
  public:
   Newton(const Grid& grid, const Kernel& kernel);
 
+  const Grid& grid() const { return grid_; }
+  const Kernel& kernel() const { return kernel_; }
+
   /// Solve from the r, m and rigid motion in `state`, and leave there what is reached.
   ///
-  /// A contact that follows stops as soon as load and moment are accurate, and is not checked. What strips do far away
-  /// is kept for the next one.
+  /// A contact that follows stops as soon as load and moment are accurate, and is not checked.
   void run(const Prescription& given, const Options& options, State& state);
   /// K Q and K T of a contact that followed, with what the last step would still add: their errors are its square.
   const Pair& resultant() const { return resultant_; }

@@ -10,7 +10,6 @@ namespace nonhertz {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
-constexpr double NEARBY = 0.1;       // relative change up to which the case before serves as the start
 constexpr double LEAST_RISE = 1e-3;  // of the load: a smaller increment is not attempted
 constexpr double BEYOND_HELP = 2.0;  // depth in half-widths below which a failed start is not retried
 constexpr int RISES = 40;
@@ -27,24 +26,6 @@ bool within_reach(const Grid& grid, const Prescription& given) {
   if (!first || !given.both()) return first.has_value();
   const double arm = given.target[1] / given.target[0];
   return grid.y[*first] <= arm && arm <= grid.y[*last];
-}
-
-/// Begin where a similar case ended; return whether it is similar enough.
-bool start_from_before(const Grid& grid, const Prescription& given, const Attempt& attempt, State& state) {
-  if (attempt.before == nullptr || !attempt.before->converged()) return false;
-  const Pair &target = given.target, &before = attempt.of_before.target;
-  const double half = grid.half_length();
-  double scale = std::fabs(target[1]);
-  if (!given.by_force[1])
-    scale = std::fabs(attempt.before->rigid[0]) / half;
-  else if (given.by_force[0])
-    scale = target[0] * half;
-  const bool near_first = std::fabs(target[0] - before[0]) <= NEARBY * std::fabs(target[0]);
-  if (!near_first || !(std::fabs(target[1] - before[1]) <= NEARBY * scale)) return false;
-  state = *attempt.before;
-  for (int k = 0; k < 2; ++k)
-    if (!given.by_force[k]) state.rigid[k] = target[k];
-  return true;
 }
 
 /// Run the loop from where the state stands, unless a body is thinner there than its contact is wide.
@@ -93,16 +74,23 @@ bool too_thin(const Grid& grid, const Kernel& kernel, View m, double least) {
 }
 
 State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel, const Attempt& attempt) {
+  Newton loop(grid, kernel);
+  return solve_on(loop, given, attempt);
+}
+
+State solve_on(Newton& loop, const Prescription& given, const Attempt& attempt) {
+  const Grid& grid = loop.grid();
+  const Kernel& kernel = loop.kernel();
   const Index n = grid.count();
   State best(n), trial(n);
   best.residual = INFINITE;
   if (!within_reach(grid, given)) return best;
-  Newton loop(grid, kernel);
   double spent = 0.0;
   for (int start = BEFORE; start < (attempt.patient ? STARTS : TOGETHER); ++start) {
     if (n > PATIENT_STRIPS && (spent > RETRIED || start == RAISED)) break;
     if (start == BEFORE) {
-      if (!start_from_before(grid, given, attempt, trial)) continue;
+      if (!attempt.before) continue;
+      trial = *attempt.before;
     } else if (start == NEAR) {
       if (attempt.near == nullptr || !attempt.near->state.converged()) continue;
       if (!start_from_other(*attempt.near, grid, given, trial)) continue;

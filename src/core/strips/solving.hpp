@@ -1,6 +1,8 @@
 // One case on given strips: where the loop fails from one start, the next is tried.
 #pragma once
 
+#include <optional>
+
 #include "strips/newton.hpp"
 
 namespace nonhertz {
@@ -12,14 +14,14 @@ inline constexpr Index PATIENT_STRIPS = 400;  // up to which all starts are trie
 
 /// Which starts there are beside springs, and how hard to try.
 struct Attempt {
-  const Level* near = nullptr;    ///< a solution on other strips
-  const State* before = nullptr;  ///< of a similar case on the same strips
-  Prescription of_before{};       ///< what was prescribed there
+  std::optional<State> before;  ///< close to the solution, from similar cases on the same strips
+  const Level* near = nullptr;  ///< a solution on other strips
   double tolerance = TOLERANCE;
   bool patient = true;         ///< whether to try hard
   const Stop* stop = nullptr;  ///< looked at before every step
 };
 
+State solve_on(Newton& loop, const Prescription& given, const Attempt& attempt);
 State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel, const Attempt& attempt);
 
 /// Return whether a body is less than `least` half-widths deep: then the equations have no meaningful solution.

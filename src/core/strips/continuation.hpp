@@ -1,0 +1,30 @@
+// Where a case starts that follows similar ones on the same strips, as where a load rises from case to case.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "strips/strips.hpp"
+
+namespace nonhertz {
+
+/// The last solutions on one grid, carried on to the next prescription.
+class Continuation {
+ public:
+  void add(const Prescription& given, const State& solution);
+  /// Return where the next case starts; nothing if the last one is not similar enough.
+  ///
+  /// Prescriptions on a straight line are carried on by the parabola through the last three, or the line through two.
+  std::optional<State> next(const Prescription& given, const Grid& grid) const;
+
+ private:
+  struct Solved {
+    Pair target;
+    State state;
+  };
+  std::vector<double> weights(const Pair& target) const;
+
+  std::vector<Solved> solved_;  // the latest first
+};
+
+}  // namespace nonhertz
