@@ -200,12 +200,13 @@ class Amount:
         (factor, unit), asked = self.scale, spec.strip(".g")
         if not spec.endswith("g"):
             return [digits(factor * value, int(asked or 5)) for value in self.values], unit
-        most, si = int(asked or 6), self._scale_in(SI)[0]
+        most = int(asked or 6)
+        if chosen() is SI:
+            return [given(factor * value, most) for value in self.values], unit
         # An input converted to other units has not become more exact by that.
-        kept = [
-            most if chosen() is SI else min(most, max(_FEWEST, _written(si * value, most))) for value in self.values
-        ]
-        return [given(factor * value, number) for value, number in zip(self.values, kept, strict=True)], unit
+        si = self._scale_in(SI)[0]
+        exact = [min(most, max(_FEWEST, _written(si * value, most))) for value in self.values]
+        return [given(factor * value, number) for value, number in zip(self.values, exact, strict=True)], unit
 
     @property
     def scale(self) -> tuple[float, str]:

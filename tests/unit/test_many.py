@@ -80,6 +80,32 @@ def test_automatic_grids_are_the_same_to_the_bit():
         assert many[number].warnings == one.warnings
 
 
+TILTS = np.linspace(-4e-4, 4e-4, 60)
+
+
+@pytest.mark.parametrize(
+    ("cases", "steps"),
+    [
+        ({"load": LOADS, "tilt": 1e-5}, 1.5),
+        ({"load": np.repeat(LOADS[::10], 3), "tilt": 1e-5}, 2.5),
+        ({"load": np.geomspace(10.0, 12e3, 150), "tilt": 1e-5}, 2.5),  # strips enter as the load rises
+        ({"load": np.concatenate([LOADS[::5], LOADS[::-5], LOADS[:3]]), "tilt": 1e-5}, 2.5),  # to and fro
+        ({"load": 1e4, "tilt": TILTS}, 2.0),
+        ({"load": np.linspace(9e3, 1e4, 60), "tilt": TILTS}, 2.0),  # along a line in both
+        ({"approach": np.linspace(0.02, 0.03, 60), "moment": np.linspace(-2e4, 2e4, 60)}, 3.0),
+    ],
+)
+def test_cases_that_follow_one_another_take_few_steps_to_the_same_answers(cases, steps):
+    contact = LOGARITHMIC if np.ndim(cases.get("tilt", 0.0)) else CROWNED
+    with without_accuracy_warnings():
+        many = nh.solve_many(contact, strips=24, **cases)
+    rows = dict(zip(cases, np.broadcast_arrays(*cases.values()), strict=True))
+    for number in range(0, len(many.load), 7):
+        one = alone(contact, strips=24, **{name: values[number] for name, values in rows.items()})
+        assert_same(many, number, one, **SAME)
+    assert np.mean([many[number].iterations for number in range(len(many.load))]) < steps
+
+
 @pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 def test_given_edges_and_unbounded_bodies_work():
     edges = alone(CROWNED, load=9e3).edges
