@@ -193,7 +193,7 @@ def test_files_that_hold_no_whole_solutions_are_refused_in_one_sentence(tmp_path
         entries = dict(archive)
     damaged = [
         ("hold solutions of nonhertz", {**entries, "kind": np.asarray("nonhertz map")}),
-        ("hold solutions of version 1", {**entries, "version": np.asarray(2)}),
+        ("hold solutions of version 2", {**entries, "version": np.asarray(1)}),
     ]
     for name in entries.keys() - {"kind", "version"}:
         damaged.append(("hold undamaged solutions", {key: value for key, value in entries.items() if key != name}))

@@ -22,7 +22,6 @@ from nonhertz.errors import ConvergenceError, InputError, NonhertzError, shown
 from nonhertz.inputs.archives import Archive, Entries, digest, text
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
-from nonhertz.native import core
 from nonhertz.result.outcome import Kept, kept, outcome, restored
 from nonhertz.solver.one import posed
 from nonhertz.solver.solutions import Block, several
@@ -33,7 +32,7 @@ Array = NDArray[np.float64]
 
 ARCHIVE = Archive(
     kind="nonhertz solutions",
-    version=1,
+    version=2,  # 1 held blocks of cases on common grids
     contents="solutions",
     undamaged="undamaged solutions",
     most=16_000_000_000,
@@ -42,11 +41,6 @@ ARCHIVE = Archive(
 )
 _ELEMENTS = {element.name: element for element in (SEMI_ELLIPTIC, PARABOLIC)}
 _COUNTED = {"status", "steps"}
-CONVERGED = int(core.Status.CONVERGED)
-_ZERO = np.zeros(1)
-UNSOLVED = Kept(
-    np.zeros(2), _ZERO, _ZERO, _ZERO, np.zeros(2), np.zeros((2, 2)), int(core.Status.STAGNATED), 0, math.inf
-)  # fmt: skip
 # Relative to the largest value. Another processor may compute a logarithm with another last digit, and the contact
 # is the same.
 SAME = 1e-12
@@ -79,26 +73,22 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
         ),
         "blocks": np.array(
             [
-                (
-                    order[id(case.block.problem.contact)],
-                    len(case.numbers),
-                    len(case.levels),
-                    case.block.error is not None,
-                )
+                (order[id(of.problem.contact)], len(case.numbers), len(case.levels), of.error is not None)
                 for case in cases
+                for of in (case.block,)
             ]
         ),
+        "accuracies": np.array([case.accuracy for case in cases]),
         "numbers": np.concatenate([case.numbers for case in cases]).astype(np.int64),
         "targets": np.array([target for case in cases for target in case.targets]).reshape(-1, 2),
         "problems": np.array([source.problem.target for source in sources.values()]),
-        "levels": np.array([(1, 1, level.r.size) for level in levels], dtype=np.int64),
+        "counts": np.array([level.r.size for level in levels], dtype=np.int64),
         "errors": np.asarray(json.dumps([_described(error) for error in errors])),
         "contact_sizes": np.array([each.places.size for each in likenesses]),
         "contact_places": np.concatenate([each.places for each in likenesses]),
         "contact_surfaces": np.concatenate([each.surfaces for each in likenesses], axis=1),
         "contact_numbers": np.array([each.numbers for each in likenesses]),
     }
-    fields["counts"] = np.array([level.r.size for level in levels], dtype=np.int64)
     for name in Kept._fields:
         values = [np.ravel(getattr(level, name)) for level in levels]
         fields[name] = np.concatenate([*values, np.zeros(0)]).astype(np.int64 if name in _COUNTED else np.float64)
@@ -133,39 +123,31 @@ class _Saved:
     numbers: list[int]
     targets: list[Target]
     levels: list[Kept]
+    accuracy: float  # of the grids; zero where a coarser one has no solution
 
     @classmethod
     def of(cls, block: Block) -> Iterator[_Saved]:
         """Yield the cases of a block."""
         if not block.results:
-            yield cls(block, block.numbers, block.targets, [])
+            yield cls(block, block.numbers, block.targets, [], 0.0)
         for row, result in enumerate(block.results):
-            levels = kept(result)
-            if not result.accuracy and block.problem.accuracy:
-                # That the second grid has no solution is what tells that the accuracy does not hold.
-                levels.insert(1, UNSOLVED)
-            yield cls(block, [block.numbers[row]], block.targets[row : row + 1], levels)
+            part = slice(row, row + 1)
+            yield cls(block, block.numbers[part], block.targets[part], kept(result), result.accuracy)
 
 
 def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> Iterator[Block]:
     problems, errors = _Problems(fields), iter(json.loads(str(fields["errors"])))
     levels, known, first = _levels(fields), _errors_by_name(), 0
     solved: list[Block] = []
-    for contact, cases, grids, failed in fields["blocks"].tolist():
+    for (contact, cases, grids, failed), accuracy in zip(fields["blocks"].tolist(), fields["accuracies"], strict=True):
         part = slice(first, first + cases)
         first += cases
-        numbers, targets = (
-            fields["numbers"][part].tolist(),
-            [(one, two) for one, two in fields["targets"][part].tolist()],
-        )
+        numbers = fields["numbers"][part].tolist()
+        targets = [(one, two) for one, two in fields["targets"][part].tolist()]
         # All are compared; the same contact may have been given several times as equal ones.
         problem, *_ = (problems.of(contact, given, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
         states = [next(levels) for _ in range(grids)]
-        of_cases = [[level[case] for level in states] for case in range(cases if grids else 0)]
-        results = [
-            _result(problem.of(target), case, accepted=not failed)
-            for target, case in zip(targets, of_cases, strict=False)
-        ]
+        results = [restored(problem.of(targets[0]), states, accuracy, accepted=not failed)] if states else []
         block = Block(problem, numbers, targets, results)
         if failed:
             yield _failed(block, next(errors), known)
@@ -187,38 +169,20 @@ def _together(blocks: list[Block]) -> Iterator[Block]:
         )  # fmt: skip
 
 
-def _result(problem: Problem, levels: list[Kept], *, accepted: bool) -> core.Result:
-    finest, *coarser = levels
-    is_regular = bool(coarser) and coarser[0].status == CONVERGED
-    solved = [level for level in coarser if level.status == CONVERGED]
-    accuracy = problem.accuracy if is_regular and problem.accuracy else 0.0
-    return restored(problem, [finest, *solved], accuracy, accepted=accepted)
+def _levels(fields: Entries) -> Iterator[Kept]:
+    """Yield the states of all levels."""
+    ends = dict.fromkeys(Kept._fields, 0)
 
+    def following(name: str, count: int) -> Any:
+        ends[name] += count
+        return fields[name][ends[name] - count : ends[name]]
 
-def _levels(fields: Entries) -> Iterator[list[Kept]]:
-    """Yield the states of all cases of a block on one level after the other."""
-    ends = dict.fromkeys(("counts", *Kept._fields), 0)
-    for cases, grids, strips in fields["levels"].tolist():
-        shapes: dict[str, tuple[int, ...]] = {
-            "counts": (grids,), "edges": (grids, strips + 1), "rigid": (cases, 2), "stiffness": (cases, 2, 2),
-            **dict.fromkeys(("r", "m", "gap"), (cases, strips)),
-            **dict.fromkeys(("status", "steps", "residual"), (cases,)),
-        }  # fmt: skip
-        found = {}
-        for name, shape in shapes.items():
-            start, ends[name] = ends[name], ends[name] + math.prod(shape)
-            found[name] = fields[name][start : ends[name]].reshape(shape)
-        # Grids of many cases in one block are as long as the longest of them.
-        grid = [0] * cases if grids == 1 else range(cases)
-        counts = [int(found["counts"][at]) for at in grid]
-        yield [
-            Kept(
-                found["edges"][at, : n + 1], found["r"][case, :n], found["m"][case, :n], found["gap"][case, :n],
-                found["rigid"][case].tolist(), found["stiffness"][case].tolist(), int(found["status"][case]),
-                int(found["steps"][case]), float(found["residual"][case]),
-            )
-            for case, (at, n) in enumerate(zip(grid, counts, strict=True))
-        ]  # fmt: skip
+    for n in fields["counts"].tolist():
+        yield Kept(
+            following("edges", n + 1), following("r", n), following("m", n), following("gap", n),
+            following("rigid", 2).tolist(), following("stiffness", 4).reshape(2, 2).tolist(),
+            following("status", 1).item(), following("steps", 1).item(), following("residual", 1).item(),
+        )  # fmt: skip
 
 
 # Contacts
