@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 from scipy.interpolate import make_interp_spline
+from scipy.special import j1
 
 from nonhertz.bodies.quarter_space import NODES, nodes_on, to_legendre
 from nonhertz.bodies.quarter_space_field import quarter_space_field
 from nonhertz.native import core
+from nonhertz.subsurface.free_faces import FreeFaceField, Spectrum
 
 
 @pytest.mark.parametrize("power", [0, 1, 5])
@@ -31,3 +33,24 @@ def test_splines_over_distances_are_those_through_their_values():
         at = shift + log_r
         wanted = np.where((at > known[-1])[:, None], 0.0, spline(np.clip(at, known[0], known[-1])))
         np.testing.assert_allclose(each, wanted, atol=1e-12)
+
+
+@pytest.mark.parametrize("by", [0.3, -0.3])
+def test_a_load_that_is_moved_across_moves_what_a_face_adds(by):
+    # An even load, and the same as an even and an odd one.
+    edges, steps = np.array([0.0, 2.0, 6.0]), np.array([-1.0, 0.4, 0.6])
+
+    def field(moved):
+        def spectrum(k, y):
+            whole = (2.0 * j1(k) / k)[:, None] * steps
+            shift = k[:, None] * moved
+            return Spectrum(edges, whole * np.cos(shift), whole * np.sin(shift) if moved else None)
+
+        return FreeFaceField.of(spectrum, 0.0, -1.0, 1.0, 6.0, 0.3)
+
+    x, y, z = np.meshgrid([-0.8, -0.1, 0.5], [0.0, 0.4, 3.0], [0.0, 0.2, 1.0])
+    points = np.column_stack([x.ravel(), y.ravel(), z.ravel()])
+    there = points + np.array([by, 0.0, 0.0])
+    for quantity in (FreeFaceField.stress, FreeFaceField.displacement):
+        wanted = quantity(field(0.0), points)
+        np.testing.assert_allclose(quantity(field(by), there), wanted, atol=2e-3 * np.abs(wanted).max())

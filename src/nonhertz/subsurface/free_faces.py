@@ -276,7 +276,7 @@ class FreeFaceField:
         from scipy.interpolate import NdBSpline
 
         knots, radial, waves, to_r = self._grids
-        k, odd = self.waves.k, part.turned[of]
+        k, odd = self.waves.k, _ODD[of]
         found = self.waves.field.at_places(coefficients, of, k, radial).reshape(k.size, -1, odd.size)
         if of.start:
             found = found * (0.5 / k[:, None, None])
