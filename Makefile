@@ -71,7 +71,7 @@ browser: $(READY)
 	NONHERTZ_ENGINE=$(ENGINE) $(BIN)/python -m pytest -m browser -s tests/browser
 
 verify: $(READY)
-	$(BIN)/nonhertz verify --out out/verify
+	PYTHONPATH=tests $(BIN)/python -m claims out/verify
 
 # Tests on builds of the core that look for mistakes in memory and for races; SANITIZE=--short runs a few.
 sanitize: $(READY)
@@ -111,7 +111,7 @@ docs-numbers: $(READY)
 	$(BIN)/python docs/end_study.py
 	$(BIN)/python docs/model_study.py
 	$(BIN)/python docs/patch_study.py
-	$(BIN)/python docs/claims.py
+	PYTHONPATH=tests $(BIN)/python docs/validation_pages.py
 	$(BIN)/python paper/figures.py
 
 # What a user has: the package with its page, from these sources, and nothing of a developer's.

@@ -3,7 +3,7 @@
     python docs/model_study.py
 
 Every contact is solved with every choice for its roller; the ring is a half-space and goes on beyond the roller. Listed
-are differences from free ends of the whole roller, which `nonhertz verify --only whole-roller` sets against
+are differences from free ends of the whole roller, which the claims on whole rollers set against
 three-dimensional finite elements.
 """
 

@@ -14,10 +14,8 @@ import nonhertz.cli.stress
 import nonhertz.comparison.methods
 import nonhertz.report.layout
 import nonhertz.solver.one
-import nonhertz.verify.half_space
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.verify import CATALOGUE
-from nonhertz.verify.claim import Claim
+from nonhertz.selfcheck import Claim
 
 CELLS = ("--cells", "24", "48")
 QUICK = ("--model", "iso-16281")
@@ -89,11 +87,6 @@ REFUSED = [
     ("sweep case.toml --over load.load=-1N,2kN", "must stay within what the case allows (at -1.0000 N: load.load"),
     ("tolerance case.toml --over load.load=5kN,6kN", "must be a distribution"),
     ("tolerance plan.toml --over load.load=normal(1kN,1N)", "write it into the plan"),
-    (
-        "verify --only half-space nonsense",
-        f"must be a known section: choose from {', '.join(map(repr, CATALOGUE))}.",
-    ),
-    ("verify --only half-spase", "--only = 'half-spase' must be a known section: did you mean 'half-space'?"),
     ("report", "Give CASE, as in 'nonhertz report roller.toml'"),
     ("bearing six.toml --contact 7 inner", "--contact = 7 must be a whole number from 0 to 5"),
     ("bearing six.toml --contact 3 inner", "--contact = 3 must be a roller that the inner ring loads"),
@@ -165,11 +158,10 @@ def test_what_cannot_be_is_refused_in_a_sentence(words, sentence, folder, run):
     assert sorted(folder.rglob("*")) == before
 
 
-@pytest.mark.parametrize("words", [*SOLVING.values(), ("bearing", "six.toml", "--compare"), ("verify",)], ids=" ".join)
+@pytest.mark.parametrize("words", [*SOLVING.values(), ("bearing", "six.toml", "--compare")], ids=" ".join)
 def test_a_file_in_the_place_of_a_directory_is_refused_before_anything_runs(words, run, monkeypatch):
     if words[0] != "solve":  # one case alone is solved first
         instead_of_solving(monkeypatch, lambda *_, **__: pytest.fail("it ran"))
-    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: pytest.fail("it ran"))
     printed = run(*words, "--out", "plan.toml", code=2)
     assert printed.out == ""
     assert printed.err.startswith("--out = 'plan.toml' must be a directory, not a file")
@@ -214,14 +206,14 @@ def test_without_a_solution_there_is_a_sentence_and_no_file(words, run, monkeypa
         (SOLVING["life"], ["1/2 body a ...", "2/2 body b ..."]),
         (SOLVING["compare"], ["1/3 semi-elliptic strips ...", "3/3 plane grid ..."]),
         (SOLVING["stress"], ["1/2 whole body ...", "2/2 cross-section ..."]),
-        (("verify", "--only", "half-space"), ["1/1 half-space ..."]),
+        (("verify",), ["1/1 Counting ..."]),
     ],
 )
 @pytest.mark.slow
 def test_a_terminal_sees_what_is_being_done(words, said, run, monkeypatch):
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
-    claims = [Claim("two", "counting", 2.0, lambda: 2.0, 1e-6)]
-    monkeypatch.setattr(nonhertz.verify.half_space, "rollers", lambda: claims)
+    claim = Claim("two", "fingers", 2.0, 1e-6, lambda: 2.0)
+    monkeypatch.setattr("nonhertz.selfcheck.SECTIONS", {"Counting": lambda: [claim]})
     shown = run(*words, "--json").err
     assert all(each in shown for each in said)
     assert shown.endswith("\r")

@@ -1,62 +1,50 @@
-"""``nonhertz verify`` as a user meets it: tables, page, JSON, exit codes."""
+"""``nonhertz verify`` as a user meets it: a table of numbers that are known, JSON, exit codes."""
 
 import json
-import re
-from pathlib import Path
 
 import pytest
 
-import nonhertz.verify.half_space
+from nonhertz import selfcheck
+from nonhertz.bodies import images
 from nonhertz.cli import main
-from nonhertz.verify import CATALOGUE
-from nonhertz.verify.claim import Claim
-
-TEXTS = {"validation.md", "verify.json"}
+from nonhertz.selfcheck import Claim
+from nonhertz.subsurface.inside import Inside
 
 
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-
-
-def let_it_fail(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let the section half-space be one claim, which fails."""
-    monkeypatch.setattr(
-        nonhertz.verify.half_space, "rollers", lambda: [Claim("two", "counting", 3.0, lambda: 2.0, 1e-6)]
-    )
-
-
-def test_a_section_is_printed_and_written(run):
-    printed = run("verify", "--only", "half-space", "--out", "new/page")
+@pytest.mark.slow
+def test_every_part_computes_what_is_known(run):
+    printed = run("verify")
     assert printed.err == ""
     lines = printed.out.splitlines()
-    assert lines[0].split() == ["Rollers", "on", "half-spaces", "(half-space)"]
-    assert lines[1].split() == ["claim", "source", "expected", "computed", "difference", "tolerance", "verdict"]
     assert max(map(len, lines)) <= 120
-    assert {line.split()[-1] for line in lines[2:] if re.search(r" \S+e-\d+ ", line)} == {"pass", "shown"}
-    assert {path.name for path in Path("new/page").iterdir()} == TEXTS
-    assert "wrote new/page/validation.md" in printed.out.replace("\\", "/")
-
-    checks = json.loads(Path("new/page/verify.json").read_text(encoding="utf-8"))
-    verdicts = [check["verdict"] for check in checks]
-    assert lines[-1] == (
-        f"{len(checks)} checks: {verdicts.count('pass')} passed, 0 failed, {verdicts.count('shown')} shown"
-    )
-    page = Path("new/page/validation.md").read_text(encoding="utf-8")
-    assert "`nonhertz verify --out DIR --only half-space`" in page
+    assert all(section in lines for section in selfcheck.SECTIONS)
+    assert sum(" pass " in line for line in lines) == 29
+    assert lines[-1] == "29 numbers: all as expected"
 
 
-def test_a_failed_check_is_told_by_the_exit_code(run, monkeypatch):
-    let_it_fail(monkeypatch)
-    lines = run("verify", "--only", "half-space", "--out", "page", code=1).out.splitlines()
-    assert lines[2].split() == ["two", "counting", "3", "2", "-3.3e-1", "1e-6", "FAIL"]
-    assert lines[-1] == "1 checks: 0 passed, 1 failed, 0 shown"
-    page = Path("page/validation.md").read_text(encoding="utf-8")
-    assert "| two | counting | 3 | 2 | -3.3e-1 | 1e-6 | FAIL |" in page
-    assert main(["verify", "--only", "half-space", "--json"]) == 1
+def test_a_number_that_is_off_is_told_in_the_table_as_json_and_by_the_exit_code(run, monkeypatch):
+    monkeypatch.setattr(selfcheck, "SECTIONS", {"Counting": lambda: [Claim("two", "fingers", 3.0, 1e-6, lambda: 2.0)]})
+    lines = run("verify", code=1).out.splitlines()
+    assert lines[2].split() == ["two", "2", "3", "-3e-01", "1e-06", "FAIL", "fingers"]
+    assert lines[-1] == "1 numbers: 1 off by more than allowed"
+    (check,) = json.loads(run("verify", "--json", code=1).out)
+    assert (check["section"], check["expected"], check["computed"], check["passed"]) == ("Counting", 3.0, 2.0, False)
 
 
-def test_the_documentation_lists_every_section():
-    page = Path(__file__).parents[2] / "docs" / "reference" / "command-line.md"
-    text = page.read_text(encoding="utf-8")
-    assert all(f"`{name}`" in text for name in CATALOGUE)
+@pytest.mark.parametrize(
+    ("module", "name", "wrong", "section"),
+    [
+        (images, "chains", lambda right: lambda *given: {at: 0.9 * w for at, w in right(*given).items()}, "Ends of"),
+        (Inside, "stress", lambda right: lambda *given, **more: 1.05 * right(*given, **more), "Stress below"),
+    ],
+)
+@pytest.mark.slow
+def test_a_mistake_in_a_part_shows(module, name, wrong, section, monkeypatch):
+    monkeypatch.setattr(module, name, wrong(getattr(module, name)))
+    failed = {check.section for check in selfcheck.run() if not check.passed}
+    assert any(each.startswith(section) for each in failed)
+
+
+def test_the_command_takes_nothing_else(capsys):
+    assert main(["verify", "--only", "half-space"]) == 2
+    assert "--only" in capsys.readouterr().err

@@ -1,4 +1,4 @@
-"""Whether two states of the package give the same numbers: campaigns' cases, golden runs, and the checks of `verify`.
+"""Whether two states of the package give the same numbers: cases of campaigns, golden runs, claims of the validation.
 
     python tests/campaign/same_numbers.py commits main HEAD               # or a commit alone: this folder beside it
     python tests/campaign/same_numbers.py commits main --cases 200        # a fiftieth of all draws
@@ -14,8 +14,6 @@ A record is a line: what it is of, how it ended, and its numbers by name.
 """
 
 import argparse
-import contextlib
-import io
 import json
 import math
 import multiprocessing
@@ -158,17 +156,13 @@ def command_records():
 
 
 def check_records():
-    """Yield the records of the checks of `verify`, but for those that measure time."""
-    from nonhertz.cli import main
-    from nonhertz.verify import CATALOGUE
+    """Yield the records of the claims, but for those that measure time."""
+    import claims
 
-    printed, numbers_of = io.StringIO(), defaultdict(int)
-    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(io.StringIO()):
-        main(["verify", "--json", "--only", *(name for name in CATALOGUE if name != "cost")])
-    for check in json.loads(printed.getvalue()):
-        section, numbers = check["section"], {name: check[name] for name in ("expected", "computed")}
-        yield {"of": f"verify {section} {numbers_of[section]}", "ended": check["verdict"], "numbers": numbers}
-        numbers_of[section] += 1
+    for section in claims.sections(name for name in claims.CATALOGUE if name != "cost"):
+        for number, check in enumerate(section.checks):
+            numbers = {"expected": check.expected, "computed": check.computed}
+            yield {"of": f"claims {section.name} {number}", "ended": check.verdict, "numbers": numbers}
 
 
 def _number(value):

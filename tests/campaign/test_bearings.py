@@ -8,8 +8,8 @@ from extent import extent
 from pool import of_each
 
 import nonhertz as nh
+from claims.bearing_sums import sums_in_space
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.verify.bearing_sums import sums_in_space
 
 CASES, SOME = 5_000, {"strips": 8, "slices": 40}
 SEED = 20261124

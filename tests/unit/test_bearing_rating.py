@@ -10,12 +10,12 @@ from crowned_rows import nu206
 from crowned_rows import worked as row
 
 import nonhertz as nh
+from claims.known_bearings import LIFE_FACTORS, LIMITS
 from nonhertz.bearing import life_factor, reliability_factor
 from nonhertz.bearing.laminae import lamina_life, mean_over_rollers
 from nonhertz.files.bearing_results import as_object
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.show.bearing import life_rows
-from nonhertz.verify.known_bearings import LIFE_FACTORS, LIMITS
 
 B = nh.bearing
 

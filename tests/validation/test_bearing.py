@@ -1,11 +1,11 @@
-"""Whole bearings: what no claim of `nonhertz verify` says of them."""
+"""Whole bearings: what no claim says of them."""
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-from nonhertz.verify import known_bearings as known
+from claims import known_bearings as known
 
 STIFFNESS, EXPONENT = 35948.0, 10.0 / 9.0
 LOADS = {"radial": known.MASTA.radial, "axial": known.MASTA.axial}

@@ -1,4 +1,4 @@
-"""Finite length and thickness: what no claim of `nonhertz verify` says of a second implementation and of free faces.
+"""Finite length and thickness: what no claim says of a second implementation and of free faces.
 
 "The second implementation" is a second, separate implementation of the paper's model: J. M. de Mul, J. J. Kalker,
 G. M. Vree, An orthogonal uniform/parabolic surface pressure half-space element, CIMNE, Barcelona 1998. The summit s
@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from claims import bodies, paper_rollers
+from claims.claim import pressures
+from claims.free_ends import DISTANCES, EXACT_ROLLER, FAR, with_weights
+from claims.paper_rollers import half_digit
 from nonhertz.native import core
 from nonhertz.strip.problem import StripModel
-from nonhertz.verify import bodies, paper_rollers
-from nonhertz.verify.claim import pressures
-from nonhertz.verify.free_ends import DISTANCES, EXACT_ROLLER, FAR, with_weights
-from nonhertz.verify.paper_rollers import half_digit
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 

@@ -9,9 +9,9 @@ import pytest
 from scipy import special
 
 import nonhertz as nh
+from claims import whole_roller
+from claims.whole_roller import displaced
 from nonhertz.bodies import ends
-from nonhertz.verify import whole_roller
-from nonhertz.verify.whole_roller import displaced
 
 REFERENCE = json.loads((Path(__file__).parent / "data" / "finite-roller.json").read_text(encoding="utf-8"))
 CASES = {case["id"]: case for case in REFERENCE["cases"]}

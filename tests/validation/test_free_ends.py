@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.verify import free_ends
-from nonhertz.verify.claim import pressures
+from claims import free_ends
+from claims.claim import pressures
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -43,7 +43,7 @@ def test_coincident_ends_press_the_less_the_more_they_bulge():
     assert at_end[0] > at_end[1] > at_end[2]
 
 
-# On cells within what the claims of `nonhertz verify` allow, and closer.
+# On cells within what the claims allow, and closer.
 @pytest.mark.parametrize(
     ("solved", "middle", "nearest", "towards_end"),
     [(free_ends.by_strips, 1e-3, 0, 5e-3), pytest.param(free_ends.on_grid, 3e-4, 1, 3e-3, marks=pytest.mark.slow)],

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.verify.hertz import Parabola, errors
+from claims.hertz import Parabola, errors
 
 STEEL = nh.Material(modulus=207000, poisson=0.3)
 

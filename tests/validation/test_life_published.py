@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from claims import fatigue_life
 from nonhertz import life
-from nonhertz.verify import fatigue_life
 
 # Derived apart from here, on 3000 depths, to about 1e-4: s_max / p0 and the integral of (s / s_max)^k / z^h.
 INTEGRALS = (

@@ -8,7 +8,7 @@ CIMNE, Barcelona 1998. Roller 15 x 16 on a ring of diameter 60, ISO profile, E =
 import pytest
 
 import nonhertz as nh
-from nonhertz.verify.paper_rollers import QUANTITIES, half_digit
+from claims.paper_rollers import QUANTITIES, half_digit
 
 pytestmark = pytest.mark.filterwarnings("ignore:The maximum pressure is uncertain")  # of 41 equal strips
 

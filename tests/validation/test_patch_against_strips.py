@@ -1,6 +1,6 @@
 """Plane grid against strips, two methods that share nothing but the bodies and what their faces and depths add.
 
-Beside what the claims of `nonhertz verify` say: weights, depths, rounded corners, and free faces of unlike bodies.
+Beside what the claims say: weights, depths, rounded corners, and free faces of unlike bodies.
 """
 
 import math
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.verify.claim import pressures
+from claims.claim import pressures
 
 # Sharp ends, where the pressure has no limit, and corners.
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")

@@ -1,6 +1,6 @@
 """Rollers on a half-space, strips and cells, against converged results of an independent program (data/*.json).
 
-Approach, middle and strength are claims of `nonhertz verify`. Up to sharp ends cells err in proportion to their length;
+Approach, middle and strength are claims. Up to sharp ends cells err in proportion to their length;
 that being a known order, two grids and Richardson's extrapolation take it away.
 """
 
@@ -12,7 +12,7 @@ import pytest
 from scipy.interpolate import PchipInterpolator
 
 import nonhertz as nh
-from nonhertz.verify import half_space
+from claims import half_space
 
 DATA = Path(__file__).parent / "data"
 EXPECTED = {name: json.loads((DATA / f"{name}.json").read_text(encoding="utf-8")) for name in ("BH1", "B0", "D")}

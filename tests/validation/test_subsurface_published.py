@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from nonhertz.verify import subsurface_stress as below
+from claims import subsurface_stress as below
 
 # Boussinesq's point loads summed over 400 x 400 cells of an ellipse, derived apart from here for nu = 0.3: b/a, the
 # largest von Mises stress over p0 and its depth over b, and the same of the maximum shear stress.

@@ -59,7 +59,7 @@ GROUPS = {
     },
     "Verify": {
         "compare": "compare roller.toml --cells 64 256",
-        "verify": "verify --only hertz-ellipse bearings",
+        "verify": "verify",
     },
 }
 EXAMPLES = {name: example for commands in GROUPS.values() for name, example in commands.items()}

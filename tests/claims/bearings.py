@@ -1,6 +1,6 @@
 """Whole bearings: integrals over many rollers, published examples, single contacts, and sums in space.
 
-What is known of them is in `nonhertz.verify.known_bearings`.
+What is known of them is in `claims.known_bearings`.
 """
 
 from __future__ import annotations
@@ -13,6 +13,9 @@ from typing import Literal
 
 import numpy as np
 
+from claims import known_bearings as known
+from claims.bearing_sums import sums_in_space
+from claims.claim import Array, Claim, Evidence, solved
 from nonhertz.bearing import (
     BearingLife,
     BearingSolution,
@@ -30,9 +33,6 @@ from nonhertz.bearing.section import raceway_motion, ring_motion
 from nonhertz.bearing.strips import stripped
 from nonhertz.bearing.verb import joined
 from nonhertz.native import core
-from nonhertz.verify import known_bearings as known
-from nonhertz.verify.bearing_sums import sums_in_space
-from nonhertz.verify.claim import Array, Claim, Evidence, solved
 
 Method = Literal["strips", "slices"]
 

@@ -20,6 +20,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprd
 
+from claims.claim import Array, Claim, Evidence, Value, solved
 from nonhertz import Body, Contact, Material, Plate, Ring, Roller, Solution, solve
 from nonhertz.hertz import LineContact, PointContact, line_contact, point_contact
 from nonhertz.model.body import BODIES, BodyName
@@ -28,7 +29,6 @@ from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
 from nonhertz.subsurface import Extremes, Field, extremes, passage, stress
 from nonhertz.subsurface.field import SIGMA_Z, TAU_XY, TAU_XZ, TAU_YZ
-from nonhertz.verify.claim import Array, Claim, Evidence, Value, solved
 
 Loaded = Solution | PatchSolution
 Landmarks = Mapping[str, tuple[Value, Value]]

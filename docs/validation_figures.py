@@ -1,4 +1,4 @@
-"""The figures of docs/validation, from the same solved cases as the claims of `nonhertz verify`."""
+"""The figures of docs/validation, from the same solved cases as the claims of the tests."""
 
 from __future__ import annotations
 
@@ -10,16 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from nonhertz.bodies.depths import plane_strain_depth
-from nonhertz.life import assess, ioannides_harris, lundberg_palmgren, weibull, zaretsky
-from nonhertz.plot.contact_area import footprint
-from nonhertz.plot.side_by_side import draw_differences
-from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, FIRST, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
-from nonhertz.solver.one import solve
-from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
-from nonhertz.subsurface import passage, stress
-from nonhertz.subsurface.field import von_mises_of
-from nonhertz.verify import (
+from claims import (
     bearings,
     bodies,
     fatigue_life,
@@ -32,6 +23,15 @@ from nonhertz.verify import (
     subsurface_stress,
     whole_roller,
 )
+from nonhertz.bodies.depths import plane_strain_depth
+from nonhertz.life import assess, ioannides_harris, lundberg_palmgren, weibull, zaretsky
+from nonhertz.plot.contact_area import footprint
+from nonhertz.plot.side_by_side import draw_differences
+from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, FIRST, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
+from nonhertz.solver.one import solve
+from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
+from nonhertz.subsurface import passage, stress
+from nonhertz.subsurface.field import von_mises_of
 
 Array = NDArray[np.float64]
 LOOKS = ((FIRST, "-"), (SECOND, "--"), (INK, ":"), (FAINT_INK, "-."))

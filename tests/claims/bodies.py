@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
+from claims.claim import Claim, Evidence, solved
 from nonhertz import PARABOLIC, SEMI_ELLIPTIC, Body, Contact, EdgeKind, Material, Plate, Roller, Solution, solve
 from nonhertz.bodies.depths import plane_strain_depth
 from nonhertz.hertz import LineContact, line_contact, plane_strain_cylinder_compression
 from nonhertz.model.profile import crown
 from nonhertz.strip.element import Element
-from nonhertz.verify.claim import Claim, Evidence, solved
 
 MODULUS = 206000.0
 STEEL = Material(MODULUS, 0.3)

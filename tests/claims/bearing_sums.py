@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from claims.claim import Array
 from nonhertz.bearing import BearingSolution, RollerBearing, SphericalRollerBearing
-from nonhertz.verify.claim import Array
 
 _AXIS = np.array([1.0, 0.0, 0.0])
 

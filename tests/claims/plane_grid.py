@@ -11,16 +11,16 @@ from typing import Any
 
 import numpy as np
 
+from claims.claim import Case, Claim, Evidence, Value, solved
 from nonhertz import Body, Comparison, Contact, Plate, Ring, Roller, TabulatedDiameter, compare
 from nonhertz.hertz import point_contact
 from nonhertz.model.material import STEEL
 from nonhertz.model.profile import crown, iso_logarithmic
-from nonhertz.verify.claim import Case, Claim, Evidence, Value, solved
 
 _HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
 _MIRRORED: dict[str, Any] = {"side_faces": "mirror"}
 _LOGARITHMIC = iso_logarithmic(diameter=15.0, length=16.0)
-_STRAIGHT = 0.02741221026671631  # mm, approach: that of `nonhertz.verify.half_space`
+_STRAIGHT = 0.02741221026671631  # mm, approach: that of `claims.half_space`
 
 
 ELLIPSE, TILTED_CROWN, _, _, STRAIGHT, _, _ = CASES = (

@@ -14,11 +14,11 @@ from typing import Any
 
 import numpy as np
 
+from claims.claim import Case, Claim, Evidence, pressures, solved
 from nonhertz import Body, Contact, Material, Ring, Roller, Solution, solve
 from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown, straight, tabulated
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.solver import solve as solve_patch
-from nonhertz.verify.claim import Case, Claim, Evidence, pressures, solved
 
 # What mirroring leaves: bodies on y > 0 with a combined radius of 100 mm, separation 0 up to y = 13 mm and
 # (y - 13)^2 / 5000 beyond; the half-width is about 0.85 mm. Compared are p(0, y) / p(0, 8).

@@ -1,7 +1,7 @@
 """Whether the numbers are right: claims about them, by publications, exact solutions and other methods.
 
 Each page of docs/validation, which says what is compared and how well, has a module with a function for each section,
-which yields its claims. `sections` computes their numbers, and `nonhertz.verify.page` makes tables of them.
+which yields its claims. `sections` computes their numbers, and `claims.page` makes tables of them.
 """
 
 from __future__ import annotations
@@ -9,9 +9,9 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Callable, Iterable, Iterator
 
+from claims.claim import Claim, Section, forget, named
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.inputs.fields import unknown
-from nonhertz.verify.claim import Claim, Section, forget, named
 
 #: Module and function of the claims of every section, and its title, in reading order.
 CATALOGUE = {
@@ -57,7 +57,7 @@ def chosen(only: Iterable[str] = ()) -> tuple[str, ...]:
 def claims(name: str) -> tuple[Claim, ...]:
     """Return the claims of a section by its name; nothing is solved yet."""
     # Imported late, so that running one section does not load the others.
-    return named(name, pkgutil.resolve_name(f"nonhertz.verify.{CATALOGUE[name][0]}")())
+    return named(name, pkgutil.resolve_name(f"claims.{CATALOGUE[name][0]}")())
 
 
 def sections(only: Iterable[str] = (), announce: Callable[[str], object] | None = None) -> Iterator[Section]:

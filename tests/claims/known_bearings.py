@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike
 from scipy.integrate import quad
 from scipy.optimize import newton, root
 
+from claims.claim import Array
 from nonhertz import Material, Ring, Roller, Solution, TabulatedDiameter, solve
 from nonhertz.bearing import CylindricalRollerBearing, TaperedRollerBearing
 from nonhertz.model.profile import Profile, iso_logarithmic, straight
-from nonhertz.verify.claim import Array
 
 #: Q_max Z / F_r and F_a / (F_r tan alpha) of half a load zone, of very many rollers without clearance, as published for
 #: contacts with an exponent of 1.1; the other exponent is that of slices.

@@ -16,11 +16,11 @@ from typing import Any
 
 import numpy as np
 
+from claims.claim import Claim, Evidence, in_middle, solved
 from nonhertz import PARABOLIC, SEMI_ELLIPTIC, Contact, EdgeKind, Material, Ring, Roller, Solution, solve
 from nonhertz.hertz import LineContact, line_contact, plane_strain_cylinder_compression
 from nonhertz.model.profile import Profile, iso_logarithmic, partial_crown, straight
 from nonhertz.strip.element import Element
-from nonhertz.verify.claim import Claim, Evidence, in_middle, solved
 
 STEEL = Material(206000.0, 0.3)
 DIAMETER, LENGTH = 15.0, 16.0  # of the roller [mm]

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import minimize_scalar
 
+from claims.claim import Array, Claim, Evidence, in_middle, pressures, solved
 from nonhertz import Contact, Material, Plate, Roller, Solution, solve
 from nonhertz.model.material import STEEL
 from nonhertz.model.profile import Profile, crown, straight
-from nonhertz.verify.claim import Array, Claim, Evidence, in_middle, pressures, solved
 
 SOURCE = "uniform rectangles, extrapolated"
 JUDGED_TO = 9.5  # mm: closer to the end than one half-width the pressure across is not a semi-ellipse

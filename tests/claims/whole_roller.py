@@ -14,12 +14,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from claims.claim import Array, Claim, Evidence, solved
 from nonhertz import SEMI_ELLIPTIC, Contact, Material, Plate, Roller
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.model.depths import DepthRule
 from nonhertz.model.side_faces import FaceRule
 from nonhertz.strip.influence import displacements
-from nonhertz.verify.claim import Array, Claim, Evidence, solved
 
 DIAMETER, LENGTH, MODULUS = 20.0, 20.0, 206000.0  # mm, mm, MPa
 END = 0.5 * LENGTH

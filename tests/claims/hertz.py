@@ -15,11 +15,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from claims.claim import Array, Claim, Evidence, in_middle, pressures, solved
 from nonhertz import PARABOLIC, SEMI_ELLIPTIC, Body, Contact, Material, Plate, Roller, Solution, solve
 from nonhertz.hertz import LineContact, PointContact, line_contact, point_contact
 from nonhertz.model.profile import Profile
 from nonhertz.strip.element import Element
-from nonhertz.verify.claim import Array, Claim, Evidence, in_middle, pressures, solved
 
 STEEL = Material(206000.0, 0.3)
 ELEMENTS = (SEMI_ELLIPTIC, PARABOLIC)

@@ -9,12 +9,12 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from claims.claim import Claim
 from nonhertz import SEMI_ELLIPTIC, Contact, Ring, Roller, Solution, solve
 from nonhertz.bodies.influence import influence_of
 from nonhertz.model.profile import iso_logarithmic
 from nonhertz.native import core
 from nonhertz.strip.influence import kernel_of
-from nonhertz.verify.claim import Claim
 
 COUNTS = (100, 200, 400)
 REPEATS = 11

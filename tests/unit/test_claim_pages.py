@@ -6,10 +6,10 @@ import pkgutil
 
 import pytest
 
+import claims
 import nonhertz as nh
-from nonhertz import verify
-from nonhertz.verify.claim import Claim, Evidence, Section, forget, named, solved
-from nonhertz.verify.page import as_json, row
+from claims.claim import Claim, Evidence, Section, forget, named, solved
+from claims.page import as_json, row
 
 
 def check(computed=2.001, tolerance=1e-3, *, quantity="a number", expected=2.0, **more):
@@ -98,16 +98,16 @@ def test_json_has_all_checks_and_no_infinity():
 
 
 def test_sections_come_in_reading_order_and_unknown_ones_are_refused():
-    assert verify.chosen() == tuple(verify.CATALOGUE)
-    assert verify.chosen(["quarter-space", "half-space", "quarter-space"]) == ("half-space", "quarter-space")
+    assert claims.chosen() == tuple(claims.CATALOGUE)
+    assert claims.chosen(["quarter-space", "half-space", "quarter-space"]) == ("half-space", "quarter-space")
     with pytest.raises(nh.InputError, match="choose from 'hertz-ellipse', 'line-limits', "):
-        verify.chosen(["half-space", "nonsense"])
+        claims.chosen(["half-space", "nonsense"])
 
 
 def test_claims_are_data_until_their_numbers_are_asked_for(monkeypatch):
-    for place, _ in verify.CATALOGUE.values():
+    for place, _ in claims.CATALOGUE.values():
         # Imported before, so that no module keeps what is put in place of the solver's function.
-        pkgutil.resolve_name(f"nonhertz.verify.{place}")
+        pkgutil.resolve_name(f"claims.{place}")
     monkeypatch.setattr(nh.solver.one, "problem_of", lambda *_: pytest.fail("something was solved"))
-    claims = [claim for name in verify.CATALOGUE for claim in verify.claims(name)]
-    assert len(claims) == len({claim.id for claim in claims}) == 652
+    every = [claim for name in claims.CATALOGUE for claim in claims.claims(name)]
+    assert len(every) == len({claim.id for claim in every}) == 652

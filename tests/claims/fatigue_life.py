@@ -8,14 +8,14 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from claims.claim import Array, Claim, Evidence, solved
+from claims.subsurface_stress import LOAD, RING_DIAMETER, STEEL, TILT, mcewen, tilted_on_strips
 from nonhertz import Contact, Material, Ring, Roller, Solution, solve
 from nonhertz.hertz import line_contact
 from nonhertz.life import MODELS, Life, Model, Raceway, VolumeModel, assess, ioannides_harris, iso_16281
 from nonhertz.life.lamina import edge_function, laminae_of
 from nonhertz.patch import PatchSolution
 from nonhertz.patch import solve as solve_patch
-from nonhertz.verify.claim import Array, Claim, Evidence, solved
-from nonhertz.verify.subsurface_stress import LOAD, RING_DIAMETER, STEEL, TILT, mcewen, tilted_on_strips
 
 DIAMETER, LENGTH, LOAD_ON_LINE = 10.0, 10.0, 10e3  # mm, N
 NARROW = 0.05  # mm: width of the outer two of three strips; a line contact is uniform along y and needs no more

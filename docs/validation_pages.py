@@ -1,6 +1,6 @@
-"""Set the numbers of `nonhertz verify` into the pages of docs/validation, and draw their figures.
+"""Set the numbers of the claims into the pages of docs/validation, and draw their figures.
 
-    python docs/claims.py
+    PYTHONPATH=tests python docs/validation_pages.py
 
 A page keeps its text; what is between a comment that names claims by their ids, with wildcards and commas, and the
 comment that ends it is written anew:
@@ -18,16 +18,16 @@ from collections.abc import Sequence
 from fnmatch import fnmatch
 from pathlib import Path
 
-from claim_figures import FIGURES
 from matplotlib.figure import Figure
+from validation_figures import FIGURES
 
-from nonhertz import verify
+import claims
+from claims.claim import Check, Section
+from claims.page import overview, row, table
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.plot import save
 from nonhertz.plot.sheets import WIDTH
 from nonhertz.plot.style import sheet_style
-from nonhertz.verify.claim import Check, Section
-from nonhertz.verify.page import overview, row, table
 
 FOLDER = Path(__file__).parent / "validation"
 PLACE = re.compile(r"(<!-- (?P<what>off|found|table|overview) ?(?P<of>\S*) -->).*?(<!-- \. -->)", re.DOTALL)
@@ -82,7 +82,7 @@ def by_source(checks: Sequence[Check]) -> str:
 
 def main() -> None:
     """Write all pages and figures."""
-    sections = list(verify.sections(announce=print))
+    sections = list(claims.sections(announce=print))
     for path in sorted(FOLDER.glob("*.md")):
         path.write_text(filled(path.read_text(encoding="utf-8"), sections), encoding="utf-8")
         print(f"wrote {path.name}")

@@ -11,10 +11,10 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from claims.claim import Check, Section
 from nonhertz import __version__
 from nonhertz.files.folder import write_files
 from nonhertz.files.results import plain
-from nonhertz.verify.claim import Check, Section
 
 #: Headings of what `row` returns.
 COLUMNS = ("claim", "source", "expected", "computed", "difference", "tolerance", "verdict")
