@@ -357,6 +357,15 @@ def test_an_overlap_is_found_where_it_is_and_as_wide_as_it_is():
     assert 1e-4 < width < 2e-3
 
 
+def test_an_overlap_right_beside_a_contact_is_none_of_its_own():
+    model = model_of(nh.Contact(nh.Roller(diameter=20, length=20, profile=profile.crown(2000)), nh.Plate()))
+    grid, state = approached(model, 0.01, np.linspace(-9.0, -2.0, 61))
+    ((begin, end),) = core.intervals(grid.edges, state.m)
+    ((place, width),) = core.overlaps(model, grid, state, -10.0, 10.0)
+    # In five strips, from the first of 600 samples that is a fiftieth of the contact's length beyond its end.
+    assert 0.0 <= place - 2.5 * width - (end + 0.02 * (end - begin)) < 20.0 / 600.0
+
+
 @pytest.mark.parametrize(("share", "extra"), [(1.0, None), (0.5, None), (1.0, 0.4)])
 def test_strips_are_laid_as_a_coarser_solution_calls_for(share, extra):
     grid, state = crowned_on_part(-10.0, 10.0, 40)

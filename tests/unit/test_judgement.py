@@ -122,3 +122,51 @@ def test_waves_depart_from_every_parabola_by_their_root_mean_square(solved):
     found = judged(level_of(solved, model, rigid=(1.0, 0.0)), model=model).checks.unevenness
     # The parabola takes three of nine numbers, which could be any.
     assert found == pytest.approx(Waved.height / np.sqrt(2.0) * np.sqrt(6.0 / 9.0), rel=0.2)
+    # The approach is off by as much, within strips instead of half-widths, of 1 mm that the bodies approach.
+    level = level_of(solved, model, rigid=(1.0, 0.0))
+    assert judged(level, level, model=model).errors.approach == pytest.approx(found, rel=0.5)
+
+
+def test_each_end_is_as_sharp_as_the_strip_beside_it_is_narrow():
+    edges = np.array([-10.0, -9.5, -4.0, 3.0, 9.0, 10.0])
+    model = model_of(on_plate(nh.profile.straight()))
+    state = core.State(r=np.ones(5), m=np.full(5, 1e-2), gap=np.zeros(5), rigid=(1e-2, 0.0), stiffness=np.eye(2),
+                       status=core.Status.CONVERGED, steps=1, residual=0.0)  # fmt: skip
+    singular = judged(core.Level(model, edges, state), model=model).singular
+    assert [(end.y, end.width) for end in singular] == [(-10.0, 0.5), (10.0, 1.0)]
+
+
+def test_bodies_overlap_beyond_strips_that_end_within_the_contact():
+    with without_accuracy_warnings():
+        part = nh.solve(CROWNED, approach=5e-3, strips=np.linspace(-1.0, 1.0, 12))
+    checks = judged(level_of(part), by_force=(False, False)).checks
+    # The surface beside it is lifted by less than the bodies overlap there.
+    assert 0.0 < checks.missed < 5e-3
+    assert 1.0 < abs(checks.missed_y) < 2.5
+
+
+@pytest.mark.parametrize("kept", [-1.6, -0.6])
+def test_what_is_missed_on_one_side_is_missed_on_the_other(solved, kept):
+    found = []
+    for sign in (-1.0, 1.0):
+        some = np.where(sign * solved.y < kept, solved.element_half_width**2, 0.0)
+        found.append(judged(level_of(solved, m=some)).checks)
+    assert found[0].missed > 0.0
+    assert found[0].missed == pytest.approx(found[1].missed, rel=1e-9)
+    assert found[0].missed_y == pytest.approx(-found[1].missed_y, rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_summit_on_uneven_strips_may_be_as_much_higher_as_its_mirror_image(seed):
+    """Any numbers will do for the half-widths."""
+    drawn = [np.random.default_rng(seed).uniform(0.02, 0.05, count) for count in (41, 20)]
+    ends = []
+    for turned in (1, -1):
+        levels = []
+        for half in drawn:
+            n, edges = half.size, np.linspace(-10.0, 10.0, half.size + 1)
+            state = core.State(r=np.ones(n), m=half[::turned] ** 2, gap=np.zeros(n), rigid=(1e-2, 0.0),
+                               stiffness=np.eye(2), status=core.Status.CONVERGED, steps=1, residual=0.0)  # fmt: skip
+            levels.append(core.Level(MODEL, edges, state))
+        ends.append(judged(*levels).errors.max_pressure)
+    assert ends[0] == pytest.approx(ends[1], rel=1e-9)
