@@ -57,6 +57,14 @@ def test_a_uniform_pressure_all_around_moves_the_surface_by_the_same_everywhere(
     np.testing.assert_allclose(moved[:, 0], in_k, rtol=1e-9)
 
 
+@pytest.mark.parametrize("n", [0, 2, 4])
+def test_the_axis_of_a_solid_roller_moves_along_itself_alone_and_not_under_waves(n):
+    body = elements()
+    moved = body.displaced(n, body.forces(lambda z: np.cos(z)[:, None]))[0, :, 0]
+    np.testing.assert_array_equal(moved[: 2 if n == 0 else 3], 0.0)
+    assert (np.abs(moved[2]).max() > 1.0) == (n == 0)
+
+
 def test_the_smooth_part_is_symmetric_and_does_not_mix_even_and_odd():
     found = whole_roller(Outline.cylinder(1.0), 0.3).matrix
     np.testing.assert_allclose(found, found.T, atol=1e-12)
