@@ -97,6 +97,7 @@ def test_the_other_ring_takes_the_strips_and_loses_nothing():
     law, pose = law_of(INNER, OUTER), (0.0118, 1.46e-4)
     first, second = asked(law, *pose, other=pose)
     assert_array_equal(law.edges(0, 0), law.edges(0, 1))
+    assert (law.solved, law.followed, len(law.laid_for)) == (0, 1, 1)
     for contact, found in ((INNER, first), (OUTER, second)):
         alone = nh.solve(contact, approach=pose[0], tilt=pose[1])
         assert_allclose(found[0], alone.load, rtol=2e-4)
