@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
+from nonhertz.bodies import wall_stress
 from nonhertz.hertz import line_contact
 from nonhertz.native import core
 from nonhertz.subsurface.lamination import Lamination
@@ -129,3 +130,22 @@ def test_where_strips_are_cut_the_field_does_not_see_it(depth):
 def test_nothing_bears_nothing():
     empty = StripLoad(Lamination(*(np.empty(0) for _ in range(4)), np.zeros(1, dtype=np.int64)))
     assert not empty.stress(np.zeros((2, 3)), 0.3).any()
+
+
+def test_from_the_opposite_side_point_loads_are_those_of_boussinesq():
+    outer, places, forces = 10.0, np.array([-2.0, 1.5]), np.array([700.0, 400.0])
+    points = np.array([[0.5, 0.3, 7.0], [-1.0, 2.0, 9.0], [2.0, -4.0, 6.5], [1e-4, 1.5, 8.0]])
+    found, even = np.zeros((4, 6)), np.ones(4)
+    wall = core.Wall(np.zeros((1, 6, 2, 2)), 0.9, places, forces)
+    wall.add(points, 0.0 * even, outer * even, 5.0 * even, POISSON, found)
+    # Turned by half a revolution about the axis, which turns tau_yz and tau_xy round.
+    for (x, y, z), row in zip(points, found * [1.0, 1.0, 1.0, -1.0, 1.0, -1.0], strict=True):
+        loads = zip(places, forces, strict=True)
+        expected = sum(force * point_load(-x, y - place, 2.0 * outer - z)[0] for place, force in loads)
+        np.testing.assert_allclose(row, expected / (2.0 * np.pi), rtol=1e-5, atol=1e-9)
+
+
+def test_the_modes_of_point_loads_are_taken_from_those_of_boussinesq():
+    points = np.array([[0.5, 0.3, 0.7], [-1.0, 2.0, 0.4], [1e-4, 1e-4, 0.8]])
+    for point, row in zip(points, wall_stress._point_load(*points.T, POISSON), strict=True):
+        np.testing.assert_allclose(row, point_load(*point)[0] / (2.0 * np.pi), rtol=1e-5, atol=1e-9)

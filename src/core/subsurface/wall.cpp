@@ -20,15 +20,14 @@ Six<double> opposite(const Wall& wall, double poisson, double x, double y, doubl
   Six<double> found{};
   for (std::size_t k = 0; k < wall.places.size(); ++k) {
     const double Y = y - wall.places[k], force = wall.forces[k] / TWO_PI;
-    const double square = std::max(x * x + Y * Y, 1e-16), R = std::sqrt(square + z * z);
-    const double side = lateral / square, g = (1.0 - z / R) / square;
-    const double cube = z / (R * R * R), fifth = 3.0 * z / (R * R * R * R * R);
-    found[0] += force * (side * (g * (x * x - Y * Y) + cube * Y * Y) - fifth * x * x);
-    found[1] += force * (side * (g * (Y * Y - x * x) + cube * x * x) - fifth * Y * Y);
+    const double R = std::sqrt(x * x + Y * Y + z * z), cube = R * R * R, fifth = 3.0 * z / (cube * R * R);
+    const double g = 1.0 / (R * (R + z)), w = (2.0 * R + z) / (cube * (R + z) * (R + z));
+    found[0] += force * (lateral * (g - w * Y * Y) - fifth * x * x);
+    found[1] += force * (lateral * (g - w * x * x) - fifth * Y * Y);
     found[2] -= force * fifth * z * z;
     found[3] += force * fifth * Y * z;
     found[4] -= force * fifth * x * z;
-    found[5] -= force * (side * x * Y * (g - cube) - fifth * x * Y);
+    found[5] -= force * (lateral * w - fifth) * x * Y;
   }
   return found;
 }

@@ -253,15 +253,13 @@ OPPOSITE = np.array([1.0, 1.0, 1.0, -1.0, 1.0, -1.0])
 
 def _point_load(x: Array, y: Array, z: Array, poisson: float) -> Array:
     """Return the six stresses of Boussinesq's point load on a half-space, shape (..., 6)."""
-    square = np.maximum(x * x + y * y, 1e-16)
-    R = np.sqrt(square + z * z)
-    lateral, g = (1.0 - 2.0 * poisson) / square, (1.0 - z / R) / square
-    cube, fifth = z / R**3, 3.0 * z / R**5
+    lateral, R = 1.0 - 2.0 * poisson, np.sqrt(x * x + y * y + z * z)
+    # (1 - z / R) / r^2 and (2 g - z / R^3) / r^2, r^2 = x^2 + y^2, as they are below the load, too.
+    g, w = 1.0 / (R * (R + z)), (2.0 * R + z) / (R**3 * (R + z) ** 2)
+    fifth = 3.0 * z / R**5
     found: Array = np.stack([
-        lateral * (g * (x * x - y * y) + cube * y * y) - fifth * x * x,
-        lateral * (g * (y * y - x * x) + cube * x * x) - fifth * y * y,
-        -fifth * z * z, -fifth * y * z, -fifth * x * z,
-        lateral * x * y * (g - cube) - fifth * x * y,
+        lateral * (g - w * y * y) - fifth * x * x, lateral * (g - w * x * x) - fifth * y * y, -fifth * z * z,
+        -fifth * y * z, -fifth * x * z, (lateral * w - fifth) * x * y,
     ], axis=-1) / (2.0 * np.pi)  # fmt: skip
     return found
 
