@@ -369,7 +369,7 @@ class _Question:
         """Return the check of the largest pressure [MPa]."""
         allowed = self.body.material.pressure_limit
         if allowed is None:
-            words = f"Static safety is not known: the material of {self.name} has no pressure_limit."
+            words = f"Static safety is not known: the material of {self.name} has no pressure limit."
             return _unknown("pressure", words, unasked=True)
         ratio = found / allowed
         # A bearing has an S0 of its own, C0 / P0.
@@ -438,7 +438,7 @@ class _Question:
         if core is not None:
             yield self._against("core", what, self._equivalent(core), "core_yield_strength")
         elif self.body.material.core_yield_strength is not None and self.body.case_depth is None:
-            yield _unknown("core", f"Whether {what} yields is not known: the body has no case_depth.", unasked=True)
+            yield _unknown("core", f"Whether {what} yields is not known: the body has no case depth.", unasked=True)
 
     def of_case(self, largest: list[Extremes]) -> Iterator[Check]:
         """Yield the check of how deep the case is, if there is one: below the deepest of the largest shear stresses."""
@@ -477,7 +477,12 @@ class _Question:
         towards = "the stress grows without limit towards {ends}"
         if allowed is None:
             known = f"; its largest {stress} is {found_there}" if self.limit else ""
-            return _unknown(name, f"{open_question}: the material has no {strength}{known}.", unasked=True, **numbers)
+            return _unknown(
+                name,
+                f"{open_question}: the material has no {strength.replace('_', ' ')}{known}.",
+                unasked=True,
+                **numbers,
+            )
         ratio = found.max / allowed
         if self.stepped and ratio <= 1.0:
             return _unknown(name, f"{open_question}: the bending of the wall between steps of its bore is not known.")

@@ -301,7 +301,7 @@ def _unknown(materials: Mapping[str, Material]) -> Iterator[tuple[Level, Finding
         name = f"{name_of(material)} ".lstrip() + ("of no particular grade " if material == STEEL else "")
         what = f"of {name}({joined(of)})" if name else f"of the material of {joined(of)}"
         grade = "name its grade, such as 100Cr6, or " if material == STEEL else ""
-        words = f"No limit is known {what}: {grade}give its yield_strength or pressure_limit."
+        words = f"No limit is known {what}: {grade}give its yield strength or pressure limit."
         yield Level.NOT_JUDGED, finding("no-limit-known", words)
 
 

@@ -1,5 +1,6 @@
 """``nonhertz report`` as a user meets it: file, names, what is refused, exit codes."""
 
+import datetime
 from pathlib import Path
 
 import pytest
@@ -79,10 +80,17 @@ def test_the_head_says_what_the_file_and_the_options_say(case):
     text = Path("case-report.html").read_text(encoding="utf-8")
     for shown in ("<dd>Gearbox &amp; sons</dd>", "<dt>author</dt><dd>B</dd>"):
         assert shown in text
-    assert "<dt>date</dt>" not in text
-    Path(case).write_text(CASE, encoding="utf-8")
+    today = datetime.date.today().isoformat()
+    assert f"<dt>date</dt><dd>{today}</dd>" in text
+    assert f'@top-right {{ content: "B, {today}"; }}' in text
+    Path(case).write_text(f'{CASE}[report]\ndate = "in spring"\n', encoding="utf-8")
     assert main(["report", case, *QUICK]) == 0
-    assert '<dl class="title-block">' not in Path("case-report.html").read_text(encoding="utf-8")
+    assert "<dt>date</dt><dd>in spring</dd>" in Path("case-report.html").read_text(encoding="utf-8")
+    Path(case).write_text(CASE, encoding="utf-8")
+    assert main(["report", case, *QUICK, "--no-date"]) == 0
+    text = Path("case-report.html").read_text(encoding="utf-8")
+    assert '<dl class="title-block">' not in text
+    assert "This file contains no date" in text
 
 
 def test_all_mistakes_of_all_files_are_named(case, run):

@@ -232,11 +232,12 @@ def test_two_cases_are_compared_by_what_differs():
     other = PLAIN.replace("4 kN", "8 kN").replace("diameter = 60", "diameter = 60\nposition = 0")
     pair = [case_of(PLAIN, "first.toml"), case_of(other, "second.toml")]
     # A default that is written down is no difference.
-    differing, same = differing_inputs([inputs(each) for each in pair])
-    assert differing == [("load.load", "4000 N", "8000 N")]
-    assert {row[0]: row[1] for row in same}["body.a.diameter"] == "15 mm"
-    assert "body.b.position" in {row[0] for row in same}
-    assert "body.a.side_faces" not in {row[0] for row in same}
+    differing, same, notes = differing_inputs([inputs(each) for each in pair])
+    assert differing == [("load", "4000 N", "8000 N")]
+    assert notes == ["More than shapes differs, so that not all numbers compare: load."]
+    assert {row[0]: row[1] for row in same}["body a, diameter"] == "15 mm"
+    assert "body b, position" in {row[0] for row in same}
+    assert "body a, side faces" not in {row[0] for row in same}
     found = settled(pair)
     rows = {name: cells for name, *cells in results(found)}
     assert [cell.remark for cell in rows["load [kN]"]] == ["", "+100 %"]
@@ -245,8 +246,10 @@ def test_two_cases_are_compared_by_what_differs():
     assert change == pytest.approx(100.0 * (ratio - 1.0), rel=5e-3)  # three digits are told
     text = rendered(found)
     page = Page(text)
-    assert "2 cases compared" in page.text
-    assert "Not all numbers are comparable, because more than shapes differs: load." in page.text
+    assert "first and second compared" in page.text
+    first, second = (f"{each.solution.max_pressure:.1f} MPa in {each.label}" for each in found)
+    assert f"Maximum pressure: {first}, {second} ({change:+.3g} %)." in page.text
+    assert notes[0] in page.text
     # Nothing of one case alone is shown before it is unfolded.
     assert text.count("<figure") == 1
     before, *folded = text.split("<summary>Assumptions, inputs, method and files of ")

@@ -165,9 +165,9 @@ def test_what_is_not_given_is_not_known(plain):
     assert math.isnan(found.static_safety)
     assert math.isnan(found.yield_ratio)
     assert math.isnan(found.core_yield_ratio)
-    assert found.sentences[0] == "Static safety is not known: the material of body a has no pressure_limit."
+    assert found.sentences[0] == "Static safety is not known: the material of body a has no pressure limit."
     assert found.sentences[1].startswith(
-        "Whether body a yields is not known: the material has no yield_strength; its largest von Mises stress is "
+        "Whether body a yields is not known: the material has no yield strength; its largest von Mises stress is "
     )
     assert len(found.checks) == 2
 
@@ -175,7 +175,7 @@ def test_what_is_not_given_is_not_known(plain):
 @pytest.mark.slow
 def test_a_core_without_a_depth_or_a_strength_is_not_known(plain, largest):
     found = assess(with_material(plain, **KNOWN), largest=largest)
-    assert found.checks[2].sentence == "Whether the core of body a yields is not known: the body has no case_depth."
+    assert found.checks[2].sentence == "Whether the core of body a yields is not known: the body has no case depth."
     assert found.checks[2].verdict is Verdict.UNKNOWN
     found = assess(with_material(plain, yield_strength=1500.0, case_depth=1.0), largest=largest)
     assert found.checks[2].sentence.startswith("Whether the core of body a yields is not known: the material has no")

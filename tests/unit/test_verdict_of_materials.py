@@ -62,7 +62,7 @@ def test_nothing_is_judged_by_the_limit_of_another_material():
     assert (found.level, found.words) == (Level.NOT_JUDGED, "Not judged.")
     assert found.sentence == (
         "No limit is known of steel of no particular grade (body a and body b): name its grade, such as 100Cr6, or "
-        "give its yield_strength or pressure_limit."
+        "give its yield strength or pressure limit."
     )
     assert found.as_object()["level"] == "not-judged"
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import datetime
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -36,6 +38,7 @@ def report(
     project: str = "",
     author: str = "",
     date: str = "",
+    no_date: Annotated[bool, Parameter(negative="")] = False,
     units: UnitsRead = "si",
 ) -> int:
     """Write an HTML report of cases or bearings that opens in any browser.
@@ -65,7 +68,9 @@ def report(
     author : str
         Author in the head of the report.
     date : str
-        Date in the head of the report.
+        Date in the head of the report; by default that of the file, or else today's.
+    no_date : bool
+        Leave out the date: the same files then give the same report to the last byte.
     """
     with named_as(project="--project", author="--author", date="--date"):
         block = TitleBlock(project=project, author=author, date=date)
@@ -75,6 +80,8 @@ def report(
         read = of_each(cases, lambda path: path, lambda path: read_any(path, changes))
     with named_as(cases="CASE"):
         first = of_one_kind(read)[0]
+    if not (date or first.title_block.date or no_date):
+        block = replace(block, date=datetime.date.today().isoformat())
     if compare and isinstance(first, Case):
         remedy = f"use 'nonhertz compare {first.path}' for strips beside the plane grid"
         raise InputError("--compare", str(first.path), "be used with bearing files", remedy)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from nonhertz.amounts import Amount, digits, mpa, percent
 from nonhertz.bearing.quantities import QUANTITIES as OF_BEARING
@@ -27,29 +27,28 @@ _BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_le
 Compared = tuple[str | Cell, ...]
 
 
-def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> tuple[list[Compared], list[Compared]]:
-    """Return the inputs in which cases differ, by key, and those given in a file that are the same in all.
+def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> tuple[list[Compared], list[Compared], list[str]]:
+    """Return the inputs in which cases differ, those given in a file that are the same in all, and a note.
 
-    Each case is given by its inputs.
+    Each case is given by its inputs; the note says what differs beside dimensions and profiles, as not all numbers
+    compare then.
     """
     tables = [{entry.place: entry for group in groups for entry in group.entries} for groups in cases]
     differing: list[Compared] = []
     same: list[Compared] = []
+    beside: list[str] = []
     for place in dict.fromkeys(place for table in tables for place in table):
         values = [table[place].shown if place in table else ABSENT for table in tables]
         if len(set(values)) > 1:
-            differing.append((place, *values))
+            entry = next(table[place] for table in tables if place in table)
+            differing.append((entry.full_name, *values))
+            section, key = place.partition(".")[0], place.rpartition(".")[2]
+            if {section, key} & _BESIDE_SHAPES:
+                beside.append(section if section in _CONDITIONS else entry.full_name)
         elif not all(table[place].default for table in tables):
-            same.append((place, values[0], tables[0][place].meaning))
-    return differing, same
-
-
-def basis(places: Iterable[str]) -> list[str]:
-    """Return a sentence on inputs that differ beside dimensions and profiles: with them not all numbers compare."""
-    paths = [(place, place.partition(".")[0], place.rpartition(".")[2]) for place in places]
-    beside = [part if part in _CONDITIONS else path for path, part, key in paths if {part, key} & _BESIDE_SHAPES]
-    what = ", ".join(dict.fromkeys(beside))
-    return [f"Not all numbers are comparable, because more than shapes differs: {what}."] if beside else []
+            same.append((tables[0][place].full_name, values[0], tables[0][place].meaning))
+    what = "; ".join(dict.fromkeys(beside))
+    return differing, same, [f"More than shapes differs, so that not all numbers compare: {what}."] if beside else []
 
 
 def results(found: Sequence[Results]) -> list[Compared]:
@@ -85,6 +84,34 @@ def _of_bearings(found: Sequence[BearingResults]) -> list[Compared]:
             rows.append((quantity.label, *(f"{each:g}" if math.isfinite(each) else ABSENT for each in values)))
         elif any(value and math.isfinite(value) for value in values):
             rows.append(compared(quantity.label, quantity.amount(*values)))
+    return rows
+
+
+def conclusion(found: Sequence[Results]) -> str:
+    """Return in a sentence how the largest pressures compare, of bearings the lives, too."""
+    rows = {str(row[0]).partition(" [")[0]: row for row in results(found)}
+    life = next((name for name in ("modified life", "reference life") if name in rows), "")
+    shown = [rows[name] for name in ("maximum pressure", life) if name in rows]
+    sentences = []
+    for name, *cells in shown:
+        label, _, unit = str(name).rstrip("]").partition(" [")
+        parts = [
+            f"{cell.text} {unit} in {each.label}{f' ({cell.remark})' if cell.remark else ''}"
+            for cell, each in zip(cells, found, strict=True)
+            if isinstance(cell, Cell) and cell.text != ABSENT
+        ]
+        sentences.append(f"{label.capitalize()}: {', '.join(parts)}.")
+    return " ".join(sentences)
+
+
+def verdicts(found: Sequence[Results]) -> list[Compared]:
+    """Return label, verdict and what it rests on of each that has one, or why it was not solved."""
+    rows: list[Compared] = []
+    for each in found:
+        if each.complaint:
+            rows.append((each.label, "Not solved.", each.complaint))
+        elif each.verdict is not None:
+            rows.append((each.label, each.verdict.words, each.verdict.sentence))
     return rows
 
 

@@ -77,9 +77,15 @@ class Entry:
     written: str = ""
 
     @property
-    def key(self) -> str:
-        """The last part of the place, of fits with what is fitted."""
-        return self.place.removeprefix("fit.") if self.place.startswith("fit.") else self.place.rpartition(".")[2]
+    def name(self) -> str:
+        """The last part of the place in words, of fits with what is fitted."""
+        key = self.place.removeprefix("fit.") if self.place.startswith("fit.") else self.place.rpartition(".")[2]
+        return _in_words(key)
+
+    @property
+    def full_name(self) -> str:
+        """The whole place in words, such as "body a, profile 1, drop"."""
+        return _in_words(self.place.replace("body.", "body ").removeprefix("load.").removeprefix("solver."))
 
     @property
     def shown(self) -> str:
@@ -124,10 +130,21 @@ def inputs(case: Case | BearingCase) -> list[InputGroup]:
             rows = [*_entries(place, table, own, made[place], said.get(place, {}))]
             if table.kinds:
                 word = own.get("kind", made[place]["kind"] if made[place].get("kind") != "body" else "any body")
-                rows.insert(0, Entry(f"{place}.kind", word, "", "what it is", "kind" not in own))
+                rows.insert(0, Entry(f"{place}.kind", word, "", "type", "kind" not in own))
             profiles = _profiles(place, own, made[place].get("profile", [])) if place in bodies else ()
             groups.append(InputGroup(title, (*rows, *profiles)))
     return [group for group in groups if group.entries]
+
+
+def _in_words(place: str) -> str:
+    """Return the path of a key without the marks of a file.
+
+    Examples
+    --------
+    >>> _in_words("body a.profile[1].end_radius"), _in_words("shaft.outside_diameter")
+    ('body a, profile 1, end radius', 'shaft, outside diameter')
+    """
+    return re.sub(r"\[(\d+)\]", r" \1", place).replace(".", ", ").replace("_", " ")
 
 
 def _flat(document: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:

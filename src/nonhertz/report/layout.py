@@ -99,7 +99,7 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
 
     options: dict[str, Any] = {"autoescape": True, "trim_blocks": True, "lstrip_blocks": True}
     environment = Environment(loader=PackageLoader("nonhertz.report"), undefined=StrictUndefined, **options)
-    environment.filters |= {"linked": linked, "drawn": _drawn}
+    environment.filters |= {"linked": linked, "drawn": _drawn, "quoted": quoted}
     page = environment.get_template("report.html").render(
         title=title,
         mark=MARK,
@@ -124,6 +124,19 @@ def _drawn(picture: Picture) -> str:
     """
     text = _LONG_NUMBER.sub(r"\1", image(picture.figure, "svg", _DOTS).decode())
     return f"data:image/svg+xml,{quote(' '.join(text.split()), safe=_UNCHANGED)}"
+
+
+def quoted(text: str) -> Markup:
+    r"""Return a text as a string of CSS within a page.
+
+    Examples
+    --------
+    >>> print(quoted('a "b" </style>'))
+    "a \22 b\22  \3c /style\3e "
+    """
+    from markupsafe import Markup
+
+    return Markup('"' + re.sub(r'["\\<>&\x00-\x1f]', lambda found: f"\\{ord(found[0]):x} ", text) + '"')
 
 
 def linked(text: str) -> Markup:

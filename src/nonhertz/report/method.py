@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from nonhertz.bearing.ratings import rating
+from nonhertz.errors import joined
 from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.hertz import point_contact
@@ -92,8 +93,7 @@ def _of_contact(found: CaseResults) -> Iterator[tuple[str, list[str]]]:
     each = _STRIPS.format(element=solution.element.name)
     sources = [source(Element), _BOUSSINESQ, *_profile_sources(found.case.document)]
     yield _IN_CONTACT.format(strips=solution.strips, each=each), sources
-    for name, body in (("body a", contact.a), ("body b", contact.b)):
-        yield _body_words(name, body), [body.behind.source]
+    yield from _of_bodies({"body a": contact.a, "body b": contact.b})
     yield _BEYOND, [_SHARP_ENDS] if solution.singular_ends else []
     if found.stress:
         words = (
@@ -121,8 +121,7 @@ def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
             f"into strips on an automatic grid. {_STRIPS.format(element='semi-elliptic')}"
         )
         yield words, [source(Element), _BOUSSINESQ, *profiles]
-        for name, body in (("a roller", row.roller), ("the inner ring", row.inner), ("the outer ring", row.outer)):
-            yield _body_words(name, body), [body.behind.source]
+        yield from _of_bodies({"a roller": row.roller, "the inner ring": row.inner, "the outer ring": row.outer})
     else:
         words = (
             "Contacts are the slices of ISO/TS 16281: independent of each other, of equal stiffness at both rings, "
@@ -154,6 +153,15 @@ def _profile_sources(document: Mapping[str, Any]) -> Iterator[str]:
             words = source(CATALOGUE.get(table["kind"]))
             if not _NO_SOURCE.match(words):
                 yield words
+
+
+def _of_bodies(bodies: Mapping[str, Body]) -> Iterator[tuple[str, list[str]]]:
+    """Yield how bodies are modelled, those that are alike together."""
+    alike: dict[str, list[str]] = {}
+    for name, body in bodies.items():
+        alike.setdefault(_body_words("{name}", body), []).append(name)
+    for words, names in alike.items():
+        yield words.format(name=joined(names)), [bodies[name].behind.source for name in names]
 
 
 def _body_words(name: str, body: Body) -> str:

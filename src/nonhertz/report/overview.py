@@ -27,13 +27,11 @@ SAMPLES = 401  # points on the interval in which both bodies can touch
 FARTHEST = 1e3  # mm; cuts an unbounded interval
 NEAR_ENDS = 0.9  # of what can touch: at the very end some bodies have no relief
 PARTS = ("roller", *RINGS)
-#: Names of the rows of summaries that are looked for first.
-FIRST: Final = frozenset(
-    {
-        *("maximum pressure", "approach", "penetration", "largest half-width", "load"),
-        *("most loaded roller", "loaded rollers", "largest rib load", "displacement", "tilt of the inner ring"),
-        *("static safety", "modified life", "rated life"),
-    }
+#: Names of the rows of summaries that are looked for first, in this order.
+FIRST: Final = (
+    *("maximum pressure", "approach", "penetration", "largest half-width", "load"),
+    *("static safety", "modified life", "rated life", "most loaded roller", "loaded rollers", "largest rib load"),
+    *("displacement", "tilt of the inner ring"),
 )
 _PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {
     "radial": ("a radial force of", newton),
@@ -48,17 +46,21 @@ _PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {
 
 
 def first_numbers(found: Results, rows: Iterable[Row]) -> list[Row]:
-    """Return the rows of summaries that are looked for first, with the row below, and the largest stress if any."""
-    numbers: list[Row] = []
+    """Return the rows of summaries that are looked for first, and the largest stress if any.
+
+    What the row below says is added where that goes on; below the pressure of a bearing is that of the other ring.
+    """
+    numbers: dict[str, Row] = {}
     for (name, value, remark), below in pairwise([*rows, ("end", "", "")]):
-        if name in FIRST:
-            more = "" if below[0] else ", ".join(filter(None, below[1:]))
-            numbers.append((name, value, "; ".join(filter(None, (remark, more)))))
+        other_ring = isinstance(found, BearingResults) and name == "maximum pressure"
+        more = "" if below[0] or other_ring else ", ".join(filter(None, below[1:]))
+        numbers.setdefault(name, (name, value, "; ".join(filter(None, (remark, more)))))
+    cards = [numbers[name] for name in FIRST if name in numbers]
     if isinstance(found, CaseResults) and found.stress:
         largest = found.stress[0].von_mises
         where = f"{largest.site}y = {mm(largest.y):4}, z = {mm(largest.z):3}"
-        numbers.append((f"largest von Mises stress in body {found.stress[0].body}", f"{mpa(largest.max)}", where))
-    return numbers
+        cards.append((f"largest von Mises stress in body {found.stress[0].body}", f"{mpa(largest.max)}", where))
+    return cards
 
 
 def opening(found: Results) -> str:

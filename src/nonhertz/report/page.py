@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nonhertz.amounts import read_in
-from nonhertz.errors import InputError
+from nonhertz.errors import InputError, joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.measured import KIND, checked, measured_in
@@ -15,7 +15,7 @@ from nonhertz.files.title_block import TitleBlock
 from nonhertz.plot import measured_figure
 from nonhertz.report import figures
 from nonhertz.report.assumptions import NO_INPUT, assumptions
-from nonhertz.report.differences import basis, differing_inputs, lives, results
+from nonhertz.report.differences import conclusion, differing_inputs, lives, results, verdicts
 from nonhertz.report.downloads import downloads
 from nonhertz.report.inputs import Entry, InputGroup, inputs
 from nonhertz.report.layout import Files, Part, Words, laid_out
@@ -29,6 +29,8 @@ from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.lives import RATIO, without_ratio
 from nonhertz.show.sections import Block, Cell, Picture, Said, Section, Table, rows_of_summaries, summary
+
+MOST_NAMED = 3  # cases that the title of a comparison names
 
 _OF_CONTACT = Words(
     "case",
@@ -115,7 +117,9 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
     parts = [Part(None, _compared(found, words))]
     for number, each in enumerate(found, start=1):
         parts.append(Part(each, folded=_given(each, words), anchor=f"case-{number}", opening=opening(each)))
-    return laid_out(f"{len(found)} {words.one}s compared", words, head, "", parts)
+    labels = [each.label for each in found]
+    title = f"{joined(labels)} compared" if len(found) <= MOST_NAMED else f"{len(found)} {words.one}s compared"
+    return laid_out(title, words, head, conclusion(found), parts)
 
 
 def _shown(found: Results) -> list[Section]:
@@ -163,14 +167,14 @@ def _tables(group: InputGroup) -> Iterator[Table]:
     rows = [_input(each) if isinstance(each, Entry) else each for each in group.rows if each not in usual]
     yield Table(rows, layout="inputs", title=group.title)
     if usual:
-        keys = ", ".join(each.key for each in usual)
+        keys = ", ".join(each.name for each in usual)
         folded = f"{len(usual)} default{'s' if len(usual) > 1 else ''}: {keys}"
         yield Table([_input(each) for each in usual], layout="inputs", folded=folded)
 
 
 def _input(entry: Entry) -> tuple[str | Cell, ...]:
     written = f"written {entry.written}" if entry.written else ""
-    return entry.key, Cell(entry.shown, written), entry.meaning
+    return entry.name, Cell(entry.shown, written), entry.meaning
 
 
 def _measured(case: Case | BearingCase) -> Iterator[Section]:
@@ -190,11 +194,12 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
 def _compared(found: Sequence[Results], words: Words) -> list[Section]:
     """Return several results beside the first: inputs, figure, numbers and lives."""
     labels = [each.label for each in found]
-    differing, same = differing_inputs([inputs(each.case) for each in found])
+    differing, same, notes = differing_inputs([inputs(each.case) for each in found])
     blocks: list[Block] = [Said([f"None differ: the {words.one}s have the same."], "paragraphs")]
     if differing:
-        blocks = [_beside("Inputs that differ", labels, differing), Said(basis(str(place) for place, *_ in differing))]
+        blocks = [_beside("Inputs that differ", labels, differing), Said(notes)]
     sections = [
+        Section("", [Table(verdicts(found), layout="summary")]),
         Section("Inputs", blocks),
         Section("", figures.of_all(found)),
         Section(
@@ -210,8 +215,14 @@ def _compared(found: Sequence[Results], words: Words) -> list[Section]:
     if shown:
         first, *others = (each.lives for each in contacts)
         without = (words for each in others if first and each for words in without_ratio(each, first))
-        notes = ["The factor after × is the ratio to the life of the first case.", RATIO, *dict.fromkeys(without)]
-        sections.append(Section("Lives", [_beside("Life relative to the ideal one", labels, shown), Said(notes)]))
+        words_on_lives = [
+            "The factor after × is the ratio to the life of the first case.",
+            RATIO,
+            *dict.fromkeys(without),
+        ]
+        sections.append(
+            Section("Lives", [_beside("Life relative to the ideal one", labels, shown), Said(words_on_lives)])
+        )
     return [*sections, Section("Inputs that are the same", [Table(same, layout="inputs")] if same else [])]
 
 
