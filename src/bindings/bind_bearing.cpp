@@ -21,26 +21,6 @@
 namespace nonhertz {
 namespace {
 
-using Writable = nb::ndarray<nb::numpy, double>;
-
-/// Numbers as an array of a shape that owns them, and may be written to.
-Writable writable(Numbers values, std::initializer_list<std::size_t> shape) {
-  auto kept = std::make_unique<Numbers>(std::move(values));
-  double* data = kept->data();
-  nb::capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<Numbers*>(p); });
-  return Writable(data, shape, owner);
-}
-
-/// Rows of so many numbers as values of a type that consists of as many.
-template <class Value>
-std::vector<Value> rows_of(const MatrixIn& array) {
-  constexpr std::size_t SIZE = sizeof(Value) / sizeof(double);
-  if (array.shape(1) != SIZE) throw std::invalid_argument("array must have as many columns as a value has numbers");
-  std::vector<Value> rows(array.shape(0));
-  std::copy_n(array.data(), array.size(), reinterpret_cast<double*>(rows.data()));
-  return rows;
-}
-
 /// A law in Python: called with the interpreter's lock, with the rollers and the poses of their contacts.
 class PythonLaw : public GroupLaw {
  public:
@@ -64,46 +44,44 @@ class PythonLaw : public GroupLaw {
   nb::callable law_;
 };
 
-MapLaw map_law(const VectorIn& table) {
+MapLaw map_law(View table) {
   const MapHead& head = *reinterpret_cast<const MapHead*>(table.data());
-  if (table.size() * sizeof(double) < sizeof(MapHead) || static_cast<Index>(table.size()) != ContactMap::size(head))
+  if (table.size() * sizeof(double) < sizeof(MapHead) || count_of(table) != ContactMap::size(head))
     throw std::invalid_argument("table must be that of a map");
   return {{table.data(), table.data() + ContactMap::size_of_mean_approach(head)}};
 }
 
 /// States as arrays: ring, force, stiffness, residual, steps, rollers' motions, poses and answers.
-using States = std::tuple<Writable, Writable, Writable, Writable, nb::ndarray<nb::numpy, std::int64_t>, Writable,
-                          Writable, Writable>;
+using States =
+    std::tuple<Writable, Writable, Writable, Writable, WritableOf<std::int64_t>, Writable, Writable, Writable>;
 
 States arrays(const Assembly& assembly, const std::vector<Equilibrium>& states) {
   const auto count = states.size(), rollers = assembly.ring.size(),
              columns = static_cast<std::size_t>(assembly.columns);
   Numbers ring, force, stiffness, residual, motion, pose, answer;
-  auto steps = std::make_unique<std::vector<std::int64_t>>();
+  std::vector<std::int64_t> steps;
   const auto append = [](Numbers& to, const auto& values) {
     const auto* first = reinterpret_cast<const double*>(values.data());
     to.insert(to.end(), first, first + sizeof(values[0]) / sizeof(double) * values.size());
   };
   for (const Equilibrium& state : states) {
     append(ring, state.ring), append(force, state.force), append(stiffness, state.stiffness);
-    residual.push_back(state.residual), steps->push_back(state.steps);
+    residual.push_back(state.residual), steps.push_back(state.steps);
     append(motion, state.rollers), append(pose, state.poses), append(answer, state.answers);
   }
-  auto* counted = steps->data();
-  nb::capsule owner(steps.release(), [](void* p) noexcept { delete static_cast<std::vector<std::int64_t>*>(p); });
   return {writable(std::move(ring), {count, 5}),
           writable(std::move(force), {count, 5}),
           writable(std::move(stiffness), {count, 5, 5}),
           writable(std::move(residual), {count}),
-          nb::ndarray<nb::numpy, std::int64_t>(counted, {count}, owner),
+          writable(std::move(steps), {count}),
           writable(std::move(motion), {count, rollers, 3}),
           writable(std::move(pose), {count, rollers, columns, 2}),
           writable(std::move(answer), {count, rollers, columns, sizeof(Answer) / sizeof(double)})};
 }
 
 std::optional<States> balance(const Assembly& assembly, std::array<bool, 5> by_force, double depth, double tolerance,
-                              int steps, const MatrixIn& target, const MatrixIn& start, const MatrixIn& motion,
-                              int threads, const std::stop_source* source) {
+                              int steps, const Matrix& target, const Matrix& start, const Matrix& motion, int threads,
+                              const std::stop_source* source) {
   const auto targets = rows_of<Vector<5>>(target), starts = rows_of<Vector<5>>(start);
   const auto motions = rows_of<Vector<3>>(motion);
   const std::size_t rollers = assembly.ring.size();
@@ -153,7 +131,7 @@ Writable answers_of(GroupLaw& law, const std::vector<Index>& rollers,
     law.answer(rollers, at, answers, Stop{});
   }
   const double* first = &answers[0].load;
-  return writable({first, first + size * answers.size()}, {count, contacts, size});
+  return writable(Numbers(first, first + size * answers.size()), {count, contacts, size});
 }
 
 void bind_strips_of_rollers(nb::module_& m) {
@@ -166,9 +144,7 @@ void bind_strips_of_rollers(nb::module_& m) {
       .def_prop_ro("loops", &StrippedContact::loops, "How many loops are kept for strips.")
       .def(
           "penetration",
-          [](const StrippedContact& self, const MatrixIn& poses) {
-            return array_of(self.penetration(rows_of<Pose>(poses)));
-          },
+          [](const StrippedContact& self, const Matrix& poses) { return self.penetration(rows_of<Pose>(poses)); },
           "poses"_a, "How deep the undeformed bodies overlap where they do most [mm], at poses of the shape (n, 2).");
   nb::class_<StripLaw, GroupLaw>(m, "StripLaw", "How the contacts of rollers answer by strips.")
       .def(nb::init<std::vector<std::shared_ptr<StrippedContact>>, std::optional<Index>>(), "contacts"_a,
@@ -176,10 +152,7 @@ void bind_strips_of_rollers(nb::module_& m) {
       .def("lay_anew", &StripLaw::lay_anew,
            "From now on lay strips anew for contacts that are not nearly those which they were laid for.")
       .def(
-          "edges",
-          [](const StripLaw& self, Index roller, Index contact) {
-            return array_of(Numbers(self.strips(roller, contact).edges));
-          },
+          "edges", [](const StripLaw& self, Index roller, Index contact) { return self.strips(roller, contact).edges; },
           "roller"_a, "contact"_a = 0, "Of the strips on which a contact was solved last [mm].")
       .def_prop_ro(
           "laid_for",
@@ -203,14 +176,14 @@ void bind_bearing(nb::module_& m) {
   nb::class_<Slices>(m, "Slices")
       .def(
           "__init__",
-          [](Slices* self, const VectorIn& y, const VectorIn& relief, double stiffness, double exponent) {
+          [](Slices* self, Numbers y, Numbers relief, double stiffness, double exponent) {
             if (y.size() != relief.size()) throw std::invalid_argument("y and relief must have the same size");
-            new (self) Slices{numbers(y), numbers(relief), stiffness, exponent};
+            new (self) Slices{std::move(y), std::move(relief), stiffness, exponent};
           },
           "y"_a, "relief"_a, "stiffness"_a, "exponent"_a);
   nb::class_<MapLaw>(m, "MapLaw")
       .def(
-          "__init__", [](MapLaw* self, const VectorIn& table) { new (self) MapLaw(map_law(table)); }, "table"_a);
+          "__init__", [](MapLaw* self, View table) { new (self) MapLaw(map_law(table)); }, "table"_a);
   nb::class_<GroupLaw>(m, "GroupLaw", "A law that is asked for the contacts of many rollers at once.")
       .def("answer", &answers_of, "rollers"_a, "poses"_a,
            "Answers of contacts, shape (n, contacts, 7), at poses of the shape (n, contacts, 2).");
@@ -225,16 +198,16 @@ void bind_bearing(nb::module_& m) {
   nb::class_<Joint>(m, "Joint")
       .def(
           "__init__",
-          [](Joint* self, bool inner, const MatrixIn& motion, const VectorIn& gap, Law law, Index column, Index first) {
+          [](Joint* self, bool inner, const Matrix& motion, Numbers gap, Law law, Index column, Index first) {
             const auto rows = rows_of<Vector<3>>(motion);
             if (rows.size() != 2) throw std::invalid_argument("motion must have a row for approach and one for tilt");
-            new (self) Joint{inner, {rows[0], rows[1]}, numbers(gap), std::move(law), column, first};
+            new (self) Joint{inner, {rows[0], rows[1]}, std::move(gap), std::move(law), column, first};
           },
           "inner"_a, "motion"_a, "gap"_a, "law"_a, "column"_a, "first"_a);
   nb::class_<Assembly>(m, "Assembly")
       .def(
           "__init__",
-          [](Assembly* self, const MatrixIn& ring, const std::vector<Joint>& joints, const MatrixIn& load, double lever,
+          [](Assembly* self, const Matrix& ring, const std::vector<Joint>& joints, const Matrix& load, double lever,
              double stiffness) {
             new (self) Assembly(rows_of<Small<3, 5>>(ring), joints, rows_of<Vector<3>>(load), lever, stiffness);
           },

@@ -17,9 +17,6 @@
 namespace nonhertz {
 namespace {
 
-using Flags = std::array<bool, 2>;
-using Released = nb::call_guard<nb::gil_scoped_release>;
-
 /// Raise in Python what the core throws: an exception whose arguments are the fields of it.
 void translate(const std::exception_ptr& thrown, void* type) {
   try {
@@ -94,30 +91,19 @@ void bind_grids(nb::module_& m) {
       "Those of the bends [mm] at which the slope of the separation jumps, and by how much [rad].");
   m.def(
       "springs",
-      [](const Model& model, Flags by_force, Pair target, const VectorIn& edges) {
-        return array_of(springs(model, {by_force, target}, numbers(edges)).state.m);
+      [](const Model& model, Flags by_force, Pair target, const Numbers& edges) {
+        return springs(model, {by_force, target}, edges).state.m;
       },
       "model"_a, "by_force"_a, "target"_a, "edges"_a, "Squares of the half-widths of independent springs [mm^2].");
-  m.def(
-      "intervals", [](const Grid& grid, const VectorIn& m) { return intervals(grid, view(m)); }, "grid"_a, "m"_a,
-      "Both ends of every interval in contact [mm].");
-  m.def(
-      "reaches", [](const Grid& grid, const VectorIn& m, int side) { return reaches(grid, view(m), side); }, "grid"_a,
-      "m"_a, "side"_a, "Whether a contact extends to the outer edge of its strips on that side, -1 or 1.");
-  m.def(
-      "nearly_touching",
-      [](const Grid& grid, const VectorIn& m, double place) { return nearly_touching(grid, view(m), place); }, "grid"_a,
-      "m"_a, "place"_a, "Whether the strip around a place or one of its neighbours is in contact.");
-  m.def(
-      "width_near", [](const Grid& grid, const VectorIn& m, double place) { return width_near(grid, view(m), place); },
-      "grid"_a, "m"_a, "place"_a, "The largest half-width of the few strips in contact nearest to a place [mm].");
-  m.def(
-      "fall",
-      [](const Grid& grid, const VectorIn& m, double low, double high, int side) {
-        return fall(grid, view(m), low, high, side);
-      },
-      "grid"_a, "m"_a, "low"_a, "high"_a, "side"_a,
-      "The distance from one end of a contact at which m is half its value at the nearest peak [mm].");
+  m.def("intervals", &intervals, "grid"_a, "m"_a, "Both ends of every interval in contact [mm].");
+  m.def("reaches", &reaches, "grid"_a, "m"_a, "side"_a,
+        "Whether a contact extends to the outer edge of its strips on that side, -1 or 1.");
+  m.def("nearly_touching", &nearly_touching, "grid"_a, "m"_a, "place"_a,
+        "Whether the strip around a place or one of its neighbours is in contact.");
+  m.def("width_near", &width_near, "grid"_a, "m"_a, "place"_a,
+        "The largest half-width of the few strips in contact nearest to a place [mm].");
+  m.def("fall", &fall, "grid"_a, "m"_a, "low"_a, "high"_a, "side"_a,
+        "The distance from one end of a contact at which m is half its value at the nearest peak [mm].");
   m.def(
       "peaks",
       [](std::shared_ptr<Grid> grid, const State& state, const Numbers& kinks, double allowed) {
@@ -128,10 +114,8 @@ void bind_grids(nb::module_& m) {
       },
       "grid"_a, "state"_a, "kinks"_a, "allowed"_a,
       "Where the largest pressure is too pointed for its strips, the width wanted there and that of the strip [mm].");
-  m.def(
-      "summits_of", [](const VectorIn& y, const VectorIn& depth) { return array_of(summits_of(view(y), view(depth))); },
-      "y"_a, "depth"_a,
-      "The vertices of parabolas through three neighbouring places each, where they are deeper than zero.");
+  m.def("summits_of", &summits_of, "y"_a, "depth"_a,
+        "The vertices of parabolas through three neighbouring places each, where they are deeper than zero.");
   m.def(
       "overlaps",
       [](const Model& model, std::shared_ptr<Grid> grid, const State& state, double low, double high) {

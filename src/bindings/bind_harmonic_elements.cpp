@@ -7,66 +7,45 @@
 #include "bodies/harmonic_elements.hpp"
 
 namespace nonhertz {
+
 void bind_harmonic_elements(nb::module_& m) {
   nb::class_<HarmonicElements>(m, "HarmonicElements")
       .def(
           "__init__",
-          [](HarmonicElements* self, double poisson, const VectorIn& across, const VectorIn& along,
-             const MatrixIn& outer, const MatrixIn& inner, const MatrixIn& outer_slope, const MatrixIn& inner_slope,
-             const MatrixIn& values, const MatrixIn& slopes, const VectorIn& points, const VectorIn& weights,
+          [](HarmonicElements* self, double poisson, Numbers across, Numbers along, Matrix outer, Matrix inner,
+             Matrix outer_slope, Matrix inner_slope, Matrix values, Matrix slopes, Numbers points, Numbers weights,
              bool bored, bool symmetric) {
-            Mesh mesh{numbers(across),      numbers(along),       copy_of(outer),  copy_of(inner),
-                      copy_of(outer_slope), copy_of(inner_slope), copy_of(values), copy_of(slopes),
-                      numbers(points),      numbers(weights),     bored,           symmetric};
+            Mesh mesh{std::move(across),
+                      std::move(along),
+                      std::move(outer),
+                      std::move(inner),
+                      std::move(outer_slope),
+                      std::move(inner_slope),
+                      std::move(values),
+                      std::move(slopes),
+                      std::move(points),
+                      std::move(weights),
+                      bored,
+                      symmetric};
             new (self) HarmonicElements(std::move(mesh), poisson);
           },
           "poisson"_a, "across"_a, "along"_a, "outer"_a, "inner"_a, "outer_slope"_a, "inner_slope"_a, "values"_a,
           "slopes"_a, "points"_a, "weights"_a, "bored"_a, "symmetric"_a)
-      .def(
-          "works",
-          [](const HarmonicElements& self, const std::vector<int>& waves, const MatrixIn& loads,
-             const MatrixIn& readings, int threads) {
-            std::vector<Matrix> found;
-            {
-              const nb::gil_scoped_release release;
-              found = self.works(waves, copy_of(loads), copy_of(readings), threads);
-            }
-            std::vector<MatrixOut> arrays;
-            for (Matrix& each : found) arrays.push_back(matrix_of(std::move(each)));
-            return arrays;
-          },
-          "waves"_a, "loads"_a, "readings"_a, "threads"_a = 1)
-      .def(
-          "displacement",
-          [](const HarmonicElements& self, int waves, const MatrixIn& loads) {
-            Matrix found;
-            {
-              const nb::gil_scoped_release release;
-              found = self.displacement(waves, copy_of(loads));
-            }
-            return matrix_of(std::move(found));
-          },
-          "waves"_a, "loads"_a);
-  nb::class_<LogarithmicTable>(m, "LogarithmicTable")
-      .def("__init__", [](LogarithmicTable* self, double first, double step, const MatrixIn& pieces) {
-        new (self) LogarithmicTable{first, step, copy_of(pieces)};
-      });
+      .def("works", &HarmonicElements::works, "waves"_a, "loads"_a, "readings"_a, "threads"_a = 1, Released())
+      .def("displacement", &HarmonicElements::displacement, "waves"_a, "loads"_a, Released());
+  nb::class_<LogarithmicTable>(m, "LogarithmicTable").def(nb::init<double, double, Matrix>());
   m.def(
       "flat_modes",
-      [](const LogarithmicTable& loads, const LogarithmicTable& planes, const LogarithmicTable& curved,
-         const MatrixIn& weights, const VectorIn& distances, const VectorIn& image, const VectorIn& face,
-         double half_length, const VectorIn& places, const MatrixIn& points, const MatrixIn& radius) {
-        Matrix effect;
-        {
-          const nb::gil_scoped_release release;
-          const FlatModes flat{loads,          planes,        curved,     copy_of(weights), numbers(distances),
-                               numbers(image), numbers(face), half_length};
-          effect = effect_of(flat, view(places), copy_of(points), copy_of(radius));
-        }
-        return matrix_of(std::move(effect));
+      [](const LogarithmicTable& loads, const LogarithmicTable& planes, const LogarithmicTable& curved, Matrix weights,
+         Numbers distances, Numbers image, Numbers face, double half_length, View places, const Matrix& points,
+         const Matrix& radius) {
+        const FlatModes flat{
+            loads,           planes,     curved, std::move(weights), std::move(distances), std::move(image),
+            std::move(face), half_length};
+        return effect_of(flat, places, points, radius);
       },
       "loads"_a, "planes"_a, "curved"_a, "weights"_a, "distances"_a, "image"_a, "face"_a, "half_length"_a, "places"_a,
-      "points"_a, "radius"_a);
+      "points"_a, "radius"_a, Released());
 }
 
 }  // namespace nonhertz

@@ -63,60 +63,56 @@ void bind_judging(nb::module_& m) {
   nb::class_<Level>(m, "Level", "A state with the strips that it is of.")
       .def(
           "__init__",
-          [](Level* self, const Model& model, const VectorIn& edges, const State& state) {
+          [](Level* self, const Model& model, Numbers edges, const State& state) {
             if (edges.size() != state.m.size() + 1) throw std::invalid_argument("strips must have one edge more");
-            new (self) Level{model.springs(numbers(edges)), state};
+            new (self) Level{model.springs(std::move(edges)), state};
           },
           "model"_a, "edges"_a, "state"_a);
   m.def(
       "judge",
-      [](const Model& model, std::array<bool, 2> by_force, Pair target, std::vector<Level> levels, double accuracy) {
+      [](const Model& model, Flags by_force, Pair target, std::vector<Level> levels, double accuracy) {
         if (levels.empty()) throw std::invalid_argument("a solution has a level at least");
-        const nb::gil_scoped_release unlocked;
         return judge(model, {by_force, target}, {std::move(levels), accuracy});
       },
-      "model"_a, "by_force"_a, "target"_a, "levels"_a, "accuracy"_a);
+      "model"_a, "by_force"_a, "target"_a, "levels"_a, "accuracy"_a, Released());
   m.def(
       "counted",
-      [](const VectorIn& y, const VectorIn& values, const VectorIn& half_width, const VectorIn& ends) {
-        if (y.size() == 0 || values.size() != y.size() || half_width.size() != y.size())
+      [](View y, View values, View half_width, View ends) {
+        if (y.empty() || values.size() != y.size() || half_width.size() != y.size())
           throw std::invalid_argument("places, values and half-widths must be as many");
-        Counted found = counted(view(y), view(values), view(half_width), view(ends));
+        Counted found = counted(y, values, half_width, ends);
         const Index at = found.at();
-        return std::tuple(array_of(std::move(found.places)), array_of(std::move(found.values)), at);
+        return std::tuple(std::move(found.places), std::move(found.values), at);
       },
       "y"_a, "values"_a, "half_width"_a, "ends"_a);
   m.def(
       "corner_ends",
-      [](const VectorIn& bends, double compliance, FunctionIn separation, const VectorIn& edges,
-         const VectorIn& pressure, const VectorIn& half_width) {
-        if (pressure.size() == 0 || edges.size() != pressure.size() + 1 || half_width.size() != pressure.size())
+      [](View bends, double compliance, Function separation, View edges, View pressure, View half_width) {
+        if (pressure.empty() || edges.size() != pressure.size() + 1 || half_width.size() != pressure.size())
           throw std::invalid_argument("rows must have an edge more than pressures and half-widths");
-        const auto at = [of = function(std::move(separation))](View y) {
+        const auto at = [of = std::move(separation)](View y) {
           Numbers h(y.size());
           of(y, h);
           return h;
         };
-        return corner_ends({view(bends), compliance, at}, view(edges), view(pressure), view(half_width));
+        return corner_ends({bends, compliance, at}, edges, pressure, half_width);
       },
       "bends"_a, "compliance"_a, "separation"_a, "edges"_a, "pressure"_a, "half_width"_a);
   m.def(
       "penetration",
-      [](const Model& model, const VectorIn& edges, Pair rigid) {
+      [](const Model& model, View edges, Pair rigid) {
         if (edges.size() < 2) throw std::invalid_argument("a strip has two edges");
-        const nb::gil_scoped_release unlocked;
-        return penetration_of(model, view(edges), rigid);
+        return penetration_of(model, edges, rigid);
       },
-      "model"_a, "edges"_a, "rigid"_a);
+      "model"_a, "edges"_a, "rigid"_a, Released());
   m.def(
       "intervals",
-      [](const VectorIn& edges, const VectorIn& squares) {
+      [](Numbers edges, View squares) {
         if (edges.size() != squares.size() + 1) throw std::invalid_argument("strips must have one edge more");
         Grid grid;
-        grid.edges = numbers(edges);
-        for (std::size_t i = 0; i < squares.size(); ++i)
-          grid.y.push_back(0.5 * (edges.data()[i + 1] + edges.data()[i]));
-        return intervals(grid, view(squares));
+        for (std::size_t i = 0; i < squares.size(); ++i) grid.y.push_back(0.5 * (edges[i + 1] + edges[i]));
+        grid.edges = std::move(edges);
+        return intervals(grid, squares);
       },
       "edges"_a, "m"_a);
 }

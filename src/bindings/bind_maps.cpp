@@ -40,71 +40,62 @@ void share(const double* table, double load, double tilt, std::int64_t strips, c
 
 std::uintptr_t address(auto* function) { return reinterpret_cast<std::uintptr_t>(function); }
 
-const MapHead& head(const VectorIn& numbers) {
+const MapHead& head(View numbers) {
   if (numbers.size() * sizeof(double) < sizeof(MapHead)) throw std::invalid_argument("table must begin with a head");
   return *reinterpret_cast<const MapHead*>(numbers.data());
 }
 
-ContactMap map_of(const VectorIn& table) {
-  if (static_cast<Index>(table.size()) != ContactMap::size(head(table)))
+ContactMap map_of(View table) {
+  if (count_of(table) != ContactMap::size(head(table)))
     throw std::invalid_argument("table must have as many numbers as its cells need");
   return ContactMap(table.data());
 }
 
-void check_alike(const VectorIn& one, const VectorIn& other) {
+void check_alike(View one, View other) {
   if (one.size() != other.size()) throw std::invalid_argument("arrays must have the same size");
 }
 
 /// The states of a map at many points, a row each: those of `pressed` or `loaded`, and largest pressure and half-width.
-MatrixOut states(const VectorIn& table, bool by_load, const VectorIn& values, const VectorIn& tilts) {
+Matrix states(View table, bool by_load, View values, View tilts) {
   const ContactMap map = map_of(table);
   check_alike(values, tilts);
-  Matrix found(values.size(), STATE + 2);
-  {
-    const nb::gil_scoped_release released;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      const double value = values.data()[k], tilt = tilts.data()[k];
-      const MapState state = by_load ? map.loaded(value, tilt) : map.pressed(value, tilt);
-      const auto [pressure, width] = map.pressures(state.load, tilt);
-      const Row row = found[k];
-      write(state, row.data());
-      row[STATE] = pressure, row[STATE + 1] = width;
-    }
+  Matrix found(count_of(values), STATE + 2);
+  for (Index k = 0; k < count_of(values); ++k) {
+    const MapState state = by_load ? map.loaded(values[k], tilts[k]) : map.pressed(values[k], tilts[k]);
+    write(state, found[k].data());
+    const auto [pressure, width] = map.pressures(state.load, tilts[k]);
+    found(k, STATE) = pressure, found(k, STATE + 1) = width;
   }
-  return matrix_of(std::move(found));
+  return found;
 }
 
 /// How loads are shared by the strips between stations, a row for each load.
-MatrixOut shares(const VectorIn& table, const VectorIn& loads, const VectorIn& tilts, const VectorIn& stations) {
+Matrix shares(View table, View loads, View tilts, View stations) {
   const ContactMap map = map_of(table);
   check_alike(loads, tilts);
   if (stations.size() < 2) throw std::invalid_argument("stations must be two or more");
-  Matrix found(loads.size(), stations.size() - 1);
-  {
-    const nb::gil_scoped_release released;
-    for (std::size_t k = 0; k < loads.size(); ++k)
-      map.share(loads.data()[k], tilts.data()[k], view(stations), found[k]);
-  }
-  return matrix_of(std::move(found));
+  Matrix found(count_of(loads), count_of(stations) - 1);
+  for (Index k = 0; k < count_of(loads); ++k) map.share(loads[k], tilts[k], stations, found[k]);
+  return found;
 }
 
 /// z and its five derivatives at x and tilts, a row each; of the numbers of a map only the head is read.
-MatrixOut tilt_coordinates(const VectorIn& numbers, const VectorIn& x, const VectorIn& tilts) {
+Matrix tilt_coordinates(View numbers, View x, View tilts) {
   check_alike(x, tilts);
-  Matrix found(x.size(), 6);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const TiltCoordinate z = head(numbers).tilt_coordinate(x.data()[k], tilts.data()[k]);
+  Matrix found(count_of(x), 6);
+  for (Index k = 0; k < count_of(x); ++k) {
+    const TiltCoordinate z = head(numbers).tilt_coordinate(x[k], tilts[k]);
     const double row[] = {z.z, z.by_x, z.by_tilt, z.by_x_twice, z.by_x_and_tilt, z.by_tilt_twice};
     std::copy_n(row, 6, found[k].begin());
   }
-  return matrix_of(std::move(found));
+  return found;
 }
 
 }  // namespace
 
 void bind_maps(nb::module_& m) {
-  m.def("map_states", &states, "table"_a, "by_load"_a, "values"_a, "tilts"_a);
-  m.def("map_shares", &shares, "table"_a, "loads"_a, "tilts"_a, "stations"_a);
+  m.def("map_states", &states, "table"_a, "by_load"_a, "values"_a, "tilts"_a, Released());
+  m.def("map_shares", &shares, "table"_a, "loads"_a, "tilts"_a, "stations"_a, Released());
   m.def("map_tilt_coordinates", &tilt_coordinates, "numbers"_a, "x"_a, "tilts"_a);
   m.def("map_functions", [] {
     return std::array{address(&pressed), address(&loaded), address(&pressures), address(&share)};

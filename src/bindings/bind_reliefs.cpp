@@ -12,26 +12,15 @@ namespace {
 /// A relief by one of the formulas.
 template <class Formula, class... Parameters>
 std::shared_ptr<Relief> relief(Parameters... parameters) {
-  return std::make_shared<Relief>(Relief{Formula{parameters...}});
+  return std::make_shared<Relief>(Relief{Formula{std::move(parameters)...}});
 }
 
 }  // namespace
 
 void bind_reliefs(nb::module_& m) {
-  nb::class_<Cubics>(m, "Cubics")
-      .def(
-          "__init__",
-          [](Cubics* self, const VectorIn& places, const MatrixIn& coefficients) {
-            new (self) Cubics{numbers(places), copy_of(coefficients)};
-          },
-          "places"_a, "coefficients"_a);
+  nb::class_<Cubics>(m, "Cubics").def(nb::init<Numbers, Matrix>(), "places"_a, "coefficients"_a);
   nb::class_<StripDisplacement>(m, "StripDisplacement")
-      .def(
-          "__init__",
-          [](StripDisplacement* self, const MatrixIn& cubics, double nearest, double far, double step) {
-            new (self) StripDisplacement{copy_of(cubics), nearest, far, step};
-          },
-          "cubics"_a, "nearest"_a, "far"_a, "step"_a);
+      .def(nb::init<Matrix, double, double, double>(), "cubics"_a, "nearest"_a, "far"_a, "step"_a);
   nb::class_<Corner>(m, "Corner")
       .def(nb::init<double, double, double, double>(), "extent"_a, "radius"_a, "arc"_a, "slope"_a);
   using Shared = std::shared_ptr<Relief>;
@@ -48,14 +37,14 @@ void bind_reliefs(nb::module_& m) {
                   "length"_a, "half_width"_a, "displacement"_a)
       .def_static(
           "polyline",
-          [](const VectorIn& y, const VectorIn& values) {
-            return std::make_shared<Relief>(Relief{Tabulated{polyline(y, values)}});
+          [](Numbers y, Numbers values) {
+            return relief<Tabulated>(Polyline{std::move(y), std::move(values)});
           },
           "y"_a, "values"_a)
       .def_static(
           "cubics",
-          [](const VectorIn& y, const MatrixIn& coefficients) {
-            return std::make_shared<Relief>(Relief{Tabulated{Cubics{numbers(y), copy_of(coefficients)}}});
+          [](Numbers y, Matrix coefficients) {
+            return relief<Tabulated>(Cubics{std::move(y), std::move(coefficients)});
           },
           "y"_a, "coefficients"_a)
       .def_static(
@@ -70,23 +59,18 @@ void bind_reliefs(nb::module_& m) {
           "cornered",
           [](Shared land, double half_length, const Corner& corner, const std::array<std::array<double, 3>, 2>& ends) {
             const auto tangent = [&](int side) { return Tangent{ends[side][0], ends[side][1], ends[side][2]}; };
-            return std::make_shared<Relief>(
-                Relief{Cornered{std::move(land), half_length, corner, tangent(0), tangent(1)}});
+            return relief<Cornered>(std::move(land), half_length, corner, tangent(0), tangent(1));
           },
           "land"_a, "half_length"_a, "corner"_a, "tangents"_a)
-      .def_static(
-          "function", [](FunctionIn of) { return std::make_shared<Relief>(Relief{function(std::move(of))}); }, "of"_a)
+      .def_static("function", &relief<Function, Function>, "of"_a)
       .def(
           "__call__",
-          [](const Relief& self, const VectorIn& y) {
+          [](const Relief& self, View y) {
             Numbers h(y.size());
-            {
-              const nb::gil_scoped_release unlocked;
-              self.fill(view(y), h);
-            }
-            return array_of(std::move(h));
+            self.fill(y, h);
+            return h;
           },
-          "y"_a);
+          "y"_a, Released());
 }
 
 }  // namespace nonhertz

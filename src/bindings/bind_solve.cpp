@@ -27,18 +27,8 @@ nb::object reason(const std::exception_ptr& why, const nb::object& refused_type)
   }
 }
 
-/// Strips as Python gives them.
-using StripsIn = std::variant<Accuracy, Index, VectorIn>;
-
-Strips strips_of(const StripsIn& strips) {
-  if (const auto* edges = std::get_if<VectorIn>(&strips)) return numbers(*edges);
-  if (const auto* count = std::get_if<Index>(&strips)) return *count;
-  return std::get<Accuracy>(strips);
-}
-
-std::optional<Result> solved(const Model& model, std::array<bool, 2> by_force, Pair target, const StripsIn& given,
+std::optional<Result> solved(const Model& model, Flags by_force, Pair target, const Strips& strips,
                              const std::stop_source* source) {
-  const Strips strips = strips_of(given);
   Signals signals;
   const Stop stop = watched(source, signals);
   try {
@@ -50,9 +40,8 @@ std::optional<Result> solved(const Model& model, std::array<bool, 2> by_force, P
   }
 }
 
-nb::list solved_in_turn(const Model& model, std::array<bool, 2> by_force, const std::vector<Pair>& targets,
-                        const StripsIn& given, const std::stop_source* source, const nb::object& refused_type) {
-  const Strips strips = strips_of(given);
+nb::list solved_in_turn(const Model& model, Flags by_force, const std::vector<Pair>& targets, const Strips& strips,
+                        const std::stop_source* source, const nb::object& refused_type) {
   Signals signals;
   const Stop stop = watched(source, signals);
   std::vector<Ended> cases;
@@ -71,28 +60,15 @@ nb::list solved_in_turn(const Model& model, std::array<bool, 2> by_force, const 
   return ended;
 }
 
-Result remade(const Model& model, std::array<bool, 2> by_force, Pair target,
-              const std::vector<std::pair<VectorIn, State>>& levels, double accuracy, bool accepted) {
+Result remade(const Model& model, Flags by_force, Pair target, const std::vector<std::pair<Numbers, State>>& levels,
+              double accuracy, bool accepted) {
   Levels remade{{}, accuracy};
   for (const auto& [edges, state] : levels) {
     const bool is_checked = !accepted && remade.levels.empty();
-    remade.levels.push_back({is_checked ? model.grid(numbers(edges)) : model.springs(numbers(edges)), state});
+    remade.levels.push_back({is_checked ? model.grid(edges) : model.springs(edges), state});
   }
-  const nb::gil_scoped_release unlocked;
   return accepted ? judged(model, {by_force, target}, std::move(remade))
                   : checked(model, {by_force, target}, std::move(remade));
-}
-
-/// Numbers of a row for each result, as an array with that many columns.
-template <class Fill>
-MatrixOut table(const std::vector<const Result*>& results, std::size_t columns, Fill fill) {
-  auto values = std::make_unique<Numbers>();
-  values->reserve(results.size() * columns);
-  for (const Result* result : results)
-    for (double value : fill(*result)) values->push_back(value);
-  const double* data = values->data();
-  nb::capsule owner(values.release(), [](void* p) noexcept { delete static_cast<Numbers*>(p); });
-  return MatrixOut(data, {results.size(), columns}, owner);
 }
 
 /// The sum of lengths, the error of each addition added at last.
@@ -106,26 +82,30 @@ double total(const std::vector<Pair>& intervals) {
   return sum + lost;
 }
 
-MatrixOut columns(const std::vector<const Result*>& results, double compliance) {
-  return table(results, 14, [compliance](const Result& result) {
-    const Judgement& j = result.judgement;
-    const auto& [grid, state] = result.finest();
+/// Numbers of a row for each result.
+Matrix columns(const std::vector<const Result*>& results, double compliance) {
+  Matrix rows(static_cast<Index>(results.size()), 14);
+  for (Index k = 0; k < rows.rows(); ++k) {
+    const Judgement& j = results[k]->judgement;
+    const State& state = results[k]->finest().state;
     const auto& s = state.stiffness;
-    return std::array{state.rigid[0],
-                      state.rigid[1],
-                      result.resultant[0] / compliance,
-                      result.resultant[1] / compliance,
-                      j.pressure.value,
-                      j.pressure.y,
-                      j.half_width,
-                      total(j.contact),
-                      j.penetration,
-                      s[0][0] / compliance,
-                      s[0][1] / compliance,
-                      s[1][0] / compliance,
-                      s[1][1] / compliance,
-                      j.ends.singular.empty() ? 0.0 : 1.0};
-  });
+    const double row[] = {state.rigid[0],
+                          state.rigid[1],
+                          results[k]->resultant[0] / compliance,
+                          results[k]->resultant[1] / compliance,
+                          j.pressure.value,
+                          j.pressure.y,
+                          j.half_width,
+                          total(j.contact),
+                          j.penetration,
+                          s[0][0] / compliance,
+                          s[0][1] / compliance,
+                          s[1][0] / compliance,
+                          s[1][1] / compliance,
+                          j.ends.singular.empty() ? 0.0 : 1.0};
+    std::copy(std::begin(row), std::end(row), rows[k].begin());
+  }
+  return rows;
 }
 
 }  // namespace
@@ -136,7 +116,7 @@ void bind_solve(nb::module_& m) {
       const State& state = self.finest().state;
       Numbers values(state.r.size());
       for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(state, i, compliance);
-      return array_of(std::move(values));
+      return values;
     };
   };
   nb::enum_<Unmet>(m, "Unmet")
@@ -153,20 +133,16 @@ void bind_solve(nb::module_& m) {
       .def_ro("condition", &Shortfall::condition)
       .def_ro("found", &Shortfall::found)
       .def_ro("at", &Shortfall::at);
-  nb::class_<Result>(m, "Result", "A case as it ended, judged.")
-      .def_prop_ro("status", [](const Result& self) { return self.finest().state.status; })
+  nb::class_<Result> result(m, "Result", "A case as it ended, judged.");
+  view_property(result, "edges", [](const Result& self) -> const Numbers& { return self.finest().grid->edges; });
+  view_property(result, "gap", [](const Result& self) -> const Numbers& { return self.finest().state.gap; });
+  result.def_prop_ro("status", [](const Result& self) { return self.finest().state.status; })
       .def_prop_ro(
           "rigid", [](const Result& self) { return self.finest().state.rigid; }, "Approach and tilt.")
       .def_prop_ro(
           "stiffness", [](const Result& self) { return self.finest().state.stiffness; }, "Scaled.")
       .def_ro("resultant", &Result::resultant, "K Q and K T.")
       .def_prop_ro("steps", [](const Result& self) { return self.finest().state.steps; })
-      .def_prop_ro(
-          "edges", [](nb::handle self) { return view_of(nb::cast<const Result&>(self).finest().grid->edges, self); },
-          nb::rv_policy::reference)
-      .def_prop_ro(
-          "gap", [](nb::handle self) { return view_of(nb::cast<const Result&>(self).finest().state.gap, self); },
-          nb::rv_policy::reference)
       .def("line_load", per_strip([](const State& s, std::size_t i, double k) { return s.r[i] * s.m[i] / k; }),
            "compliance"_a)
       .def("half_width", per_strip([](const State& s, std::size_t i, double) { return std::sqrt(s.m[i]); }),
@@ -196,14 +172,15 @@ void bind_solve(nb::module_& m) {
         "Solve a case; None once stopped.");
   m.def(
       "solve_in_turn",
-      [type = nb::object(m.attr("Refused"))](
-          const Model& model, std::array<bool, 2> by_force, const std::vector<Pair>& targets, const StripsIn& strips,
-          const std::stop_source* stop) { return solved_in_turn(model, by_force, targets, strips, stop, type); },
+      [type = nb::object(m.attr("Refused"))](const Model& model, Flags by_force, const std::vector<Pair>& targets,
+                                             const Strips& strips, const std::stop_source* stop) {
+        return solved_in_turn(model, by_force, targets, strips, stop, type);
+      },
       "model"_a, "by_force"_a, "targets"_a, "strips"_a, "stop"_a.none() = nb::none(),
       nb::sig("def solve_in_turn(model: Model, by_force: Sequence[bool], targets: Sequence[Sequence[float]], "
               "strips: Accuracy | int | NDArray[numpy.float64], stop: Stop | None = None) -> list[Result | Exception]"),
       "Solve similar cases; less of them once stopped.");
-  m.def("restored", &remade, "model"_a, "by_force"_a, "target"_a, "levels"_a, "accuracy"_a, "accepted"_a,
+  m.def("restored", &remade, "model"_a, "by_force"_a, "target"_a, "levels"_a, "accuracy"_a, "accepted"_a, Released(),
         "A result from states that were kept, checked again unless they are known to be accepted.");
   m.def("columns", &columns, "results"_a, "compliance"_a);
 }

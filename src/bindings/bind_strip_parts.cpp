@@ -12,25 +12,22 @@
 namespace nonhertz {
 namespace {
 
-using Flags = std::array<bool, 2>;
-
-System system_of(const MatrixIn& matrix, const MatrixIn& sides) {
+System system_of(const Matrix& matrix, const Matrix& sides) {
   System system;
-  const Index n = static_cast<Index>(matrix.shape(0)), count = static_cast<Index>(sides.shape(1));
-  system.reset(n, count);
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = 0; j < n; ++j) system(i, j) = matrix.data()[i * n + j];
-    for (Index j = 0; j < count; ++j) system(i, system.sides() + j) = sides.data()[i * count + j];
+  system.reset(matrix.rows(), sides.columns());
+  for (Index i = 0; i < matrix.rows(); ++i) {
+    for (Index j = 0; j < matrix.rows(); ++j) system(i, j) = matrix(i, j);
+    for (Index j = 0; j < sides.columns(); ++j) system(i, system.sides() + j) = sides(i, j);
   }
   return system;
 }
 
 /// Rows and columns of a system from some column on.
-auto part_of(const System& system, Index from, std::size_t rows, std::size_t columns) {
-  Numbers part;
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t j = 0; j < columns; ++j) part.push_back(system(i, from + j));
-  return array_of(std::move(part), std::array{rows, columns});
+Matrix part_of(const System& system, Index from, Index rows, Index columns) {
+  Matrix part(rows, columns);
+  for (Index i = 0; i < rows; ++i)
+    for (Index j = 0; j < columns; ++j) part(i, j) = system(i, from + j);
+  return part;
 }
 
 }  // namespace
@@ -39,20 +36,20 @@ void bind_strip_parts(nb::module_& m) {
   m.attr("BLOCK") = BLOCK;
   m.def(
       "solve_linear",
-      [](const MatrixIn& matrix, const MatrixIn& sides) {
+      [](const Matrix& matrix, const Matrix& sides) {
         System system = system_of(matrix, sides);
         system.solve();
-        return part_of(system, system.sides(), matrix.shape(0), sides.shape(1));
+        return part_of(system, system.sides(), matrix.rows(), sides.columns());
       },
       "matrix"_a, "sides"_a);
   m.def(
       "subtract_product",
-      [](const MatrixIn& from, const MatrixIn& left, const MatrixIn& right) {
+      [](const Matrix& from, const Matrix& left, const Matrix& right) {
         System system = system_of(from, right);
-        const std::size_t n = from.shape(0);
-        Matrix factor(padded(static_cast<Index>(n)), padded(static_cast<Index>(n)));
+        const Index n = from.rows();
+        Matrix factor(padded(n), padded(n));
         std::fill(factor.all().begin(), factor.all().end(), 0.0);
-        for (std::size_t i = 0; i < n; ++i) std::copy_n(left.data() + i * n, n, factor[i].begin());
+        for (Index i = 0; i < n; ++i) std::copy_n(left[i].begin(), n, factor[i].begin());
         system.subtract_product(factor, system_of(from, right));
         return part_of(system, 0, n, n);
       },

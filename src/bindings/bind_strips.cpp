@@ -18,18 +18,6 @@
 namespace nonhertz {
 namespace {
 
-using Flags = std::array<bool, 2>;
-using IndicesIn = nb::ndarray<const Index, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-using Released = nb::call_guard<nb::gil_scoped_release>;
-
-/// A property that is a view of numbers of its owner.
-template <class Owner, class Of>
-void view_property(nb::class_<Owner>& owner, const char* name, Of of) {
-  owner.def_prop_ro(
-      name, [of](nb::handle self) { return view_of(nb::cast<const Owner&>(self).*of, self); },
-      nb::rv_policy::reference);
-}
-
 template <class Owner>
 void matrix_property(nb::class_<Owner>& owner, const char* name, Matrix Owner::*of) {
   owner.def_prop_ro(
@@ -47,9 +35,9 @@ void bind_kernel(nb::module_& m) {
   element
       .def(
           "__init__",
-          [](Element* self, const Element& like, const VectorIn& table) {
+          [](Element* self, const Element& like, Numbers table) {
             new (self) Element(like);
-            self->table = numbers(table);
+            self->table = std::move(table);
           },
           "like"_a, "table"_a, "The same with another table: to see what a mistake in it would do.")
       .def_ro("name", &Element::name)
@@ -66,34 +54,27 @@ void bind_kernel(nb::module_& m) {
   m.attr("PARABOLIC") = nb::cast(std::make_shared<const Element>(parabolic()));
   m.def(
       "evaluate",
-      [](const Element& of, const VectorIn& t) {
-        Numbers found(4 * t.size());
-        for (std::size_t i = 0; i < t.size(); ++i) {
-          const Four s = evaluate(t.data()[i], of.table.data());
-          found[4 * i] = s.a(), found[4 * i + 1] = s.ta(), found[4 * i + 2] = s.b(), found[4 * i + 3] = s.tb();
+      [](const Element& of, View t) {
+        Matrix found(count_of(t), 4);
+        for (Index i = 0; i < count_of(t); ++i) {
+          const Four s = evaluate(t[i], of.table.data());
+          found(i, 0) = s.a(), found(i, 1) = s.ta(), found(i, 2) = s.b(), found(i, 3) = s.tb();
         }
-        return array_of(std::move(found), std::array{t.size(), std::size_t{4}});
+        return found;
       },
       "element"_a, "t"_a, "A, t A', B and t B', shape (t, 4).");
   nb::class_<Term>(m, "Term").def(nb::init<double, double, double>(), "sign"_a, "offset"_a, "weight"_a);
   m.def(
       "face_densities",
-      [](const Element& of, const VectorIn& distances, const MatrixIn& weights, const VectorIn& u, const VectorIn& v) {
-        if (weights.shape(1) != 2 * distances.size() || u.size() != v.size()) throw std::invalid_argument("shapes");
-        const std::size_t n = u.size();
-        Numbers found(2 * n);
-        const FaceWeights face{numbers(distances), copy_of(weights)};
-        {
-          const nb::gil_scoped_release released;
-          face_densities(of, face, view(u), view(v), Row(found).first(n), Row(found).last(n));
-        }
-        return array_of(std::move(found), std::array{std::size_t{2}, n});
+      [](const Element& of, Numbers distances, Matrix weights, View u, View v) {
+        if (weights.columns() != 2 * count_of(distances) || u.size() != v.size()) throw std::invalid_argument("shapes");
+        Matrix found(2, count_of(u));
+        face_densities(of, {std::move(distances), std::move(weights)}, u, v, found[0], found[1]);
+        return found;
       },
-      "element"_a, "distances"_a, "weights"_a, "u"_a, "v"_a,
+      "element"_a, "distances"_a, "weights"_a, "u"_a, "v"_a, Released(),
       "What a free side face adds to displacement and curvature of a load of unit length, shape (2, u).");
-  nb::class_<FaceTable>(m, "FaceTable").def("__init__", [](FaceTable* self, const VectorIn& of) {
-    new (self) FaceTable{numbers(of)};
-  });
+  nb::class_<FaceTable>(m, "FaceTable").def(nb::init<Numbers>());
   m.def(
       "free_end",
       [](double u, double inner, double outer, const FaceTable& table, const Element& of) {
@@ -103,19 +84,11 @@ void bind_kernel(nb::module_& m) {
       },
       "u"_a, "inner"_a, "outer"_a, "table"_a, "element"_a,
       "What a free side face adds to [A], [t A'], [B] and [t B'] of a strip, all distances in half-widths.");
-  nb::class_<Face>(m, "Face").def(
-      "__init__",
-      [](Face* self, double place, double side, double weight, std::shared_ptr<FaceTable> table) {
-        new (self) Face{place, side, weight, std::move(table)};
-      },
-      "place"_a, "side"_a, "weight"_a, "table"_a);
+  nb::class_<Face>(m, "Face").def(nb::init<double, double, double, std::shared_ptr<FaceTable>>(), "place"_a, "side"_a,
+                                  "weight"_a, "table"_a);
   nb::class_<Kernel>(m, "Kernel")
-      .def(
-          "__init__",
-          [](Kernel* self, std::shared_ptr<Element> of, std::vector<Term> terms, std::vector<Face> faces) {
-            new (self) Kernel{std::move(of), std::move(terms), std::move(faces)};
-          },
-          "element"_a, "terms"_a, "faces"_a)
+      .def(nb::init<std::shared_ptr<Element>, std::vector<Term>, std::vector<Face>>(), "element"_a, "terms"_a,
+           "faces"_a)
       .def_prop_ro("element", [](const Kernel& self) { return self.element; });
 }
 
@@ -123,14 +96,12 @@ void bind_states(nb::module_& m) {
   nb::class_<Grid> grid(m, "Grid", "Strips side by side, with everything that is known before their loads are.");
   grid.def(
       "__init__",
-      [](Grid* self, const VectorIn& edges, const VectorIn& curvature, const VectorIn& separation,
-         const VectorIn& min_depth, const VectorIn& sharper, const MatrixIn& at_depth, const MatrixIn& by_width) {
-        new (self) Grid{numbers(edges),      {},
-                        numbers(separation), numbers(curvature),
-                        numbers(min_depth),  numbers(sharper),
-                        copy_of(at_depth),   copy_of(by_width)};
-        for (std::size_t i = 0; i + 1 < self->edges.size(); ++i)
-          self->y.push_back(0.5 * (self->edges[i + 1] + self->edges[i]));
+      [](Grid* self, Numbers edges, Numbers curvature, Numbers separation, Numbers min_depth, Numbers sharper,
+         Matrix at_depth, Matrix by_width) {
+        Numbers y;
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i) y.push_back(0.5 * (edges[i + 1] + edges[i]));
+        new (self) Grid{std::move(edges),     std::move(y),       std::move(separation), std::move(curvature),
+                        std::move(min_depth), std::move(sharper), std::move(at_depth),   std::move(by_width)};
       },
       "edges"_a, "curvature"_a, "separation"_a, "min_depth"_a, "sharper"_a, "at_depth"_a, "by_width"_a);
   view_property(grid, "edges", &Grid::edges);
@@ -149,10 +120,10 @@ void bind_states(nb::module_& m) {
   state
       .def(
           "__init__",
-          [](State* self, const VectorIn& r, const VectorIn& m, const VectorIn& gap, Pair rigid,
-             std::array<Pair, 2> stiffness, Status status, int steps, double residual) {
+          [](State* self, Numbers r, Numbers m, Numbers gap, Pair rigid, std::array<Pair, 2> stiffness, Status status,
+             int steps, double residual) {
             new (self) State(0);
-            self->r = numbers(r), self->m = numbers(m), self->gap = numbers(gap);
+            self->r = std::move(r), self->m = std::move(m), self->gap = std::move(gap);
             self->rigid = rigid, self->stiffness = stiffness;
             self->status = status, self->steps = steps, self->residual = residual;
           },
@@ -202,13 +173,12 @@ void bind_solving(nb::module_& m) {
       "reach"_a);
   m.def(
       "coefficients",
-      [](const Grid& grid, const VectorIn& m, const IndicesIn& active, const Kernel& kernel) {
-        const std::vector<Index> sources(active.data(), active.data() + active.size());
+      [](const Grid& grid, View m, const std::vector<Index>& active, const Kernel& kernel) {
         Numbers found;
         Influence influence(grid, kernel);
         Blocks blocks;
-        influence.keep_up(view(m));
-        influence.coefficients(view(m), sources, blocks);
+        influence.keep_up(m);
+        influence.coefficients(m, active, blocks);
         for (const Matrix& block : blocks) found.insert(found.end(), block.all().begin(), block.all().end());
         return array_of(std::move(found), std::array{std::size_t{4}, m.size(), active.size()});
       },
@@ -216,16 +186,13 @@ void bind_solving(nb::module_& m) {
       "[A], [t A'], [B] and [t B'] of the active strips at the centres of all, shape (4, n, active).");
   m.def(
       "displacements",
-      [](const VectorIn& y, const Grid& grid, const VectorIn& r, const VectorIn& m, const Kernel& kernel) {
+      [](View y, const Grid& grid, Numbers r, Numbers m, const Kernel& kernel) {
         State state(0);
-        state.r = numbers(r), state.m = numbers(m);
-        return array_of(on_the_surface(view(y), grid, state, kernel));
+        state.r = std::move(r), state.m = std::move(m);
+        return on_the_surface(y, grid, state, kernel);
       },
       "y"_a, "grid"_a, "r"_a, "m"_a, "kernel"_a, "Displacement on the surface, points at depth left out.");
-  m.def(
-      "by_own_width",
-      [](const MatrixIn& by_width, Index strip, double a) { return by_own_width(copy_of(by_width), strip, a); },
-      "by_width"_a, "strip"_a, "a"_a);
+  m.def("by_own_width", &by_own_width, "by_width"_a, "strip"_a, "a"_a);
 }
 
 }  // namespace

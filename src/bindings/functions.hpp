@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bindings/arrays.hpp"
-#include "bodies/relief.hpp"
+#include "bodies/reference.hpp"
 
 namespace nonhertz {
 
@@ -18,34 +18,50 @@ struct Held {
   }
 };
 
-/// A function of whole arrays.
-using FunctionIn = nb::typed<nb::callable, VectorOut(VectorOut)>;
+}  // namespace nonhertz
 
-/// The same for the core, called with the interpreter's lock from any thread.
-inline Function function(FunctionIn of) {
-  return [held = std::make_shared<const Held>(std::move(of))](View y, Row out) {
-    const nb::gil_scoped_acquire lock;
-    const nb::ndarray<nb::numpy, const double, nb::ndim<1>> places(y.data(), {y.size()});
-    const auto values = nb::cast<VectorIn>(held->of(nb::cast(places, nb::rv_policy::copy)));
-    if (values.size() != y.size()) throw std::invalid_argument("a function must return as many numbers as it gets");
-    std::copy_n(values.data(), values.size(), out.begin());
-  };
-}
+namespace nanobind::detail {
+
+/// A function of whole arrays, called with the interpreter's lock from any thread.
+template <>
+struct type_caster<nonhertz::Function> {
+  NB_TYPE_CASTER(nonhertz::Function, const_name("collections.abc.Callable[[") + make_caster<nonhertz::Numbers>::Name +
+                                         const_name("], ") + make_caster<nonhertz::Numbers>::Name + const_name("]"))
+
+  bool from_python(handle source, auto, cleanup_list*) noexcept {
+    if (!isinstance<callable>(source)) return false;
+    value = [held = std::make_shared<const nonhertz::Held>(borrow<callable>(source))](nonhertz::View y,
+                                                                                      nonhertz::Row out) {
+      const gil_scoped_acquire lock;
+      const auto values = cast<nonhertz::Numbers>(held->of(nonhertz::Numbers(y.begin(), y.end())));
+      if (values.size() != y.size()) throw std::invalid_argument("a function must return as many numbers as it gets");
+      std::copy(values.begin(), values.end(), out.begin());
+    };
+    return true;
+  }
+};
 
 /// A function of places and edges, which returns a matrix of all by all strips.
-using MatrixFunctionIn = nb::typed<nb::callable, MatrixOut(VectorOut, VectorOut)>;
+template <>
+struct type_caster<nonhertz::MatrixFunction> {
+  using Vector = make_caster<nonhertz::Numbers>;
+  NB_TYPE_CASTER(nonhertz::MatrixFunction, const_name("collections.abc.Callable[[") + Vector::Name + const_name(", ") +
+                                               Vector::Name + const_name("], ") + make_caster<nonhertz::Matrix>::Name +
+                                               const_name("]"))
 
-inline std::function<Matrix(View, View)> matrix_function(MatrixFunctionIn of) {
-  return [held = std::make_shared<const Held>(std::move(of))](View y, View edges) {
-    const nb::gil_scoped_acquire lock;
-    const auto copied = [](View values) { return array_of(Numbers(values.begin(), values.end())); };
-    const auto values = nb::cast<MatrixIn>(held->of(copied(y), copied(edges)));
-    if (values.shape(0) != y.size() || values.shape(1) + 1 != edges.size())
-      throw std::invalid_argument("a displacement must have a row for each place and a column for each strip");
-    return copy_of(values);
-  };
-}
+  bool from_python(handle source, auto, cleanup_list*) noexcept {
+    if (!isinstance<callable>(source)) return false;
+    value = [held = std::make_shared<const nonhertz::Held>(borrow<callable>(source))](nonhertz::View y,
+                                                                                      nonhertz::View edges) {
+      const gil_scoped_acquire lock;
+      auto values = cast<nonhertz::Matrix>(
+          held->of(nonhertz::Numbers(y.begin(), y.end()), nonhertz::Numbers(edges.begin(), edges.end())));
+      if (values.rows() != nonhertz::count_of(y) || values.columns() + 1 != nonhertz::count_of(edges))
+        throw std::invalid_argument("a displacement must have a row for each place and a column for each strip");
+      return values;
+    };
+    return true;
+  }
+};
 
-inline Polyline polyline(const VectorIn& places, const VectorIn& values) { return {numbers(places), numbers(values)}; }
-
-}  // namespace nonhertz
+}  // namespace nanobind::detail

@@ -26,7 +26,7 @@ def law_of(*contacts, strips=None):
 def asked(law, *pose, row=0, other=None):
     """Answers of one contact of a roller, or of both with another pose at the other ring."""
     poses = [pose] if other is None else [pose, other]
-    return law.answer([row], np.array([poses]))[0, :, :6].squeeze()
+    return law.answer(np.array([row]), np.array([poses]))[0, :, :6].squeeze()
 
 
 def laid_for(contact, approach):
@@ -146,7 +146,7 @@ def test_on_the_way_strips_are_kept_up_to_three_times_the_depth():
 def test_the_same_contacts_are_solved_once():
     law = law_of(INNER)
     poses = np.array([(0.01, 0.0), (0.005, 1e-4), (0.01, 0.0), (-0.003, 0.0)])
-    found = law.answer(range(4), poses[:, None])[:, 0]
+    found = law.answer(np.arange(4), poses[:, None])[:, 0]
     assert law.laid_for == [(0.01, 0.0), (0.005, 1e-4)]
     assert found[0, 0] == found[2, 0] > found[1, 0] > found[3, 0] == 0.0
 
@@ -265,7 +265,7 @@ def test_light_contacts_take_no_more_strips_than_by_themselves():
     """They began with as many as heavy ones had needed, and asked for six times more: 2,000 strips, 1.5 GB."""
     contact = nh.Contact(nh.Roller(diameter=4.0, length=5.2, corner_radius=0.153), nh.Ring(diameter=31.0))
     law, approach = law_of(contact), np.array([1.5e-4, 1e-4, 3e-8])
-    law.answer(range(3), np.stack([approach, np.zeros(3)], axis=1)[:, None])
+    law.answer(np.arange(3), np.stack([approach, np.zeros(3)], axis=1)[:, None])
     with without_accuracy_warnings():  # a speck at a corner: its largest pressure is not known to be within its size
         alone = [nh.solve(contact, approach=each).strips for each in approach]
     assert [law.edges(row).size - 1 for row in range(3)] == alone

@@ -405,7 +405,7 @@ def test_more_strips_than_the_limit_are_not_laid():
 )
 def test_a_kink_is_where_the_slope_jumps(shape, places, turn):
     contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=shape), nh.Plate())
-    kinks, turns = core.kinks_among(model_of(contact), contact.bends, 20.0)
+    kinks, turns = core.kinks_among(model_of(contact), np.array(contact.bends), 20.0)
     np.testing.assert_allclose(kinks, places, rtol=1e-12)
     np.testing.assert_allclose(turns, turn, rtol=1e-6)
 

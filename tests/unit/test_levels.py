@@ -42,7 +42,7 @@ def peaks(pressure, middle=0.0):
     """Peaks of a pressure on strips 2 mm wide around the middle."""
     m, n = np.square(pressure), len(pressure)
     grid = strips_between(np.linspace(-n, n, n + 1) + middle)
-    return np.array(core.peaks(grid, state_of(np.ones(n), m, (0.0, 0.0)), [], 1e-4))
+    return np.array(core.peaks(grid, state_of(np.ones(n), m, (0.0, 0.0)), np.zeros(0), 1e-4))
 
 
 @pytest.mark.filterwarnings("ignore:.*maximum pressure is not known")

@@ -52,10 +52,13 @@ struct AxisOfRoller {
   Matrix displacement(View y, View edges) const;
 };
 
+/// Displacement at places of all strips between edges, worked out in Python, whose lock it takes.
+using MatrixFunction = std::function<Matrix(View y, View edges)>;
+
 /// Any other, whose displacement is a function of places and edges.
 struct OtherReference {
   Depth depth;
-  std::function<Matrix(View y, View edges)> displaced;
+  MatrixFunction displaced;
 
   Matrix displacement(View y, View edges) const { return displaced(y, edges); }
 };

@@ -70,10 +70,10 @@ Counted counted(View y, View values, View half_width, View ends) {
 }
 
 Index Counted::at() const {
-  const double least = (1.0 - ROUNDING) * *std::max_element(values.begin(), values.end());
-  Index first = -1;
+  Index first = std::max_element(values.begin(), values.end()) - values.begin();
+  const double least = (1.0 - ROUNDING) * values[first];
   for (Index k = 0; k < count_of(values); ++k)
-    if (values[k] >= least && (first < 0 || places[k] < places[first])) first = k;
+    if (values[k] > 0.0 && values[k] >= least && places[k] < places[first]) first = k;
   return first;
 }
 
