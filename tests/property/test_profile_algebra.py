@@ -23,6 +23,7 @@ from nonhertz.model.profile import (
     tapered_ends,
     two_radius,
 )
+from nonhertz.model.profile.base import at_ends
 
 # The first profile of some kinds imports scipy, which may take longer than an example is allowed to.
 untimed = settings(deadline=None)
@@ -81,7 +82,8 @@ def test_reliefs_add_in_any_order(a, b):
 @given(profiles, number(-30.0, 30.0))
 def test_shift_moves_relief_bends_and_extent(profile, by):
     moved = profile.shifted(by)
-    np.testing.assert_array_equal(moved.relief(Y), profile.relief(Y - by))
+    # Where the plain difference is within a rounding of an end, it is the end.
+    np.testing.assert_array_equal(moved.relief(Y), profile.relief(at_ends(Y - by, profile.extent)))
     assert moved.bends == tuple(bend + by for bend in profile.bends)
     assert moved.extent == tuple(end + by for end in profile.extent)
 
