@@ -57,7 +57,7 @@ def test_limits_are_stated_with_their_share_and_cpk(folder, run):
     assert abs(limit["beyond"] - 20) <= 4  # half of a normal distribution about its limit
     assert abs(limit["cpk"]) < 0.05
     assert found["verdict"]["level"] == "not-met"
-    said = run("tolerance", "plan.toml", "--workers", "1", "--out", "other", "--limits", "load=at least 15 kN").out
+    said = run("tolerance", "plan.toml", "--workers", "1", "--out", "rows", "--limits", "load=at least 15 kN").out
     assert "load   at least 15 kN     0 %" in said
     assert "Limits not met" not in said
 

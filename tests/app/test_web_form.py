@@ -147,7 +147,7 @@ def test_a_form_is_the_document_again(name):
     assert as_text(document_in(form_of(document))) == as_text(document)
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=30)
 @given(changed_documents(with_life()))
 def test_a_form_is_the_document_again_whatever_is_in_it(document):
     assert as_text(document_in(form_of(document))) == as_text(document)

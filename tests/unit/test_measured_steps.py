@@ -47,8 +47,7 @@ def test_a_scratch_does_not_end_the_land():
     assert_allclose([low, high], [-5.5, 5.5], atol=0.03)
 
 
-@pytest.mark.parametrize("height", [-0.01, -0.005, 0.005, 0.019])
-@pytest.mark.parametrize("at", [-3.0, -0.6, 2.5, 5.0])
+@pytest.mark.parametrize(("height", "at"), [(-0.01, -3.0), (-0.005, 2.5), (0.005, 5.0), (0.019, -0.6)])
 @pytest.mark.parametrize("noise", [pytest.param(0.0, marks=pytest.mark.slow), 1e-4])
 def test_a_low_step_neither_ends_the_land_nor_goes_unsaid(noise, at, height):
     trace = roller(noise=noise)
@@ -78,25 +77,24 @@ def test_a_high_step_ends_the_land_and_is_said():
     )
 
 
-def stepped(spacing: float, height: float, noise: float = 2e-5, mirrored: bool = False) -> Trace:
+def stepped(spacing: float, height: float, noise: float = 2e-5) -> Trace:
     """Return 10 mm of a crown whose first 3 mm are higher, in a machine that tilts it."""
     y = np.linspace(0.0, 10.0, round(10.0 / spacing) + 1)
     z = -((y - 4.9) ** 2) / 1000.0 + 1.5e-3 * y + noise * np.random.default_rng(SEED).standard_normal(len(y))
     z += height * (y < 3.0)
-    return Trace(10.0 - y[::-1], z[::-1]) if mirrored else Trace(y, z)
+    return Trace(y, z)
 
 
-@pytest.mark.parametrize("mirrored", [False, True], ids=["", "mirrored"])
 @pytest.mark.parametrize("slope", [0.05, 0.5])
-@pytest.mark.parametrize("height", [-0.021, -0.019, 0.01, 0.0195, 0.0205, 0.03, 0.1])
-@pytest.mark.parametrize("spacing", [0.2, 0.05, 0.02, 0.005])
-def test_what_a_step_is_depends_on_its_height_alone(spacing, height, slope, mirrored):
-    """Not on the spacing of the points, the slope of a chamfer or the side: up to 20 um it does not end the land."""
-    trace = stepped(spacing, height, mirrored=mirrored)
+@pytest.mark.parametrize("height", [-0.021, -0.019, 0.0195, 0.0205, 0.1])
+@pytest.mark.parametrize("spacing", [0.2, 0.02, 0.005])
+def test_what_a_step_is_depends_on_its_height_alone(spacing, height, slope):
+    """Not on the spacing of the points or the slope of a chamfer: up to 20 um it does not end the land."""
+    trace = stepped(spacing, height)
     (found,) = steps_in(trace, slope)
     assert found.within == (abs(height) < 0.02)
     assert abs(found.height) == pytest.approx(abs(height), rel=0.02)
-    assert found.y == pytest.approx(7.0 if mirrored else 3.0, abs=spacing)
+    assert found.y == pytest.approx(3.0, abs=spacing)
     measured = prepare(trace, slope=slope, smooth=False, points=False)
     kept = measured.points.span
     # A chord of a quarter of a per cent of the trace, or two points, is lost at the step.

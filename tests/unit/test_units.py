@@ -178,7 +178,7 @@ def test_a_slope_is_the_angle_of_that_tangent(rise, run):
 
 
 # The first text with a unit imports pint.
-@settings(deadline=None)
+@settings(deadline=None, max_examples=40)
 @given(text=st.text(max_size=30), unit=st.sampled_from(UNITS))
 def test_any_text_is_read_or_refused_in_a_sentence(text, unit):
     outcome = read_or_refused(text, unit)
