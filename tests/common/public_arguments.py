@@ -31,8 +31,10 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     LIFE = life.assess(SOLUTION, "iso-16281", body="b")[0]
     EXPOSURE = life.exposure(SOLUTION, body="b")
     DENT = nh.patch.Dent(depth=0.002, diameter=0.4)
-    COARSELY = {"cell": 0.05, "reach": 0.5}
-    OVERROLLED = life.overrolled(SOLUTION, DENT, **COARSELY)
+    SHORT = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(60)), RING)
+    COARSELY = {"solution": nh.solve(SHORT, load=1500, strips=5), "dent": nh.patch.Dent(depth=0.002, diameter=0.2)}
+    COARSELY |= {"cell": 0.04, "reach": 0.5}
+    OVERROLLED = life.overrolled(**COARSELY)
 SWEPT = nh.sweep(nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": [6e3]})
 TOLERANCE = nh.tolerance(
     nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": "uniform(6 kN, 7 kN)"}, samples=3
