@@ -218,11 +218,6 @@ def test_the_depth_of_plane_strain_is_one_whatever_shape_the_pressure_is_counted
     np.testing.assert_allclose(of_hertz, of_strips, rtol=1e-12)
 
 
-def test_the_shallower_body_counts():
-    influence = influence_of(nh.Contact(roller(depth=5.0), plate(depth=2.0)), nh.SEMI_ELLIPTIC)
-    assert influence.min_depth(Y).tolist() == [2.0] * Y.size
-
-
 def test_images_too_far_to_be_told_apart_are_those_of_an_endless_series():
     """Against the same sum of line loads at multiples of the length, to a hundred times as many links."""
     length, depth, factor = 16.0, 5.0, 1.0 / (2.0 * (1.0 - STEEL.poisson))

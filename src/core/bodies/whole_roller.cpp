@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numbers/legendre.hpp"
+
 namespace nonhertz {
 namespace {
 
 constexpr double USUAL_WIDTH = 0.03;  // of a contact, half-width over radius, where it is not known
 constexpr double FARTHEST = 25.0;     // radii, of the table
 constexpr double NEAR = 0.2;          // radii; from there on cubic polynomials follow its logarithm, too, within 1e-9
-
-/// Fill in the Legendre polynomials at x, brought to between -1 and 1.
-void legendre(double x, Row out) {
-  x = std::min(std::max(x, -1.0), 1.0);
-  out[0] = 1.0, out[1] = x;
-  for (Index j = 1; j + 1 < count_of(out); ++j) {
-    const double order = static_cast<double>(j);
-    out[j + 1] = ((2.0 * order + 1.0) * x * out[j] - order * out[j - 1]) / (order + 1.0);
-  }
-}
 
 /// The integral of the curved part from 0 to a distance: an odd function, by cubic polynomials.
 double curved_within(double distance, const Matrix& table, double logarithm) {
@@ -44,7 +36,7 @@ Matrix polynomials_of(View edges, double half_length, Index count) {
   Matrix found(count, count_of(edges));
   Numbers values(count + 1);
   for (Index e = 0; e < count_of(edges); ++e) {
-    legendre(edges[e] / half_length, values);
+    legendre(std::clamp(edges[e] / half_length, -1.0, 1.0), values);
     // The integral of P_j is (P_(j+1) - P_(j-1)) / (2 j + 1).
     for (Index j = 0; j < count; ++j) {
       const double order = static_cast<double>(j);
@@ -63,7 +55,7 @@ void fill_smooth(const WholeRoller& of, View y, View edges, Matrix& out) {
   const Matrix of_edges = polynomials_of(edges, half_length, count);
   Numbers values(count + 1), moved(count), until(edges.size());
   for (Index i = 0; i < count_of(y); ++i) {
-    legendre(y[i] / half_length, values);
+    legendre(std::clamp(y[i] / half_length, -1.0, 1.0), values);
     std::fill(moved.begin(), moved.end(), 0.0);
     for (Index j = 0; j < count; ++j) {
       const double at = values[j] * std::sqrt((static_cast<double>(j) + 0.5) / half_length);

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "numbers/legendre.hpp"
+
 namespace nonhertz {
 namespace {
-
-/// Legendre polynomials at t, all that there is room for.
-void legendre(double t, Numbers& out) {
-  out[0] = 1.0, out[1] = t;
-  for (std::size_t n = 2; n < out.size(); ++n)
-    out[n] = (out[n - 1] * t * (2.0 * n - 1.0) - out[n - 2] * (n - 1.0)) / static_cast<double>(n);
-}
 
 /// The four cubic splines that are not zero between a knot and the next, at x.
 std::array<double, 4> cubic_splines(double x, const double* knot) {

@@ -42,10 +42,20 @@ class Reference(Protocol):
         """Y [mm] -> depth below the surface [mm], compared with which half-widths must be small."""
 
     def displacement(self, y: Array, edges: Array) -> Array:
-        """Return its displacement under ``y`` per unit of K q of each strip, shape (..., places, strips).
+        """Return its displacement under ``y`` per unit of K q of each strip, shape (places, strips)."""
 
-        ``y`` has the shape (..., places), ``edges`` (..., strips + 1): strips of many cases, a case in each row.
-        """
+
+class _WorkedOutInCore:
+    """A reference that C++ works out."""
+
+    @property
+    def core(self) -> core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller:
+        """The same in C++."""
+        raise NotImplementedError
+
+    def displacement(self, y: Array, edges: Array) -> Array:
+        """Return its displacement under ``y`` per unit of K q of each strip, shape (places, strips)."""
+        return self.core.displacement(y, edges)
 
 
 @dataclass(frozen=True)
@@ -126,7 +136,7 @@ def plane_strain_depth(shape: Shape, poisson: float) -> float:
 
 
 @dataclass(frozen=True)
-class PointsAtDepth:
+class PointsAtDepth(_WorkedOutInCore):
     """How loads on the surface of one body move points below its centre line.
 
     Attributes
@@ -165,10 +175,6 @@ class PointsAtDepth:
         over_image = free_face(poisson).over_image if images.free.size else np.zeros(0)
         return cls(below, factor, images.with_direct(), images.far, images.free, over_image)
 
-    def displacement(self, y: Array, edges: Array) -> Array:
-        """Return the displacement at depth under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
-        return _by_rows(self.core, y, edges)
-
     @property
     def core(self) -> core.PointsAtDepth:
         """The same in C++."""
@@ -180,7 +186,7 @@ class PointsAtDepth:
 
 
 @dataclass(frozen=True)
-class AxisOfCylinder:
+class AxisOfCylinder(_WorkedOutInCore):
     """What the displacement of a solid cylinder of infinite length is less than that of a flat body.
 
     A uniform load compresses it as in plane strain, and by what the cylinder is free to grow longer. Side faces can be
@@ -207,10 +213,6 @@ class AxisOfCylinder:
         """Return that of a body with these mirror images."""
         return cls(DepthInDiameters(body, 1.0), body.material.poisson, images.with_direct())
 
-    def displacement(self, y: Array, edges: Array) -> Array:
-        """Return it under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
-        return _by_rows(self.core, y, edges)
-
     @property
     def core(self) -> core.AxisOfCylinder:
         """The same in C++."""
@@ -218,7 +220,7 @@ class AxisOfCylinder:
 
 
 @dataclass(frozen=True)
-class AxisOfRoller:
+class AxisOfRoller(_WorkedOutInCore):
     """What the displacement of a whole roller is less than that of a flat body with free ends.
 
     The roller is solid or has a bore, and its diameter may vary along the axis, as that of a tapered roller does.
@@ -257,14 +259,9 @@ class AxisOfRoller:
         assert below is not None
         return cls(below, whole, radius, body.position, images.share)
 
-    def displacement(self, y: Array, edges: Array) -> Array:
-        """Return it under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
-        return _by_rows(self.core, y, edges)
-
     def by_width(self, y: Array, ratio: float) -> Array:
         """Return what half-widths, times ``ratio`` Hertz's, change on strips at ``y``; see `WholeRoller.by_width`."""
-        found: Array = np.asarray(self.core.by_width(np.ravel(y), ratio)).reshape(4, *y.shape)
-        return found
+        return self.core.by_width(y, ratio)
 
     @property
     def core(self) -> core.AxisOfRoller:
@@ -283,13 +280,6 @@ def in_core(reference: Reference) -> InCore:
         return np.ascontiguousarray(reference.displacement(y, edges), dtype=float)
 
     return core.OtherReference(of_whole_arrays(reference.below), displaced)
-
-
-def _by_rows(reference: core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller, y: Array, edges: Array) -> Array:
-    """Return its displacement under ``y`` per unit of K q of each strip, shape (..., places, strips)."""
-    rows = zip(y.reshape(-1, y.shape[-1]), edges.reshape(-1, edges.shape[-1]), strict=True)
-    found = [reference.displacement(np.ascontiguousarray(places), np.ascontiguousarray(ends)) for places, ends in rows]
-    return np.array(found).reshape(*y.shape, edges.shape[-1] - 1)
 
 
 def terms_of(rows: Array) -> list[core.Term]:

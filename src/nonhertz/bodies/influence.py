@@ -70,26 +70,16 @@ class Influence:
     faces: tuple[FreeSide, ...] = ()
 
     def at_depth(self, y: Array, edges: Array) -> Array:
-        """Return the displacement of the references per unit of K q, shape (..., places, strips).
-
-        ``y`` has the shape (..., places), ``edges`` (..., strips + 1).
-        """
+        """Return the displacement of the references under ``y`` per unit of K q, shape (places, strips)."""
         if not self.references:
-            return np.zeros((*y.shape, edges.shape[-1] - 1))
+            return np.zeros((y.size, edges.size - 1))
         first, *others = (each.displacement(y, edges) for each in self.references)
         return sum(others, first)
 
     def by_width(self, y: Array, ratio: float) -> Array:
         """Return what half-widths, times ``ratio`` Hertz's, change on strips at ``y``; see `WholeRoller.by_width`."""
         rollers = (each for each in self.references if isinstance(each, AxisOfRoller))
-        return sum((each.by_width(y, ratio) for each in rollers), np.zeros((4, *y.shape)))
-
-    def min_depth(self, y: Array) -> Array:
-        """Return the smaller of the two bodies' depths below the places ``y``, infinite if neither has one."""
-        min_depth = np.full(y.shape, np.inf)
-        for reference in self.references:
-            min_depth = np.minimum(min_depth, reference.below(y))
-        return min_depth
+        return sum((each.by_width(y, ratio) for each in rollers), np.zeros((4, y.size)))
 
 
 def influence_of(contact: Contact, shape: Shape) -> Influence:

@@ -219,7 +219,8 @@ class _Likeness:
             len(influence.terms), *np.sum(np.abs(influence.terms), axis=0).tolist(), len(influence.references),
             len(influence.ends), len(influence.faces), len(bends), float(np.sum(np.abs(bends))),
         ]  # fmt: skip
-        surfaces = np.array([*of_bodies, influence.min_depth(places)])
+        depths = [each.below(places) for each in influence.references]
+        surfaces = np.array([*of_bodies, np.min([np.full(places.shape, np.inf), *depths], axis=0)])
         return cls(places, surfaces, np.array(numbers, dtype=float))
 
     def like(self, other: _Likeness) -> bool:
