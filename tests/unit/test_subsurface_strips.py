@@ -127,6 +127,18 @@ def test_where_strips_are_cut_the_field_does_not_see_it(depth):
     np.testing.assert_allclose(load_of(pieces).stress(points, 0.3), whole, rtol=0.0, atol=1e-6 * p0)
 
 
+@pytest.mark.parametrize("y", [0.46, -0.46])
+def test_pieces_of_one_strip_are_each_integrated_as_by_themselves(y):
+    # Beside the end of eight pieces, of which four are added at a time: each needs more nodes than the one before it.
+    low = np.linspace(-0.4, 0.3, 8)
+    pieces = np.column_stack([low, low + 0.1, np.linspace(600.0, 1000.0, 8), np.full(8, 0.3)])
+    numbers = np.vstack([[-0.4, 0.4, 800.0, 0.3], pieces]).T
+    together = StripLoad(Lamination(*(np.ascontiguousarray(row) for row in numbers), np.array([1, 9])))
+    points = np.array([[0.1, y, 0.02], [-0.2, y, 0.1]])
+    alone = load_of(pieces).stress(points, POISSON)
+    np.testing.assert_allclose(together.stress(points, POISSON), alone, rtol=0.0, atol=1e-7 * np.abs(alone).max())
+
+
 def test_nothing_bears_nothing():
     empty = StripLoad(Lamination(*(np.empty(0) for _ in range(4)), np.zeros(1, dtype=np.int64)))
     assert not empty.stress(np.zeros((2, 3)), 0.3).any()
@@ -149,3 +161,23 @@ def test_the_modes_of_point_loads_are_taken_from_those_of_boussinesq():
     points = np.array([[0.5, 0.3, 0.7], [-1.0, 2.0, 0.4], [1e-4, 1e-4, 0.8]])
     for point, row in zip(points, wall_stress._point_load(*points.T, POISSON), strict=True):
         np.testing.assert_allclose(row, point_load(*point)[0] / (2.0 * np.pi), rtol=1e-5, atol=1e-9)
+
+
+@pytest.mark.parametrize("n", [0, 1])
+def test_modes_of_a_wall_are_turned_from_its_radius_into_the_axes_of_the_contact(n):
+    amplitudes = np.array([3.0, -5.0, 2.0, 7.0, 1.0, 4.0])  # rr, tt, yy, rt, ry, ty
+    modes, outer, theta = np.zeros((2, 6, 2, 2)), 10.0, np.array([0.0, 0.4, -1.1])
+    modes[n, :, 0, 0] = amplitudes
+    points = np.column_stack([8.0 * np.sin(theta), [0.0, 1.0, 2.0], outer - 8.0 * np.cos(theta)])
+    found, even = np.zeros((3, 6)), np.ones(3)
+    core.Wall(modes, 0.9, np.zeros(1), np.zeros(1)).add(points, 0.0 * even, outer * even, 5.0 * even, POISSON, found)
+    for angle, stress in zip(theta, found, strict=True):
+        across, along = np.cos(2.0 * n * angle), np.sin(2.0 * n * angle)
+        rr, tt, yy, rt, ry, ty = amplitudes * [across, across, across, along, across, along]
+        polar = np.array([[rr, rt, ry], [rt, tt, ty], [ry, ty, yy]])
+        # Radius and turning round, in x, y and the depth; then the axis of the roller.
+        c, s = np.cos(angle), np.sin(angle)
+        turn = np.array([[s, c, 0.0], [0.0, 0.0, 1.0], [-c, s, 0.0]])
+        full = turn @ polar @ turn.T
+        expected = [full[0, 0], full[1, 1], full[2, 2], full[1, 2], full[0, 2], full[0, 1]]
+        np.testing.assert_allclose(stress, expected, rtol=1e-12, atol=1e-12)
