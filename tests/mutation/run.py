@@ -95,7 +95,7 @@ class Copy:
             "HYPOTHESIS_STORAGE_DIRECTORY": str(self.folder / "cache"), "OMP_NUM_THREADS": "1",
             "OPENBLAS_NUM_THREADS": "1",
         }  # fmt: skip
-        options = ["-x", "-q", "--tb=no", "--no-header", "-rfE", "--hypothesis-seed=0"]
+        options = ["-x", "-q", "--tb=no", "--no-header", "-rfE", "--hypothesis-seed=0", "-p", "no:xdist"]
         command = ["sh", "-c", f'ulimit -t {limit:.0f}; exec "$@"', "sh", sys.executable, "-m", "pytest", *options]
         try:
             done = subprocess.run(
