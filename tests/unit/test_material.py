@@ -105,8 +105,29 @@ def test_a_name_that_is_none_names_the_nearest(name, nearest):
         ("EN-AW-6082-T6", 68, 72),
         ("zirconia", 200, 220),
         ("alumina", 350, 420),
+        ("PA66", 1.2, 2.0),
+        ("PEEK", 3.6, 4.2),
     ],
 )
 def test_named_materials_have_handbook_moduli(name, low, high):
     assert low <= nh.MATERIALS[name].modulus / 1000.0 <= high
-    assert 0.2 < nh.MATERIALS[name].poisson < 0.36
+    assert 0.2 < nh.MATERIALS[name].poisson < (0.36 if low > 60 else 0.43)
+
+
+# Of strengths alike [MPa]: hardened steel, grey and ductile iron by their grades, and ISO 76 for line contact.
+@pytest.mark.parametrize(
+    ("name", "quantity", "low", "high"),
+    [
+        ("100Cr6", "pressure_limit", 4000, 4000),
+        ("X105CrMo17", "yield_strength", 1650, 1950),
+        ("16MnCr5", "core_yield_strength", 550, 750),
+        ("18CrNiMo7-6", "core_yield_strength", 700, 900),
+        ("EN-GJS-400-15", "yield_strength", 240, 260),
+        ("EN-GJS-700-2", "yield_strength", 400, 440),
+        ("CuSn11P-C", "yield_strength", 120, 150),
+        ("PA66", "yield_strength", 45, 65),
+        ("PEEK", "yield_strength", 90, 105),
+    ],
+)
+def test_named_materials_have_handbook_strengths(name, quantity, low, high):
+    assert low <= getattr(nh.MATERIALS[name], quantity) <= high

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.result.penetration import deepest
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
 LOGARITHMIC = nh.profile.logarithmic(amplitude=0.005, length=20, fraction=1.0)  # infinite at the ends
@@ -28,6 +29,16 @@ class Lifted(nh.profile.Profile):
 
     def relief(self, y):
         return 0.182 + np.asarray(y, dtype=float) ** 2 / 600.0
+
+
+def test_between_places_it_is_that_of_a_parabola():
+    # A crown whose drop is y^2 / (2 R), seen at three uneven places: at a tilt its summit is at y = tilt R.
+    def separation(y):
+        return y**2 / 800.0
+
+    tilt = np.array([0.0, 2e-3, -3e-3])
+    found = deepest(separation, np.array([-3.0, 0.5, 1.0, 4.0]), np.column_stack([[0.01, 0.02, 0.03], tilt]))
+    np.testing.assert_allclose(found, [0.01, 0.02, 0.03] + 0.5 * 400.0 * tilt**2, rtol=1e-12, atol=0.0)
 
 
 @pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
