@@ -136,10 +136,22 @@ def test_a_bearing_twice_as_large_is_guessed_twice_as_large():
     assert large.roller_length == pytest.approx(2.0 * small.roller_length, rel=1e-3)
 
 
+# Bores [mm], least and most [um], as catalogues of SKF and NSK print them.
+NORMAL_CLEARANCE = [
+    (45, 30, 60), (60, 40, 70), (75, 40, 75), (95, 50, 85), (115, 50, 90), (130, 60, 105), (150, 70, 120),
+    (170, 75, 125), (190, 90, 145), (220, 105, 165), (240, 110, 175), (260, 125, 195), (300, 130, 205),
+]  # fmt: skip
+
+
 def test_clearance_is_the_middle_of_the_normal_group():
     # ISO 5753-1, cylindrical bore: 20 to 45 um up to a bore of 30 mm, 25 to 50 above.
     assert from_catalogue(*NU206).bearing.clearance == pytest.approx(0.0325)
     assert from_catalogue(35, 72, 17, 56e3, 48e3).bearing.clearance == pytest.approx(0.0375)
+    for bore, least, most in NORMAL_CLEARANCE:
+        by = bore / 30.0
+        d, outside, width, dynamic, static = NU206
+        sizes = (by * d, by * outside, by * width, by ** (50 / 27) * dynamic, by**2 * static)
+        assert from_catalogue(*sizes).bearing.clearance == pytest.approx(0.5e-3 * (least + most))
     assert from_catalogue(*NU206, clearance=0.01).bearing.clearance == 0.01
     assert tapered(*HR30306J, limiting_ratio=0.31).bearing.clearance == 0.0
 

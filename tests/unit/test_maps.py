@@ -14,7 +14,7 @@ import nonhertz as nh
 from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.maps import LOADED, PRESSED, PRESSURES, SHARE, ContactMap, State
 from nonhertz.maps.build import Building
-from nonhertz.maps.spline import cells, rows, size
+from nonhertz.maps.spline import cells, jumps, rows, size
 from nonhertz.maps.spread import spread
 from nonhertz.maps.touch import Relief
 from nonhertz.native import core
@@ -395,6 +395,16 @@ def test_polynomials_of_cells_are_the_spline_and_its_derivatives():
         first, second = (each[:, : 6 - order] for each, order in zip(powers, orders, strict=True))
         by_hand = widths[0] * widths[1] * np.einsum("np,npq,nq->n", first, derived, second)
         assert_allclose(by_hand, expected, rtol=1e-10)
+
+
+def test_jumps_are_those_of_either_sign_and_none_within_one_polynomial():
+    breaks = np.array([0.0, 0.1, 0.4, 1.0]), np.array([0.0, 0.7, 1.0])
+    coefficients = np.random.default_rng(5).normal(size=(size(breaks[0]), size(breaks[1])))
+    places = np.array([0.05, 0.35, 0.9]), np.array([0.2, 0.8, 0.7])
+    one, other = jumps(breaks, coefficients, places), jumps(breaks, -coefficients, places)
+    assert_array_equal(one, other)
+    assert np.min(one) > 0.0
+    assert_allclose(jumps(breaks, np.ones_like(coefficients), places), 0.0, atol=1e-9)
 
 
 def test_a_straight_length_tips_over_and_a_crown_rolls():

@@ -158,6 +158,9 @@ def test_sums_over_modes_are_those_of_their_terms():
     planes = 2.0 / math.pi * np.sum(np.exp(-n * distance), axis=0) - 1.0 / math.pi / distance
     np.testing.assert_allclose(smooth_part.sum_over_images(distance), images, atol=1e-9)
     np.testing.assert_allclose(smooth_part.sum_over_planes(distance), planes, atol=1e-9)
+    near = np.array([1e-3, 4.9e-3, 5.1e-3])  # of all modes exp(-n s) is a geometric series
+    planes = 2.0 / math.pi / np.expm1(2.0 * near) - 1.0 / math.pi / near
+    np.testing.assert_allclose(smooth_part.sum_over_planes(near), planes, atol=1e-9)
 
 
 def roller(**changes):
