@@ -26,6 +26,7 @@ from nonhertz.life import (
     zaretsky,
 )
 from nonhertz.life.lamina import LEFT_OUT, edge_function, laminae_of
+from nonhertz.life.volume import section_exposure
 from nonhertz.subsurface import passage
 
 RING = nh.Ring(diameter=60)
@@ -170,6 +171,15 @@ def test_at_a_sharp_end_it_is_said_what_is_not_counted():
     (coarse,) = assess(solved(profile=nh.profile.straight(), strips=21), "zaretsky")
     assert f"nearer to them than {LEFT_OUT:g} of the largest half-width nothing was counted" in coarse.warnings[-2]
     assert coarse.warnings[-1].startswith("The strips or cells at a sharp end are longer than what was left out")
+
+
+def test_nothing_else_is_left_out():
+    edges = np.union1d(np.linspace(-6.0, 6.0, 22), [-5.98, -5.96, -5.8, 5.8, 5.96, 5.98])
+    solution = solved(profile=nh.profile.straight(), strips=edges)
+    found = section_exposure(solution, "a")
+    from_end = np.min([np.hypot(found.y[:, None] - end, found.z) for end in solution.contact.interval], axis=0)
+    np.testing.assert_array_equal(found.counted, from_end >= LEFT_OUT * solution.max_half_width)
+    assert not np.all(found.counted)
 
 
 @pytest.mark.slow

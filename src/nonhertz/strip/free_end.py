@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 POWERS = core.POWERS
 
 FIRST_OCTAVE, LAST_OCTAVE = -14, 2
-CLOSE, AWAY = 2.0**FIRST_OCTAVE, 2.0**LAST_OCTAVE
+CLOSE = 2.0**FIRST_OCTAVE
 OCTAVES = LAST_OCTAVE - FIRST_OCTAVE
 SQUARE_DEGREE = 9
 # Of the terms of the series, of which each counts 16 times less than the one before it.
