@@ -47,7 +47,7 @@ def built(name: str, *definitions: dict[str, str]) -> Path:
 
 def environment(module: Path | None) -> dict[str, str]:
     """Return the variables of a process that is to run a core, by default the one that is installed."""
-    paths = [str(ROOT / "tests" / "common"), str(ROOT / "tests" / "campaign")]
+    paths = [str(ROOT / "tests" / folder) for folder in (".", "common", "campaign")]
     if inherited := os.environ.get("PYTHONPATH"):
         paths.append(inherited)
     chosen = {"NONHERTZ_TEST_CORE": str(module)} if module else {}
