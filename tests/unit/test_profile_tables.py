@@ -206,7 +206,7 @@ def test_the_schema_needs_a_size_or_a_drop():
 def test_a_report_shows_what_a_drop_determined():
     def entries(made):
         profile = (entry for entry in inputs(made)[0].entries if ".profile" in entry.place)
-        return {entry.key: (entry.shown, entry.default) for entry in profile}
+        return {entry.place.rpartition(".")[2]: (entry.shown, entry.default) for entry in profile}
 
     shown = entries(case("kind = 'crown', drop = '20 um'", CORNERED))
     assert shown["radius"] == ("2256.26 mm", False)
