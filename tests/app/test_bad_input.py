@@ -4,7 +4,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.files.casefile import Case, placed
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 
 A = "[body.a]\ndiameter = 20.0\nlength = 20.0\n"
 B = "[body.b]\n"

@@ -19,7 +19,7 @@ from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearing_results import UNITS
 from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.changes import changes_in
-from nonhertz.files.held import as_toml
+from nonhertz.files.documents import as_toml
 from nonhertz.result.quantities import Quantity
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))

@@ -13,7 +13,7 @@ import nonhertz as nh
 import nonhertz.report.layout
 from nonhertz.cli import main
 from nonhertz.files.bearingfile import BearingCase, read_bearing
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 from nonhertz.report import MARK, BearingResults, compose, examined, rendered, settled
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import results

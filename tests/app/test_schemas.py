@@ -15,7 +15,7 @@ from nonhertz.cli import main
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import starting_case
-from nonhertz.files.held import meant_as
+from nonhertz.files.documents import meant_as
 from nonhertz.files.schemas import KINDS, schema_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

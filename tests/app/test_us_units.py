@@ -20,7 +20,7 @@ from nonhertz.amounts import read_in
 from nonhertz.cli import main, printing
 from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.casefile import Case, read_case
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 from nonhertz.report import compose
 from nonhertz.show import bearing as of_bearing
 from nonhertz.show import stresses

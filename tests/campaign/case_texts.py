@@ -18,7 +18,7 @@ from nonhertz.errors import CaseError
 from nonhertz.files.bearingfile import read_bearing, starting_bearing
 from nonhertz.files.bounds import MISTAKES
 from nonhertz.files.casefile import Case, read_case, starting_case
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 
 SEED = 20261
 MANY = 0.01

@@ -15,7 +15,7 @@ import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase, read_bearing, starting_bearing
 from nonhertz.files.casefile import read_case
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 from nonhertz.files.schemas import schema_of
 
 KINDS = nh.bearing.RollerBearing.kinds

@@ -14,7 +14,7 @@ from nonhertz.errors import CaseError
 from nonhertz.files import reading
 from nonhertz.files.bounds import KEYS, LARGEST_CASE, LOADS, MISTAKES, NESTING, PROFILES, has_long_key
 from nonhertz.files.casefile import read_case
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 from nonhertz.model.profile import table
 from nonhertz.model.profile.table import LARGEST_FILE, from_file
 

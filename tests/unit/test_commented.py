@@ -8,7 +8,7 @@ import pytest
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.files.commented import as_toml_like
-from nonhertz.files.held import as_toml
+from nonhertz.files.documents import as_toml
 
 TEXTS = [starting_case(name) for name in (None, *TEMPLATES)]
 TEXTS += [starting_bearing(name) for name in (None, *BEARING_TEMPLATES)]

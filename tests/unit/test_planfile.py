@@ -7,7 +7,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.files.casefile import starting_case
-from nonhertz.files.held import holds_plan
+from nonhertz.files.documents import holds_plan
 from nonhertz.files.planfile import Plan, read_any, read_design, read_plan, starting_plan
 from nonhertz.files.spreads import Distribution
 

@@ -14,7 +14,7 @@ from report_page import Page
 import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case, read_case
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 from nonhertz.report import CaseResults, examined, settled, steps
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import differing_inputs, lives, results

@@ -258,7 +258,7 @@ def test_rows_are_written_to_the_last_bit(tmp_path):
 
 def test_a_bearing_is_swept_too():
     from nonhertz.files.bearingfile import starting_bearing
-    from nonhertz.files.held import parsed
+    from nonhertz.files.documents import parsed
     from nonhertz.files.planfile import case_or_bearing_in
 
     text = starting_bearing()

@@ -12,7 +12,7 @@ import nonhertz as nh
 from nonhertz.files.bearingfile import BearingCase, starting_bearing
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case, read_case, starting_case
-from nonhertz.files.held import as_toml
+from nonhertz.files.documents import as_toml
 from nonhertz.files.results import as_object, key_by_key
 from nonhertz.files.sections import Life, OverrolledDent
 from nonhertz.life import LoadCase

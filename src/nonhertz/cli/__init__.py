@@ -17,12 +17,9 @@ import traceback
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from nonhertz.cli.exit_codes import BAD_INPUT, BROKEN_PIPE, INTERNAL, INTERRUPTED
 from nonhertz.errors import CaseError, InputError, Interrupted
 
-FINE, NOT_CONVERGED, BAD_INPUT, INTERNAL, NOT_MET, NOT_JUDGED, STRAINED = range(7)
-NOT_VERIFIED = NOT_CONVERGED
-# As a shell reports a program ended by a signal.
-INTERRUPTED, BROKEN_PIPE = 130, 141
 _OUT_OF_CALLBACK = 0.02  # s; where this was too early, the next repetition is not
 
 _EXTRAS = {

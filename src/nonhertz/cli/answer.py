@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nonhertz.cli import FINE, NOT_JUDGED, NOT_MET, STRAINED
+from nonhertz.cli.exit_codes import FINE, NOT_JUDGED, NOT_MET, STRAINED
 
 if TYPE_CHECKING:
     from nonhertz.show.sections import Section

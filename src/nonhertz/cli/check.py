@@ -13,10 +13,10 @@ import numpy as np
 from nonhertz import BearingCase, Case, CaseError, ConvergenceError, InputError, Plan
 from nonhertz.amounts import given, mm, mpa
 from nonhertz.bearing.solution import BearingSolution, slice_loads
-from nonhertz.cli import BAD_INPUT, FINE
+from nonhertz.cli.exit_codes import BAD_INPUT, FINE
 from nonhertz.cli.options import NONE, Changes
 from nonhertz.errors import joined
-from nonhertz.files.held import holds_plan, opened
+from nonhertz.files.documents import holds_plan, opened
 from nonhertz.files.keys import unit_of
 from nonhertz.files.planfile import DESIGN, case_or_bearing_in, design_in
 from nonhertz.files.writing import document_of

@@ -25,8 +25,8 @@ from cyclopts import App, CycloptsError, Group, MissingArgumentError, UnusedCliT
 
 from nonhertz import __version__
 from nonhertz.amounts import choose_units
-from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.answer import Answer
+from nonhertz.cli.exit_codes import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.options import AsJson, Judge, UnitsRead
 from nonhertz.errors import ConvergenceError, InputError
 

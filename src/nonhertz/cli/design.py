@@ -15,8 +15,8 @@ from nonhertz.amounts import of_dimension
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, Workers, named_after, named_as, written
 from nonhertz.cli.printing import bar
+from nonhertz.files.documents import as_toml
 from nonhertz.files.folder import refuse_unwritable
-from nonhertz.files.held import as_toml
 from nonhertz.files.planfile import read_design
 from nonhertz.files.results import plain
 from nonhertz.findings import as_warnings

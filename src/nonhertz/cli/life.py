@@ -13,7 +13,7 @@ from nonhertz import ConvergenceError, InputError, read_case
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, Words, refuse_unwritable_out, written
 from nonhertz.cli.printing import Progress
-from nonhertz.files.held import named
+from nonhertz.files.documents import named
 from nonhertz.files.lives import Assessment, as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.files import legible

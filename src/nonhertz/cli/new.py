@@ -11,7 +11,7 @@ from nonhertz.cli.options import named_as
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import starting_case
-from nonhertz.files.held import write_new
+from nonhertz.files.documents import write_new
 from nonhertz.files.planfile import read_any, starting_plan
 
 

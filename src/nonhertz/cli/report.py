@@ -11,7 +11,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from nonhertz.cli import FINE, NOT_CONVERGED
+from nonhertz.cli.exit_codes import FINE, NOT_CONVERGED
 from nonhertz.cli.options import NONE, Changes, UnitsRead, named_as
 from nonhertz.cli.printing import Progress, print_written
 from nonhertz.errors import InputError, without_accuracy_warnings

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case, starting_case
-from nonhertz.files.held import meant_as, opened, parsed
+from nonhertz.files.documents import meant_as, opened, parsed
 from nonhertz.web.form.inlining import inlined
 from nonhertz.web.limits import refuse, too_slow, unfit
 from nonhertz.web.server.serving import serve as serve_page

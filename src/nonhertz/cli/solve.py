@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz import CaseError, Result, read_case
-from nonhertz.cli import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.answer import Answer
+from nonhertz.cli.exit_codes import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, saved
 from nonhertz.files.folder import write_files
 from nonhertz.files.several import HEAD, Attempt, folders, objects, rows

@@ -12,7 +12,7 @@ from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
 from nonhertz.cli.printing import Update, bar
 from nonhertz.errors import InputError, UnknownKeyError
-from nonhertz.files.held import holds_plan, opened
+from nonhertz.files.documents import holds_plan, opened
 from nonhertz.files.planfile import Plan, case_or_bearing_in
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import sweep_sections

@@ -6,7 +6,7 @@ import json
 from itertools import groupby
 
 from nonhertz import selfcheck
-from nonhertz.cli import FINE, NOT_VERIFIED
+from nonhertz.cli.exit_codes import FINE, NOT_VERIFIED
 from nonhertz.cli.options import AsJson
 from nonhertz.cli.printing import Progress, print_result
 from nonhertz.show.sections import Section, Table

@@ -28,7 +28,8 @@ from nonhertz.files.bearing_document import (
     read_document,
 )
 from nonhertz.files.casefile import Case
-from nonhertz.files.held import OF_BEARINGS, HeldCase, starting_text
+from nonhertz.files.documents import OF_BEARINGS, starting_text
+from nonhertz.files.held import HeldCase
 from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import Surroundings
 from nonhertz.files.writing import document_of

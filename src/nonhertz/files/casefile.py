@@ -12,7 +12,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files.held import HeldCase, starting_text
+from nonhertz.files.documents import starting_text
+from nonhertz.files.held import HeldCase
 from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import read
 from nonhertz.files.sections import CaseDocument, Life, OverrolledDent, Solver, of_both, surroundings

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nonhertz.errors import CaseError, InputError, UnknownKeyError
+from nonhertz.files.documents import as_toml
 from nonhertz.inputs.fields import Input
 from nonhertz.inputs.files import legible
 
@@ -72,8 +73,7 @@ def changed(
         raise InputError("changes", changes, "be a dictionary", 'map paths to values, such as {"load.load": "5 kN"}')
     if not changes:
         return document, text
-    # Imported here: they import this module.
-    from nonhertz.files.held import as_toml
+    # Here, since they know the fields of bearings, too, which are loaded only where something is changed.
     from nonhertz.files.paths import drops_first, parameter, parameters
 
     whole, mistakes, known = document, [], parameters(document, kind)

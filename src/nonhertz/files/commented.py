@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from nonhertz.files.bounds import has_long_key
-from nonhertz.files.held import as_toml
+from nonhertz.files.documents import as_toml
 
 
 def as_toml_like(document: dict[str, Any], text: str) -> str:

@@ -16,7 +16,8 @@ from nonhertz.amounts import amount, of_dimension
 from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.held import Held, Origin, holds_plan, meant_as, named, opened, starting_text
+from nonhertz.files.documents import holds_plan, meant_as, named, opened, starting_text
+from nonhertz.files.held import Held, Origin
 from nonhertz.files.mistakes import case_error, in_order, path_of
 from nonhertz.files.paths import Parameter, drops_first, parameter, parameters
 from nonhertz.files.plan_document import PlanDocument

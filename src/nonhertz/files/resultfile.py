@@ -17,8 +17,8 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.files import results
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case
+from nonhertz.files.documents import meant_as
 from nonhertz.files.folder import write_files
-from nonhertz.files.held import meant_as
 from nonhertz.findings import said
 from nonhertz.inputs.assumed import restored
 from nonhertz.inputs.files import content

@@ -13,7 +13,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase, placed
 from nonhertz.files.casefile import Case
-from nonhertz.files.held import named
+from nonhertz.files.documents import named
 from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import Life
 from nonhertz.files.stresses import all_findings

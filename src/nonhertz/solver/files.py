@@ -23,8 +23,8 @@ from nonhertz.inputs.archives import Archive, Entries, digest, text
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.result.outcome import Kept, kept, outcome, restored
+from nonhertz.solver.blocks import Block, several
 from nonhertz.solver.one import posed
-from nonhertz.solver.solutions import Block, several
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
 from nonhertz.strip.problem import Problem, Target
 

@@ -20,9 +20,10 @@ from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.native import core
+from nonhertz.solver.blocks import several
 from nonhertz.solver.one import Goal, Strips, element_of, is_automatic, problem_of, requested_strips, strips_of
 from nonhertz.solver.portions import Portion, Run, Task, Work
-from nonhertz.solver.solutions import Solutions, case_label, several
+from nonhertz.solver.solutions import Solutions, case_label
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
 Array = NDArray[np.float64]

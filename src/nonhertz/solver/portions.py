@@ -20,8 +20,9 @@ from nonhertz.findings import Finding
 from nonhertz.native import core
 from nonhertz.result.outcome import has_series, outcome
 from nonhertz.result.solution import read_only
+from nonhertz.solver.blocks import Block
 from nonhertz.solver.refusals import refusal
-from nonhertz.solver.solutions import Block, Solutions
+from nonhertz.solver.solutions import Solutions
 from nonhertz.strip.problem import Problem, Target
 
 Array = NDArray[np.float64]

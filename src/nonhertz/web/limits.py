@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import walk
-from nonhertz.files.held import OF_BEARINGS
+from nonhertz.files.documents import OF_BEARINGS
 from nonhertz.files.mistakes import Place, case_error, path_of
 
 DOCUMENT_BYTES: Final = 256 * 1024

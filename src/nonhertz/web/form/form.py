@@ -18,7 +18,7 @@ from nonhertz.errors import InputError
 from nonhertz.files.bearing_document import BearingFile
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.bounds import FORMAT
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.mistakes import Place, path_of
 from nonhertz.files.profiles import profile_tables

@@ -18,7 +18,7 @@ from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
 from nonhertz.files.bearing_document import radius_across, read_document
-from nonhertz.files.held import OF_BEARINGS
+from nonhertz.files.documents import OF_BEARINGS
 from nonhertz.files.reading import Surroundings, read
 from nonhertz.files.sections import Bodies, surroundings
 from nonhertz.hertz import half_space_line_compression, line_contact

@@ -18,7 +18,7 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from nonhertz.amounts import US
-from nonhertz.files.held import meant_as, parsed
+from nonhertz.files.documents import meant_as, parsed
 from nonhertz.web.limits import DOCUMENT_BYTES, UPLOAD_BYTES
 from nonhertz.web.server.guard import PAGES, Guard
 from nonhertz.web.server.intake import in_script

@@ -18,7 +18,7 @@ from starlette.routing import Route
 
 from nonhertz import __version__
 from nonhertz.errors import CaseError
-from nonhertz.files.held import parsed
+from nonhertz.files.documents import parsed
 from nonhertz.web.form.form import form
 from nonhertz.web.limits import (
     ANSWER_SECONDS,

@@ -15,7 +15,8 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.commented import as_toml_like
-from nonhertz.files.held import HeldCase, parsed
+from nonhertz.files.documents import parsed
+from nonhertz.files.held import HeldCase
 from nonhertz.files.resultfile import Result
 from nonhertz.model.body import BodyName
 from nonhertz.show.solving import attempted

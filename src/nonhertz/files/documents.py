@@ -1,0 +1,212 @@
+"""Documents: what the text of a TOML file holds, read and written, whatever it means."""
+
+from __future__ import annotations
+
+import ast
+import contextlib
+import errno
+import re
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from nonhertz.errors import CaseError, InputError, joined, nearest
+from nonhertz.files.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
+from nonhertz.files.mistakes import path_of
+from nonhertz.inputs.checks import one_of
+from nonhertz.inputs.files import content
+
+#: Tables of a bearing file in place of those of both bodies, and what only plans have.
+OF_BEARINGS = ("bearing", "roller", "inner", "outer")
+OF_PLANS = ("case", "over", "tolerance", "vary")
+_CONTENTS = {"case": "a single contact", "bearing": "a bearing", "plan": "a plan"}
+_COMMANDS = {"case": "solve", "bearing": "bearing", "plan": "sweep"}
+
+
+def meant_as(document: Mapping[str, Any]) -> str:
+    """Return the kind of file that a document is meant as, empty if that cannot be told.
+
+    Examples
+    --------
+    >>> [meant_as(each) for each in ({"body": {}, "load": {}}, {"roller": {}}, {"case": "roller.toml", "over": {}})]
+    ['case', 'bearing', 'plan']
+    """
+    if "body" in document:
+        return "" if "bearing" in document else "case"
+    if any(name in document for name in OF_BEARINGS):
+        return "bearing"
+    return "plan" if holds_plan(document) else ""
+
+
+def holds_plan(document: Mapping[str, Any]) -> bool:
+    """Return whether a document has what only plans have.
+
+    Examples
+    --------
+    >>> holds_plan({"case": "roller.toml", "over": {}}), holds_plan({"body": {}, "load": {}})
+    (True, False)
+    """
+    return any(name in document for name in OF_PLANS)
+
+
+def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
+    """Return the document in a file, its path and its text. It is read only once, since it may be a pipe.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file.
+    *kinds : {"case", "bearing", "plan"}
+        What it may be; the first is what one may begin with.
+
+    Raises
+    ------
+    CaseError
+        If it cannot be read, is not TOML, is larger than any case, or holds something else than it may; what holds no
+        plan is left to be refused by who reads plans.
+    InputError
+        If ``path`` is not the name of a file.
+    """
+    what = joined((f"{kind} file" for kind in kinds), "or")
+    if not isinstance(path, str | Path):
+        raise InputError("path", path, f"be the name of a {what}", "give a string or a Path")
+    path = Path(path)
+    try:
+        text = content(path, LARGEST_CASE).decode("utf-8-sig")
+    except FileNotFoundError:
+        new = "nonhertz new" if kinds[0] == "case" else f"nonhertz new --{kinds[0]}"
+        way_out = f"give the path of a {what}, or begin with one from '{new} {path}'"
+        beside = {each.stem: each for each in path.parent.glob("*.toml")}
+        meant = nearest(path.stem, beside)
+        sentence = f"{path} must exist: {way_out}."
+        if meant:
+            sentence = f"{path} does not exist. Did you mean {beside[meant]}?"
+    except IsADirectoryError:
+        sentence = f"{path} must be a file, not a directory: give the path of a {what}."
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        sentence = f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        too_large = getattr(error, "errno", None) == errno.EFBIG
+        way_out = "put measured points into a file that it names" if too_large else "check path and permissions"
+        sentence = f"{path} must be readable ({reason[:1].lower()}{reason[1:]}): {way_out}."
+    else:
+        document = parsed(text, str(path))
+        kind = meant_as(document)
+        if not kind or kind in kinds or "plan" in kinds:
+            return document, path, text
+        contents = joined((_CONTENTS[each] for each in kinds), "or")
+        sentence = f"{path} must hold {contents}, not {_CONTENTS[kind]}: use 'nonhertz {_COMMANDS[kind]} {path}'."
+    raise CaseError([sentence])
+
+
+def parsed(text: str, name: str) -> dict[str, Any]:
+    """Return the document in the text of a case file; ``name`` is what error messages call it.
+
+    Raises
+    ------
+    CaseError
+        If the text is not TOML, or holds more than a case may.
+    """
+    # Before parsing: the parser's time grows with the square of the number of parts in a key.
+    if has_long_key(text):
+        raise CaseError([f"{name} must be a case file: {TOO_DEEP}."])
+    try:
+        document = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        reason = _in_words(str(error).rstrip(".")) + _meant(text, str(error))
+    except RecursionError:
+        reason = TOO_DEEP
+    except ValueError:  # Python's limit on the digits of an integer
+        reason = "a number has thousands of digits"
+    else:
+        if too_much := excess(document):
+            raise CaseError([f"{name} must be a case file: {too_much}."])
+        return document
+    raise CaseError([f"{name} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])
+
+
+def _in_words(reason: str) -> str:
+    """Return the parser's reason without its own terms for what is given twice."""
+    if found := re.search(r"(?:declare|namespace) \((.*?),?\)(?: twice)? \(", reason):
+        keys = path_of(ast.literal_eval(f"({found[1]},)"))
+        return f"table [{keys}] is defined twice ({reason[found.end() :]}"
+    return re.sub(r"Cannot overwrite a value|Duplicate inline table key '.*?'", "a key is given twice", reason)
+
+
+def _meant(text: str, reason: str) -> str:
+    """Return what to do about a line of TOML that is a number as people write it: with a comma, or with its unit."""
+    place = re.search(r"at line (\d+)", reason)
+    line = text.split("\n")[int(place[1]) - 1] if place else ""
+    if re.search(r"=\s*[-+]?\d+,\d", line):
+        return "; use a decimal point"
+    # Neither digits of other bases nor what is longer than any number and unit.
+    if number := re.search(r"=\s*(?!0[xob])([-+]?\d[\d.]{0,20}\s?(?![eE][-+]?\d)[A-Za-z][\w/^ ]{0,11}?)\s*(#|$)", line):
+        return f'; quote a number with its unit, "{number[1]}"'
+    return ""
+
+
+def as_toml(document: dict[str, Any]) -> str:
+    """Return a document as the text of a case file.
+
+    Examples
+    --------
+    >>> print(as_toml({"load": {"load": "20 kN"}}), end="")
+    [load]
+    load = "20 kN"
+    """
+    import tomli_w
+
+    return tomli_w.dumps(document)
+
+
+def starting_text(name: str, template: str | None = None, known: Iterable[str] = (), folder: str = "") -> str:
+    """Return the text of one of our own files to start from: of a template in a folder, or of the one of a name.
+
+    Raises
+    ------
+    InputError
+        If a template is asked for that is not known.
+    """
+    if template is not None:
+        one_of("template", template, tuple(known), "choose one of them")
+        name = f"{folder}/{template}.toml"
+    return resources.files("nonhertz.files").joinpath(name).read_text(encoding="utf-8")
+
+
+def write_new(text: str, path: str | Path) -> None:
+    """Write text to a new file, all of it or nothing.
+
+    Raises
+    ------
+    CaseError
+        If the file already exists or cannot be written.
+    """
+    path = Path(path)
+    try:
+        with path.open("x", encoding="utf-8") as file:
+            try:
+                file.write(text)
+                file.flush()
+            except BaseException:
+                path.unlink(missing_ok=True)
+                raise
+    except FileExistsError:
+        raise CaseError([f"{path} already exists: choose another name, since nothing is overwritten."]) from None
+    except (OSError, ValueError) as error:
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        way_out = "choose another name" if path.parent.is_dir() else "make its folder first"
+        raise CaseError([f"{path} cannot be written ({reason}): {way_out}."]) from None
+
+
+@contextlib.contextmanager
+def named(path: str | Path) -> Iterator[None]:
+    """Put the file's name in front of every mistake raised in a ``with`` block, unless it is there already."""
+    try:
+        yield
+    except CaseError as error:
+        sentences = (each if each.startswith(str(path)) else f"{path}: {each}" for each in error.mistakes)
+        raise CaseError(sentences, error.places) from None
