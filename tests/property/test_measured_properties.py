@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
@@ -62,6 +62,7 @@ def test_the_other_way_round_it_is_the_mirror_image(radius, seed):
 )
 def test_a_step_is_the_same_from_either_side(radius, count, length, at, height, down, lean, noise, uneven, slope, seed):
     """The same points are kept and fitted, the same is warned of, and nothing is left out without a word."""
+    assume(height < 0.02 or abs(at - 0.5) > 0.02)  # of two stretches of one length either may be the land
     random = np.random.default_rng(seed)
     y = np.linspace(0.0, length, count)
     y = np.sort(y + uneven * random.uniform(-0.3, 0.3, count) * length / count)

@@ -25,7 +25,7 @@ CHAMFER_SLOPE = 0.05
 _STEP_WIDTH, _POINTS_ACROSS = 0.005, 2
 # Heights of steps [mm]: up to the first the land continues; above the second it is a rib or another body that is never
 # part of the land.
-_LOW_STEP, _HIGH_STEP = 0.02, 0.2
+_LOW_STEP, _HIGH_STEP = 0.02 * (1.0 + ROUNDING), 0.2 * (1.0 + ROUNDING)
 # What a land may differ more from its mirror image without its steps than with them: a fraction, and mm.
 _WORSE, _WORSE_BY = 1.1, 1e-4
 
