@@ -8,6 +8,7 @@ import typing
 import numpy as np
 import pytest
 
+from nonhertz import SEMI_ELLIPTIC
 from nonhertz.errors import InputError
 from nonhertz.inputs.fields import Quantities, Quantity
 from nonhertz.model import profile as catalogue
@@ -33,6 +34,7 @@ from nonhertz.model.profile import (
     tabulated,
     tapered_ends,
     two_radius,
+    uniform_pressure,
 )
 
 DESIGN = {"load": 20e3, "length": 20.0, "radius": 10.0}
@@ -420,3 +422,10 @@ def test_parameters_take_text_with_units_and_an_unknown_one_names_the_nearest():
 def test_signatures_show_types_without_what_describes_them(of, given):
     assert given in str(inspect.signature(of))
     assert "Quantity" not in str(inspect.signature(of))
+
+
+def test_the_displacement_of_a_uniform_pressure_is_that_of_the_element_near_and_far():
+    t = np.concatenate([np.geomspace(1e-7, 1e4, 301), uniform_pressure.TABLE_RANGE[:2]])
+    expected = SEMI_ELLIPTIC.functions(t)[0]
+    for sign in (1.0, -1.0):
+        np.testing.assert_allclose(uniform_pressure._displacement(sign * t), sign * expected, rtol=1e-10, atol=0.0)
