@@ -45,6 +45,14 @@ def test_the_effective_length_is_that_of_the_shortest_contact_without_corners(gi
     assert lives[0] == pytest.approx(lives[1], rel=1e-9)
 
 
+def test_the_fatigue_limit_is_that_of_the_static_rating():
+    """ISO 281, B.3.3.3, roller bearings: C0 / 8.2, above a pitch diameter of 100 mm times (100 / D_pw)^0.3."""
+    small, large = nu206(), B.from_catalogue(100, 180, 34, 251e3, 305e3).bearing
+    assert B.rating(small).fatigue_limit == pytest.approx(B.rating(small).static / 8.2)
+    assert 130.0 < large.pitch < 150.0
+    assert B.rating(large).fatigue_limit == pytest.approx(B.rating(large).static / 8.2 * (100.0 / large.pitch) ** 0.3)
+
+
 @pytest.mark.parametrize("given", [{"outer": {"length": 8.6, "corner_radius": 0.3}}, {"corner_radius": 0.3}])
 def test_the_life_by_pressures_is_the_sum_over_all_that_presses(given):
     """Laminae have a capacity per length, whatever length was rated: sum (q / q_c)^(9/2) is an integral along y."""
