@@ -95,6 +95,7 @@ docs: $(READY)
 # The race runs without the peers where they cannot be had, and says so.
 bench: $(READY)
 	-$(BIN)/python -m pip install --quiet --constraint constraints.txt --group peers
+	-$(BIN)/python -m pip install --quiet --constraint constraints.txt --group built-peers
 	$(BIN)/python benchmarks/report.py
 	$(BIN)/python benchmarks/race.py
 	$(BIN)/python benchmarks/page.py

@@ -8,7 +8,7 @@ import numpy as np
 from entrants import TO
 
 ASKED = {"approach": 1e-4, "max_pressure": 0.02}
-PEERS = ("tamaas", "ContactMechanics")
+PEERS = ("tamaas", "ContactMechanics", "ASPHER")
 NARROW = 1.25  # times what is asked
 PROGRAMS = ("strips", "batch", "patch", *PEERS)
 

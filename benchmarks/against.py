@@ -123,7 +123,7 @@ def page(results: dict[str, Any]) -> list[str]:
         "# Against an earlier revision",
         "",
         f"Written by `benchmarks/against.py {results['revision']}`; do not edit. Both revisions solved the same cases",
-        f"in turn, warm, on one thread; ratios are medians of pairs. {computer['processor']},",
+        f"in turn, on one thread, after a first time; ratios are medians of pairs. {computer['processor']},",
         f"{computer['cores']} cores, load average {computer['load']} at the start.",
         f"Before: {results['revision']} of {results['date']}.",
         "",

@@ -19,8 +19,8 @@ from races import Race
 import nonhertz as nh
 
 BATCH, LOAD_RANGE = 256, 0.1
-# Grids by their accuracy: an automatic grid for each case, or that of the first of many, used for all.
 DEAREST = 1.5  # s, a solve expected to take longer is left out
+# Grids by their accuracy: an automatic grid for each case, or that of the middle one of many, used for all.
 AUTOMATIC, LEARNT, TO = "automatic", "learnt", " to "
 Cells = tuple[int, int]
 
@@ -74,9 +74,9 @@ def asked(grid: int | str) -> dict[str, Any]:
 
 
 def batch(race: Race, grid: int | str, element: str, threads: int) -> Solve:
-    """Return a solve of many loads in one call: on equal strips, automatic grids, or one learnt from the first load.
+    """Return a solve of many loads in one call: on equal strips, automatic grids, or one learnt from the middle load.
 
-    The last load is the one that counts: a learnt grid was not made for it.
+    A learnt grid is that of the middle load; the last one counts, furthest from it.
     """
     chosen = {"semi-elliptic": nh.SEMI_ELLIPTIC, "parabolic": nh.PARABOLIC}[element]
     loads = race.load * np.linspace(1.0 - LOAD_RANGE, 1.0, BATCH)
@@ -84,7 +84,7 @@ def batch(race: Race, grid: int | str, element: str, threads: int) -> Solve:
     def solve(_: float) -> Answer:
         on = asked(grid)
         if isinstance(grid, str) and grid.startswith(LEARNT):
-            on = {"strips": nh.solve(race.contact, load=loads[0], tilt=race.tilt, element=chosen, **on).edges}
+            on = {"strips": nh.solve(race.contact, load=loads[BATCH // 2], tilt=race.tilt, element=chosen, **on).edges}
         found = nh.solve_many(race.contact, load=loads, tilt=race.tilt, element=chosen, threads=threads, **on)
         return Answer(float(found.approach[-1]), float(found.max_pressure[-1]))
 
@@ -101,7 +101,7 @@ def patch(race: Race, cells: Cells, threads: int) -> Solve:
             load=race.load,
             tilt=race.tilt,
             cells=cells,
-            region=race.region,
+            region=race.under(cells),
             tolerance=tolerance,
             threads=threads,
         )
@@ -115,7 +115,7 @@ def tamaas(race: Race, cells: Cells) -> Solve:
     import tamaas as tm
 
     tm.set_log_level(tm.LogLevel.warning)
-    gap, size = race.gap(cells), race.size()
+    gap, size = race.gap(cells), race.size(cells)
     model = tm.ModelFactory.createModel(tm.model_type.basic_2d, size, list(cells))
     model.E, model.nu = 1.0 / (np.pi * race.contact.compliance), 0.0
     tm.ModelFactory.registerNonPeriodic(model, "free")
@@ -143,7 +143,7 @@ def contact_mechanics(race: Race, cells: Cells, solver: str) -> Solve:
     from ContactMechanics.Systems import NonSmoothContactSystem
     from SurfaceTopography import Topography
 
-    gap, size = race.gap(cells), tuple(race.size())
+    gap, size = race.gap(cells), tuple(race.size(cells))
     space = FreeFFTElasticHalfSpace(cells, 1.0 / (np.pi * race.contact.compliance), size)
     # The smallest gap taken off: tolerances are counted from the heights' own scale.
     system = NonSmoothContactSystem(space, Topography(gap.min() - gap, size))
@@ -186,13 +186,44 @@ def _dual(system: Any, load: float, tolerance: float, solver: str) -> np.ndarray
     return result.x.reshape(shape)
 
 
+def aspher(race: Race, cells: Cells, way: str) -> Solve:
+    """Return a solve by ASPHER, whose cells are square on a square: nested grids in one call, or one with its operator.
+
+    Of its operators the H2 one is made for grids far larger than these; its periodic one is another contact.
+    """
+    import aspher as ap
+
+    count, (side, _) = cells[0], race.size(cells)
+    coarsest = count
+    while coarsest > 16 and coarsest % 2 == 0:
+        coarsest //= 2
+    given = {"gap": race.gap(cells), "p_nominal": race.load / side**2}
+    body = {"grid_size": count, "domain_size": side, "E_star": 1.0 / (np.pi * race.contact.compliance)}
+    solves = {
+        "nested FFT": lambda: partial(ap.solve_nested, **body, **given, coarsest=coarsest, backend="fft"),
+        "nested H2": lambda: partial(ap.solve_nested, **body, **given, coarsest=coarsest, active_set=True),
+        "FFT": lambda: partial(ap.ContactSolver(**body, backend="fft").solve, **given, precond="fourier"),
+    }
+    chosen = solves[way]()
+
+    def solve(tolerance: float) -> Answer:
+        found = chosen(tol=tolerance)
+        return _on_cells(race, cells, found.approach, found.pressure)
+
+    return solve
+
+
 def _on_cells(race: Race, cells: Cells, approach: float, pressure: np.ndarray) -> Answer:
     return Answer(float(approach), float(np.max(pressure)), np.asarray(pressure), race.axes(cells))
 
 
-PLANE = ("patch", "tamaas", "ContactMechanics")
-PEERS = {"tamaas": "tamaas", "ContactMechanics": "ContactMechanics"}
-PLAYOFF = ("with restart", "minimize_proxy", "without restart")
+PLANE = ("patch", "tamaas", "ContactMechanics", "ASPHER")
+PEERS = {"tamaas": "tamaas", "ContactMechanics": "ContactMechanics", "ASPHER": "aspher"}
+# Of programs with more than one solver the fastest takes part.
+SOLVERS = {
+    "ContactMechanics": ("with restart", "minimize_proxy", "without restart"),
+    "ASPHER": ("nested FFT", "nested H2", "FFT"),
+}
 
 
 def prepared(entrant: str, race: Race, grid: Any, threads: int) -> Solve:
@@ -205,6 +236,7 @@ def prepared(entrant: str, race: Race, grid: Any, threads: int) -> Solve:
         "patch": partial(patch, race, cells, threads),
         "tamaas": partial(tamaas, race, cells),
         "ContactMechanics": partial(contact_mechanics, race, cells, variant),
+        "ASPHER": partial(aspher, race, cells, variant),
     }
     return ready[program]()
 

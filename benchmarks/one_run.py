@@ -42,9 +42,8 @@ def run(asked: dict[str, Any]) -> dict[str, Any]:
     """Return errors, time and memory of a program on a grid, stopped at the agreed algebraic error."""
     race = races.all_races()[asked["race"]]
     entrant, grid, threads = asked["entrant"], asked["grid"], asked["threads"]
-    # Grids that are found, not given, have code of their own to be loaded.
-    small = [8, 16] if isinstance(grid, list) else grid if isinstance(grid, str) else 8
-    entrants.prepared(entrant, race, small, threads)(LOOSEST)
+    # Once beforehand, so that what is loaded then is no part of the memory.
+    entrants.prepared(entrant, race, [32, 32] if isinstance(grid, list) else grid, threads)(LOOSEST)
     before = resident()
     solve = entrants.prepared(entrant, race, grid, threads)
     tolerance = asked["tolerance"]

@@ -3,7 +3,7 @@
     python benchmarks/page.py [OUT]
 
 writes page.md and page.json into OUT, docs/benchmarks if left out. The server is the one of ``nonhertz serve``, in a
-process of its own, warm. Every request differs from the one before, as a slider's do, and the next is sent when the
+process of its own, that has loaded everything. Every request differs from the one before, as a slider's do, and the next is sent when the
 answer is there. In the browser a mouse drags a slider; it needs Chromium or Chrome, and playwright, and is left out
 without them. Leave the machine alone meanwhile.
 """
@@ -143,7 +143,7 @@ def summary(times: list[float], inside: list[float] | None = None) -> Times:
 
 @contextmanager
 def serving() -> Iterator[httpx.Client]:
-    """Run the command and yield what talks to it once both of its workers are warm."""
+    """Run the command and yield what talks to it once its workers have loaded everything."""
     command = [sys.executable, "-m", "nonhertz", "serve", "--port", "0", "--no-browser"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         try:
@@ -153,7 +153,7 @@ def serving() -> Iterator[httpx.Client]:
             with httpx.Client(base_url=address[0], timeout=300.0) as client:
                 while not client.get("/status").raise_for_status().json()["ready"]:
                     time.sleep(0.1)
-                time.sleep(5.0)  # the second worker warms up after the first
+                time.sleep(5.0)  # the second worker loads after the first
                 yield client
         finally:
             process.send_signal(signal.SIGINT)

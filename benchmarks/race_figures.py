@@ -20,10 +20,11 @@ LOOK: dict[str, dict[str, Any]] = {
     "patch": {"color": "#009E73", "marker": "s", "label": "plane grid"},
     "tamaas": {"color": SECOND, "marker": "^", "label": "tamaas"},
     "ContactMechanics": {"color": "#CC79A7", "marker": "D", "label": "ContactMechanics"},
+    "ASPHER": {"color": "#E69F00", "marker": "p", "label": "ASPHER"},
 }
 LEAST = 1e-7  # smaller errors are drawn here
 EQUAL = 0.0  # the shape of equal strips; of cells it is their number along over that across
-FIRST_SHAPES = (EQUAL, 4.0)  # drawn thick and open
+FIRST_SHAPES = (EQUAL, 1.0, 4.0)  # drawn thick and open
 
 
 def figures(results: dict[str, Any]) -> dict[str, Figure]:

@@ -29,7 +29,7 @@ ARRIVALS = """\
 Time of the cheapest grid that meets the target, provided that all finer grids of the same program meet it too. In
 brackets the grid: strips (automatic grids by their `accuracy`), or cells across and along. The plane grid is
 `nonhertz.patch`. Many at once: {cases} loads, up to {less:.0f} % apart, in one call of `solve_many`, the time divided
-by their number; "reused" is the automatic grid of the first load, used for all. The last columns: how many times as
+by their number; "reused" is the automatic grid of the middle load, used for all. The last columns: how many times as
 fast as the best peer strips are, with the target in brackets, and as the plane grid.
 """
 
@@ -38,9 +38,9 @@ DRAWINGS = """\
 
 ![Error of approach and of maximum pressure against time](race.svg)
 
-Filled marks: automatic and reused grids, and cells sixteen times as many along as across. Open: equal strips, and four
-times as many. Shaded: below the uncertainty of the reference. Every entry is in [race.json](race.json); errors at the
-centre are drawn [here](race-centre.svg).
+Filled marks: automatic and reused grids, and cells sixteen times as many along as across. Open: equal strips, four
+times as many, and as many (ASPHER). Shaded: below the uncertainty of the reference. Every entry is in
+[race.json](race.json); errors at the centre are drawn [here](race-centre.svg).
 """
 
 RULES = """\
@@ -51,10 +51,13 @@ RULES = """\
 - Each runs with its loosest tolerance that ends within {approach} of the converged approach and {pressure} of the
   maximum pressure on its grid, a tenth of what is asked above.
 - Plane grids are given a rectangle that just holds the contact, with sharp ends on edges of cells; strips find it.
+  ASPHER has square cells on a square alone, so is given one as long as the rectangle: most of its cells lie beside the
+  contact, and it has no part in the grid that all have in common.
 - What a peer can keep between solves is made before the clock starts. Ours are timed from contact to answer.
-- ContactMechanics runs the fastest of its solvers for a prescribed load: "{winner}". tamaas starts from zero pressure.
-- A process for each program, contact and grid; after a warm-up, the median of five runs or more, or of as many as fit
-  into a second. A solve expected to take longer than {dearest} s is left out.
+- ContactMechanics and ASPHER run the fastest of their solvers for a prescribed load: {winners}.
+  tamaas starts from zero pressure. All are as pip installs them; ASPHER it builds on this machine.
+- A process for each program, contact and grid; the median of five runs or more after a first, or of as many as fit into
+  a second. A solve expected to take longer than {dearest} s is left out.
 - The reference of the logarithmic rollers comes from plane grids alone (`benchmarks/reference.py`), so that the error
   of strips where a contact ends counts against them.
 """
@@ -78,7 +81,8 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield DRAWINGS
     yield from _full_size(results["full size"], results["races"])
     limits = {name: _relative(value) for name, value in results["algebraic"].items()}
-    yield RULES.format(winner=results["play-off"]["winner"].partition(": ")[2], dearest=DEAREST, **limits)
+    winners = " and ".join(f'"{each.partition(": ")[2]}"' for each in results["play-off"]["winners"].values())
+    yield RULES.format(winners=winners, dearest=DEAREST, **limits)
     yield _table(("contact", *QUANTITIES.values(), "each known to", "from"), _references(results))
 
 

@@ -21,6 +21,7 @@ class Race:
     """A contact to press, the rectangle that plane grids are granted, and the answer with its uncertainty.
 
     The rectangle holds the contact with little to spare. A program that did not know it would have to look for it.
+    Where there are as many cells across as along, they are square, on a square as long as the rectangle.
     """
 
     title: str
@@ -36,12 +37,18 @@ class Race:
         """Return the centres of that many cells across and along."""
         return tuple(
             low + (np.arange(count) + 0.5) * (high - low) / count
-            for count, (low, high) in zip(cells, self.region, strict=True)
+            for count, (low, high) in zip(cells, self.under(cells), strict=True)
         )
 
-    def size(self) -> list[float]:
-        """Return the lengths of the rectangle across and along [mm]."""
-        return [high - low for low, high in self.region]
+    def under(self, cells: tuple[int, int]) -> tuple[Interval, Interval]:
+        """Return the rectangle that so many cells cover."""
+        across, (low, high) = self.region
+        half = 0.5 * (high - low)
+        return (-half, half) if cells[0] == cells[1] else across, (low, high)
+
+    def size(self, cells: tuple[int, int]) -> list[float]:
+        """Return the lengths of that rectangle across and along [mm]."""
+        return [high - low for low, high in self.under(cells)]
 
     def gap(self, cells: tuple[int, int]) -> np.ndarray:
         """Return the undeformed gap [mm] at the cells' centres, tilt included."""

@@ -2,7 +2,7 @@
 
     python benchmarks/report.py
 
-Everything is measured in one run, warm, on one thread; figures are medians. Leave the machine alone meanwhile.
+Everything is measured in one run, on one thread; figures are medians. Leave the machine alone meanwhile.
 """
 
 from __future__ import annotations
@@ -54,9 +54,9 @@ def measured() -> dict[str, Any]:
     results["curve"] = {strips: median_time(cases.fixed(strips)) for strips in CURVE}
     results["growth"] = growth(results["curve"])
     results["automatic"] = {name: automatic(solve) for name, solve in cases.automatic().items()}
-    results["many"] = {name: on_threads(solve) for name, solve in cases.many().items()}
+    results["many"] = {name: on_threads(run, MANY_ROUNDS, cases.MANY) for name, run in cases.many().items()}
     results["finite"] = {name: compared(*pair) for name, pair in cases.against_finite().items()}
-    results["below"] = {name: threaded(run) for name, run in cases.below().items()}
+    results["below"] = {name: on_threads(run, BELOW_ROUNDS) for name, run in cases.below().items()}
     results["split"] = {
         f"{cases.STRIPS} equal strips": split(cases.fixed(cases.STRIPS)),
         "400 equal strips": split(cases.fixed(400), runs=11),
@@ -71,27 +71,32 @@ def measured() -> dict[str, Any]:
     return results
 
 
-def median_time(run: Callable[[], object], seconds: float = SECONDS) -> float:
-    """Return the median time of a call, after a first one that does not count."""
-    run()
-    times: list[float] = []
-    while sum(times) < seconds or len(times) < FEWEST_RUNS:
-        start = time.perf_counter()
+def in_turn(*runs: Callable[[], object], rounds: int = FEWEST_RUNS, seconds: float = 0.0) -> np.ndarray:
+    """Return the times of calls, a row a round, after a first round that does not count."""
+    for run in runs:
         run()
-        times.append(time.perf_counter() - start)
-    return float(np.median(times))
+    times, spent = [], 0.0
+    while spent < seconds or len(times) < rounds:
+        times.append([clocked(run) for run in runs])
+        spent += sum(times[-1])
+    return np.array(times)
+
+
+def clocked(run: Callable[[], object]) -> float:
+    """Return how long a call takes."""
+    start = time.perf_counter()
+    run()
+    return time.perf_counter() - start
+
+
+def median_time(run: Callable[[], object], rounds: int = FEWEST_RUNS, seconds: float = SECONDS) -> float:
+    """Return the median time of a call."""
+    return float(np.median(in_turn(run, rounds=rounds, seconds=seconds)))
 
 
 def command_time(*words: str) -> float:
     """Return the median time of a fresh Python with these arguments."""
-    run = cases.command(*words)
-    run()
-    times = []
-    for _ in range(COMMAND_RUNS):
-        start = time.perf_counter()
-        run()
-        times.append(time.perf_counter() - start)
-    return float(np.median(times))
+    return median_time(cases.command(*words), COMMAND_RUNS, 0.0)
 
 
 def automatic(solve: cases.Solve) -> dict[str, float]:
@@ -105,51 +110,18 @@ def automatic(solve: cases.Solve) -> dict[str, float]:
     }
 
 
-def on_threads(solve: Callable[[int], nh.Solutions], rounds: int = MANY_ROUNDS) -> dict[str, float]:
-    """Return median times of a case on one thread and on two, taken in turn, and the median of their ratios."""
-    cases_solved = len(solve(1))
-    times = []
-    for _ in range(rounds):
-        pair = []
-        for threads in (1, 2):
-            start = time.perf_counter()
-            solve(threads)
-            pair.append((time.perf_counter() - start) / cases_solved)
-        times.append(pair)
+def on_threads(run: Callable[[int], object], rounds: int, share: int = 1) -> dict[str, float]:
+    """Return median times of a call on one thread and on two, taken in turn, and the median of their ratios."""
+    times = in_turn(lambda: run(1), lambda: run(2), rounds=rounds) / share
     one, two = np.median(times, axis=0)
-    gain = np.median([first / second for first, second in times])
-    return {"one thread": float(one), "two threads": float(two), "gain": float(gain)}
+    return {"one thread": float(one), "two threads": float(two), "gain": float(np.median(times[:, 0] / times[:, 1]))}
 
 
-def threaded(run: Callable[[int], object], rounds: int = BELOW_ROUNDS) -> dict[str, float]:
-    """Return median times of a call on one thread and on two, taken in turn."""
-    run(2)
-    times = []
-    for _ in range(rounds):
-        pair = []
-        for threads in (1, 2):
-            start = time.perf_counter()
-            run(threads)
-            pair.append(time.perf_counter() - start)
-        times.append(pair)
-    one, two = np.median(times, axis=0)
-    return {"one thread": float(one), "two threads": float(two)}
-
-
-def compared(one: cases.Solve, other: cases.Solve, seconds: float = 2.0 * SECONDS) -> dict[str, float]:
+def compared(one: cases.Solve, other: cases.Solve) -> dict[str, float]:
     """Return median times of two solves taken in turn, and the median of their ratios."""
-    one(), other()
-    times: list[tuple[float, float]] = []
-    while np.sum(times) < seconds or len(times) < FEWEST_RUNS:
-        pair = []
-        for run in (one, other):
-            start = time.perf_counter()
-            run()
-            pair.append(time.perf_counter() - start)
-        times.append((pair[0], pair[1]))
+    times = in_turn(one, other, seconds=2.0 * SECONDS)
     first, second = np.median(times, axis=0)
-    ratio = np.median([later / earlier for earlier, later in times])
-    return {"half-spaces": float(first), "finite": float(second), "ratio": float(ratio)}
+    return {"half-spaces": float(first), "finite": float(second), "ratio": float(np.median(times[:, 1] / times[:, 0]))}
 
 
 def growth(curve: dict[int, float]) -> float:
@@ -158,59 +130,32 @@ def growth(curve: dict[int, float]) -> float:
     return float(np.polyfit(np.log(many), np.log([curve[strips] for strips in many]), 1)[0])
 
 
-class Stopwatch:
-    """Time spent in a function, and what it returned, since the last reset."""
-
-    def __init__(self) -> None:
-        self.reset()
-
-    def reset(self) -> None:
-        """Begin anew."""
-        self.seconds = 0.0
-        self.returned: list[Any] = []
-
-    def around(self, function: Callable[..., Any]) -> Callable[..., Any]:
-        """Return the function with this watch running inside it."""
-
-        def watched(*arguments: Any, **named: Any) -> Any:
-            start = time.perf_counter()
-            returned = function(*arguments, **named)
-            self.seconds += time.perf_counter() - start
-            self.returned.append(returned)
-            return returned
-
-        return watched
-
-
 @contextmanager
-def timed(module: ModuleType, name: str) -> Iterator[Stopwatch]:
-    """Time every call that goes through a name of a module."""
-    function, watch = getattr(module, name), Stopwatch()
-    setattr(module, name, watch.around(function))
+def timed(module: ModuleType, name: str) -> Iterator[list[float]]:
+    """Yield a list of how long every call takes that goes through a name of a module."""
+    function, times = getattr(module, name), []
+
+    def watched(*arguments: Any, **named: Any) -> Any:
+        start = time.perf_counter()
+        try:
+            return function(*arguments, **named)
+        finally:
+            times.append(time.perf_counter() - start)
+
+    setattr(module, name, watched)
     try:
-        yield watch
+        yield times
     finally:
         setattr(module, name, function)
 
 
 def split(solve: cases.Solve, runs: int = SPLIT_RUNS) -> dict[str, float]:
     """Return the share of each part in the time of a solve, from the fastest of many runs."""
-    solve()
-    with timed(core, "solve") as watch:
-        rows = []
-        for _ in range(runs):
-            whole = seconds(solve, watch)
-            rows.append([watch.seconds, whole - watch.seconds])
-    best = min(rows, key=sum)
-    return dict(zip(PARTS, (part / sum(best) for part in best), strict=True))
-
-
-def seconds(solve: cases.Solve, watch: Stopwatch) -> float:
-    """Return how long a solve takes, with the watch started anew."""
-    watch.reset()
-    start = time.perf_counter()
-    solve()
-    return time.perf_counter() - start
+    with timed(core, "solve") as inside:
+        whole = in_turn(solve, rounds=runs)[:, 0]
+    best = int(whole.argmin())
+    share = inside[best + 1] / float(whole[best])  # the first one did not count
+    return dict(zip(PARTS, (share, 1.0 - share), strict=True))
 
 
 def drawn(results: dict[str, Any]) -> Figure:
@@ -244,8 +189,8 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     versions = ", ".join(f"{name} {version}" for name, version in computer["versions"].items())
     yield "# Speed"
     yield ""
-    yield "Written by `benchmarks/report.py` (`make bench`); do not edit. Everything was measured in one run: warm,"
-    yield f"{computer['threads']} thread, medians. {computer['processor']}, {computer['cores']} cores, load average"
+    yield "Written by `benchmarks/report.py` (`make bench`); do not edit. Everything was measured in one run: medians,"
+    yield f"{computer['threads']} thread. {computer['processor']}, {computer['cores']} cores, load average"
     yield f"{computer['load']} at the start; {versions}."
     yield ""
     yield "[Other programs](race.md); [an earlier state](against.md); [the page](page.md);"
