@@ -3,9 +3,9 @@
     python benchmarks/page.py [OUT]
 
 writes page.md and page.json into OUT, docs/benchmarks if left out. The server is the one of ``nonhertz serve``, in a
-process of its own, that has loaded everything. Every request differs from the one before, as a slider's do, and the next is sent when the
-answer is there. In the browser a mouse drags a slider; it needs Chromium or Chrome, and playwright, and is left out
-without them. Leave the machine alone meanwhile.
+process of its own, that has loaded everything. Every request differs from the one before, as a slider's do, and the
+next is sent when the answer is there. In the browser a mouse drags a slider; it needs Chromium or Chrome, and
+playwright, and is left out without them. Leave the machine alone meanwhile.
 """
 
 from __future__ import annotations

@@ -20,7 +20,6 @@ import numpy as np
 from machine import machine
 from matplotlib.figure import Figure
 
-import nonhertz as nh
 from nonhertz.native import core
 from nonhertz.plot import save
 from nonhertz.plot.style import FAINT_INK, FIRST, LINE, SECOND, THIN, sheet_style
