@@ -9,10 +9,12 @@ import pytest
 import nonhertz as nh
 from nonhertz.bodies import smooth_part, solid_rollers
 from nonhertz.bodies.harmonic_elements import DEGREE, HarmonicElements, nodal_polynomials, with_kinks
+from nonhertz.bodies.influence import influence_of
 from nonhertz.bodies.smooth_part import fading, response_matrix, terms_along
 from nonhertz.bodies.stored import stored
 from nonhertz.bodies.whole_roller import whole_roller
 from nonhertz.model.outline import Outline
+from nonhertz.strip.influence import displacements
 
 
 def elements(half_length=1.0, poisson=0.3, bore=0.0, most=24):
@@ -268,3 +270,14 @@ def test_the_table_of_solid_rollers_gives_what_short_elements_give(half_length, 
 def test_outside_the_table_a_solid_roller_is_worked_out():
     assert solid_rollers.response_matrix(1.0, 0.49, 18) is None
     assert whole_roller(Outline.cylinder(1.0), 0.49).matrix.shape == (18, 18)
+
+
+def test_in_contact_the_surface_of_a_tapered_roller_moves_by_what_the_bodies_overlap():
+    tapered = roller(diameter=lambda y: 20.0 + 0.2 * y, profile=nh.profile.crown(2000))
+    solution = nh.solve(nh.Contact(tapered, nh.Plate()), load=10e3, strips=21)
+    y, squares, bears = solution.y, solution.element_half_width**2, solution.line_load > 0.0
+    ratios = np.divide(solution.contact.compliance * solution.line_load, squares, out=np.zeros_like(y), where=bears)
+    influence = influence_of(solution.contact, nh.SEMI_ELLIPTIC)
+    moved = displacements(influence, y, solution.edges, ratios, squares, nh.SEMI_ELLIPTIC)
+    overlap = solution.approach + solution.tilt * y - solution.contact.separation(y)
+    np.testing.assert_allclose(moved[bears], overlap[bears], rtol=0.0, atol=1e-12)
