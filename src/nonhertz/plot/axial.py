@@ -1,4 +1,4 @@
-"""What all drawings along the axis share: the range of y, the bodies' ends, the heading and number formatting."""
+"""What all drawings along the axis share: the bodies' ends, marks, the heading and number formatting."""
 
 from __future__ import annotations
 
@@ -9,52 +9,11 @@ import numpy as np
 from nonhertz.amounts import Amount, given, mm, mpa, mrad, newton
 from nonhertz.plot.axes import Alignment, Artist, Axes, key_above, measure, note
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution, Status
+from nonhertz.result.along import axial_range, body_ends, land_end_peaks, unlimited_ends
+from nonhertz.result.solution import Solution, Status
 
 LETTER = 0.55 * SMALL_SIZE / 72.0
 """Mean width of a small letter [inch]."""
-
-RISE = 1.05
-"""Of the pressure at the end of a land over the least before it, from which on it is said."""
-
-MARGIN = 0.06
-"""Fraction of the drawn range left free at each side, for the names of the bodies' ends."""
-
-
-def axial_range(solution: Solution) -> tuple[float, float]:
-    """Return the range of y [mm] to draw.
-
-    It is that of the strips, including the bodies' ends if these are near. Where the contact is a small part of
-    the strips it is the contact's neighbourhood, so that the contact is legible.
-    """
-    low, high = float(solution.edges[0]), float(solution.edges[-1])
-    if solution.contact_y:
-        first, last = solution.contact_y[0][0], solution.contact_y[-1][1]
-        if last - first < 0.25 * (high - low):
-            reach = last - first
-            low, high = max(low, first - reach), min(high, last + reach)
-    near = 0.25 * (high - low)
-    ends = [end for end, _ in body_ends(solution) if low - near < end < high + near]
-    low, high = min([low, *ends]), max([high, *ends])
-    margin = MARGIN * (high - low)
-    return (low - margin, high + margin)
-
-
-def body_ends(solution: Solution) -> list[tuple[float, str]]:
-    """Return where a body ends along y [mm] and the name of the body, ascending."""
-    bodies = {"a": solution.contact.a, "b": solution.contact.b}
-    kinds = [type(body).__name__.lower() for body in bodies.values()]
-    distinct = kinds[0] != kinds[1] and "body" not in kinds
-    ends = []
-    for (letter, body), kind in zip(bodies.items(), kinds, strict=True):
-        name = kind if distinct else f"body {letter}"
-        faces = () if body.length is None else tuple(body.position + s * body.length for s in (-0.5, 0.5))
-        for end in body.interval:
-            if np.isfinite(end):
-                # An effective length, or the end of a profile's definition, ends the contact before the face.
-                is_face = any(np.isclose(end, face) for face in faces)
-                ends.append((float(end), f"end of {name}" if is_face else f"usable end of {name}"))
-    return sorted(ends)
 
 
 def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
@@ -77,31 +36,6 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
             note(ax, name, at, aligned, 3.0, across=True, rotation=90.0, va="center", color=FAINT_INK)
 
 
-def land_end_peaks(solution: Solution) -> list[tuple[float, float]]:
-    """Return place [mm] and pressure [MPa] where it rises again by 5 % towards an end, where the land of a body ends.
-
-    That is the first peak from an end, within half a half-width of there. There is none at ends where the pressure has
-    no limit.
-    """
-    pressed = solution.line_load > 0.0
-    if not pressed.any():
-        return []
-    y, pressure, reach = solution.y[pressed], solution.centre_pressure[pressed], 0.5 * solution.half_width[pressed]
-    lands = [end for body in (solution.contact.a, solution.contact.b) for end in body.land if np.isfinite(end)]
-    unlimited = [edge.y for edge in unlimited_ends(solution)]
-    found = []
-    for inwards in (slice(None), slice(None, None, -1)):
-        rises = np.diff(pressure[inwards]) > 0.0
-        peak = int(np.argmin(np.append(rises, False)))
-        valley = peak + int(np.argmax(np.append(rises[peak:], True)))
-        place, top, near = (float(each[inwards][peak]) for each in (y, pressure, reach))
-        is_one = valley < rises.size and top > RISE * float(pressure[inwards][valley])
-        at_land_end = any(abs(place - end) < near for end in lands)
-        if is_one and at_land_end and all(abs(place - end) > 2.0 * near for end in unlimited):
-            found.append((place, top))
-    return found
-
-
 def mark_land_ends(solution: Solution, ax: Axes, colour: str = INK) -> None:
     """Write "land end" and the pressure where it rises again towards an end, on the side of the contact."""
     middle = 0.5 * sum(axial_range(solution))
@@ -109,11 +43,6 @@ def mark_land_ends(solution: Solution, ax: Axes, colour: str = INK) -> None:
         at = float(measure("mm")(y)), float(measure("MPa")(pressure))
         words = f"land end, {written(mpa(pressure))}"
         note(ax, words, at, _side(y < middle), 3.0, 4.0, va="bottom", color=colour, bbox=BACKING)
-
-
-def unlimited_ends(solution: Solution) -> tuple[EdgePressure, ...]:
-    """Return the ends of the contact where the pressure has no limit: sharp ones, and corners of the profile."""
-    return tuple(edge for edge in solution.edge_pressure if edge.kind in {EdgeKind.SINGULAR, EdgeKind.CORNER})
 
 
 def mark_unlimited(solutions: Sequence[Solution], ax: Axes, colours: Sequence[str] = ()) -> None:

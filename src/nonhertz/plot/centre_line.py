@@ -7,21 +7,18 @@ from typing import Any
 import numpy as np
 
 from nonhertz.amounts import EndStrength, mpa, um
-from nonhertz.plot.axes import OWN, Alignment, Array, Axes, along, drawing, measure, note, open_frame
+from nonhertz.plot.axes import OWN, Alignment, Axes, along, drawing, measure, note, open_frame
 from nonhertz.plot.axial import (
     alignment,
-    axial_range,
-    body_ends,
     draw_body_ends,
     head,
-    land_end_peaks,
     mark_land_ends,
     number,
     place,
-    unlimited_ends,
     written,
 )
 from nonhertz.plot.style import BACKING, FAINT_INK, FIRST, HAIR, HINT_DASHES, INK, LINE, PALE, SECOND, THIN
+from nonhertz.result.along import axial_range, body_ends, distance_range, distances, land_end_peaks, unlimited_ends
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgePressure, Solution
 
@@ -36,10 +33,6 @@ BEYOND, CUT_HALF_WIDTH_SHARE, SINGULAR_SHARE = 1.6, 0.44, 0.77
 
 # Further than this fraction of the range from its middle, the text at a largest pressure is on the side of the middle.
 SIDE = 0.2
-
-LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
-"""Clearance, as a multiple of the deepest interference: up to the first all of it is drawn; if there is more, the axis
-is cut at the second, so that the interference fills half of the axes."""
 
 # Of words above a point, on a background that hides thin lines.
 OVER_LINES: dict[str, Any] = {"va": "bottom", "color": INK, "bbox": BACKING}
@@ -177,7 +170,7 @@ def profile(solution: Solution, ax: Axes = OWN) -> Axes:
     """
     span = axial_range(solution)
     length, distance = measure("mm"), measure("mm", "um")
-    y, (before, after) = length(solution.y), (distance(1e-3 * each) for each in distances(solution))
+    y, (before, after) = length(solution.y), (distance(values) for values in distances(solution))
 
     for count, (low, high) in enumerate(length(pair) for pair in solution.contact_y):
         label = "in contact" if count == 0 else None
@@ -190,7 +183,7 @@ def profile(solution: Solution, ax: Axes = OWN) -> Axes:
     label = "elastic displacement"
     ax.fill_between(y, before, after, facecolor=FIRST, alpha=0.16, linewidth=0.0, label=label)
 
-    bottom, top = drawn_range(before, after)
+    bottom, top = distance_range(before, after)
     along(ax, span)
     ax.set_ylim(bottom, top)
     ax.set_ylabel(distance.label("Distance of the surfaces"))
@@ -205,27 +198,3 @@ def profile(solution: Solution, ax: Axes = OWN) -> Axes:
     order = [1, 2, 3, 0] if solution.contact_y else [0, 1, 2]
     head(solution, ax, [handles[k] for k in order], [labels[k] for k in order], remark=remark)
     return ax
-
-
-def distances(solution: Solution) -> tuple[Array, Array]:
-    """Return the surfaces' distance on the centre line [micrometre], undeformed and deformed, at each strip.
-
-    The undeformed one is negative where the bodies would overlap. An infinite relief cannot be drawn: both are NaN
-    there, and the line is interrupted.
-    """
-    before = -1e3 * solution.interference
-    after = 1e3 * solution.gap
-    drawn = np.isfinite(before) & np.isfinite(after)
-    return np.where(drawn, before, np.nan), np.where(drawn, after, np.nan)
-
-
-def drawn_range(before: Array, after: Array) -> tuple[float, float]:
-    """Return the range of distances, in one unit, to draw, chosen so that the contact fills it."""
-    depth = max(-float(np.nanmin(before)), 0.0)
-    clearance = float(np.nanmax(np.maximum(before, after)))
-    if depth == 0.0:
-        return (-0.1 * clearance, 1.1 * clearance)
-    if clearance > LARGEST_CLEARANCE * depth:
-        return (-1.12 * depth, CUT_CLEARANCE * depth)
-    # A little above zero even if there is no clearance, so that the line of the gap is not the axes' edge.
-    return (-1.12 * depth, 1.08 * max(clearance, 0.15 * depth))

@@ -13,9 +13,10 @@ from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.plot.axes import OWN, Artist, Axes, Figure, along, drawing, key_above, measure, open_frame
-from nonhertz.plot.axial import axial_range, conditions, draw_body_ends, mark_unlimited, number, written
+from nonhertz.plot.axial import conditions, draw_body_ends, mark_unlimited, number, written
 from nonhertz.plot.sheets import sheet, stacked
 from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALETTE, THIN, sheet_style
+from nonhertz.result.along import axial_range
 from nonhertz.result.solution import Solution
 
 Spectrum = Sequence[tuple[Solution, float]]

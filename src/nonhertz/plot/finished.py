@@ -11,7 +11,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import Artist, Axes, Figure
-from nonhertz.plot.axial import axial_range, conditions, written
+from nonhertz.plot.axial import conditions, written
 from nonhertz.plot.bearing.displacement import directions, displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
 from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure
@@ -32,6 +32,7 @@ from nonhertz.plot.sheets import (
     stretch_of,
 )
 from nonhertz.plot.style import SMALL_SIZE, sheet_style
+from nonhertz.result.along import axial_range
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:

@@ -9,9 +9,10 @@ import numpy as np
 
 from nonhertz.bearing import BearingSolution
 from nonhertz.plot.axes import Axes, Figure, Measure, along, key_above, measure, open_frame
-from nonhertz.plot.axial import axial_range, mark_land_ends, mark_unlimited
+from nonhertz.plot.axial import mark_land_ends, mark_unlimited
 from nonhertz.plot.sheets import stacked
 from nonhertz.plot.style import FAINT_INK, HAIR, LINE, PALETTE, sheet_style
+from nonhertz.result.along import axial_range
 from nonhertz.result.solution import Solution
 
 HIGH, LOW, BETWEEN, ROW = 2.3, 1.5, 0.25, 0.17  # inches; the last is a line of the legend

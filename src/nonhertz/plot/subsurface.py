@@ -9,10 +9,11 @@ import numpy as np
 
 from nonhertz.amounts import mm, mpa
 from nonhertz.plot.axes import OWN, ROUND, Array, Axes, Figure, drawing, key_above, measure
-from nonhertz.plot.axial import body_ends, conditions, number, place, written
+from nonhertz.plot.axial import conditions, number, place, written
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.sheets import BAR_ROOM, LEFT, WIDTH, bar_beside, stacked, stretch_of
 from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
+from nonhertz.result.along import body_ends
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range

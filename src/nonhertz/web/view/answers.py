@@ -17,12 +17,11 @@ from nonhertz.files.results import plain
 from nonhertz.files.sections import surroundings
 from nonhertz.life.capacity import of_rolling_bearing
 from nonhertz.model.body import Body
-from nonhertz.plot.axial import land_end_peaks
-from nonhertz.plot.centre_line import distances, drawn_range
-from nonhertz.plot.contact_area import outlines
+from nonhertz.result.along import distance_range, distances, land_end_peaks, unlimited_ends
+from nonhertz.result.area import outlines
 from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.solution import EdgeKind, Solution
+from nonhertz.result.solution import Solution
 from nonhertz.show.summary import summary_rows
 from nonhertz.study.quantities import LIFE_MODEL, life_of
 from nonhertz.verdict import of_contact
@@ -71,8 +70,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "land_ends": [{"y": y, "pressure": pressure} for y, pressure in land_end_peaks(solution)],
         "singular": [
             {"y": edge.y, "exponent": edge.exponent, "strength": plain(edge.strength), "corner": not edge.law}
-            for edge in solution.edge_pressure
-            if edge.kind in {EdgeKind.SINGULAR, EdgeKind.CORNER}
+            for edge in unlimited_ends(solution)
         ],
     }
 
@@ -148,9 +146,9 @@ def _span(solution: Solution) -> list[float]:
 
 
 def _gap(solution: Solution) -> dict[str, Any]:
-    before, after = distances(solution)
+    before, after = (1e3 * values for values in distances(solution))  # in um
     drawn = np.isfinite(before).any()
-    limits = drawn_range(before, after) if drawn else None
+    limits = distance_range(before, after) if drawn else None
     return {"y": plain(solution.y), "before": plain(before), "after": plain(after), "range": plain(limits)}
 
 

@@ -1,0 +1,112 @@
+"""What is worth showing along a contact: its range, the ends of the bodies and lands, the distance of the surfaces.
+
+Nothing here knows how it is drawn: figures on paper, the page and tables show the same places and ranges.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
+
+Array = NDArray[np.float64]
+
+RISE = 1.05
+"""Pressure at the end of a land over the least before it, from which on it is a peak."""
+
+MARGIN = 0.06
+"""Fraction of the axial range left free at each side, for the names of the bodies' ends."""
+
+LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
+"""Clearance, as a multiple of the deepest interference: up to the first all of it is shown; if there is more, the range
+ends at the second, so that the interference fills half of it."""
+
+
+def axial_range(solution: Solution) -> tuple[float, float]:
+    """Return the range of y [mm] worth showing.
+
+    It is that of the strips, including the bodies' ends if these are near. Where the contact is a small part of
+    the strips it is the contact's neighbourhood, so that the contact is legible.
+    """
+    low, high = float(solution.edges[0]), float(solution.edges[-1])
+    if solution.contact_y:
+        first, last = solution.contact_y[0][0], solution.contact_y[-1][1]
+        if last - first < 0.25 * (high - low):
+            reach = last - first
+            low, high = max(low, first - reach), min(high, last + reach)
+    near = 0.25 * (high - low)
+    ends = [end for end, _ in body_ends(solution) if low - near < end < high + near]
+    low, high = min([low, *ends]), max([high, *ends])
+    margin = MARGIN * (high - low)
+    return (low - margin, high + margin)
+
+
+def body_ends(solution: Solution) -> list[tuple[float, str]]:
+    """Return where a body ends along y [mm] and the name of the end, ascending."""
+    bodies = {"a": solution.contact.a, "b": solution.contact.b}
+    kinds = [type(body).__name__.lower() for body in bodies.values()]
+    distinct = kinds[0] != kinds[1] and "body" not in kinds
+    ends = []
+    for (letter, body), kind in zip(bodies.items(), kinds, strict=True):
+        name = kind if distinct else f"body {letter}"
+        faces = () if body.length is None else tuple(body.position + s * body.length for s in (-0.5, 0.5))
+        for end in body.interval:
+            if np.isfinite(end):
+                # An effective length, or the end of a profile's definition, ends the contact before the face.
+                is_face = any(np.isclose(end, face) for face in faces)
+                ends.append((float(end), f"end of {name}" if is_face else f"usable end of {name}"))
+    return sorted(ends)
+
+
+def land_end_peaks(solution: Solution) -> list[tuple[float, float]]:
+    """Return place [mm] and pressure [MPa] where it rises again by 5 % towards an end, where the land of a body ends.
+
+    That is the first peak from an end, within half a half-width of there. There is none at ends where the pressure has
+    no limit.
+    """
+    pressed = solution.line_load > 0.0
+    if not pressed.any():
+        return []
+    y, pressure, reach = solution.y[pressed], solution.centre_pressure[pressed], 0.5 * solution.half_width[pressed]
+    lands = [end for body in (solution.contact.a, solution.contact.b) for end in body.land if np.isfinite(end)]
+    unlimited = [edge.y for edge in unlimited_ends(solution)]
+    peaks = []
+    for inwards in (slice(None), slice(None, None, -1)):
+        rises = np.diff(pressure[inwards]) > 0.0
+        peak = int(np.argmin(np.append(rises, False)))
+        valley = peak + int(np.argmax(np.append(rises[peak:], True)))
+        place, top, near = (float(values[inwards][peak]) for values in (y, pressure, reach))
+        is_one = valley < rises.size and top > RISE * float(pressure[inwards][valley])
+        at_land_end = any(abs(place - end) < near for end in lands)
+        if is_one and at_land_end and all(abs(place - end) > 2.0 * near for end in unlimited):
+            peaks.append((place, top))
+    return peaks
+
+
+def unlimited_ends(solution: Solution) -> tuple[EdgePressure, ...]:
+    """Return the ends of the contact where the pressure has no limit: sharp ones, and corners of the profile."""
+    return tuple(edge for edge in solution.edge_pressure if edge.kind in {EdgeKind.SINGULAR, EdgeKind.CORNER})
+
+
+def distances(solution: Solution) -> tuple[Array, Array]:
+    """Return the surfaces' distance on the centre line [mm], undeformed and deformed, shape (strips,) each.
+
+    The undeformed one is negative where the bodies would overlap. An infinite relief cannot be drawn: both are NaN
+    there, and a line is interrupted.
+    """
+    before, after = -solution.interference, solution.gap
+    finite = np.isfinite(before) & np.isfinite(after)
+    return np.where(finite, before, np.nan), np.where(finite, after, np.nan)
+
+
+def distance_range(before: Array, after: Array) -> tuple[float, float]:
+    """Return the range of distances, in the unit of these, worth showing: the contact fills it."""
+    depth = max(-float(np.nanmin(before)), 0.0)
+    clearance = float(np.nanmax(np.maximum(before, after)))
+    if depth == 0.0:
+        return (-0.1 * clearance, 1.1 * clearance)
+    if clearance > LARGEST_CLEARANCE * depth:
+        return (-1.12 * depth, CUT_CLEARANCE * depth)
+    # A little above zero even if there is no clearance, so that the line of the gap is not the range's end.
+    return (-1.12 * depth, 1.08 * max(clearance, 0.15 * depth))
