@@ -82,11 +82,6 @@ def below() -> dict[str, Callable[[int], object]]:
     }
 
 
-def finite() -> dict[str, dict[str, Any]]:
-    """Return what makes the crowned roller finite, by name."""
-    return {"mirrored": {}, "mirrored, 3 images": {"images": 3}, "mirrored, series": {"images": "series"}}
-
-
 def automatic() -> dict[str, Solve]:
     """Return solves between half-spaces on the automatic grid by name."""
     return {name: solving(contact, **prescribed) for name, (contact, prescribed) in contacts().items()}
