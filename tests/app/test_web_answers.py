@@ -49,6 +49,12 @@ def solution_of(document):
     return nh.solve(case.contact, **case.prescribed.keywords, **case.solver.keywords)
 
 
+def lines_of(answer):
+    """Return the lines of pressure and half-width."""
+    panels = answer["figures"]["pressure"]["panels"]
+    return [next(mark for mark in panel["marks"] if mark["kind"] == "line") for panel in panels]
+
+
 def test_numbers_are_those_of_the_solver():
     found, solution = answer(STARTING), solution_of(STARTING)
     assert found["ok"]
@@ -58,8 +64,10 @@ def test_numbers_are_those_of_the_solver():
     assert found["key"]["approach"] == solution.approach
     assert found["key"]["max_pressure"] == solution.max_pressure
     pressed = solution.line_load > 0.0
-    assert found["line"]["pressure"][1:-1] == solution.centre_pressure[pressed].tolist()
-    assert found["line"]["y"][1:-1] == solution.y[pressed].tolist()
+    pressure, half_width = lines_of(found)
+    assert pressure["y"][1:-1] == solution.centre_pressure[pressed].tolist()
+    assert half_width["y"][1:-1] == solution.half_width[pressed].tolist()
+    assert pressure["x"][1:-1] == half_width["x"][1:-1] == solution.y[pressed].tolist()
     assert found["interval"] == [-10.0, 10.0]
     assert found["contact"] == [list(each) for each in solution.contact_y]
     assert "section" not in found
@@ -68,24 +76,25 @@ def test_numbers_are_those_of_the_solver():
 def test_lines_end_at_zero():
     sharp = changed(body__a__profile=[])
     for document in (STARTING, sharp):
-        line = answer(document)["line"]
-        for name in ("pressure", "half_width", "line_load"):
-            assert (line[name][0], line[name][-1]) == (0.0, 0.0)
-            assert len(line[name]) == len(line["y"])
-        assert line["y"] == sorted(line["y"])
-    assert line["pressure"][1] > 0.0, "a sharp end is cut off upright"
+        for line in lines_of(answer(document)):
+            assert (line["y"][0], line["y"][-1]) == (0.0, 0.0)
+            assert len(line["y"]) == len(line["x"])
+            assert line["x"] == sorted(line["x"])
+    assert line["y"][1] > 0.0, "a sharp end is cut off upright"
 
 
 def test_the_gap_closes_where_the_bodies_touch():
     found, solution = answer(STARTING), solution_of(STARTING)
     touching = solution.line_load > 0.0
     # The solver is content with a residual of 1e-11 of the approach, here 30 um.
-    assert_allclose(np.array(found["gap"]["after"])[touching], 0.0, atol=1e-9)
-    # -(approach + tilt y - separation), in um; two roundings.
+    (panel,) = found["figures"]["distance"]["panels"]
+    undeformed, deformed = (mark["y"] for mark in panel["marks"] if mark["kind"] == "line")
+    assert_allclose(np.array(deformed)[touching], 0.0, atol=1e-12)
+    # -(approach + tilt y - separation); two roundings.
     y = solution.y
-    before = 1e3 * (solution.contact.separation(y) - solution.approach - solution.tilt * y)
-    assert_allclose(found["gap"]["before"], before, rtol=1e-9)
-    low, high = found["gap"]["range"]
+    before = solution.contact.separation(y) - solution.approach - solution.tilt * y
+    assert_allclose(undeformed, before, rtol=1e-9)
+    low, high = panel["upright"]["range"]
     assert low < before.min() < 0.0 < high
 
 
@@ -139,7 +148,7 @@ def test_stress_that_takes_too_long_is_left_out_with_a_sentence():
 def test_singular_ends_are_told_and_scale_without_them():
     found = answer(changed(body__a__profile=[], body__a__side_faces="none", load__tilt=0.0))
     assert [end["y"] for end in found["singular"]] == [-10.0, 10.0]
-    assert 0.0 < found["key"]["max_pressure"] < 0.5 * max(found["line"]["pressure"])
+    assert 0.0 < found["key"]["max_pressure"] < 0.5 * max(lines_of(found)[0]["y"])
     assert "away from singular ends" in found["key"]["largest"]
 
 
@@ -151,7 +160,7 @@ def test_an_unconverged_solve_is_shown_with_its_complaint(monkeypatch):
     assert found["status"] != "converged"
     assert found["complaint"].startswith("The iterations")
     assert "section" not in found
-    assert found["gap"]["y"]
+    assert found["figures"]["distance"]["panels"][0]["marks"]
 
 
 @pytest.mark.parametrize("text", [MISTAKES[0][0], MISTAKES[-1][0]])

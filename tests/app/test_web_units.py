@@ -40,7 +40,7 @@ def texts(found: Any, leaving: tuple[str, ...] = ("title", "document", "text", "
         yield found
 
 
-def numbers(found: Any, leaving: tuple[str, ...] = ("ms", "sliders")) -> Iterator[float]:
+def numbers(found: Any, leaving: tuple[str, ...] = ("ms", "sliders", "factor")) -> Iterator[float]:
     if isinstance(found, dict):
         for name, value in found.items():
             if name not in leaving:

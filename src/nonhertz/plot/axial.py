@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from nonhertz.amounts import Amount, given, mm, mpa, mrad, newton
-from nonhertz.plot.axes import Alignment, Artist, Axes, key_above, measure, note
+from nonhertz.amounts import Amount, given, mm, mpa
+from nonhertz.plot.axes import Alignment, Axes, measure, note
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
 from nonhertz.result.along import axial_range, body_ends, land_end_peaks, unlimited_ends
-from nonhertz.result.solution import Solution, Status
+from nonhertz.result.solution import Solution
 
 LETTER = 0.55 * SMALL_SIZE / 72.0
 """Mean width of a small letter [inch]."""
@@ -63,23 +63,6 @@ def _side(to_the_right: bool) -> Alignment:
     return "left" if to_the_right else "right"
 
 
-def conditions(solution: Solution) -> str:
-    """Return the line that says what was solved: load, tilt, and whatever is out of the ordinary."""
-    words = [f"Load {written(newton(solution.load))}", f"tilt {written(mrad(solution.tilt))}"]
-    if solution.element.name != "semi-elliptic":
-        words.append(f"{solution.element.name} strips")
-    if solution.status is not Status.CONVERGED:
-        words.append("NOT CONVERGED")
-    return ", ".join(words)
-
-
-def head(solution: Solution, ax: Axes, handles: Sequence[Artist], labels: Sequence[str], *, remark: str = "") -> None:
-    """Write the conditions and, below them, the legend above the axes, where neither can cover a curve."""
-    key_above(ax, handles, labels, columns=len(labels), handlelength=2.2)
-    words = conditions(solution)
-    ax.set_title(f"{words}; {remark}" if remark else words, loc="left", pad=18.0)
-
-
 def number(value: float, digits: int = 4) -> str:
     """Return ``value`` to a number of significant digits, with a true minus sign.
 
@@ -96,8 +79,8 @@ def written(found: Amount, digits: int = 4) -> str:
 
     Examples
     --------
-    >>> written(newton(20000.0)), written(mm(-1.5, 0.25, between=" and "))
-    ('20 kN', '−1.5 and 0.25 mm')
+    >>> written(mpa(2431.7)), written(mm(-1.5, 0.25, between=" and "))
+    ('2432 MPa', '−1.5 and 0.25 mm')
     """
     return f"{found:.{digits}g}".replace("-", "−")
 

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from nonhertz.amounts import Amount, mrad, newton
+from nonhertz.figures.contact import conditions
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.life.overrolling import outer
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.plot.axes import OWN, Artist, Axes, Figure, along, drawing, key_above, measure, open_frame
-from nonhertz.plot.axial import conditions, draw_body_ends, mark_unlimited, number, written
+from nonhertz.plot.axial import draw_body_ends, mark_unlimited, number, written
 from nonhertz.plot.sheets import sheet, stacked
 from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALETTE, THIN, sheet_style
 from nonhertz.result.along import axial_range

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Final
 from nonhertz.amounts import mrad, newton
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
+from nonhertz.figures import contact
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import Artist, Axes, Figure
-from nonhertz.plot.axial import conditions, written
+from nonhertz.plot.axial import written
 from nonhertz.plot.bearing.displacement import directions, displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
 from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure
@@ -19,6 +20,7 @@ from nonhertz.plot.bearing.pressure import draw_colour_bar as draw_colour_bar_of
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
 from nonhertz.plot.centre_line import pressure, profile
 from nonhertz.plot.contact_area import draw_colour_bar, footprint
+from nonhertz.plot.drawer import sheet_of
 from nonhertz.plot.sheets import (
     BAR_ROOM,
     HIGHEST_PANEL,
@@ -49,8 +51,7 @@ OF_BEARINGS: Final[Drawings] = {
     "displacement": displacement_against_load,
 }
 
-# Inches. Of a contact: a panel and the room above it; the lowest panel of a footprint, and the room above both.
-HEIGHT, HEAD, RIGHT = 2.72, 0.43, 0.75
+# Inches. Of a contact: the lowest panel of a footprint, and the room above both.
 LOWEST_PANEL, FOOTPRINT_HEADS = 0.5, (0.24, 0.6)
 # Of a bearing: the polar picture of one row and of several side by side, what is written around it, the key below.
 ALONE, BESIDE, AROUND, HEAD_OF_POLAR, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
@@ -92,14 +93,11 @@ def figures(result: Solution | BearingSolution, title: str = "") -> dict[str, Fi
     if isinstance(result, BearingSolution):
         return bearing_figures(result, title)
     with sheet_style():
-        found = {}
-        for name, drawing in OF_CONTACTS.items():
-            if drawing is footprint:
-                found[name] = _footprint(result, title)
-            else:
-                found[name], (axes,) = stacked([HEAD], [HEIGHT], title, right=RIGHT)
-                drawing(result, axes)
-        return found
+        return {
+            "pressure": sheet_of(contact.pressure(result), title),
+            "footprint": _footprint(result, title),
+            "profile": sheet_of(contact.distance(result), title),
+        }
 
 
 def _footprint(solution: Solution, title: str) -> Figure:
@@ -115,7 +113,7 @@ def _footprint(solution: Solution, title: str) -> Figure:
     if stretch >= 2.0 and solution.contact_y:
         heights.append(stretch * natural)
     heads = FOOTPRINT_HEADS[: len(heights)]
-    figure, panels = stacked(heads, heights, title, [conditions(solution)], right=BAR_ROOM)
+    figure, panels = stacked(heads, heights, title, [contact.conditions(solution)], right=BAR_ROOM)
     for count, axes in enumerate(panels):
         footprint(solution, axes, stretch=stretch if count else 1.0, colour_bar=False)
         if axes is not panels[-1]:

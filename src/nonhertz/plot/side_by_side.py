@@ -8,8 +8,9 @@ import numpy as np
 
 from nonhertz.comparison import Comparison, Station
 from nonhertz.comparison.value import NOTABLE
+from nonhertz.figures.contact import conditions
 from nonhertz.plot.axes import Alignment, Array, Axes, Figure, along, key_above, measure, note, open_frame
-from nonhertz.plot.axial import conditions, draw_body_ends, mark_unlimited, number, place
+from nonhertz.plot.axial import draw_body_ends, mark_unlimited, number, place
 from nonhertz.plot.sheets import LEFT, MARGIN, WIDTH, panel, stacked
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, PALE, SECOND, SIZE, SMALL_SIZE, THIN, sheet_style
 from nonhertz.result.along import axial_range

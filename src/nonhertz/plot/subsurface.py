@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nonhertz.amounts import mm, mpa
+from nonhertz.figures.contact import conditions
 from nonhertz.plot.axes import OWN, ROUND, Array, Axes, Figure, drawing, key_above, measure
-from nonhertz.plot.axial import conditions, number, place, written
+from nonhertz.plot.axial import number, place, written
 from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.sheets import BAR_ROOM, LEFT, WIDTH, bar_beside, stacked, stretch_of
 from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style

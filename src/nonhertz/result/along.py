@@ -5,6 +5,8 @@ Nothing here knows how it is drawn: figures on paper, the page and tables show t
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -110,3 +112,36 @@ def distance_range(before: Array, after: Array) -> tuple[float, float]:
         return (-1.12 * depth, CUT_CLEARANCE * depth)
     # A little above zero even if there is no clearance, so that the line of the gap is not the range's end.
     return (-1.12 * depth, 1.08 * max(clearance, 0.15 * depth))
+
+
+@dataclass(frozen=True, eq=False)
+class ContactLines:
+    """What is along a contact, as lines, shape (points,) each; nan separates pieces.
+
+    Attributes
+    ----------
+    y : ndarray
+        Positions [mm]: of every piece one end, the centres of its strips, and the other end.
+    line_load, pressure, half_width : ndarray
+        There [N/mm, MPa, mm]; zero at the ends.
+    """
+
+    y: Array
+    line_load: Array
+    pressure: Array
+    half_width: Array
+
+
+def contact_lines(solution: Solution) -> ContactLines:
+    """Return the lines along the contact through the centres of its strips.
+
+    They are zero where the surfaces separate: a strip beyond has its zero at its centre, up to half a strip away.
+    """
+    values = (solution.line_load, solution.centre_pressure, solution.half_width)
+    pieces: list[Array] = []
+    for low, high in solution.contact_y:
+        inside = (solution.y >= low) & (solution.y <= high) & (solution.line_load > 0.0)
+        inner = np.array([solution.y[inside], *(value[inside] for value in values)])
+        gap = [np.full((4, 1), np.nan)] if pieces else []
+        pieces += [*gap, np.array([[low], [0.0], [0.0], [0.0]]), inner, np.array([[high], [0.0], [0.0], [0.0]])]
+    return ContactLines(*(np.concatenate(pieces, axis=1) if pieces else np.empty((4, 0))))

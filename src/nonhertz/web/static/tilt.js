@@ -14,7 +14,6 @@ const UNLIKE = 3; // times the distance from the middle: a lever beyond is of a 
 /** @type {Record<string, number>} positions of the slider by which a key raises the end */
 const KEYS = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 
-/** @typedef {import("./types.js").Answer} Answer */
 /** @typedef {{x: (y: number) => number, y: (distance: number) => number, height: number, limits: [number, number]}} Axes */
 /** @typedef {{slider: HTMLInputElement, control: HTMLInputElement}} Field */
 /** @typedef {{handle: HTMLElement, place: number, at: number, distance: number, tilt: number, lever: number,
@@ -59,12 +58,13 @@ export class Tilt {
 
   /**
    * Place the handles at the outermost points of the undeformed surface that are drawn.
-   * @param {Answer} answer
+   * @param {{x: number[], y: (number | null)[]}} surface its distance from the other one [mm]
+   * @param {number} tilt
    * @param {Axes} axes
    */
-  place({ gap: { y, before }, key }, axes) {
+  place({ x: y, y: before }, tilt, axes) {
     this.axes = axes;
-    this.learn(before[d3.bisectCenter(y, this.held?.place ?? 0)], key.tilt);
+    this.learn(before[d3.bisectCenter(y, this.held?.place ?? 0)], tilt);
     const drawn = y.filter((_, place) => isWithin(before[place], axes.limits));
     const field = fieldOf();
     this.middle = 0.5 * (y[0] + y[y.length - 1]);
@@ -81,7 +81,7 @@ export class Tilt {
       handle.style.left = `${axes.x(at).toFixed(1)}px`;
       handle.style.bottom = `${(axes.height - axes.y(value)).toFixed(1)}px`;
       handle.dataset.distance = String(value);
-      handle.dataset.tilt = String(key.tilt);
+      handle.dataset.tilt = String(tilt);
       this.describe(handle, at, field);
     }
   }
@@ -96,7 +96,7 @@ export class Tilt {
     if (!this.held || distance === null) return;
     const { place, distance: first, tilt: began } = this.held;
     const turned = tilt - began;
-    const lever = (first - distance) / MICROMETRES / turned / (place - this.middle);
+    const lever = (first - distance) / turned / (place - this.middle);
     if (Math.abs(turned) >= LEARNING && lever > 1 / UNLIKE && lever < UNLIKE) this.held.lever = lever;
   }
 
@@ -122,7 +122,7 @@ export class Tilt {
     handle.setPointerCapture(event.pointerId);
     const { limits, y } = this.axes;
     const [distance, tilt] = [Number(handle.dataset.distance), Number(handle.dataset.tilt)];
-    const scale = (limits[1] - limits[0]) / (y(limits[0]) - y(limits[1])); // um of a pixel
+    const scale = (limits[1] - limits[0]) / (y(limits[0]) - y(limits[1])); // mm of a pixel
     this.held = { handle, place: Number(handle.dataset.place), at: event.clientY, distance, tilt, lever: 1, limits, scale };
   }
 
@@ -130,7 +130,7 @@ export class Tilt {
   drag(event) {
     if (!this.held) return;
     const { place, at, tilt: began, lever, scale } = this.held;
-    const risen = (scale * (at - event.clientY)) / MICROMETRES;
+    const risen = scale * (at - event.clientY);
     const field = fieldOf();
     if (!field) return;
     const [low, high] = ends(field.slider);

@@ -100,16 +100,6 @@ export function force(newtons) {
 }
 
 /**
- * The strength of a singular end, a stress times a length [mm] to a power.
- * @param {number} number
- * @param {number} exponent
- */
-export function strength(number, exponent) {
-  const [[stress, one], [length, other]] = [read("MPa"), read("mm")];
-  return `${digits(number * one * other ** exponent)} ${stress} ${length}^${digits(exponent, 2)}`;
-}
-
-/**
  * What an axis needs whose numbers are in a unit of the program: it is labelled and divided as it is read.
  * @param {string} unit
  * @param {[number, number] | undefined} domain in the unit of the program

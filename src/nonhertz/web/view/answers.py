@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError, NonhertzError
+from nonhertz.figures import contact
 from nonhertz.files.casefile import Case
 from nonhertz.files.reading import read
 from nonhertz.files.results import plain
 from nonhertz.files.sections import surroundings
 from nonhertz.life.capacity import of_rolling_bearing
 from nonhertz.model.body import Body
-from nonhertz.result.along import distance_range, distances, land_end_peaks, unlimited_ends
+from nonhertz.result.along import contact_lines, unlimited_ends
 from nonhertz.result.area import outlines
 from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
@@ -58,16 +59,16 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "verdict": verdict_seen(None if complaint else of_contact(solution, search=False)),
         "summary": summary_rows(solution, case),
         "warnings": solution.warnings,
-        "line": lines(solution),
+        "figures": {
+            "pressure": contact.pressure(solution).to_json(),
+            "distance": contact.distance(solution).to_json(),
+        },
         "footprint": _in_a_row(plain([*map(vars, outlines(solution))]), ("y", "half_width", "pressure")),
-        "gap": _gap(solution),
         "life": None if complaint or not solution.contact_y else _life(case, solution),
         "profiles": {"a": relief_of(case.contact.a), "b": relief_of(case.contact.b)},
         "bodies": {"a": _seen(case.contact.a), "b": _seen(case.contact.b)},
         "interval": plain(case.contact.interval),
-        "span": _span(solution),
         "contact": plain(solution.contact_y),
-        "land_ends": [{"y": y, "pressure": pressure} for y, pressure in land_end_peaks(solution)],
         "singular": [
             {"y": edge.y, "exponent": edge.exponent, "strength": plain(edge.strength), "corner": not edge.law}
             for edge in unlimited_ends(solution)
@@ -110,17 +111,8 @@ def relief_between(low: float, high: float, relief: Callable[[Array], Array]) ->
 
 
 def lines(solution: Solution) -> dict[str, list[float | None]]:
-    """Return the lines along the contact through the centres of its strips; a null separates pieces.
-
-    They are zero where the surfaces separate: a strip beyond has its zero at its centre, up to half a strip away.
-    """
-    names = {"line_load": "line_load", "pressure": "centre_pressure", "half_width": "half_width"}
-    pieces = []
-    for low, high in solution.contact_y:
-        inside = (solution.y >= low) & (solution.y <= high) & (solution.line_load > 0.0)
-        piece = {"y": [low, *solution.y[inside].tolist(), high]}
-        pieces.append(piece | {name: [0.0, *plain(getattr(solution, of)[inside]), 0.0] for name, of in names.items()})
-    return _in_a_row(pieces, ("y", *names))
+    """Return the lines along a contact as plain numbers; a null separates pieces."""
+    return {name: plain(values) for name, values in vars(contact_lines(solution)).items()}
 
 
 def _in_a_row(pieces: Iterable[Mapping[str, Any]], names: Iterable[str]) -> dict[str, list[float | None]]:
@@ -137,19 +129,6 @@ def _seen(body: Body) -> dict[str, Any]:
     low, high = body.interval
     middle = 0.5 * (low + high) if math.isfinite(high - low) else body.position
     return {"curvature": float(body.curvature(middle)), "interval": plain(body.interval)}
-
-
-def _span(solution: Solution) -> list[float]:
-    """Return the range of y that is drawn: where the bodies can touch, else where there are strips."""
-    found = zip(solution.contact.interval, solution.edges[[0, -1]].tolist(), strict=True)
-    return [end if math.isfinite(end) else edge for end, edge in found]
-
-
-def _gap(solution: Solution) -> dict[str, Any]:
-    before, after = (1e3 * values for values in distances(solution))  # in um
-    drawn = np.isfinite(before).any()
-    limits = distance_range(before, after) if drawn else None
-    return {"y": plain(solution.y), "before": plain(before), "after": plain(after), "range": plain(limits)}
 
 
 def drawable(bodies: Any) -> dict[str, Any]:

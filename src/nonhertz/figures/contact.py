@@ -1,0 +1,213 @@
+"""Figures of a solved contact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from nonhertz.amounts import EndStrength, mm, mpa, mrad, newton, um
+from nonhertz.figures.value import (
+    Across,
+    Axis,
+    Band,
+    Dimension,
+    Figure,
+    Level,
+    Line,
+    Mark,
+    Panel,
+    Points,
+    Side,
+    Span,
+    Steps,
+    Words,
+)
+from nonhertz.result.along import (
+    axial_range,
+    body_ends,
+    contact_lines,
+    distance_range,
+    distances,
+    land_end_peaks,
+    unlimited_ends,
+)
+from nonhertz.result.brief import where_largest
+from nonhertz.result.maximum import places_of_largest
+from nonhertz.result.solution import EdgePressure, Solution, Status
+
+BEYOND = 1.6
+"""Upper end of an axis over the largest pressure, where the pressure has no limit at an end: its spike is cut."""
+ROOM, ROOM_ABOVE = 1.12, 1.32
+"""Upper end of an axis over the largest value, without and with words above the curve."""
+CLOSE = 0.03
+"""Of the range along: two ends of bodies that are closer share their name."""
+DIMENSION = 0.92
+"""Of the height of the axes, where the length in contact is drawn."""
+SINGULAR = 0.72
+"""Of the height of the axes, where words on a pressure without limit stand."""
+
+
+def pressure(solution: Solution) -> Figure:
+    """Return the pressure on the centre line along a contact and, below it, the half-width.
+
+    Lines run through the centres of the strips to the ends of the contact; the pale steps are the strips themselves.
+    Where the pressure has no limit the axis is cut, with exponent and strength at that end, and the largest pressure
+    is that more than a half-width from such ends.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    """
+    lines = contact_lines(solution)
+    cut = bool(solution.singular_ends)
+    top = (BEYOND if cut else ROOM_ABOVE) * solution.max_pressure or 1.0
+    marks = [
+        *_ends_of_bodies(solution),
+        Steps(solution.edges, solution.centre_pressure),
+        Line(lines.y, lines.pressure, name="pressure p₀"),
+        *_contact(solution, top),
+        *_largest(solution),
+        *(_unlimited(solution, edge, top) for edge in unlimited_ends(solution)),
+    ]
+    upper = Panel(
+        "pressure",
+        "Pressure on the centre line",
+        Axis("Pressure p₀", "p₀", "MPa", range=(0.0, top), cut=cut),
+        marks,
+        f"Pressure on the centre line along y: largest {mpa(solution.max_pressure):4} {where_largest(solution, 3)}.",
+        "axis cut: no limit at an end" if cut else "",
+        236,
+    )
+    widest = float(solution.half_width.max())
+    lower = Panel(
+        "half-width",
+        "Half-width",
+        Axis("Half-width b", "b", "mm", range=(0.0, ROOM * widest or 1.0)),
+        [
+            *_ends_of_bodies(solution, named=False),
+            Line(lines.y, lines.half_width, name="half-width b", colour="second", dash="dashed"),
+        ],
+        f"Half-width along y: at most {mm(widest):3}.",
+        height=112,
+    )
+    return Figure(_along(solution), (upper, lower), conditions(solution))
+
+
+def distance(solution: Solution) -> Figure:
+    """Return the surfaces' distance on the centre line, undeformed and deformed.
+
+    Undeformed it is negative where the bodies would overlap; deformed it is the gap, zero in contact. The band between
+    them is the elastic displacement of both surfaces. Where the relief is far larger than the interference the axis is
+    cut, and the remark has the largest distance.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    """
+    before, after = distances(solution)
+    low, high = distance_range(before, after) if np.isfinite(before).any() else (0.0, 1.0)
+    span = axial_range(solution)
+    largest = float(-solution.interference[(solution.y >= span[0]) & (solution.y <= span[1])].min())
+    cut, remark = largest > high, ""
+    if np.isinf(largest):
+        remark = "axis cut, the relief is infinite at an end"
+    elif cut:
+        remark = f"axis cut, undeformed up to {um(largest):3}"
+    overlap = max(0.0, -float(np.nanmin(before, initial=0.0)))
+    marks = [
+        *(
+            Span(*ends, name="" if number else "in contact", colour="faint")
+            for number, ends in enumerate(solution.contact_y)
+        ),
+        Level(0.0, colour="faint"),
+        *_ends_of_bodies(solution),
+        Line(solution.y, before, name="undeformed", colour="second", dash="dashed"),
+        Line(solution.y, after, name="deformed"),
+        Band(solution.y, before, after, name="elastic displacement"),
+    ]
+    panel = Panel(
+        "gap",
+        "Distance of the surfaces",
+        Axis("Distance of the surfaces", "distance", "mm", "um", (low, high), cut),
+        marks,
+        f"Distance of the surfaces along y: undeformed they would overlap by up to {um(overlap):3}; deformed it is "
+        "zero in contact.",
+        remark,
+    )
+    return Figure(_along(solution), (panel,), conditions(solution))
+
+
+def conditions(solution: Solution) -> str:
+    """Return the line that says what was solved: load, tilt, and whatever is out of the ordinary."""
+    words = [f"Load {newton(solution.load):.4g}", f"tilt {mrad(solution.tilt):.4g}".replace("-", "−")]
+    if solution.element.name != "semi-elliptic":
+        words.append(f"{solution.element.name} strips")
+    if solution.status is not Status.CONVERGED:
+        words.append("NOT CONVERGED")
+    return ", ".join(words)
+
+
+def _along(solution: Solution) -> Axis:
+    return Axis("Axial position y", "y", "mm", range=axial_range(solution))
+
+
+def _ends_of_bodies(solution: Solution, *, named: bool = True) -> Iterator[Mark]:
+    """Yield a line at each end of a body that is near; two so close that their names would overlap share one name."""
+    low, high = axial_range(solution)
+    middle, close = 0.5 * (low + high), CLOSE * (high - low)
+    ends = [(end, name) for end, name in body_ends(solution) if low < end < high]
+    for side in ([end for end in ends if end[0] < middle], [end for end in ends[::-1] if end[0] >= middle]):
+        # From outside inwards.
+        together = len(side) == 2 and abs(side[0][0] - side[1][0]) < close
+        words = {side[0][0]: ", ".join(name for _, name in sorted(side))} if together else dict(side)
+        for end in dict.fromkeys(end for end, _ in side):
+            yield Across(end, words.get(end, "") if named else "", colour="faint", dash="ends")
+
+
+def _contact(solution: Solution, top: float) -> Iterator[Mark]:
+    """Yield a dimension line for every interval in contact; the first says where they are."""
+    intervals = solution.contact_y
+    several = " and ".join(f"{mm(*ends, between=' to '):4}" for ends in intervals[:2])
+    words = f"contact {several}"
+    if len(intervals) > 2:
+        between = mm(intervals[0][0], intervals[-1][1], between=" and ")
+        words = f"contact on {len(intervals)} intervals between {between:4}"
+    for number, (low, high) in enumerate(intervals):
+        yield Dimension(low, high, DIMENSION * top, "" if number else words, colour="faint")
+
+
+def _largest(solution: Solution) -> Iterator[Mark]:
+    """Yield the largest pressure, and those where it rises again at the end of a land."""
+    places, largest = places_of_largest(solution), solution.max_pressure
+    middle = 0.5 * sum(axial_range(solution))
+    peaks = land_end_peaks(solution)
+    at_land_end = any(abs(y - place) < solution.max_half_width for y, _ in peaks for place in places)
+    if places:
+        yield Points(np.array(places), np.full(len(places), largest))
+        remark = (
+            " (corner: rises with refinement)" if solution.peaks_at_corner else " (land end)" if at_land_end else ""
+        )
+        where = mm(*places, between=" and ")
+        yield Words(sum(places) / len(places), largest, f"{mpa(largest):4} at y = {where:3}{remark}")
+    if not at_land_end:
+        for y, value in peaks:
+            yield Words(y, value, f"land end, {mpa(value):4}", _towards(y, middle))
+
+
+def _unlimited(solution: Solution, edge: EdgePressure, top: float) -> Mark:
+    """Return how the pressure grows towards an end where it has no limit, clear of the curve that climbs there."""
+    words = "no limit at a corner"
+    if edge.law:
+        words = f"no limit, p ∼ K / s^{edge.exponent:.3g}"
+        if edge.strength is not None:
+            words += f"\nK = {EndStrength(edge.strength, edge.exponent)}"
+    below = solution.y[solution.centre_pressure < SINGULAR * top]
+    foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y
+    return Words(foot, SINGULAR * top, words, "left" if edge is solution.edge_pressure[0] else "right")
+
+
+def _towards(y: float, middle: float) -> Side:
+    return "left" if y < middle else "right"

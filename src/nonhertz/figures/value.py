@@ -1,0 +1,246 @@
+"""A figure as a value: panels of marks, in units of the program, that matplotlib and the page draw alike.
+
+A result has one function for each of its figures. Who draws knows lines, bands, points and words, and nothing of
+contacts; who does not see has the numbers as a table and the description in words.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Sequence
+from dataclasses import MISSING, dataclass, fields
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.amounts import amount
+
+Array = NDArray[np.float64]
+Colour = Literal["first", "second", "ink", "faint"]
+Dash = Literal["solid", "dashed", "dotted", "ends"]
+Side = Literal["left", "center", "right"]
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Mark:
+    """Something that is drawn; places and values are in the units of the axes.
+
+    Attributes
+    ----------
+    name : str
+        Entry in the legend; none if empty.
+    colour : {"first", "second", "ink", "faint"}
+        Of the two colours that any eye tells apart, of text, or of thin lines.
+    dash : {"solid", "dashed", "dotted", "ends"}
+        ``"ends"`` is the dash-dot line of engineering drawings.
+    """
+
+    name: str = ""
+    colour: Colour = "first"
+    dash: Dash = "solid"
+
+
+@dataclass(frozen=True, eq=False)
+class Line(Mark):
+    """A line through points, shape (n,) each; interrupted at nan."""
+
+    x: Array
+    y: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Steps(Mark):
+    """Pale steps from zero up to values, shape (n,), between edges, shape (n + 1,)."""
+
+    edges: Array
+    y: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Band(Mark):
+    """The pale area between two lines, shape (n,) each; interrupted at nan."""
+
+    x: Array
+    low: Array
+    high: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Points(Mark):
+    """Points, shape (n,) each, with a marker."""
+
+    x: Array
+    y: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Span(Mark):
+    """A pale background from one place along to another."""
+
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, eq=False)
+class Across(Mark):
+    """A thin line at a place along, from bottom to top, with words beside it."""
+
+    x: float
+    words: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Level(Mark):
+    """A thin line at a value, from side to side."""
+
+    y: float
+
+
+@dataclass(frozen=True, eq=False)
+class Dimension(Mark):
+    """A dimension line at a value, with arrows at its ends and words over its middle."""
+
+    low: float
+    high: float
+    y: float
+    words: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Words(Mark):
+    """Words above a point; they begin there if their side is ``"left"``, and end there if it is ``"right"``."""
+
+    x: float
+    y: float
+    words: str
+    side: Side = "center"
+
+
+@dataclass(frozen=True, eq=False)
+class Axis:
+    """What an axis is of.
+
+    Attributes
+    ----------
+    label : str
+        Words, without the unit.
+    symbol : str
+        What stands before numbers that are read from the drawing.
+    unit : str
+        Of the numbers, that of the program.
+    read : str
+        The unit in which people read them, before they choose others; that of the numbers if empty.
+    range : tuple of float, optional
+        What is drawn; chosen by who draws if left out.
+    cut : bool
+        Whether values beyond the range are cut off.
+    """
+
+    label: str
+    symbol: str = ""
+    unit: str = ""
+    read: str = ""
+    range: Range | None = None
+    cut: bool = False
+
+    @property
+    def scale(self) -> tuple[float, str]:
+        """What turns the numbers into those that people read, and the unit of these."""
+        return amount(self.range or (), self.unit, self.read).scale
+
+    def title(self) -> str:
+        """Return the label with the unit that is read.
+
+        Examples
+        --------
+        >>> Axis("Relief", unit="mm", read="um").title(), Axis("Share").title()
+        ('Relief [µm]', 'Share')
+        """
+        unit = self.scale[1]
+        return f"{self.label} [{unit}]" if unit else self.label
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """Marks over an axis along, which a figure's panels share, and an upright one.
+
+    Attributes
+    ----------
+    name : str
+        By which it is found.
+    heading : str
+        What is shown.
+    upright : Axis
+        The vertical axis.
+    marks : sequence of Mark
+        From the back to the front.
+    description : str
+        What it shows, for those who do not see it.
+    remark : str
+        What a reader has to know of the drawing, such as that an axis is cut.
+    height : int
+        On a screen [pixel]; on paper in that proportion to the other panels.
+    """
+
+    name: str
+    heading: str
+    upright: Axis
+    marks: Sequence[Mark]
+    description: str
+    remark: str = ""
+    height: int = 240
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """Panels one below the other, over one axis along; the conditions say what was solved."""
+
+    along: Axis
+    panels: Sequence[Panel]
+    conditions: str = ""
+
+    def to_csv(self) -> str:
+        """Return the numbers of all lines as CSV, in units of the program: one row for each point of each line."""
+        text = io.StringIO()
+        rows = csv.writer(text, lineterminator="\n")
+        rows.writerow(["panel", "line", _column(self.along), "value", "unit"])
+        for panel in self.panels:
+            for mark in panel.marks:
+                if isinstance(mark, Line):
+                    name = mark.name or panel.upright.symbol
+                    for x, y in zip(mark.x.tolist(), mark.y.tolist(), strict=True):
+                        rows.writerow([panel.name, name, x, y, panel.upright.unit])
+        return text.getvalue()
+
+    def to_json(self) -> dict[str, Any]:
+        """Return what the page draws, as plain numbers; null for what is not finite, defaults left out."""
+        sent: dict[str, Any] = _plain(self)
+        return sent
+
+
+def _column(axis: Axis) -> str:
+    return f"{axis.symbol} [{axis.unit}]"
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray | tuple | list):
+        return [_plain(entry) for entry in (value.tolist() if isinstance(value, np.ndarray) else value)]
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if not isinstance(value, Figure | Panel | Axis | Mark):
+        return value
+    shown = {
+        field.name: _plain(getattr(value, field.name))
+        for field in fields(value)
+        if field.default is MISSING or getattr(value, field.name) != field.default
+    }
+    if isinstance(value, Mark):
+        shown["kind"] = type(value).__name__.lower()
+    if isinstance(value, Axis):
+        factor, unit = value.scale
+        shown |= {"title": value.title(), "factor": factor, "unit": unit}
+    return shown
