@@ -28,8 +28,8 @@ def test_the_table_has_all_three_methods_and_their_times(case, run):
     assert lines.pop(1).startswith("Pressure unbounded. ")
     assert lines[1].split() == "plane grid semi-elliptic difference parabolic difference".split()  # noqa: SIM905
     rows = {cells[0]: cells[1:] for cells in (re.split(r"\s{2,}", line.strip()) for line in lines[2:14])}
-    assert {"approach", "tilt", "load", "moment", "pressure at y = 0 mm", "maximum pressure", "time"} <= set(rows)
-    assert rows["load"] == ["20.0000 kN", "20.0000", "0", "20.0000", "0"]
+    assert {"approach [µm]", "tilt [mrad]", "moment [N m]", "pressure at y = 0 mm [MPa]", "time"} <= set(rows)
+    assert rows["load [kN]"] == ["20.000", "20.000", "0 %", "20.000", "0 %"]
     assert rows["size"][0] == "24 x 48 cells"
     assert max(map(len, lines[:14])) <= 100
     text = " ".join(printed.out.split())

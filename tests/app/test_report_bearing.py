@@ -20,6 +20,7 @@ from nonhertz.report.differences import results
 from nonhertz.report.inputs import inputs
 from nonhertz.report.overview import first_numbers, geometry
 from nonhertz.show.bearing import life_rows, summary_rows
+from nonhertz.show.beside import beside
 from nonhertz.verdict import Level
 
 CROWN = '{ kind = "crown", radius = 1200 }'
@@ -276,7 +277,7 @@ def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
 @pytest.mark.slow
 def test_several_bearings_are_compared_with_the_first():
     found = examined(settled([case_of(PLAIN), case_of(PLAIN.replace("12 um", "30 um").replace("five", "six"))]))
-    rows = {name: cells for name, *cells in results(found)}
+    rows = {name: cells for name, *cells in beside(results(found), ["a", "b"]).rows}
     loads = [each.solution.load.max() for each in found]
     change = float(rows["largest load of a contact [kN]"][1].remark.rstrip(" %"))
     assert change == pytest.approx(100.0 * (loads[1] / loads[0] - 1.0), rel=5e-3)  # three digits are shown

@@ -26,7 +26,7 @@ from nonhertz.show import bearing as of_bearing
 from nonhertz.show import stresses
 from nonhertz.show.analysis import assessed, largest_stresses, models_for, spectrum_solved
 from nonhertz.show.lives import sections as life_sections
-from nonhertz.show.sections import Section, Table
+from nonhertz.show.sections import Section, Table, with_columns_of_remarks
 from nonhertz.show.solving import solved
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -172,7 +172,8 @@ def assert_same(*pairs: tuple[str, str]) -> None:
 
 def columns(sections: list[Section]) -> Iterator[tuple[str, str, list[str]]]:
     """Yield head, unit and cells of every column that has a unit; the next ones of a ring have that of the first."""
-    for block in (block for section in sections for block in section.blocks if isinstance(block, Table)):
+    tables = (block for section in sections for block in section.blocks if isinstance(block, Table))
+    for block in map(with_columns_of_remarks, tables):
         for at, head in enumerate(block.heads):
             found = re.search(r"\[(.*)\]", head)
             if found and found[1] not in ("deg", "10^6 rev"):

@@ -17,7 +17,7 @@ from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.documents import parsed
 from nonhertz.report import CaseResults, examined, settled, steps
 from nonhertz.report.assumptions import Verdict, assumptions
-from nonhertz.report.differences import differing_inputs, lives, results
+from nonhertz.report.differences import differing_inputs, results
 from nonhertz.report.downloads import downloads
 from nonhertz.report.inputs import inputs
 from nonhertz.report.layout import linked
@@ -25,6 +25,8 @@ from nonhertz.report.method import method
 from nonhertz.report.overview import first_numbers, opening
 from nonhertz.report.page import compose, rendered
 from nonhertz.result.solution import Status
+from nonhertz.show.beside import beside
+from nonhertz.show.lives import compared_section
 from nonhertz.show.sections import Cell
 from nonhertz.show.solving import solved
 from nonhertz.show.summary import summary_rows
@@ -239,7 +241,7 @@ def test_two_cases_are_compared_by_what_differs():
     assert "body b, position" in {row[0] for row in same}
     assert "body a, side faces" not in {row[0] for row in same}
     found = settled(pair)
-    rows = {name: cells for name, *cells in results(found)}
+    rows = {name: cells for name, *cells in beside(results(found), ["first", "second"]).rows}
     assert [cell.remark for cell in rows["load [kN]"]] == ["", "+100 %"]
     ratio = found[1].solution.max_pressure / found[0].solution.max_pressure
     change = float(rows["maximum pressure [MPa]"][1].remark.rstrip(" %"))
@@ -281,7 +283,7 @@ def test_lives_are_told_where_the_case_asks_and_compared():
     found = examined(pair, stress=False, announce=announced.append)
     assert len(announced) == 4
     assert found[0].lives is not None
-    row_a, _ = lives(found)
+    row_a, _ = compared_section([(each.label, each.lives) for each in found]).blocks[0].rows
     ratio = found[1].lives.over(found[0].lives, "a", 0) if found[1].lives else 0.0
     assert float(row_a[2].remark.lstrip("× ")) == pytest.approx(ratio, rel=1e-3)
     assert ratio > 5.0  # half the load lives longer by a power of about 4 and what the edges add

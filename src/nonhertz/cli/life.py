@@ -20,7 +20,7 @@ from nonhertz.inputs.files import legible
 from nonhertz.life import MODELS
 from nonhertz.plot import dent_figure, life_figure
 from nonhertz.show.analysis import assessed, models_for, spectrum_solved
-from nonhertz.show.lives import compared_sections, sections
+from nonhertz.show.lives import compared_section, sections
 from nonhertz.show.sections import Said, Section, assumed_section
 from nonhertz.verdict import worst_of
 
@@ -93,7 +93,7 @@ def _shown(files: Sequence[Path], found: Assessment, other: Assessment | None) -
 
     Of two cases each has a heading: its file and its title.
     """
-    parts = [(found, sections(found))] + ([] if other is None else [(other, compared_sections(found, other))])
+    parts = [(each, sections(each)) for each in (found, other) if each is not None]
     shown = []
     for file, (each, (section,)) in zip(files, parts, strict=True):
         head = Said(
@@ -101,4 +101,7 @@ def _shown(files: Sequence[Path], found: Assessment, other: Assessment | None) -
         )
         warned = Said([f"warning: {one}" for one in each.warnings], "warning")
         shown.append(Section(section.title, [head, *section.blocks, warned]))
+    if other is not None:
+        names = [legible(str(file)) for file in files]
+        shown.append(compared_section([(names[1], other), (names[0], found)]))
     return shown

@@ -17,7 +17,7 @@ from rich.progress import Progress as Bar
 from rich.table import Table as Grid
 from rich.text import Text
 
-from nonhertz.show.sections import SUMMARY, Said, Section, Table, shown_columns
+from nonhertz.show.sections import SUMMARY, Said, Section, Table, shown_columns, with_columns_of_remarks
 from nonhertz.verdict import Level, Verdict
 
 # Between a number and its unit, and within a unit; as a letter, since rich breaks lines at any blank.
@@ -59,7 +59,7 @@ def print_result(
             console.print()
         for block in blocks:
             if isinstance(block, Table):
-                _print_rows(console, block)
+                _print_rows(console, with_columns_of_remarks(block))
             else:
                 for sentence in block.sentences:
                     say(sentence, _STYLES.get(block.layout, ""))

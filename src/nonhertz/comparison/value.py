@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import amount, mm, percent
+from nonhertz.amounts import Amount, amount, mm, percent
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.brief import plain_text
+from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 NOTABLE = 0.01  # relative difference of pressures along the line
+_READ = {each.label: each.shown_unit for each in QUANTITIES.values()}
 
 
 @dataclass(frozen=True)
@@ -56,6 +58,12 @@ class ComparedQuantity:
     def name(self) -> str:
         """What it is, and where."""
         return self.what if self.at is None else f"{self.what} at y = {mm(self.at):.5g}"
+
+    @property
+    def amount(self) -> Amount:
+        """The values by the plane grid, by semi-elliptic and by parabolic strips, as people read them."""
+        values = self.patch, self.semi_elliptic, self.parabolic
+        return amount(values, self.unit, _READ.get(self.what, ""))
 
     @property
     def differences(self) -> tuple[float, float]:
@@ -156,7 +164,7 @@ class Comparison:
             if any(map(percent, each.differences)):  # of what was given there is none
                 differences = zip(self.strips, map(percent, each.differences), strict=True)
                 by = ", ".join(f"{solution.element.name} {words or '0'}" for solution, words in differences)
-                said.append(f"{each.name} {amount(each.patch, each.unit)}, {by}")
+                said.append(f"{each.name} {replace(each.amount, values=(each.patch,))}, {by}")
         count = len(self.stretches)
         differing = f"over 1 % on {count} stretch{'es' * (count > 1)}" if count else "less than 1 % everywhere"
         return plain_text("Comparison", [*said, f"along the line, pressures differ by {differing}"])

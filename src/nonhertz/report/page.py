@@ -15,7 +15,7 @@ from nonhertz.files.title_block import TitleBlock
 from nonhertz.plot import measured_figure
 from nonhertz.report import figures
 from nonhertz.report.assumptions import NO_INPUT, assumptions
-from nonhertz.report.differences import conclusion, differing_inputs, lives, results, verdicts
+from nonhertz.report.differences import conclusion, differing_inputs, results, verdicts
 from nonhertz.report.downloads import downloads
 from nonhertz.report.inputs import Entry, InputGroup, inputs
 from nonhertz.report.layout import Files, Part, Words, laid_out
@@ -27,7 +27,7 @@ from nonhertz.show import lives as life_shown
 from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
-from nonhertz.show.lives import RATIO, without_ratio
+from nonhertz.show.beside import beside
 from nonhertz.show.sections import Block, Cell, Picture, Said, Section, Table, rows_of_summaries, summary
 
 MOST_NAMED = 3  # cases that the title of a comparison names
@@ -197,7 +197,7 @@ def _compared(found: Sequence[Results], words: Words) -> list[Section]:
     differing, same, notes = differing_inputs([inputs(each.case) for each in found])
     blocks: list[Block] = [Said([f"None differ: the {words.one}s have the same."], "paragraphs")]
     if differing:
-        blocks = [_beside("Inputs that differ", labels, differing), Said(notes)]
+        blocks = [beside(differing, labels, "Inputs that differ"), Said(notes)]
     sections = [
         Section("", [Table(verdicts(found), layout="summary")]),
         Section("Inputs", blocks),
@@ -205,26 +205,12 @@ def _compared(found: Sequence[Results], words: Words) -> list[Section]:
         Section(
             "Results",
             [
-                _beside("Result", labels, results(found)),
+                beside(results(found), labels, "Result"),
                 Said([f"Percentages are differences from the first {words.one}."]),
             ],
         ),
     ]
     contacts = [each for each in found if isinstance(each, CaseResults)]
-    shown = lives(contacts) if contacts else []
-    if shown:
-        first, *others = (each.lives for each in contacts)
-        without = (words for each in others if first and each for words in without_ratio(each, first))
-        words_on_lives = [
-            "The factor after × is the ratio to the life of the first case.",
-            RATIO,
-            *dict.fromkeys(without),
-        ]
-        sections.append(
-            Section("Lives", [_beside("Life relative to the ideal one", labels, shown), Said(words_on_lives)])
-        )
+    if contacts and contacts[0].lives and any(each.lives for each in contacts[1:]):
+        sections.append(life_shown.compared_section([(each.label, each.lives) for each in contacts]))
     return [*sections, Section("Inputs that are the same", [Table(same, layout="inputs")] if same else [])]
-
-
-def _beside(name: str, labels: Sequence[str], rows: Sequence[Sequence[str | Cell]]) -> Table:
-    return Table(rows, (name, *labels), (0,))

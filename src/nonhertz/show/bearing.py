@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, percent, um
+from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD
@@ -17,8 +17,9 @@ from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
+from nonhertz.show.beside import beside, changes, compared
 from nonhertz.show.lives import of_life
-from nonhertz.show.sections import Row, Said, Section, Table, assumed_rows, summary
+from nonhertz.show.sections import Cell, Row, Said, Section, Table, assumed_rows, summary
 from nonhertz.study.quantities import number_of
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
@@ -44,15 +45,10 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
 
 def compared_sections(case: BearingCase, strips: BearingSolution, slices: BearingSolution) -> list[Section]:
     """Return what is shown of a bearing by strips and by slices."""
-    rows = []
-    for quantity in (each for part in _COMPARED for each in QUANTITIES.values() if each.within == part):
-        one, other = (clean(quantity, SolvedBearing(case, each)) for each in (strips, slices))
-        if one or other:
-            numbers, unit = quantity.amount(one, other).apart("" if quantity.unit else "g")
-            change = percent(other / one - 1.0) if one and quantity.unit else ""
-            rows.append((quantity.label, *(f"{each} {unit}".rstrip() for each in numbers), change))
+    alike = [each for part in _COMPARED for each in QUANTITIES.values() if each.within == part]
+    numbers = [clean_numbers(alike, SolvedBearing(case, each)) for each in (strips, slices)]
     return [
-        Section("Strips beside slices", [Table(rows, ("", "strips", "slices", "difference"), (0,))]),
+        Section("Strips beside slices", [beside(compared(alike, numbers), ("strips", "slices"))]),
         Section("", [compared_table(strips, slices), Said([OF_LARGEST])]),
     ]
 
@@ -141,20 +137,25 @@ def clean(quantity: Quantity, solved: SolvedBearing) -> float:
     return 0.0 if abs(value) <= NO_LOAD * largest else value
 
 
+def clean_numbers(quantities: Iterable[Quantity], solved: SolvedBearing) -> dict[str, float]:
+    """Return numbers by name, zero where they are rounding; nan where there is none."""
+    return {each.name: clean(each, solved) for each in quantities}
+
+
 def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
     """Return the loads of every roller by strips and by slices, in the unit that suits the largest load."""
     most = float(strips.load.max())
     factor, unit = newton(most, float(slices.load.max())).scale
-    of_ring = (f"strips [{unit}]", f"slices [{unit}]", "difference")
-    heads = "roller", "row", "angle [deg]", f"inner: {of_ring[0]}", *of_ring[1:], f"outer: {of_ring[0]}", *of_ring[1:]
+    heads = (head for ring in RINGS for head in (f"{ring}: strips [{unit}]", f"slices [{unit}]"))
     rows = []
     for j, roller in enumerate(_rollers(strips)):
-        cells = [*roller]
-        for one, other in zip(strips.load[j], slices.load[j], strict=True):
-            change = percent((other - one) / most) if most > 0.0 and one != other else ""
-            cells += [digits(factor * one), digits(factor * other), change]
-        rows.append(tuple(cells))
-    return Table(rows, heads, (), "numbers narrow")
+        cells: list[str | Cell] = [*roller]
+        for pair in zip(strips.load[j].tolist(), slices.load[j].tolist(), strict=True):
+            # Most rollers of a bearing bear no load.
+            words = changes(pair, most) if pair[0] != pair[1] else ("", "")
+            cells += map(Cell, (digits(factor * load) for load in pair), words)
+        rows.append(cells)
+    return Table(rows, ("roller", "row", "angle [deg]", *heads), (), "numbers narrow", remarks="difference")
 
 
 def carrying(solution: BearingSolution) -> NDArray[np.bool_]:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 
-from nonhertz.amounts import amount, digits, mm, percent
-from nonhertz.comparison import ComparedQuantity, Comparison, Stretch
+from nonhertz.amounts import mm, percent
+from nonhertz.comparison import Comparison, Stretch
 from nonhertz.comparison.quantities import LARGEST
 from nonhertz.errors import joined
-from nonhertz.show.sections import Said, Section, Table
-
-COLUMNS = ("", "plane grid", "semi-elliptic", "difference", "parabolic", "difference")
+from nonhertz.show.beside import Cells, Compared, beside
+from nonhertz.show.sections import Said, Section
 
 
 def sections(found: Comparison) -> list[Section]:
@@ -21,12 +20,12 @@ def sections(found: Comparison) -> list[Section]:
         f"{1e3 * each:.3g} ms" if each < 0.9995 else f"{each:.3g} s"
         for each in (seconds.patch, seconds.semi_elliptic, seconds.parabolic)
     ]
-    rows = [_row(each) for each in found.quantities]
-    rows += [
-        ("size", f"{across} x {along} cells", semi, "", parabolic, ""),
-        ("time", times[0], times[1], "", times[2], ""),
+    rows: list[Compared | Cells] = [
+        *(Compared(each.name, each.amount, absolute=each.absolute) for each in found.quantities),
+        ("size", f"{across} x {along} cells", semi, parabolic),
+        ("time", *times),
     ]
-    return [Section("", [Table(rows, COLUMNS, (0,)), Said(_sentences(found))])]
+    return [Section("", [beside(rows, ("plane grid", "semi-elliptic", "parabolic")), Said(_sentences(found))])]
 
 
 def _sentences(found: Comparison) -> list[str]:
@@ -43,22 +42,6 @@ def _sentences(found: Comparison) -> list[str]:
     lines += [f"- {_sentence(each)}" for each in found.stretches]
     (most,) = (each.y for each in found.stations if each.reason == LARGEST)
     return [*lines, f"In MPa and away from the ends they differ most at y = {mm(most):.5g}."]
-
-
-def _row(each: ComparedQuantity) -> tuple[str, ...]:
-    of_semi, of_parabola = (_difference(value, each) for value in each.differences)
-    values = each.patch, each.semi_elliptic, each.parabolic
-    factor, unit = amount(values, each.unit).scale
-    patch, semi, parabola = (digits(factor * value, 6) if math.isfinite(value) else "none" for value in values)
-    return each.name, f"{patch} {unit}" if math.isfinite(each.patch) else patch, semi, of_semi, parabola, of_parabola
-
-
-def _difference(value: float, each: ComparedQuantity) -> str:
-    if not math.isfinite(value):
-        return ""
-    if each.absolute:
-        return f"{'+' * (value > 0.0)}{amount(value, each.unit):.2g}" if value else "0"
-    return percent(value) or "0"
 
 
 def _sentence(each: Stretch) -> str:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 
 from nonhertz.amounts import digits, mpa, mrad, newton
 from nonhertz.files.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
-from nonhertz.model.body import BODIES
-from nonhertz.show.sections import Said, Section, Table, assumed_rows, summary
+from nonhertz.model.body import BODIES, BodyName
+from nonhertz.show.beside import ABSENT, Cells, beside
+from nonhertz.show.sections import Cell, Said, Section, Table, assumed_rows, summary
 from nonhertz.verdict import of_contact
 
 _IDEAL = (
@@ -16,8 +19,8 @@ _IDEAL = (
     "they can touch."
 )
 RATIO = (
-    "Ratios are those of passes of a roller: where the cases differ in rings or in the number of rollers, compare "
-    "their L10."
+    "The factor after × is the ratio to the life in the first column. Ratios are those of passes of a roller: where "
+    "the cases differ in rings or in the number of rollers, compare their L10."
 )
 _HEADS = ("", "life against ideal profile: a", "b", "L10 [10^6 rev]")
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
@@ -34,15 +37,25 @@ def sections(found: Assessment) -> list[Section]:
     return [Section("Life", [loads_table(found), Table(rows, heads, (0, 4)), *assumptions, Said(sentences(found))])]
 
 
-def compared_sections(found: Assessment, other: Assessment) -> list[Section]:
-    """Return what is shown of the lives of another case, with the ratios of those of the first case to them."""
-    rows = [
-        (life.model.name, *_lives(other, number), *(of_life(found.over(other, body, number)) for body in BODIES))
-        for number, life in enumerate(found.lives["a"])
-    ]
-    heads = (*_HEADS, "lives, first / this: a", "b")
-    notes = [RATIO, *without_ratio(found, other), *sentences(other)[1:]]
-    return [Section("", [loads_table(other), Table(rows, heads, (0,)), Said(notes)])]
+def compared_section(results: Sequence[tuple[str, Assessment | None]]) -> Section:
+    """Return the lives of several cases side by side by their labels, with ratios to the first, which has lives."""
+    labels, (first, *others) = zip(*results, strict=True)
+    rows: list[Cells] = []
+    for number, life in enumerate(first.lives["a"] if first else ()):
+        for body in BODIES:
+            cells = [_beside_first(each, first, body, number) for each in (first, *others)]
+            rows.append((f"{life.model.name}, body {body}", *cells))
+    without = dict.fromkeys(words for each in others if first and each for words in _without_ratio(each, first))
+    table = replace(beside(rows, labels, "Life relative to the ideal one"), remarks="ratio")
+    return Section("Lives", [table, Said([RATIO, *without])])
+
+
+def _beside_first(found: Assessment | None, first: Assessment | None, body: BodyName, number: int) -> Cell:
+    if found is None or first is None:
+        return Cell(ABSENT)
+    ratio = math.nan if found is first else found.over(first, body, number)
+    relative = of_life(found.lives[body][number].relative_life)
+    return Cell(relative, f"× {digits(ratio, 4)}" if math.isfinite(ratio) else "")
 
 
 def sentences(found: Assessment) -> list[str]:
@@ -82,11 +95,11 @@ def _of_dents(found: Assessment) -> list[str]:
     return lines
 
 
-def without_ratio(found: Assessment, other: Assessment) -> list[str]:
+def _without_ratio(found: Assessment, other: Assessment) -> list[str]:
     """Return why lives by the lamina model cannot be compared, if they cannot."""
     names = [life.model.name for life in found.lives["b"]]
     if "iso-16281" in names and math.isnan(found.over(other, "b", names.index("iso-16281"))):
-        return ["none: laminae of a raceway are not compared with those of a contact without one."]
+        return ["No ratio by iso-16281: laminae of a raceway are not compared with those of a contact without one."]
     return []
 
 

@@ -6,7 +6,7 @@ One function for each kind of result yields them. Whoever lays them out knows ta
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final, NamedTuple, cast
 
 from nonhertz.findings import Finding
@@ -51,6 +51,8 @@ class Table(Block):
         Columns of a terminal for the words of the second column at least, which alone may be broken; 0 for no such.
     folded : str
         What a page shows in place of it until it is unfolded; empty if it is open.
+    remarks : str
+        Head of the remarks on cells where they have a column of their own, in a terminal.
     """
 
     rows: Sequence[Sequence[str | Cell]]
@@ -60,6 +62,7 @@ class Table(Block):
     title: str = ""
     room: int = 0
     folded: str = ""
+    remarks: str = ""
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -132,6 +135,23 @@ def rows_of_summaries(sections: Iterable[Section]) -> list[Row]:
     """Return the rows of all summaries."""
     tables = (block for section in sections for block in section.blocks if isinstance(block, Table))
     return [cast("Row", row) for table in tables if table.layout == SUMMARY for row in table.rows]
+
+
+def with_columns_of_remarks(table: Table) -> Table:
+    """Return a table that has the remarks on cells in columns of their own, on the right of these cells."""
+    if not table.remarks:
+        return table
+    remarked = {at for row in table.rows for at, cell in enumerate(row) if isinstance(cell, Cell) and cell.remark}
+
+    def spread(cells: Sequence[str | Cell], remark: str) -> list[str]:
+        """Return cells of text; where one has no remark, ``remark`` is in its place."""
+        made = []
+        for at, cell in enumerate(cells):
+            text, said = cell if isinstance(cell, Cell) else (cell, remark)
+            made += [text, said] if at in remarked else [text]
+        return made
+
+    return replace(table, rows=[spread(row, "") for row in table.rows], heads=spread(table.heads, table.remarks))
 
 
 def shown_columns(table: Table) -> list[int]:

@@ -1,0 +1,96 @@
+"""Several results side by side: rows of numbers in one unit each, with their differences from the first result."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from nonhertz.amounts import Amount, digits, given, percent
+from nonhertz.result.quantities import Quantity
+from nonhertz.show.sections import Cell, Table
+
+Cells = Sequence[str | Cell]
+ABSENT = "–"
+_NOTICED = 5e-6  # relative difference; smaller ones are rounding
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One number of several results.
+
+    Attributes
+    ----------
+    name : str
+        What it is.
+    amount : Amount
+        A value for each result, NaN where it has none.
+    absolute : bool
+        Whether differences are in the unit of the amount instead, as for positions.
+    """
+
+    name: str
+    amount: Amount
+    absolute: bool = False
+
+    @property
+    def head(self) -> str:
+        """Name and unit."""
+        unit = self.amount.scale[1]
+        return f"{self.name} [{unit}]" if unit else self.name
+
+    @property
+    def cells(self) -> list[Cell]:
+        """A cell for each result, with its difference from the first as a remark."""
+        # Counts and ratios are no measurements: zeros at their end say nothing.
+        write, factor = (digits if self.amount.unit else given), self.amount.scale[0]
+        texts = (write(factor * value, 5) if math.isfinite(value) else ABSENT for value in self.amount.values)
+        return [*map(Cell, texts, self._differences if self.absolute else changes(self.amount.values))]
+
+    @property
+    def _differences(self) -> list[str]:
+        first, *others = self.amount.values
+        shown = (replace(self.amount, values=(value - first,)) for value in others)
+        signed = (f"{'+' * (each.values[0] > 0.0)}{each:.2g}" for each in shown)
+        return ["", *(words if math.isfinite(value) else "" for words, value in zip(signed, others, strict=True))]
+
+
+def changes(values: Sequence[float], scale: float | None = None) -> list[str]:
+    """Return differences from the first value in per cent of it, or of ``scale``; empty where there is none.
+
+    Examples
+    --------
+    >>> changes([2.0, 2.2, 2.0, math.nan]), changes([0.0, 1.0]), changes([0.0, 1.0], scale=5.0)
+    (['', '+10 %', '0 %', ''], ['', ''], ['', '+20 %'])
+    """
+    first, *others = values
+    scale = abs(first) if scale is None else scale
+    relative = [(value - first) / scale if scale else math.nan for value in others]
+    words = (percent(each, 3) if abs(each) >= _NOTICED else "0 %" for each in relative)
+    return ["", *(word if math.isfinite(each) else "" for word, each in zip(words, relative, strict=True))]
+
+
+def compared(quantities: Iterable[Quantity], results: Sequence[Mapping[str, float]]) -> list[Compared]:
+    """Return quantities of results, given by name, as far as one of the results has them and they are not all zero."""
+    rows = ((each, [values.get(each.name, math.nan) for values in results]) for each in quantities)
+    return [
+        Compared(quantity.label, quantity.amount(*values))
+        for quantity, values in rows
+        if any(value and math.isfinite(value) for value in values)
+    ]
+
+
+def beside(rows: Iterable[Compared | Cells], labels: Iterable[str], name: str = "") -> Table:
+    """Return results side by side, a row for each number and a column for each result.
+
+    Parameters
+    ----------
+    rows : iterable of Compared or of sequences of str and Cell
+        Numbers, or cells of words.
+    labels : iterable of str
+        Names of the results.
+    name : str
+        What stands above the names of the numbers.
+    """
+    cells: Iterable[Cells] = ((row.head, *row.cells) if isinstance(row, Compared) else row for row in rows)
+    return Table([*cells], (name, *labels), (0,), remarks="difference")
