@@ -25,7 +25,7 @@ QUIET = [
     "--disable-sync",
     "--no-first-run",
 ]
-STARTING = 300.0  # s, on a busy machine where everything has to be compiled first
+STARTING = 300.0  # s, on a busy machine
 SCREENSHOTS = Path(__file__).parents[2] / "out" / "screenshots"
 
 

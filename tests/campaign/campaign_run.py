@@ -177,7 +177,7 @@ def case_record(number):
 
 
 def warm_up():
-    """Compile everything, so that no case is slow because of it."""
+    """Load everything, and make the tables, so that no case is slow because of it."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         body = nh.Roller(diameter=20.0, length=20.0, profile=nh.profile.chamfer(20.0, 0.5))

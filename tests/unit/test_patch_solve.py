@@ -371,7 +371,7 @@ TAKEN = {
 @pytest.mark.slow
 def test_the_memory_foretold_is_what_is_taken(name):
     contact, cells = TAKEN[name]
-    nh.patch.solve(contact, load=3e3, cells=(16, 16))  # so that compilers have had their share
+    nh.patch.solve(contact, load=3e3, cells=(16, 16))  # so that what is loaded then is not counted
     tracemalloc.start()
     solution = nh.patch.solve(contact, load=3e3, cells=cells, threads=1, tolerance=1e-4)
     taken = tracemalloc.get_traced_memory()[1]
