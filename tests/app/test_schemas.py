@@ -109,6 +109,7 @@ def results():
         ("crowned-roller", {"solver.strips": 1}),
         ("crowned-roller", {"load.load": None, "load.approach": "5 um"}),
         ("crowned-roller", {"load.tilt": None, "load.moment": "10 N m"}),
+        ("crowned-roller", {"load.load": "500 N", "load.tilt": "2 deg"}),  # one end alone is in contact: a remark
         ("roller-15x20", {"load.load": "100 kN", "body.a.side_faces": "mirror"}),
     ]
     found = []
@@ -128,6 +129,7 @@ def test_every_result_is_valid(results):
     kinds = {edge["kind"] for result in results for edge in result["edge_pressure"]}
     assert {"run-out", "singular"} <= kinds
     assert any(result["error_estimate"]["max_pressure"] is None for result in results)
+    assert any("remarks" in result for result in results)
 
 
 def test_a_result_with_a_key_too_few_or_too_many_is_not(results):

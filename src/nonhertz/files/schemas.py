@@ -120,13 +120,15 @@ def result_schema() -> Schema:
         "assumed": _list({"type": "object"}) | {"description": "what is assumed where the file leaves something out"},
         "verdict": {"type": ["object", "null"], "description": "whether limits are met: level, and what decides it"},
         "findings": _list({"type": "object"}) | {"description": "the same, by kind, with numbers and their units"},
+        "remarks": _list({"type": "object"}) | {"description": "what is noticed and strains nothing, if anything is"},
         "units": {"type": "object", "description": "units of all these; dimensionless numbers are left out"},
         **columns,
         "edges": _described(_list(_NUMBER), "edges of the strips", "mm"),
         "element_half_width": _described(_list(_NUMBER), "half-width of the element's own pressure", "mm"),
         "case": {key: value for key, value in case.items() if key != "$defs"},
     }
-    return _table(properties, "A solved contact.") | {"$defs": case["$defs"]}
+    required = [name for name in properties if name != "remarks"]
+    return _table(properties, "A solved contact.") | {"required": required, "$defs": case["$defs"]}
 
 
 #: What there are schemas of, and the functions that return them.
