@@ -125,7 +125,6 @@ WORDS = [
     ("spelled", [2.54, "µm", 3], "2.54 micrometres", "100 microinches"),
     ("force", [999], {"value": "999.0", "unit": "N"}, {"value": "224.6", "unit": "lbf"}),
     ("force", [4448.2216], {"value": "4.448", "unit": "kN"}, {"value": "1000", "unit": "lbf"}),
-    ("strength", [1000, 0.5], "1000 MPa mm^0.50", "28.78 ksi in^0.50"),
     ("scaled", ["MPa", [-1, 0]], {"domain": [-1, 0]}, {"domain": [-0.14503773773020923, 0]}),
 ]
 
