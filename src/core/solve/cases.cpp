@@ -19,17 +19,18 @@ Grids grids_of(const Model& model, const Prescription& given, const Strips& stri
   return equal_grids(model, given, std::get<Index>(strips));
 }
 
-/// Whether all cases have the same strips: where to look for a contact of endless bodies depends on the case.
+/// Whether all cases have the same strips: where to look for a contact of endless bodies depends on the case, and so
+/// does an automatic grid.
 bool are_shared(const Model& model, const Strips& strips) {
   return std::holds_alternative<Numbers>(strips) ||
          (std::holds_alternative<Index>(strips) && model.region() != nullptr);
 }
 
-/// The grids of one case or, if they are shared, of one after the other, and the same without their matrices for
-/// results.
+/// Cases one after the other, on the same grids where these are shared.
 class Course {
  public:
-  Course(const Model& model, const Strips& strips) : model_(model), strips_(strips) {}
+  Course(const Model& model, const Strips& strips)
+      : model_(model), strips_(strips), shares_(are_shared(model, strips)) {}
 
   Result solve(const Prescription& given, const Stop* stop) {
     Result result = checked(model_, given, solve_levels(given, stop));
@@ -39,6 +40,7 @@ class Course {
 
   /// Solve a case that may start from those before. One that misleads is no reason to fail.
   Result solve_next(const Prescription& given, const Stop* stop) {
+    if (!shares_) return solve(given, stop);
     const bool is_first = tracks_.empty();
     Result result = solve(given, stop);
     if (is_first || result.holds()) return result;
@@ -50,7 +52,7 @@ class Course {
   Levels solve_levels(const Prescription& given, const Stop* stop) {
     if (const auto* accuracy = std::get_if<Accuracy>(&strips_))
       return solve_automatically(model_, given, *accuracy, stop);
-    if (!are_shared(model_, strips_)) tracks_.clear();
+    if (!shares_) tracks_.clear();
     if (tracks_.empty())
       for (const auto& grid : grids_of(model_, given, strips_)) tracks_.emplace_back(grid, model_.kernel());
     refuse_infeasible(model_, *tracks_[0].grid, given);
@@ -69,6 +71,7 @@ class Course {
 
   const Model& model_;
   const Strips& strips_;
+  const bool shares_;
   std::deque<Track> tracks_;
 };
 

@@ -87,11 +87,11 @@ std::vector<double> Continuation::weights(const Pair& target) const {
       if (third && *third < -1.0) places.push_back(*third);
     }
   }
-  std::vector<double> found(places.size(), 1.0);
+  std::vector<double> by_place(places.size(), 1.0);
   for (std::size_t k = 0; k < places.size(); ++k)
     for (std::size_t other = 0; other < places.size(); ++other)
-      if (other != k) found[k] *= (*ahead - places[other]) / (places[k] - places[other]);
-  return found;
+      if (other != k) by_place[k] *= (*ahead - places[other]) / (places[k] - places[other]);
+  return by_place;
 }
 
 }  // namespace nonhertz
