@@ -25,10 +25,10 @@ from nonhertz.figures.value import (
 )
 from nonhertz.result.along import (
     axial_range,
-    body_ends,
     contact_lines,
     distance_range,
     distances,
+    ends_in_sight,
     land_end_peaks,
     unlimited_ends,
 )
@@ -40,8 +40,6 @@ BEYOND = 1.6
 """Upper end of an axis over the largest pressure, where the pressure has no limit at an end: its spike is cut."""
 ROOM, ROOM_ABOVE = 1.12, 1.32
 """Upper end of an axis over the largest value, without and with words above the curve."""
-CLOSE = 0.03
-"""Of the range along: two ends of bodies that are closer share their name."""
 DIMENSION = 0.92
 """Of the height of the axes, where the length in contact is drawn."""
 SINGULAR = 0.72
@@ -155,16 +153,9 @@ def _along(solution: Solution) -> Axis:
 
 
 def _ends_of_bodies(solution: Solution, *, named: bool = True) -> Iterator[Mark]:
-    """Yield a line at each end of a body that is near; two so close that their names would overlap share one name."""
-    low, high = axial_range(solution)
-    middle, close = 0.5 * (low + high), CLOSE * (high - low)
-    ends = [(end, name) for end, name in body_ends(solution) if low < end < high]
-    for side in ([end for end in ends if end[0] < middle], [end for end in ends[::-1] if end[0] >= middle]):
-        # From outside inwards.
-        together = len(side) == 2 and abs(side[0][0] - side[1][0]) < close
-        words = {side[0][0]: ", ".join(name for _, name in sorted(side))} if together else dict(side)
-        for end in dict.fromkeys(end for end, _ in side):
-            yield Across(end, words.get(end, "") if named else "", colour="faint", dash="ends")
+    """Yield a line at each end of a body that is near."""
+    for end, name in ends_in_sight(solution).items():
+        yield Across(end, name if named else "", colour="faint", dash="ends")
 
 
 def _contact(solution: Solution, top: float) -> Iterator[Mark]:

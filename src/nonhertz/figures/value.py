@@ -6,8 +6,6 @@ contacts; who does not see has the numbers as a table and the description in wor
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, fields
@@ -17,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import amount
+from nonhertz.result.tables import csv_text
 
 Array = NDArray[np.float64]
 Colour = Literal["first", "second", "ink", "faint"]
@@ -205,25 +204,19 @@ class Figure:
 
     def to_csv(self) -> str:
         """Return the numbers of all lines as CSV, in units of the program: one row for each point of each line."""
-        text = io.StringIO()
-        rows = csv.writer(text, lineterminator="\n")
-        rows.writerow(["panel", "line", _column(self.along), "value", "unit"])
-        for panel in self.panels:
-            for mark in panel.marks:
-                if isinstance(mark, Line):
-                    name = mark.name or panel.upright.symbol
-                    for x, y in zip(mark.x.tolist(), mark.y.tolist(), strict=True):
-                        rows.writerow([panel.name, name, x, y, panel.upright.unit])
-        return text.getvalue()
+        rows = (
+            [panel.name, mark.name or panel.upright.symbol, x, y, panel.upright.unit]
+            for panel in self.panels
+            for mark in panel.marks
+            if isinstance(mark, Line)
+            for x, y in zip(mark.x.tolist(), mark.y.tolist(), strict=True)
+        )
+        return csv_text(["panel", "line", f"{self.along.symbol} [{self.along.unit}]", "value", "unit"], rows)
 
     def to_json(self) -> dict[str, Any]:
         """Return what the page draws, as plain numbers; null for what is not finite, defaults left out."""
         sent: dict[str, Any] = _plain(self)
         return sent
-
-
-def _column(axis: Axis) -> str:
-    return f"{axis.symbol} [{axis.unit}]"
 
 
 def _plain(value: Any) -> Any:

@@ -9,7 +9,7 @@ import numpy as np
 from nonhertz.amounts import Amount, given, mm, mpa
 from nonhertz.plot.axes import Alignment, Axes, measure, note
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
-from nonhertz.result.along import axial_range, body_ends, land_end_peaks, unlimited_ends
+from nonhertz.result.along import axial_range, ends_in_sight, land_end_peaks, unlimited_ends
 from nonhertz.result.solution import Solution
 
 LETTER = 0.55 * SMALL_SIZE / 72.0
@@ -18,22 +18,13 @@ LETTER = 0.55 * SMALL_SIZE / 72.0
 
 def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
     """Draw a dash-dot line where a body ends, its name beside it on the side away from the contact."""
-    low, high = axial_range(solution)
-    middle, length = 0.5 * (low + high), measure("mm")
-    drawn = [(end, name) for end, name in body_ends(solution) if low < end < high]
-    for end in dict.fromkeys(end for end, _ in drawn):
-        ax.axvline(float(length(end)), color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
-    if not named:
-        return
-    for side in (-1.0, 1.0):
-        here = [(end, name) for end, name in drawn if side * (end - middle) > 0.0]
-        if len(here) == 2 and here[1][0] - here[0][0] < 0.03 * (high - low):
-            # So close together that two names would overlap.
-            (first, one), (last, other) = here
-            here = [(first if side < 0.0 else last, f"{one}, {other}")]
-        for where, name in here:
-            at, aligned = (float(length(where)), 0.5), _side(side > 0.0)
-            note(ax, name, at, aligned, 3.0, across=True, rotation=90.0, va="center", color=FAINT_INK)
+    middle, length = 0.5 * sum(axial_range(solution)), measure("mm")
+    for end, name in ends_in_sight(solution).items():
+        at = float(length(end))
+        ax.axvline(at, color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
+        if named and name:
+            side = _side(end > middle)
+            note(ax, name, (at, 0.5), side, 3.0, across=True, rotation=90.0, va="center", color=FAINT_INK)
 
 
 def mark_land_ends(solution: Solution, ax: Axes, colour: str = INK) -> None:

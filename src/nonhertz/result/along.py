@@ -20,6 +20,9 @@ RISE = 1.05
 MARGIN = 0.06
 """Fraction of the axial range left free at each side, for the names of the bodies' ends."""
 
+CLOSE = 0.03
+"""Fraction of the axial range: two ends of bodies that are closer share their name."""
+
 LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
 """Clearance, as a multiple of the deepest interference: up to the first all of it is shown; if there is more, the range
 ends at the second, so that the interference fills half of it."""
@@ -59,6 +62,23 @@ def body_ends(solution: Solution) -> list[tuple[float, str]]:
                 is_face = any(np.isclose(end, face) for face in faces)
                 ends.append((float(end), f"end of {name}" if is_face else f"usable end of {name}"))
     return sorted(ends)
+
+
+def ends_in_sight(solution: Solution) -> dict[float, str]:
+    """Return where bodies end within the range worth showing [mm], ascending, and the name to write there.
+
+    Of two on one side that are so close that their names would overlap, the outer has both names and the inner none.
+    """
+    low, high = axial_range(solution)
+    middle = 0.5 * (low + high)
+    ends = [(end, name) for end, name in body_ends(solution) if low < end < high]
+    names = dict(ends)
+    for side in ([end for end in ends if end[0] < middle], [end for end in ends[::-1] if end[0] >= middle]):
+        if len(side) == 2 and abs(side[0][0] - side[1][0]) < CLOSE * (high - low):
+            (outer, _), (inner, _) = side
+            names[inner] = ""
+            names[outer] = ", ".join(name for _, name in sorted(side))
+    return names
 
 
 def land_end_peaks(solution: Solution) -> list[tuple[float, float]]:
