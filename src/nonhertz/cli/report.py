@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import datetime
 import sys
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -70,7 +68,7 @@ def report(
     date : str
         Date in the head of the report; by default that of the file, or else today's.
     no_date : bool
-        Leave out the date: the same files then give the same report to the last byte.
+        Leave out today's date: the same files then give the same report to the last byte.
     """
     with named_as(project="--project", author="--author", date="--date"):
         block = TitleBlock(project=project, author=author, date=date)
@@ -80,8 +78,8 @@ def report(
         read = of_each(cases, lambda path: path, lambda path: read_any(path, changes))
     with named_as(cases="CASE"):
         first = of_one_kind(read)[0]
-    if not (date or first.title_block.date or no_date):
-        block = replace(block, date=datetime.date.today().isoformat())
+    if not no_date:
+        block = block.over(first.title_block).dated()
     if compare and isinstance(first, Case):
         remedy = f"use 'nonhertz compare {first.path}' for strips beside the plane grid"
         raise InputError("--compare", str(first.path), "be used with bearing files", remedy)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 from dataclasses import replace
 from typing import Annotated
 
@@ -35,6 +36,10 @@ class TitleBlock(Input):
     def lines(self) -> dict[str, str]:
         """Names and values, as far as they are given."""
         return {name: value.strip() for name, value in vars(self).items() if value.strip()}
+
+    def dated(self) -> TitleBlock:
+        """Return this one, with today's date if it has none."""
+        return self if self.date.strip() else replace(self, date=datetime.date.today().isoformat())
 
     def over(self, other: TitleBlock) -> TitleBlock:
         """Return this one, with what is empty taken from another."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import datetime
 import json
 import os
 from dataclasses import replace
@@ -160,12 +159,11 @@ def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> b
 @job
 def report(document: dict[str, Any], kind: type[Case | BearingCase]) -> bytes:
     """Return the report on a case, or on a bearing, which must have a solution."""
-    from nonhertz.report import TitleBlock, compose
+    from nonhertz.report import compose
 
     case = sound(document, kind)
     solved = _loaded(case)[0] if isinstance(case, BearingCase) else case
-    dated = TitleBlock(date=case.title_block.date or datetime.date.today().isoformat())
-    return compose([solved], title_block=dated, units=chosen().code).encode()
+    return compose([solved], title_block=case.title_block.dated(), units=chosen().code).encode()
 
 
 def warm_up() -> None:
