@@ -77,16 +77,16 @@ def _numbers(found: BearingResults) -> dict[str, float]:
     return clean_numbers(shown, SolvedBearing(found.case, found.solution))
 
 
-def conclusion(found: Sequence[Results]) -> str:
+def conclusion(compared_results: Sequence[Compared | Cells], labels: Sequence[str]) -> str:
     """Return in a sentence how the largest pressures compare, of bearings the lives, too."""
-    rows = {row.name: row for row in results(found) if isinstance(row, Compared)}
+    rows = {row.name: row for row in compared_results if isinstance(row, Compared)}
     life = next((name for name in ("modified life", "reference life") if name in rows), "")
     sentences = []
     for row in (rows[name] for name in ("maximum pressure", life) if name in rows):
         unit = row.amount.scale[1]
         parts = [
-            f"{text} {unit} in {each.label}{f' ({change})' if change else ''}"
-            for (text, change), each in zip(row.cells, found, strict=True)
+            f"{text} {unit} in {label}{f' ({change})' if change else ''}"
+            for (text, change), label in zip(row.cells, labels, strict=True)
             if text != ABSENT
         ]
         sentences.append(f"{row.name.capitalize()}: {', '.join(parts)}.")

@@ -27,7 +27,7 @@ from nonhertz.show import lives as life_shown
 from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
-from nonhertz.show.beside import beside
+from nonhertz.show.beside import Cells, Compared, beside
 from nonhertz.show.sections import Block, Cell, Picture, Said, Section, Table, rows_of_summaries, summary
 
 MOST_NAMED = 3  # cases that the title of a comparison names
@@ -114,12 +114,12 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
         with_figures = [Section(title, [*blocks, *drawn.get(title, [])]) for title, blocks in shown]
         part = Part(only, [first, *with_figures, *_given(only, words)], numbers=numbers)
         return laid_out(only.case.title, words, head, opening(only), [part])
-    parts = [Part(None, _compared(found, words))]
+    labels, rows = [each.label for each in found], results(found)
+    parts = [Part(None, _compared(found, rows, words))]
     for number, each in enumerate(found, start=1):
         parts.append(Part(each, folded=_given(each, words), anchor=f"case-{number}", opening=opening(each)))
-    labels = [each.label for each in found]
     title = f"{joined(labels)} compared" if len(found) <= MOST_NAMED else f"{len(found)} {words.one}s compared"
-    return laid_out(title, words, head, conclusion(found), parts)
+    return laid_out(title, words, head, conclusion(rows, labels), parts)
 
 
 def _shown(found: Results) -> list[Section]:
@@ -191,8 +191,8 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
                 yield Section(f"What was done to {file}, {place}.profile[{number}]", [summary(rows), picture])
 
 
-def _compared(found: Sequence[Results], words: Words) -> list[Section]:
-    """Return several results beside the first: inputs, figure, numbers and lives."""
+def _compared(found: Sequence[Results], rows: Sequence[Compared | Cells], words: Words) -> list[Section]:
+    """Return several results beside the first: inputs, figure, numbers, given as rows, and lives."""
     labels = [each.label for each in found]
     differing, same, notes = differing_inputs([inputs(each.case) for each in found])
     blocks: list[Block] = [Said([f"None differ: the {words.one}s have the same."], "paragraphs")]
@@ -205,7 +205,7 @@ def _compared(found: Sequence[Results], words: Words) -> list[Section]:
         Section(
             "Results",
             [
-                beside(results(found), labels, "Result"),
+                beside(rows, labels, "Result"),
                 Said([f"Percentages are differences from the first {words.one}."]),
             ],
         ),
