@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz import bearing, contact_map, hertz, life, measured, patch, subsurface
-from nonhertz.bodies.influence import HALF_SPACE as HALF_SPACES
-from nonhertz.bodies.influence import Influence, influence_of
+from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.life import Raceway
 from nonhertz.life.lamina import edge_function
@@ -28,7 +27,7 @@ from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
 from nonhertz.strip.influence import displacements
 
 STEEL = Material(206000.0, 0.3)
-HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
+AS_HALF_SPACE: dict[str, Any] = {"side_faces": "none", "depth": "none"}
 _GRID = "plane grid, extrapolated"
 _STANDARD = "ISO 281 by other programs"
 
@@ -104,7 +103,7 @@ def _hertz() -> Iterator[Claim]:
 
 
 def _roller(profile: Profile) -> Contact:
-    return Contact(Roller(diameter=20.0, length=20.0, profile=profile, **HALF_SPACE), Plate())
+    return Contact(Roller(diameter=20.0, length=20.0, profile=profile, **AS_HALF_SPACE), Plate())
 
 
 def _half_space() -> Iterator[Claim]:
@@ -147,13 +146,13 @@ def _ends() -> Iterator[Claim]:
 def _displacement(y: float) -> float:
     """Return how far the surface of a solid roller moves over K q, under even line loads on two opposite sides."""
     roller = Roller(diameter=20.0, length=20.0, material=STEEL, side_faces="free", depth="finite")
-    plate = Plate(material=STEEL, **HALF_SPACE)
+    plate = Plate(material=STEEL, **AS_HALF_SPACE)
     outer = 10.0 - np.geomspace(0.005, 0.12, 14)
     edges = np.unique(np.concatenate([np.linspace(-10.0, 10.0, 161), outer, -outer]))
     square = np.full(edges.size - 1, 0.5**2)
     both, half_spaces = (
         displacements(influence, np.array([y]), edges, 1.0 / square, square, SEMI_ELLIPTIC)
-        for influence in (influence_of(Contact(roller, plate), SEMI_ELLIPTIC), Influence(HALF_SPACES))
+        for influence in (influence_of(Contact(roller, plate), SEMI_ELLIPTIC), Influence(HALF_SPACE))
     )
     # Shares in the compliance of the contact are halves, as both are of one material.
     return float(2.0 * both[0] - half_spaces[0])
