@@ -97,12 +97,13 @@ def _arrivals(results: dict[str, Any]) -> Iterator[list[str]]:
 def _verdict(results: dict[str, Any]) -> str:
     """Return a sentence on the ratios, whichever way they came out."""
     rows = results["headlines"]
-    found = [row["strips against peer"] for row in rows if row["strips against peer"] is not None]
-    if not found:
+    ratios = [row["strips against peer"] for row in rows if row["strips against peer"] is not None]
+    if not ratios:
         return "No peer can be compared with.\n"
     judged = [(row[f"{way} against peer"] or 0.0) >= target for row in rows for way, target in _targets(row).items()]
+    least, most = (_times(ratio) for ratio in (min(ratios), max(ratios)))
     return (
-        f"Against the best peer the ratio lies between {min(found):.2g} and {max(found):.2g}. The target is met in\n"
+        f"Against the best peer the ratio lies between {least} and {most}. The target is met in\n"
         f"{sum(judged)} of {len(judged)} comparisons.\n"
     )
 
