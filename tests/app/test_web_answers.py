@@ -70,7 +70,7 @@ def test_numbers_are_those_of_the_solver():
     assert pressure["x"][1:-1] == half_width["x"][1:-1] == solution.y[pressed].tolist()
     assert found["interval"] == [-10.0, 10.0]
     assert found["contact"] == [list(each) for each in solution.contact_y]
-    assert "section" not in found
+    assert "planes" not in found
 
 
 def test_lines_end_at_zero():
@@ -112,17 +112,19 @@ def test_the_profile_is_the_relief_of_each_body():
 @pytest.mark.parametrize("body", ["a", "b"])
 def test_stress_is_that_of_the_search(body):
     found, solution = answer(STARTING, True, body), solution_of(STARTING)
-    section, axial = found["section"], found["axial"]
-    assert np.shape(section["von_mises"]) == (len(section["z"]), len(section["x"]))
-    assert np.shape(axial["von_mises"]) == (len(axial["z"]), len(axial["y"]))
-    assert section["y"] == solution.max_pressure_y
-    searched = extremes(solution, section["y"], body=body).von_mises
+    fields = {}
+    for name, plane in found["planes"].items():
+        (fields[name],) = (mark for mark in plane["panels"][0]["marks"] if mark["kind"] == "contours")
+        assert np.shape(fields[name]["values"]) == (len(fields[name]["x"]), len(fields[name]["y"]))
+    section = fields["section"]
+    assert_allclose(section["values"], section["values"][::-1], rtol=0, atol=0)
+    searched = extremes(solution, solution.max_pressure_y, body=body).von_mises
     told = found["stress"]["von_mises"]
     # A net of five between neighbours: a quarter of a mesh off a maximum that is flat.
     assert_allclose(told["max"], searched.max, rtol=2e-3)
     assert_allclose(told["z"], searched.z, rtol=0.1)
     # A drawing is rounded to a hundred-thousandth of the largest, and its net misses the largest by a hundredth.
-    assert_allclose(np.max(section["von_mises"]), searched.max, rtol=1e-2)
+    assert_allclose(np.max(section["values"]), searched.max, rtol=1e-2)
 
 
 @pytest.mark.slow
@@ -141,7 +143,7 @@ def test_stress_that_takes_too_long_is_left_out_with_a_sentence():
     document = changed(body__a__images=limits.IMAGES, solver__strips=200)
     found = answer(document, True)
     assert found["ok"]
-    assert "section" not in found
+    assert "planes" not in found
     assert "nonhertz stress" in found["stress_note"]
 
 
@@ -159,7 +161,7 @@ def test_an_unconverged_solve_is_shown_with_its_complaint(monkeypatch):
     assert found["ok"]
     assert found["status"] != "converged"
     assert found["complaint"].startswith("The iterations")
-    assert "section" not in found
+    assert "planes" not in found
     assert found["figures"]["distance"]["panels"][0]["marks"]
 
 

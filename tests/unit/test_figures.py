@@ -9,9 +9,23 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.amounts import read_in
-from nonhertz.figures import contact
-from nonhertz.figures.value import Across, Axis, Figure, Line, Mark, Panel, Words
+from nonhertz.figures import bearing, contact, stress
+from nonhertz.figures.value import (
+    Across,
+    Area,
+    Axis,
+    Bar,
+    Cells,
+    Contours,
+    Figure,
+    Line,
+    Mark,
+    Panel,
+    Points,
+    Words,
+)
 from nonhertz.plot.drawer import sheet_of, typeset
+from nonhertz.subsurface import axial_plane, cross_section, extremes
 
 
 @pytest.fixture(scope="module")
@@ -78,3 +92,84 @@ def test_words_on_an_end_without_limit_name_its_law():
     assert "axis cut" in upper.remark
     laws = [mark for mark in upper.marks if isinstance(mark, Words) and "no limit" in mark.words]
     assert [mark.side for mark in laws] == ["left", "right"]
+
+
+def test_the_footprint_is_the_area_of_the_strips(solution):
+    figure = contact.footprint(solution)
+    (panel,) = figure.panels
+    (area,) = (mark for mark in panel.marks if isinstance(mark, Area))
+    pressed = solution.line_load > 0.0
+    assert area.x[1:-1].tolist() == solution.y[pressed].tolist()
+    assert area.half_height[1:-1].tolist() == solution.half_width[pressed].tolist()
+    assert area.values[1:-1] == pytest.approx(solution.centre_pressure[pressed], rel=1e-12)
+    # Across it is a semi-ellipse: over the width the force per length is that of the strip.
+    share = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, 2001))
+    across = area.values[1:-1] * (1.0 - share[:, None] ** 2) ** area.power
+    force = area.half_height[1:-1] * np.trapezoid(across, share, axis=0)
+    assert force == pytest.approx(solution.line_load[pressed], rel=1e-5)
+    assert panel.colours.range == (0.0, pytest.approx(solution.max_pressure))
+    assert not panel.colours.cut
+
+
+def test_a_parabolic_footprint_is_wider_and_shows_the_hertz_half_width():
+    roller = nh.Roller(diameter=20.0, length=20.0, profile=nh.profile.crown(1000.0), side_faces="none")
+    solution = nh.solve(nh.Contact(roller, nh.Plate()), load=5e3, strips=61, element=nh.PARABOLIC)
+    (panel,) = contact.footprint(solution).panels
+    (area,) = (mark for mark in panel.marks if isinstance(mark, Area))
+    lines = [mark for mark in panel.marks if isinstance(mark, Line)]
+    assert [float(line.y[10] / area.half_height[10]) for line in lines] == pytest.approx(
+        [-math.sqrt(2 / 3), math.sqrt(2 / 3)]
+    )
+    force = area.values * area.half_height * 4.0 / 3.0
+    assert force[1:-1] == pytest.approx(solution.line_load[solution.line_load > 0.0], rel=1e-12)
+
+
+def test_stress_below_the_surface_is_the_field_with_the_largest_marked(solution):
+    overall = extremes(solution, body="a")
+    z = np.linspace(0.0, 1.0, 21)
+    field = axial_plane(solution, solution.y, z, body="a")
+    figure = stress.along_contact(solution, field, stress.extremes_by_name(overall), station=2.0)
+    (panel,) = figure.panels
+    contours = next(mark for mark in panel.marks if isinstance(mark, Contours))
+    assert contours.values is field.von_mises or np.array_equal(contours.values, field.von_mises)
+    points = {mark.symbol: mark for mark in panel.marks if isinstance(mark, Points)}
+    assert (points["circle"].x[0], points["circle"].y[0]) == (overall.von_mises.y, overall.von_mises.z)
+    bars = [(mark.low, mark.high) for mark in panel.marks if isinstance(mark, Bar)]
+    assert bars == list(solution.contact_y)
+    assert [mark.x for mark in panel.marks if isinstance(mark, Across)][-1] == 2.0
+    assert panel.upright.range == (1.0, 0.0), "depth points down"
+    # Sent, values are rounded to a hundred-thousandth of the largest.
+    sent = next(mark for mark in figure.to_json()["panels"][0]["marks"] if mark["kind"] == "contours")
+    assert np.array(sent["values"]) == pytest.approx(field.von_mises, abs=1e-5 * field.von_mises.max())
+    largest = extremes(solution, 2.0, body="a")
+    section = cross_section(solution, 2.0, np.linspace(-0.5, 0.5, 11), z, body="a")
+    across = stress.across_contact(solution, section, stress.extremes_by_name(largest))
+    triangle = next(mark for mark in across.panels[0].marks if isinstance(mark, Points) and mark.symbol == "triangle")
+    place = largest.orthogonal_shear
+    assert triangle.x.tolist() == [-place.x, place.x]
+
+
+def test_a_map_has_the_pressure_of_every_roller_and_is_pale_without_load():
+    roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    loaded = nh.bearing.solve(
+        nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184), radial=5e3
+    )
+    figure = bearing.pressure_map(loaded, points=21)
+    assert [panel.name for panel in figure.panels] == ["map-inner", "map-outer"]
+    for panel, ring in zip(figure.panels, ("inner", "outer"), strict=True):
+        (cells,) = (mark for mark in panel.marks if isinstance(mark, Cells))
+        pressure = loaded.unrolled_pressure(ring, y=np.linspace(-5.0, 5.0, 21)).pressure
+        # The roller opposite the load is at both ends.
+        assert cells.values.shape == (15, 21)
+        for roller_number, degrees in enumerate(np.degrees(loaded.angle)):
+            column = int(np.searchsorted(cells.x, (degrees + 180.0) % 360.0 - 180.0)) - 1
+            assert np.nan_to_num(cells.values[column]) == pytest.approx(pressure[roller_number], rel=1e-12)
+    turned = [words for _, words in figure.along.ticks]
+    assert turned == ["180°", "225°", "270°", "315°", "0°", "45°", "90°", "135°", "180°"]
+
+
+@pytest.mark.parametrize("words", ["|τ_xz| 5 MPa", "roller_2 s^0.5"])
+def test_directions_of_stresses_are_typeset_and_underscores_of_users_are_not(words):
+    expected = words.replace("τ_xz", "τ$_{xz}$").replace("s^0.5", "s$^{0.5}$")
+    assert typeset(words) == expected

@@ -17,10 +17,10 @@ import nonhertz as nh
 from nonhertz import plot
 from nonhertz.amounts import digits
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.plot.contact_area import colour_limit
 from nonhertz.plot.studies import histogram
 from nonhertz.plot.style import INK, SIZE, sheet_style
 from nonhertz.result.along import contact_lines
+from nonhertz.result.area import element_peak
 from nonhertz.result.outcome import Judgement
 from nonhertz.result.solution import Solution
 
@@ -161,7 +161,7 @@ class TestFootprint:
         plot.footprint(solution, ax)
         meshes = [item for item in ax.collections if isinstance(item, QuadMesh)]
         highest = max(float(mesh.get_array().max()) for mesh in meshes)
-        last = colour_limit(solution)
+        last = element_peak(solution)
         # At equal load the parabola's middle is 3/4 q/a against 2/pi q/b.
         own = 0.75 * np.pi / 2.0 * np.sqrt(2.0 / 3.0) if solution.element is nh.PARABOLIC else 1.0
         assert_allclose(highest, own * solution.centre_pressure.max(), rtol=1e-12)

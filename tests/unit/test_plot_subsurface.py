@@ -100,8 +100,8 @@ def test_the_axial_plane_points_down_and_marks_the_largest_of_the_body(point, ax
     expected = {"o": found.von_mises, "D": found.shear, "^": found.orthogonal_shear}
     assert marks(ax) == {marker: [[each.y, each.z]] for marker, each in expected.items()}
     assert expected["o"].y > 0.1
-    assert ax.get_title(loc="left").endswith("; body b at $x$ = 0 mm")
-    aside = f"at $x$ = ±{found.orthogonal_shear.x:.3f} mm, $y$ = "
+    assert ax.get_title(loc="left").endswith("; along the contact, body b, x = 0 mm; true proportions")
+    aside = f"at x = ±{found.orthogonal_shear.x:.3f} mm, y = "
     assert [aside in label for label in key(ax)[:3]] == [False, False, True]
 
 
@@ -120,7 +120,7 @@ def test_the_cross_section_is_true_and_marks_both_sides(point, ax):
     half_width = float(np.interp(0.5, point.solution.y, point.solution.half_width))
     (surface,) = (line.get_xdata() for line in ax.lines if line.get_marker() == "None")
     assert_allclose(surface, [-half_width, half_width], rtol=1e-12)
-    assert ax.get_title(loc="left").endswith("; body b at $y$ = 0.500 mm")
+    assert ax.get_title(loc="left").endswith("; across the contact, body b, y = 0.5 mm; true proportions")
 
 
 @pytest.mark.parametrize("name", ["point", "sharp"])

@@ -9,6 +9,7 @@ import numpy as np
 from nonhertz.amounts import EndStrength, mm, mpa, mrad, newton, um
 from nonhertz.figures.value import (
     Across,
+    Area,
     Axis,
     Band,
     Dimension,
@@ -32,14 +33,20 @@ from nonhertz.result.along import (
     land_end_peaks,
     unlimited_ends,
 )
+from nonhertz.result.area import element_peak, outlines
 from nonhertz.result.brief import where_largest
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import EdgePressure, Solution, Status
+from nonhertz.strip.element import PARABOLIC
 
 BEYOND = 1.6
 """Upper end of an axis over the largest pressure, where the pressure has no limit at an end: its spike is cut."""
 ROOM, ROOM_ABOVE = 1.12, 1.32
 """Upper end of an axis over the largest value, without and with words above the curve."""
+REACH = 1.15
+"""Ends of an axis across over the largest half-width."""
+ROUNDING = 1e-9
+"""Relative, by which a pressure may exceed the last colour."""
 DIMENSION = 0.92
 """Of the height of the axes, where the length in contact is drawn."""
 SINGULAR = 0.72
@@ -91,6 +98,48 @@ def pressure(solution: Solution) -> Figure:
         height=112,
     )
     return Figure(_along(solution), (upper, lower), conditions(solution))
+
+
+def footprint(solution: Solution) -> Figure:
+    """Return the contact area, y to the right and x upwards, coloured by its pressure.
+
+    The outline is the half-width at the strips' centres. In x the pressure is the strip element's own,
+    ``p0 sqrt(1 - x^2/b^2)`` for the semi-elliptic one. The parabolic one, ``p(0) (1 - x^2/c^2)``, is wider than the
+    Hertz contact of equal load: the area is its own and the dotted line is the half-width b. Where the pressure has no
+    limit at an end, the strips there have the last colour.
+
+    Parameters
+    ----------
+    solution : Solution
+        A solved contact.
+    """
+    pieces, limit = outlines(solution), element_peak(solution)
+    parabolic = solution.element.name == PARABOLIC.name
+    marks: list[Mark] = [Level(0.0, colour="faint", dash="ends"), *_ends_of_bodies(solution, named=False)]
+    for piece in pieces:
+        marks.append(Area(piece.y, piece.half_width, piece.pressure, 1.0 if parabolic else 0.5))
+        if parabolic:
+            hertz = PARABOLIC.hertz_ratio * piece.half_width
+            marks += (Line(piece.y, sign * hertz, colour="paper", dash="dotted") for sign in (-1.0, 1.0))
+    widest = float(solution.element_half_width.max())
+    reach = REACH * widest or 1.0
+    beyond = any(piece.pressure.max() > (1.0 + ROUNDING) * limit for piece in pieces)
+    words = "There is no contact."
+    if pieces:
+        along = mm(pieces[0].y[0], pieces[-1].y[-1], between=" to ")
+        words = f"Footprint seen from above: from y = {along:4}, at most {mm(2.0 * widest):3} wide."
+    panel = Panel(
+        "footprint",
+        "Footprint",
+        Axis("Across x", "x", "mm", range=(-reach, reach)),
+        marks,
+        words,
+        "the parabolic strips' own width; dotted: Hertz half-width b" if parabolic else "",
+        height=74,
+        colours=Axis("Pressure p", "p", "MPa", range=(0.0, limit), cut=beyond),
+        proportional=True,
+    )
+    return Figure(_along(solution), (panel,), conditions(solution))
 
 
 def distance(solution: Solution) -> Figure:

@@ -18,9 +18,10 @@ from nonhertz.amounts import amount
 from nonhertz.result.tables import csv_text
 
 Array = NDArray[np.float64]
-Colour = Literal["first", "second", "ink", "faint"]
+Colour = Literal["first", "second", "ink", "faint", "paper"]
 Dash = Literal["solid", "dashed", "dotted", "ends"]
 Side = Literal["left", "center", "right"]
+Symbol = Literal["circle", "diamond", "triangle"]
 Range = tuple[float, float]
 
 
@@ -32,8 +33,8 @@ class Mark:
     ----------
     name : str
         Entry in the legend; none if empty.
-    colour : {"first", "second", "ink", "faint"}
-        Of the two colours that any eye tells apart, of text, or of thin lines.
+    colour : {"first", "second", "ink", "faint", "paper"}
+        Of the two colours that any eye tells apart, of text, of thin lines, or of what is drawn on.
     dash : {"solid", "dashed", "dotted", "ends"}
         ``"ends"`` is the dash-dot line of engineering drawings.
     """
@@ -69,11 +70,43 @@ class Band(Mark):
 
 
 @dataclass(frozen=True, eq=False)
-class Points(Mark):
-    """Points, shape (n,) each, with a marker."""
+class Area(Mark):
+    """An outlined area from a line, shape (n,), to its mirror image below zero, coloured by values.
+
+    The values, shape (n,), are those in its middle; across they fall to its edge as a power of 1 - (y / half_height)^2.
+    """
+
+    x: Array
+    half_height: Array
+    values: Array
+    power: float
+
+
+@dataclass(frozen=True, eq=False)
+class Cells(Mark):
+    """Coloured cells of values, shape (m, n), between edges, shapes (m + 1,) and (n + 1,); blank at nan."""
 
     x: Array
     y: Array
+    values: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Contours(Mark):
+    """Bands between lines of equal values, shape (m, n), at m places along and n upright; blank at nan."""
+
+    x: Array
+    y: Array
+    values: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Points(Mark):
+    """Points, shape (n,) each, with a symbol."""
+
+    x: Array
+    y: Array
+    symbol: Symbol = "circle"
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +129,15 @@ class Across(Mark):
 class Level(Mark):
     """A thin line at a value, from side to side."""
 
+    y: float
+
+
+@dataclass(frozen=True, eq=False)
+class Bar(Mark):
+    """A thick line at a value, from one place along to another."""
+
+    low: float
+    high: float
     y: float
 
 
@@ -137,6 +179,8 @@ class Axis:
         What is drawn; chosen by who draws if left out.
     cut : bool
         Whether values beyond the range are cut off.
+    ticks : tuple of (float, str)
+        Places with their words; chosen by who draws if left out.
     """
 
     label: str
@@ -145,6 +189,7 @@ class Axis:
     read: str = ""
     range: Range | None = None
     cut: bool = False
+    ticks: tuple[tuple[float, str], ...] = ()
 
     @property
     def scale(self) -> tuple[float, str]:
@@ -159,7 +204,7 @@ class Axis:
         >>> Axis("Relief", unit="mm", read="um").title(), Axis("Share").title()
         ('Relief [µm]', 'Share')
         """
-        unit = self.scale[1]
+        unit = "" if self.ticks else self.scale[1]
         return f"{self.label} [{unit}]" if unit else self.label
 
 
@@ -182,7 +227,12 @@ class Panel:
     remark : str
         What a reader has to know of the drawing, such as that an axis is cut.
     height : int
-        On a screen [pixel]; on paper in that proportion to the other panels.
+        On a screen [pixel]; on paper in that proportion to the other panels. The least one of a proportional panel.
+    colours : Axis, optional
+        What colours stand for, from zero, dark, to the end of its range, bright; cut if there are values beyond.
+    proportional : bool
+        Whether both axes are to have one scale; where there is no room for it, the drawing says by how much one is
+        stretched.
     """
 
     name: str
@@ -192,6 +242,8 @@ class Panel:
     description: str
     remark: str = ""
     height: int = 240
+    colours: Axis | None = None
+    proportional: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -221,7 +273,7 @@ class Figure:
 
 def _plain(value: Any) -> Any:
     if isinstance(value, np.ndarray | tuple | list):
-        return [_plain(entry) for entry in (value.tolist() if isinstance(value, np.ndarray) else value)]
+        return [_plain(entry) for entry in (_short(value).tolist() if isinstance(value, np.ndarray) else value)]
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if not isinstance(value, Figure | Panel | Axis | Mark):
@@ -237,3 +289,13 @@ def _plain(value: Any) -> Any:
         factor, unit = value.scale
         shown |= {"title": value.title(), "factor": factor, "unit": unit}
     return shown
+
+
+def _short(values: Array) -> Array:
+    """Return a table of numbers rounded to the fifth digit of the largest: more than colours show, and less to send."""
+    largest = np.nanmax(np.abs(values), initial=0.0)
+    if values.ndim < 2 or not 0.0 < largest < np.inf:
+        return values
+    step = 10.0 ** (np.floor(np.log10(largest)) - 4.0)
+    rounded: Array = np.round(values / step) * step
+    return rounded

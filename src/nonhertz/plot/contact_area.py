@@ -2,22 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import numpy as np
-
-from nonhertz.plot.axes import OWN, ROUND, Axes, drawing, measure
-from nonhertz.plot.axial import draw_body_ends, number
-from nonhertz.plot.style import COLOUR_MAP, HINT_DASHES, INK, SMALL_SIZE, THIN
-from nonhertz.result.along import axial_range
-from nonhertz.result.area import outlines
+from nonhertz.figures import contact
+from nonhertz.plot.axes import OWN, Axes, drawing
+from nonhertz.plot.drawer import draw_colour_bar, draw_panel, proportions
+from nonhertz.plot.style import SMALL_SIZE
 from nonhertz.result.solution import Solution
-from nonhertz.strip.element import PARABOLIC
-
-# Points across the contact at which the pressure is coloured, equally spaced in the angle whose sine is x/a:
-# the semi-ellipse falls vertically at its edge.
-ACROSS = 65
-ROUNDING = 1e-9  # by which a pressure may exceed the last colour without an arrow
 
 
 @drawing
@@ -41,64 +30,10 @@ def footprint(solution: Solution, ax: Axes = OWN, *, stretch: float = 1.0, colou
     colour_bar : bool
         Whether to draw a colour bar below, which takes room from ``ax``.
     """
-    pieces = outlines(solution)
-    length, stress = measure("mm"), measure("MPa")
-    reach = length.factor * 1.15 * float(solution.element_half_width.max()) or 1.0
-    draw_body_ends(solution, ax, named=False)
-    angle = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ACROSS)[:, None]
-    for piece in pieces:
-        # With x = a sin(angle), the root of 1 - x^2/a^2 is the cosine.
-        pressure = np.cos(angle) ** (2 if _parabolic(solution) else 1) * piece.pressure
-        x = np.sin(angle) * piece.half_width
-        # Thousands of small polygons in an SVG file would show seams, so the pressure is rasterised.
-        ax.pcolormesh(
-            length(np.broadcast_to(piece.y, x.shape)), length(x), stress(pressure), shading="gouraud", cmap=COLOUR_MAP,
-            vmin=0.0, vmax=stress.factor * colour_limit(solution), rasterized=True, zorder=1.0,
-        )  # fmt: skip
-        ax.plot(*(length(each) for each in piece.closed()), color=INK, linewidth=THIN, solid_joinstyle="round")
-        if _parabolic(solution):
-            for sign in (-1.0, 1.0):
-                hertz = sign * PARABOLIC.hertz_ratio * piece.half_width
-                ax.plot(length(piece.y), length(hertz), color="white", linewidth=THIN, linestyle=HINT_DASHES)
-    ax.locator_params(steps=ROUND)
-    # Automatic limits stay on, or matplotlib would warn when it widens these to fit the shape of the axes.
-    ax.set_xlim(*length(axial_range(solution)), auto=True)
-    ax.set_ylim(-reach, reach, auto=True)
-    ax.set_aspect(stretch, adjustable="datalim")
-    ax.set_xlabel(length.label("Axial position $y$"))
-    ax.set_ylabel(length.label("$x$"))
-    words = "True proportions" if stretch == 1.0 else f"$x$ stretched {number(stretch)} times"
-    if _parabolic(solution):
-        words += "; the parabolic strips' own width, dotted: Hertz half-width $b$"
-    ax.set_title(words, loc="left", fontsize=SMALL_SIZE)
-    if colour_bar and pieces:
-        draw_colour_bar(solution, ax, ax=ax, orientation="horizontal", aspect=40)
+    figure = contact.footprint(solution)
+    (panel,) = figure.panels
+    draw_panel(panel, figure, ax, stretch=stretch)
+    ax.set_title(proportions(panel, stretch), loc="left", fontsize=SMALL_SIZE)
+    if colour_bar and solution.contact_y:
+        draw_colour_bar(panel, ax, ax=ax, orientation="horizontal", aspect=40)
     return ax
-
-
-def colour_limit(solution: Solution) -> float:
-    """Return the pressure [MPa] of the last colour: the largest, in the middle of the element's own shape."""
-    of_equivalent = 0.5 * np.pi * solution.element.hertz_ratio * solution.element.centre_factor
-    return of_equivalent * solution.max_pressure or 1.0
-
-
-def draw_colour_bar(solution: Solution, area: Axes, **where: Any) -> None:
-    """Draw the colour bar of an ``area`` in its figure, ending in an arrow if pressures exceed the last colour."""
-    highest = colour_limit(solution)
-    beyond = any(piece.pressure.max() > (1.0 + ROUNDING) * highest for piece in outlines(solution))
-    colour_bar_to(highest, "Pressure $p$", area, beyond=beyond, **where)
-
-
-def colour_bar_to(highest: float, words: str, area: Axes, *, beyond: bool, **where: Any) -> None:
-    """Draw a colour bar of pressures up to the last colour [MPa], ending in an arrow if there are some beyond."""
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
-    stress = measure("MPa")
-    colours = ScalarMappable(Normalize(0.0, stress.factor * highest), COLOUR_MAP)
-    area.figure.colorbar(colours, label=stress.label(words), extend="max" if beyond else "neither", **where)
-
-
-def _parabolic(solution: Solution) -> bool:
-    # By name: a solution from another process has a copy of the element.
-    return solution.element.name == PARABOLIC.name

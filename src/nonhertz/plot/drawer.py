@@ -5,15 +5,20 @@ from __future__ import annotations
 import functools
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any, Final
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from nonhertz.figures.value import (
     Across,
+    Area,
+    Axis,
     Band,
+    Bar,
+    Cells,
+    Contours,
     Dimension,
     Figure,
     Level,
@@ -30,14 +35,26 @@ from nonhertz.figures.value import (
 from nonhertz.plot import style
 from nonhertz.plot.axes import ROUND, Array, Axes, key_above, note
 from nonhertz.plot.axes import Figure as Sheet
-from nonhertz.plot.axial import alignment
-from nonhertz.plot.sheets import stacked
+from nonhertz.plot.axial import LETTER, alignment, number
+from nonhertz.plot.contours import draw_contours, label_contours
+from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, LEFT, WIDTH, bar_beside, stacked, stretch_of
 
-COLOURS: Final = {"first": style.FIRST, "second": style.SECOND, "ink": style.INK, "faint": style.FAINT_INK}
+if TYPE_CHECKING:
+    from matplotlib.contour import ContourSet
+
+COLOURS: Final = {
+    "first": style.FIRST, "second": style.SECOND, "ink": style.INK, "faint": style.FAINT_INK, "paper": "white",
+}  # fmt: skip
 DASHES: Final[dict[str, Any]] = {
     "solid": "-", "dashed": "--", "dotted": style.HINT_DASHES, "ends": style.END_DASHES,
 }  # fmt: skip
+LOWEST: Final = 0.5  # inch, of a panel in true proportions
+HEADS: Final = 0.24, 0.6  # inch, above such a panel and the stretched one below it
+SYMBOLS: Final = {"circle": ("o", 4.0), "diamond": ("D", 5.0), "triangle": ("^", 4.0)}
+MARKERS: Final = {marker for marker, _ in SYMBOLS.values()}
+TITLE_ABOVE, ROW_OF_KEY, SAMPLE = 7.0, 11.5, 7  # points above a legend, and of a row of it; letters that a sample takes
 DOTS: Final = 100.0  # of a screen, in an inch
+ACROSS: Final = 65  # points across an area: equally spaced in the angle whose sine is the share of the way to its edge
 HEAD: Final = 0.36  # inch, above each panel, for its legend
 APART: Final = 1.7  # by which a second panel on the same axes is drawn lower
 ARROW: Final[dict[str, Any]] = {"arrowstyle": "<->,head_length=0.25,head_width=0.12", "shrinkA": 0.0, "shrinkB": 0.0}
@@ -47,23 +64,63 @@ OVER_LINES: Final[dict[str, Any]] = {"va": "bottom", "color": style.INK, "bbox":
 
 def sheet_of(figure: Figure, title: str = "", conditions: Sequence[str] = ()) -> Sheet:
     """Return a sheet with the panels of a figure one below the other."""
+    if figure.panels[0].proportional:
+        return _proportional_sheet(figure, title)
     heights = [panel.height / DOTS for panel in figure.panels]
     words = "; ".join([figure.conditions, *(panel.remark for panel in figure.panels if panel.remark)])
     sheet, axes = stacked([HEAD] * len(heights), heights, title, conditions or [typeset(words)])
     for ax, panel in zip(axes, figure.panels, strict=True):
-        _draw_panel(panel, figure, ax, last=ax is axes[-1])
+        draw_panel(panel, figure, ax, last=ax is axes[-1])
         _draw_key(ax)
     return sheet
+
+
+def _proportional_sheet(figure: Figure, title: str) -> Sheet:
+    """Return a sheet with a panel in true proportions, or stretched where that would be a thin band.
+
+    A roller's contact may be 50 times as long as wide; a thin area is drawn both ways. The panels' shapes are computed
+    here, so that the axes' limits need not be widened to fit them.
+    """
+    (panel,) = figure.panels
+    assert panel.upright.range is not None
+    assert figure.along.range is not None
+    tall, wide = (abs(high - low) for low, high in (panel.upright.range, figure.along.range))
+    width = WIDTH - LEFT - BAR_ROOM
+    # Narrower rather than squeezed, down to half of the width.
+    width *= min(max(HIGHEST_PANEL * wide / (width * tall), 0.5), 1.0)
+    natural = width * tall / wide
+    stretch = stretch_of(natural)
+    heights = {stretch: stretch * natural}
+    area = any(isinstance(mark, Area) for mark in panel.marks)
+    if area and stretch >= 2.0:
+        heights = {1.0: max(natural, LOWEST)} | heights
+    rows = _rows_of_key(panel)
+    heads = HEADS[: len(heights)] if area else [(TITLE_ABOVE + ROW_OF_KEY * (rows + 1.5)) / 72.0]
+    right = WIDTH - LEFT - width
+    sheet, several = stacked(heads, [*heights.values()], title, [typeset(figure.conditions)], right=right)
+    for ax, times in zip(several, heights, strict=True):
+        draw_panel(panel, figure, ax, last=ax is several[-1], stretch=times)
+        _draw_key(ax)
+        words = proportions(panel, times, "" if area else panel.heading)
+        ax.set_title(words, loc="left", fontsize=style.SMALL_SIZE, pad=TITLE_ABOVE + ROW_OF_KEY * rows)
+    draw_colour_bar(panel, several[-1], cax=bar_beside(several[-1]))
+    return sheet
+
+
+def _rows_of_key(panel: Panel) -> int:
+    """Return the rows of a legend in two columns, of points and of all else."""
+    points = {mark.name: isinstance(mark, Points) for mark in panel.marks if mark.name}.values()
+    return max(sum(points), len(points) - sum(points))
 
 
 def draw_on(figure: Figure, ax: Axes) -> Axes:
     """Draw the first panel of a figure on axes, and a second one on a twin of these with its axis to the right."""
     first, *more = figure.panels
-    _draw_panel(first, figure, ax)
+    draw_panel(first, figure, ax)
     several = [ax]
     for panel in more:
         twin = ax.twinx()
-        _draw_panel(panel, figure, twin)
+        draw_panel(panel, figure, twin)
         # In a line contact both curves have the same shape.
         twin.set_ylim(0.0, APART * twin.get_ylim()[1])
         twin.spines[["right"]].set_visible(True)
@@ -76,15 +133,74 @@ def draw_on(figure: Figure, ax: Axes) -> Axes:
     return ax
 
 
+def draw_proportional(figure: Figure, ax: Axes, *, stretch: float = 1.0, bar: Axes | None = None) -> Axes:
+    """Draw the only panel of a figure on axes, which are made smaller to fit its shape, with its colour bar."""
+    (panel,) = figure.panels
+    draw_panel(panel, figure, ax, stretch=stretch)
+    _draw_key(ax)
+    words = f"{typeset(figure.conditions)}; {proportions(panel, stretch, panel.heading[0].lower() + panel.heading[1:])}"
+    ax.set_title(words, loc="left", pad=TITLE_ABOVE + ROW_OF_KEY * _rows_of_key(panel))
+    draw_colour_bar(panel, ax, **({"ax": ax} if bar is None else {"cax": bar}))
+    return ax
+
+
+def draw_panel(panel: Panel, figure: Figure, ax: Axes, *, last: bool = True, stretch: float = 1.0) -> None:
+    """Draw a panel of a figure on axes; of a proportional one the upright axis is stretched."""
+    (across, _), (up, _) = figure.along.scale, panel.upright.scale
+    pen = _Pen(ax, across, up, figure.along.range, panel.colours)
+    for mark in panel.marks:
+        _draw(mark, pen)
+    ax.locator_params(axis="both" if panel.colours else "x", steps=ROUND)
+    for axis, factor, limit in ((figure.along, across, ax.set_xlim), (panel.upright, up, ax.set_ylim)):
+        if axis.range is not None:
+            # Automatic limits stay on where matplotlib is to widen them, or it would warn that it does.
+            limit(*(factor * end for end in axis.range), auto=panel.proportional or None)
+    if panel.proportional:
+        ax.set_aspect(stretch, adjustable="box" if pen.contours else "datalim")
+    for mark, lines in pen.contours:
+        assert panel.colours is not None
+        label_contours(lines, mark, pen.along(mark.x), pen.upright(mark.y), panel.colours.scale[0], panel, ax)
+    if figure.along.ticks:
+        ax.set_xticks(*zip(*((across * place, words) for place, words in figure.along.ticks), strict=True))
+    ax.set_ylabel(panel.upright.title())
+    ax.set_xlabel(figure.along.title() if last else "")
+    ax.tick_params(labelbottom=last or panel.proportional)
+    ax.spines[["top", "right"]].set_visible(panel.colours is not None)
+
+
+def proportions(panel: Panel, stretch: float, heading: str = "") -> str:
+    """Return a heading with how a proportional panel is stretched, and what else is to be known of it."""
+    symbol, times = (panel.upright.symbol, stretch) if stretch > 1.0 else ("y", 1.0 / stretch)
+    true = "true proportions" if heading else "True proportions"
+    words = [heading, true if stretch == 1.0 else f"{symbol} stretched {number(times)} times", panel.remark]
+    return typeset("; ".join(part for part in words if part))
+
+
+def draw_colour_bar(panel: Panel, ax: Axes, /, **where: Any) -> None:
+    """Draw what the colours of a panel on axes stand for, with an arrow if there are values beyond."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.contour import ContourSet
+
+    colours = panel.colours
+    assert colours is not None
+    bands = next((drawn for drawn in ax.collections if isinstance(drawn, ContourSet) and drawn.filled), None)
+    if bands is not None:
+        ax.figure.colorbar(bands, label=colours.title(), **where)
+        return
+    bar = ScalarMappable(_normalised(colours), style.COLOUR_MAP)
+    ax.figure.colorbar(bar, label=colours.title(), extend="max" if colours.cut else "neither", **where)
+
+
 def typeset(words: str) -> str:
-    """Return words with a true minus sign, and powers as matplotlib sets them.
+    """Return words with a true minus sign, and powers and directions of stresses as matplotlib sets them.
 
     Examples
     --------
     >>> typeset("from -8.3 to 2 mm, non-convex, s^0.226")
     'from −8.3 to 2 mm, non-convex, s$^{0.226}$'
     """
-    return re.sub(r"\^([\d.]+)", r"$^{\1}$", re.sub(r"(?<![\w^])-(?=[\d.])", "−", words.replace("$", r"\$")))
+    true_minus = re.sub(r"(?<![\w^])-(?=[\d.])", "−", words.replace("$", r"\$"))
+    return re.sub(r"(\^|(?<=τ)_)([\d.]+|xz)", r"$\1{\2}$", true_minus)
 
 
 @dataclass(frozen=True)
@@ -95,6 +211,8 @@ class _Pen:
     across: float
     up: float
     span: Range | None
+    colours: Axis | None
+    contours: list[tuple[Contours, ContourSet]] = field(default_factory=list)
 
     def along(self, values: ArrayLike) -> Array:
         return self.across * np.asarray(values, dtype=float)
@@ -106,28 +224,39 @@ class _Pen:
         return self.across * x, self.up * y
 
 
-def _draw_panel(panel: Panel, figure: Figure, ax: Axes, *, last: bool = True) -> None:
-    (across, _), (up, _) = figure.along.scale, panel.upright.scale
-    pen = _Pen(ax, across, up, figure.along.range)
-    for mark in panel.marks:
-        _draw(mark, pen)
-    ax.locator_params(axis="x", steps=ROUND)
-    for axis, factor, limit in ((figure.along, across, ax.set_xlim), (panel.upright, up, ax.set_ylim)):
-        if axis.range is not None:
-            limit(*(factor * end for end in axis.range))
-    ax.set_ylabel(panel.upright.title())
-    ax.set_xlabel(figure.along.title() if last else "")
-    ax.tick_params(labelbottom=last)
-    ax.spines[["top", "right"]].set_visible(False)
-
-
 def _draw_key(ax: Axes, *others: Axes) -> None:
     """Write the legend of all marks with a name, on these axes and on others, above the first."""
     entries: dict[str, Any] = {}
     for axes in (ax, *others):
         entries |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
-    if entries:
+    if not entries:
+        return
+    if LETTER * sum(len(words) + SAMPLE for words in entries) <= ax.bbox.width / ax.figure.dpi:
         key_above(ax, [*entries.values()], [*entries], columns=len(entries), handlelength=2.2)
+    else:
+        samples, words = _in_two_columns(entries)
+        spacing = {"borderaxespad": 0.4, "handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.4}
+        key_above(ax, samples, words, columns=2, **spacing)
+
+
+def _in_two_columns(entries: dict[str, Any]) -> tuple[list[Any], list[str]]:
+    """Return samples and words of a legend with those of points in its first column, all others in its second."""
+    from matplotlib.lines import Line2D
+
+    points = {words: sample for words, sample in entries.items() if getattr(sample, "get_marker", str)() in MARKERS}
+    others = {words: sample for words, sample in entries.items() if words not in points}
+    # A legend is filled column by column: blanks make both equally long.
+    rows, blank = max(len(points), len(others)), Line2D([], [], linestyle="none")
+    columns = [[*column.items(), *[("", blank)] * (rows - len(column))] for column in (points, others)]
+    words, samples = zip(*columns[0], *columns[1], strict=True)
+    return list(samples), list(words)
+
+
+def _normalised(colours: Axis) -> Any:
+    from matplotlib.colors import Normalize
+
+    low, high = colours.range or (0.0, 1.0)
+    return Normalize(colours.scale[0] * low, colours.scale[0] * high)
 
 
 def _look(mark: Mark) -> dict[str, Any]:
@@ -158,9 +287,52 @@ def _(mark: Band, pen: _Pen) -> None:
 
 
 @_draw.register
+def _(mark: Area, pen: _Pen) -> None:
+    assert pen.colours is not None
+    angle = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ACROSS)[:, None]
+    # At the sine of an angle the root of 1 - s^2 is its cosine; a semi-ellipse falls vertically at its edge.
+    values = pen.colours.scale[0] * np.cos(angle) ** (2.0 * mark.power) * mark.values
+    x, y = np.broadcast_to(pen.along(mark.x), values.shape), pen.upright(np.sin(angle) * mark.half_height)
+    # Thousands of small polygons in an SVG file would show seams, so that the values are rasterised.
+    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": _normalised(pen.colours), "rasterized": True}
+    pen.ax.pcolormesh(x, y, values, shading="gouraud", zorder=1.0, **look)
+    closed = [np.concatenate([row, back[::-1], row[:1]]) for row, back in ((x[0], x[0]), (y[-1], y[0]))]
+    pen.ax.plot(*closed, color=style.INK, linewidth=style.THIN, solid_joinstyle="round")
+
+
+@_draw.register
+def _(mark: Cells, pen: _Pen) -> None:
+    assert pen.colours is not None
+    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": _normalised(pen.colours), "rasterized": True}
+    values = np.ma.masked_invalid(pen.colours.scale[0] * mark.values.T)
+    pen.ax.pcolormesh(pen.along(mark.x), pen.upright(mark.y), values, zorder=1.0, **look)
+
+
+@_draw.register
+def _(mark: Contours, pen: _Pen) -> None:
+    assert pen.colours is not None
+    lines = draw_contours(mark, pen.along(mark.x), pen.upright(mark.y), pen.colours, pen.ax)
+    pen.contours.append((mark, lines))
+
+
+@_draw.register
+def _(mark: Bar, pen: _Pen) -> None:
+    look = _look(mark) | {"linewidth": 2.4, "solid_capstyle": "butt", "zorder": 2.5, "clip_on": False}
+    pen.ax.plot(pen.along([mark.low, mark.high]), pen.upright([mark.y, mark.y]), **look)
+
+
+@_draw.register
 def _(mark: Points, pen: _Pen) -> None:
-    look: dict[str, Any] = {"color": COLOURS[mark.colour], "markerfacecolor": "white", "label": mark.name or None}
-    pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), "o", markersize=4.0, **look)
+    marker, size = SYMBOLS[mark.symbol]
+    look: dict[str, Any] = {
+        "color": COLOURS[mark.colour],
+        "markerfacecolor": "white",
+        "label": typeset(mark.name) or None,
+    }
+    if pen.colours:
+        # A small symbol may lie on a larger one.
+        look |= {"markeredgewidth": style.THIN, "clip_on": False, "zorder": 4.0 - 0.1 * size}
+    pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), marker, linestyle="none", markersize=size, **look)
 
 
 @_draw.register

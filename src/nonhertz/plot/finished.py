@@ -10,31 +10,27 @@ from nonhertz.amounts import mrad, newton
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.figures import contact
+from nonhertz.figures.bearing import pressure_map
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import Artist, Axes, Figure
 from nonhertz.plot.axial import written
 from nonhertz.plot.bearing.displacement import directions, displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
-from nonhertz.plot.bearing.pressure import RINGS, bearing_pressure
-from nonhertz.plot.bearing.pressure import draw_colour_bar as draw_colour_bar_of_bearing
+from nonhertz.plot.bearing.pressure import bearing_pressure, draw_titled
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
 from nonhertz.plot.centre_line import pressure, profile
-from nonhertz.plot.contact_area import draw_colour_bar, footprint
-from nonhertz.plot.drawer import sheet_of
+from nonhertz.plot.contact_area import footprint
+from nonhertz.plot.drawer import draw_colour_bar, sheet_of
 from nonhertz.plot.sheets import (
     BAR_ROOM,
-    HIGHEST_PANEL,
-    LEFT,
     MARGIN,
     WIDTH,
     bar_beside,
     panel,
     sheet,
     stacked,
-    stretch_of,
 )
 from nonhertz.plot.style import SMALL_SIZE, sheet_style
-from nonhertz.result.along import axial_range
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -51,9 +47,7 @@ OF_BEARINGS: Final[Drawings] = {
     "displacement": displacement_against_load,
 }
 
-# Inches. Of a contact: the lowest panel of a footprint, and the room above both.
-LOWEST_PANEL, FOOTPRINT_HEADS = 0.5, (0.24, 0.6)
-# Of a bearing: the polar picture of one row and of several side by side, what is written around it, the key below.
+# Inches: the polar picture of one row and of several side by side, what is written around it, the key below.
 ALONE, BESIDE, AROUND, HEAD_OF_POLAR, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
 PER_LINE = 2
 PANEL, PANEL_HEAD = 1.25, 0.3
@@ -95,32 +89,9 @@ def figures(result: Solution | BearingSolution, title: str = "") -> dict[str, Fi
     with sheet_style():
         return {
             "pressure": sheet_of(contact.pressure(result), title),
-            "footprint": _footprint(result, title),
+            "footprint": sheet_of(contact.footprint(result), title),
             "profile": sheet_of(contact.distance(result), title),
         }
-
-
-def _footprint(solution: Solution, title: str) -> Figure:
-    """Return the contact area in true proportions and, if that is a thin band, stretched below it.
-
-    A roller's contact may be 50 times as long as wide. The panels' shapes are computed here, so that the axes'
-    limits need not be widened to fit them.
-    """
-    low, high = axial_range(solution)
-    natural = (WIDTH - LEFT - BAR_ROOM) * 2.3 * float(solution.element_half_width.max()) / (high - low)
-    stretch = stretch_of(natural)
-    heights = [min(max(natural, LOWEST_PANEL), HIGHEST_PANEL)]
-    if stretch >= 2.0 and solution.contact_y:
-        heights.append(stretch * natural)
-    heads = FOOTPRINT_HEADS[: len(heights)]
-    figure, panels = stacked(heads, heights, title, [contact.conditions(solution)], right=BAR_ROOM)
-    for count, axes in enumerate(panels):
-        footprint(solution, axes, stretch=stretch if count else 1.0, colour_bar=False)
-        if axes is not panels[-1]:
-            axes.set_xlabel("")
-    if solution.contact_y:
-        draw_colour_bar(solution, panels[-1], cax=bar_beside(panels[-1]))
-    return figure
 
 
 def bearing_figures(
@@ -179,17 +150,15 @@ def _loads(solution: BearingSolution, title: str, words: Sequence[str]) -> Figur
 
 
 def _pressure(solution: BearingSolution, title: str, words: Sequence[str]) -> Figure:
-    panels = [(row, ring) for row in range(len(solution.bearing.rows)) for ring in RINGS]
+    figures = [pressure_map(solution, row=row) for row in range(len(solution.bearing.rows))]
+    panels = [(figure, ring) for figure in figures for ring in figure.panels]
     heads, heights = [PANEL_HEAD] * len(panels), [PANEL] * len(panels)
-    figure, every = stacked(heads, heights, title, words, right=BAR_ROOM, words=MARGIN)
-    for (row, ring), axes in zip(panels, every, strict=True):
-        bearing_pressure(solution, axes, ring=ring, row=row, colour_bar=False)
-        if axes is not every[-1]:
-            axes.set_xlabel("")
-            axes.tick_params(axis="x", labelbottom=False)
+    sheet, every = stacked(heads, heights, title, words, right=BAR_ROOM, words=MARGIN)
+    for (figure, ring), axes in zip(panels, every, strict=True):
+        draw_titled(ring, figure, axes, last=axes is every[-1])
     # Of the height of two panels, however many there are.
-    draw_colour_bar_of_bearing(solution, every[-1], cax=bar_beside(*every, most=2.0 * PANEL + PANEL_HEAD))
-    return figure
+    draw_colour_bar(panels[-1][1], every[-1], cax=bar_beside(*every, most=2.0 * PANEL + PANEL_HEAD))
+    return sheet
 
 
 def _lines(parts: Sequence[str]) -> list[str]:

@@ -3,43 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.amounts import mm, mpa
-from nonhertz.figures.contact import conditions
-from nonhertz.plot.axes import OWN, ROUND, Array, Axes, Figure, drawing, key_above, measure
-from nonhertz.plot.axial import number, place, written
-from nonhertz.plot.contact_area import colour_limit
-from nonhertz.plot.sheets import BAR_ROOM, LEFT, WIDTH, bar_beside, stacked, stretch_of
-from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, HAIR, INK, SECOND, SMALL_SIZE, THIN, sheet_style
-from nonhertz.result.along import body_ends
+from nonhertz.figures.stress import across_contact, along_contact, extremes_by_name
+from nonhertz.plot.axes import OWN, Axes, Figure, drawing
+from nonhertz.plot.drawer import draw_proportional, sheet_of
+from nonhertz.plot.style import sheet_style
 from nonhertz.result.solution import Solution
-from nonhertz.subsurface import Extreme, Extremes, Field, axial_plane, cross_section
+from nonhertz.subsurface import Extremes, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 
-if TYPE_CHECKING:
-    from matplotlib.contour import ContourSet
-    from matplotlib.lines import Line2D
-
-Entry = tuple["Line2D", str]
-
-# The first is drawn last: it may lie on the second, which is larger.
-MARKS = {
-    "von_mises": ("o", 3.0, "max. von Mises"),
-    "shear": ("D", 5.0, "max. shear"),
-    "orthogonal_shear": ("^", 4.0, r"max. $|\tau_{xz}|$"),
-}
-
-BANDS = 10  # of colour, at most
-BEYOND = 0.02  # of the drawn range, left white beyond a side face
-HEAD, HEAD_POINTS = 0.82, 45.0  # room above the axes for heading and legend [inch], and for the legend alone [points]
 # Points of the planes: denser near the surface and near both ends, where lines would have kinks.
 ALONG, ACROSS, LEVELS, CROWDING = 201, 121, 81, 1.5
-ACROSS_WIDTH = 4.25  # inch
-APART = 0.17  # inches: least distance of a contour label from the next, and from markers
-SHARES = (0.5, 0.35, 0.65, 0.22, 0.78)  # of the contact: candidate positions for the column of contour labels
 
 
 @drawing
@@ -76,23 +52,8 @@ def axial_stress(
     bar : matplotlib.axes.Axes, optional
         Where to draw the colour bar; if left out, beside ``ax``, which shrinks to make room.
     """
-    y = field.y[:, 0]
-    span = _framed(solution, field)
-    _frame(ax, span, float(field.z.max()), stretch)
-    ends, section = _draw_ends(solution, span, ax), []
-    if station is not None:
-        line = ax.axvline(measure("mm").factor * station, color=INK, linewidth=THIN, linestyle="--", zorder=1.5)
-        section = [(line, f"cross-section, $y$ = {_station(station, span)}")]
-    contact = _draw_surface(solution.contact_y, "contact", ax)
-    landmarks = [_mark(name, getattr(overall, name), span, ax) for name in MARKS]
-    lines = _draw_contours(solution, field, y, overall, ax, bar)
-    _label(lines, field, y, _calm_column(solution, y, overall, station), overall, ax)
-    ax.set_xlabel(measure("mm").label("Axial position $y$"))
-    plane = f"body {field.body} at $x$ = {written(mm(field.x[0, 0]))}"
-    if stretch != 1.0:
-        plane += f", ${'z' if stretch > 1.0 else 'y'}$ stretched {number(max(stretch, 1.0 / stretch))} times"
-    _head(solution, plane, landmarks, [*contact, *section, *ends], ax)
-    return ax
+    figure = along_contact(solution, field, extremes_by_name(overall), station)
+    return draw_proportional(figure, ax, stretch=stretch, bar=bar)
 
 
 @drawing
@@ -122,18 +83,7 @@ def section_stress(
     bar : matplotlib.axes.Axes, optional
         Where to draw the colour bar; if left out, beside ``ax``, which shrinks to make room.
     """
-    x, y = field.x[:, 0], float(field.y[0, 0])
-    middle, half_width = (float(each) for each in across_at(solution, np.asarray(y)))
-    _frame(ax, (float(x[0]), float(x[-1])), float(field.z.max()), 1.0)
-    label = f"contact, half-width {written(mm(half_width), 3)}"
-    contact = _draw_surface(((middle - half_width, middle + half_width),), label, ax)
-    landmarks = [_mark(name, getattr(section, name), None, ax) for name in MARKS]
-    lines = _draw_contours(solution, field, x, section, ax, bar)
-    _label(lines, field, x, int(np.abs(x - middle).argmin()), section, ax)
-    ax.set_xlabel(measure("mm").label("Across $x$"))
-    ends = solution.contact_y[0][0], solution.contact_y[-1][1]
-    _head(solution, f"body {field.body} at $y$ = {_station(y, ends)}", landmarks, contact, ax)
-    return ax
+    return draw_proportional(across_contact(solution, field, extremes_by_name(section)), ax, bar=bar)
 
 
 def stress_planes(solution: Solution, section: Extremes) -> dict[str, Field]:
@@ -190,147 +140,7 @@ def stress_figures(
     """
     planes = stress_planes(solution, section) if planes is None else planes
     along, across = planes["axial-plane"], planes["cross-section"]
+    axial = along_contact(solution, along, extremes_by_name(overall), section.von_mises.y)
+    cross = across_contact(solution, across, extremes_by_name(section))
     with sheet_style():
-        low, high = _framed(solution, along)
-        width = WIDTH - LEFT - BAR_ROOM
-        natural = width * float(along.z.max()) / (high - low)
-        stretch = stretch_of(natural)
-        axial, (axes,) = stacked([HEAD], [stretch * natural], title, right=BAR_ROOM)
-        station, bar = section.von_mises.y, bar_beside(axes)
-        axial_stress(solution, along, overall, axes, station=station, stretch=stretch, bar=bar)
-        height = ACROSS_WIDTH * float(across.z.max()) / float(np.ptp(across.x))
-        cross, (axes,) = stacked([HEAD], [height], title, right=WIDTH - LEFT - ACROSS_WIDTH)
-        section_stress(solution, across, section, axes, bar=bar_beside(axes))
-        return {"axial-plane": axial, "cross-section": cross}
-
-
-def _framed(solution: Solution, field: Field) -> tuple[float, float]:
-    """Return the range of y [mm] to draw: that of the field, and a little more where it reaches the end of the body."""
-    low, high = float(field.y[0, 0]), float(field.y[-1, 0])
-    room = BEYOND * (high - low)
-    faces = {"a": solution.contact.a, "b": solution.contact.b}[field.body].faces
-    return low - room * bool(np.isclose(low, faces[0])), high + room * bool(np.isclose(high, faces[1]))
-
-
-def _frame(ax: Axes, span: tuple[float, float], depth: float, stretch: float) -> None:
-    length = measure("mm")
-    ax.locator_params(steps=ROUND)
-    ax.locator_params(axis="y", nbins=6)
-    ax.set_xlim(*length(span))
-    ax.set_ylim(length.factor * depth, 0.0)
-    ax.set_aspect(stretch, adjustable="box")
-    ax.set_ylabel(length.label("Depth $z$"))
-
-
-def _draw_contours(
-    solution: Solution, field: Field, along: Array, found: Extremes, ax: Axes, bar: Axes | None
-) -> ContourSet:
-    """Fill bands of von Mises stress, draw the lines between them and the colour bar; return the lines."""
-    from matplotlib.ticker import MaxNLocator
-
-    length, drawn = measure("mm"), measure("MPa")
-    # The last colour is that of the largest stress, unless that is an artefact of a step between strips.
-    limit = min(found.von_mises.max, colour_limit(solution))
-    levels = MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, drawn.factor * (limit or 1.0))
-    stress, depths = np.ma.masked_invalid(drawn(field.von_mises.T)), length(field.z[0])
-    # On the surface itself the stress is also unbounded at a step of the pressure from strip to strip.
-    extend = "max" if float(stress[depths > 0.0].max()) > levels[-1] else "neither"
-    shown = stress if extend == "max" else np.minimum(stress, levels[-1])
-    bands = ax.contourf(length(along), depths, shown, levels, cmap=COLOUR_MAP, extend=extend, zorder=0.5)
-    # The colour map goes from dark to bright.
-    colours = ["white" if level < 0.5 * levels[-1] else INK for level in levels[1:]]
-    lines = ax.contour(length(along), depths, stress, levels[1:], colors=colours, linewidths=HAIR, zorder=0.8)
-    where: dict[str, Any] = {"ax": ax} if bar is None else {"cax": bar}
-    ax.figure.colorbar(bands, label=drawn.label("Von Mises stress"), **where)
-    return lines
-
-
-def _label(lines: ContourSet, field: Field, along: Array, column: int, found: Extremes, ax: Axes) -> None:
-    """Label contour lines where they cross a column below the largest stress, far enough apart."""
-    ax.apply_aspect()
-    length, stress = measure("mm"), measure("MPa")
-    low, high = ax.get_ylim()[1] / length.factor, ax.get_ylim()[0] / length.factor
-    apart = APART * (high - low) * ax.figure.dpi / ax.bbox.height
-    near = 2.0 * float(np.ptp(along)) / along.size
-    horizontal = "y" if np.ptp(field.y) > 0.0 else "x"
-    marked = [getattr(found, name) for name in MARKS]
-    taken = [each.z for each in marked if abs(getattr(each, horizontal) - along[column]) < near] + [0.0, high]
-    places = []
-    for level in np.asarray(lines.levels)[::-1].tolist():
-        depth = _crossing(stress(field.von_mises[column]), field.z[0], level, apart)
-        if depth is not None and all(abs(depth - other) > apart for other in taken):
-            taken.append(depth)
-            places.append((float(length(along[column])), float(length(depth))))
-    if places:
-        ax.clabel(lines, manual=places, fmt="%.4g", fontsize=SMALL_SIZE, inline_spacing=2.0)
-
-
-def _crossing(stress: Array, depths: Array, level: float, apart: float) -> float | None:
-    """Return the greatest depth at which the stress falls below a level; None if nowhere, or just below its rise."""
-    above = np.flatnonzero(stress >= level)
-    # At the tip of a contour the label would lie across it.
-    if above.size == 0 or above[-1] == stress.size - 1 or depths[above[-1]] - depths[above[0]] < apart:
-        return None
-    k = above[-1]
-    return float(np.interp(level, [stress[k + 1], stress[k]], [depths[k + 1], depths[k]]))
-
-
-def _calm_column(solution: Solution, y: Array, overall: Extremes, station: float | None) -> int:
-    """Return the column of the plane where labels are farthest from markers and from the cross-section."""
-    taken = [getattr(overall, name).y for name in MARKS] + ([] if station is None else [station])
-    low, high = solution.contact_y[0][0], solution.contact_y[-1][1]
-    places = [low + share * (high - low) for share in SHARES]
-    # Among equally good positions the first, which is nearest to the middle.
-    best = max(places, key=lambda y: min(round(min(abs(y - other) for other in taken), 9), 0.2 * (high - low)))
-    return int(np.abs(y - best).argmin())
-
-
-def _mark(name: str, found: Extreme, span: tuple[float, float] | None, ax: Axes) -> Entry:
-    """Mark where a stress is largest, along the ``span`` or across, and return its legend entry."""
-    marker, size, words = MARKS[name]
-    # The stress field of the strips is symmetric about x = 0.
-    sideways = [found.y] if span else [-found.x, found.x] if found.x > 0.0 else [0.0]
-    length = measure("mm")
-    depth = length.factor * found.z
-    depth = np.nan if found.at_bore and depth > ax.get_ylim()[0] else depth  # further down than is drawn
-    (mark,) = ax.plot(
-        length(sideways), [depth] * len(sideways), marker, markersize=size, color=INK, markerfacecolor="white",
-        markeredgewidth=THIN, clip_on=False, zorder=4.0 - 0.1 * size,
-    )  # fmt: skip
-    at = [f"$x$ = ±{written(mm(found.x), 3)}"] if found.x > 0.0 else []
-    at += [f"$y$ = {_station(found.y, span)}"] if span else []
-    return mark, f"{words} {written(mpa(found.max))} {found.site}{', '.join([*at, f'$z$ = {written(mm(found.z), 3)}'])}"
-
-
-def _draw_surface(intervals: tuple[tuple[float, float], ...], label: str, ax: Axes) -> list[Entry]:
-    style: dict[str, Any] = {"color": SECOND, "linewidth": 2.4, "solid_capstyle": "butt", "zorder": 2.5}
-    drawn = [ax.plot(measure("mm")(pair), [0.0, 0.0], clip_on=False, **style) for pair in intervals]
-    return [(drawn[0][0], label)] if drawn else []
-
-
-def _station(y: float, span: tuple[float, float]) -> str:
-    words = place(span, y)
-    return words if float(words.split()[0].replace("−", "-")) else f"0 {words.split()[1]}"
-
-
-def _draw_ends(solution: Solution, span: tuple[float, float], ax: Axes) -> list[Entry]:
-    """Draw a line where a body ends, and return a legend entry that names the bodies."""
-    entries: dict[str, Line2D] = {}
-    for end, name in body_ends(solution):
-        if span[0] < end < span[1]:
-            at = measure("mm").factor * end
-            entries[name] = ax.axvline(at, color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
-    return [(next(iter(entries.values())), ", ".join(entries))] if entries else []
-
-
-def _head(solution: Solution, plane: str, landmarks: list[Entry], others: list[Entry], ax: Axes) -> None:
-    """Write conditions, plane and legend above the axes: markers in the first column, the rest in the second."""
-    from matplotlib.lines import Line2D
-
-    # A legend is filled column by column, so blanks must fill up the second one.
-    blank_entry = (Line2D([], [], linestyle="none"), "")
-    entries = [*landmarks, *others, *[blank_entry] * (len(landmarks) - len(others))]
-    handles, labels = zip(*entries, strict=True)
-    spacing = {"borderaxespad": 0.4, "handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.4}
-    key_above(ax, handles, labels, columns=2, **spacing)
-    ax.set_title(f"{conditions(solution)}; {plane}", loc="left", pad=HEAD_POINTS)
+        return {"axial-plane": sheet_of(axial, title), "cross-section": sheet_of(cross, title)}

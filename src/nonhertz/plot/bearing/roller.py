@@ -8,10 +8,10 @@ import numpy as np
 
 from nonhertz.amounts import mpa, mrad, newton
 from nonhertz.bearing import BearingSolution
+from nonhertz.bearing.section import RINGS
 from nonhertz.errors import InputError
 from nonhertz.plot.axes import OWN, Axes, along, drawing, key_above, measure, open_frame
 from nonhertz.plot.axial import mark_land_ends, number, written
-from nonhertz.plot.bearing.pressure import RINGS
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, LINE, SECOND, SMALL_SIZE, THIN
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import Solution

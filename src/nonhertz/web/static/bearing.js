@@ -6,6 +6,7 @@ import { AWAY, Live, post } from "./live.js";
 import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
+import { drawPanels } from "./panel.js";
 import { Polar, degrees, newtons } from "./polar.js";
 import { entitle, outdate, sayLater, sayMistakes, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
 import { drawRoller } from "./roller.js";
@@ -135,12 +136,21 @@ function drawPictures() {
   head(figure("polar"), "Loads of all rollers", POLAR_KEY, `by ${answer.method}`);
   polar.draw(answer, number);
   drawRoller(answer, before ?? (page.fresh ? pressed : null), number, page.pinned);
+  drawMap(before ?? answer, number);
   const stale = figure("pressure");
   stale.classList.toggle("stale", !page.fresh);
   stale.title = page.fresh ? "" : "Of the bearing before the last change: strips are solved when the slider rests.";
   byId("most").hidden = page.chosen === null || number === answer.most;
   writeRollers(answer, number);
   offerContacts(number);
+}
+
+/** Draw the pressure of all rollers in the row of the one that is shown, by strips. @param {any} answer @param {number} number */
+function drawMap({ maps, rows }, number) {
+  const map = maps[rows.findIndex(({ first, count }) => first <= number && number < first + count)];
+  byId("maps").hidden = !map;
+  byId("maps").classList.toggle("stale", !page.fresh);
+  if (map) drawPanels(map, undefined, { last: "map-outer" });
 }
 
 /** Show a roller, or the most loaded one. @param {number | null} number */

@@ -1,6 +1,5 @@
 // The figures along the contact.
 
-import { drawFootprint } from "./footprint.js";
 import { drawPanels } from "./panel.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
@@ -12,11 +11,9 @@ import { drawPanels } from "./panel.js";
  * @param {import("./tilt.js").Tilt} tilt the handles in the last
  */
 export function drawFigures(answer, pinned, tilt) {
-  const { pressure } = answer.figures;
-  drawPanels(pressure, pinned?.figures.pressure);
-  const span = /** @type {[number, number]} */ (pressure.along.range);
-  drawFootprint(answer, span);
-  const [axes] = drawPanels(answer.figures.distance, pinned?.figures.distance, tilt.limits, "gap");
+  drawPanels(answer.figures.pressure, pinned?.figures.pressure);
+  drawPanels(answer.figures.footprint, undefined);
+  const [axes] = drawPanels(answer.figures.distance, pinned?.figures.distance, { limits: tilt.limits, last: "gap" });
   tilt.place(undeformed(answer), answer.key.tilt, axes);
 }
 

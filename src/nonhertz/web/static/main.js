@@ -36,7 +36,7 @@ const live = new Live({
   },
   more(answer) {
     showStress(answer, true);
-    searchStrength(answer.section !== undefined);
+    searchStrength(answer.planes !== undefined);
     document.documentElement.dataset.state = "settled";
   },
   waiting() {

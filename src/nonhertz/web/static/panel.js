@@ -1,18 +1,36 @@
 // A panel of a figure as the program describes it, drawn with Plot: one function for each kind of mark. Nothing here
 // knows of contacts; numbers are in units of the program, and an axis has the factor to those that are read.
 
-import { FAINT, FIRST, INK, MARGINS, NAMED, PLAIN, SECOND, draw, figure, head, pinnedKey, pinnedLine, reading } from "./chart.js";
+import {
+  FAINT,
+  FIRST,
+  INK,
+  MARGINS,
+  NAMED,
+  PLAIN,
+  SECOND,
+  draw,
+  extent,
+  figure,
+  head,
+  innerWidthOf,
+  pinnedKey,
+  pinnedLine,
+  reading,
+} from "./chart.js";
+import { BANDS, FINE, resampled } from "./contours.js";
 import { digits } from "./numbers.js";
 
-/** @typedef {{label: string, symbol: string, title: string, unit: string, factor: number, range?: [number, number], cut?: boolean}} Axis */
+/** @typedef {{label: string, symbol: string, title: string, unit: string, factor: number, range?: [number, number], cut?: boolean, ticks?: [number, string][]}} Axis */
 /** @typedef {{kind: string, name?: string, colour?: string, dash?: string} & Record<string, any>} Mark */
-/** @typedef {{name: string, heading: string, upright: Axis, marks: Mark[], description: string, remark?: string, height?: number}} Panel */
+/** @typedef {{name: string, heading: string, upright: Axis, marks: Mark[], description: string, remark?: string, height?: number, colours?: Axis, proportional?: boolean}} Panel */
 /** @typedef {{along: Axis, panels: Panel[], conditions?: string}} Figure */
 
 const HEIGHT = 240; // pixels, unless a panel says otherwise
 const LOW = 150; // pixels, below which there is little room for ticks
 const FAR = 2; // times the range, beyond which a line need not be drawn
-const COLOURS = { first: FIRST, second: SECOND, ink: INK, faint: FAINT };
+const HIGHEST = 300; // pixels, of a panel in true proportions
+const COLOURS = { first: FIRST, second: SECOND, ink: INK, faint: FAINT, paper: "var(--surface)" };
 const DASHES = { dashed: "6 3", dotted: "2 3", ends: "7 2 1.5 2" };
 const ANCHORS = { left: "start", center: "middle", right: "end" };
 const HALO = { fill: INK, stroke: "var(--surface)", strokeWidth: 4 };
@@ -28,7 +46,39 @@ const MARKS = {
   band: ({ x, low, high }, { stroke }, { near }) => [
     Plot.areaY(x, { x, y1: near(low), y2: near(high), fill: stroke, fillOpacity: 0.12, clip: true }),
   ],
-  points: ({ x, y }, { stroke }) => [Plot.dot(x, { x, y, r: 3, fill: stroke })],
+  area: ({ x, half_height, values }, _, { colours }) => {
+    const id = `area-${x[0]}`;
+    return [
+      () => gradient(id, x, values, colours),
+      Plot.areaY(x, { x, y1: half_height, y2: half_height.map((y) => -y), fill: `url(#${id})`, stroke: INK, strokeWidth: 0.7 }),
+    ];
+  },
+  cells: ({ x, y, values }, _, { colours, words }) => {
+    const places = d3.cross(d3.range(x.length - 1), d3.range(y.length - 1)).filter(([i, j]) => values[i][j] !== null);
+    const at = (edges, which) => places.map((place) => edges[place[which]]);
+    const after = (edges, which) => places.map((place) => edges[place[which] + 1]);
+    const corners = { x1: at(x, 0), x2: after(x, 0), y1: at(y, 1), y2: after(y, 1) };
+    const fill = places.map(([i, j]) => colours.factor * values[i][j]);
+    const middle = (edges, which) => places.map((place) => (edges[place[which]] + edges[place[which] + 1]) / 2);
+    const [along, up] = [middle(x, 0), middle(y, 1)];
+    const title = (_, k) => words(along[k], up[k], values[places[k][0]][places[k][1]]);
+    const tip = Plot.pointer({ x: along, y: up, title, maxRadius: 60, ariaHidden: true, fill: "var(--surface)", stroke: "var(--rule)" });
+    return [Plot.rect(places, { ...corners, fill, inset: -0.2 }), Plot.tip(places, tip)];
+  },
+  contours: ({ x, y, values }, _, { colours, net }) => {
+    const { even, ...corners } = resampled(x, y, values, net);
+    const [, top] = colours.range;
+    const thresholds = d3.range(0, top, top / BANDS).map((level) => colours.factor * level);
+    const shown = even.map((value) => colours.factor * value);
+    const look = { fill: (value) => value, stroke: "#ffffff66", strokeWidth: 0.5 };
+    return [Plot.contour(shown, { width: net.columns, height: net.rows, ...corners, ...look, thresholds })];
+  },
+  points: ({ x, y, symbol = "circle" }, { stroke }, { colours }) => {
+    const dots = (look) => Plot.dot(x, { x, y, symbol, ...look });
+    // Over colours a symbol has a rim.
+    return colours ? [dots({ r: 4, fill: "white", stroke: "black" })] : [dots({ r: 3, fill: stroke })];
+  },
+  bar: ({ low, high, y }, { stroke }) => [Plot.link([0], { x1: [low], x2: [high], y1: [y], y2: [y], stroke, strokeWidth: 3 })],
   span: ({ low, high }, { stroke }) => [Plot.rect([0], { x1: [low], x2: [high], fill: stroke, fillOpacity: 0.1 })],
   across: ({ x, words }, { stroke, strokeDasharray }, { middle, upright }) => [
     Plot.ruleX([x], { stroke, strokeDasharray, strokeWidth: 0.8 }),
@@ -36,7 +86,7 @@ const MARKS = {
       ? [Plot.text([x], { x: [x], y: [upright], text: [words], rotate: -90, dx: x > middle ? 7 : -7, fill: stroke })]
       : []),
   ],
-  level: ({ y }, { stroke }) => [Plot.ruleY([y], { stroke, strokeWidth: 0.8 })],
+  level: ({ y }, { stroke, strokeDasharray }) => [Plot.ruleY([y], { stroke, strokeDasharray, strokeWidth: 0.8 })],
   dimension: ({ low, high, y, words }, { stroke }) => [
     Plot.link([0], { x1: [low], x2: [high], y1: [y], y2: [y], stroke, markerStart: "arrow-reverse", markerEnd: "arrow" }),
     ...written((low + high) / 2, y, words ?? ""),
@@ -51,18 +101,30 @@ function written(x, y, words, side = "center") {
   return words ? [Plot.text([0], { ...options, ...HALO })] : [];
 }
 
+/** A gradient along an area; its colours are those in its middle. */
+function gradient(id, x, values, { range }) {
+  const [low, high] = extent(x);
+  const gradient = d3.create("svg:defs").append("linearGradient").attr("id", id);
+  for (const [place, value] of x.entries()) {
+    const stop = gradient.append("stop").attr("offset", (value - low) / (high - low || 1));
+    stop.attr("stop-color", d3.interpolateCividis(Math.min(1, values[place] / range[1])));
+  }
+  return gradient.node().parentNode;
+}
+
 /**
  * Draw all panels of a figure, with the lines of a pinned one, into the figures of their names.
  * @param {Figure} drawn
  * @param {Figure | undefined} pinned
- * @param {[number, number] | null} [limits] of the upright axes, if these are to stay as they were
- * @param {string} [last] the panel whose axis along is labelled
+ * @param {{limits?: [number, number] | null, last?: string, net?: {columns: number, rows: number}}} [how] limits of the
+ *   upright axes if these are to stay as they were, the panel whose axis along is labelled, and the grid of contours
  * @returns {import("./tilt.js").Axes[]} where places are in the drawings
  */
-export function drawPanels(drawn, pinned, limits = null, last = "") {
-  return drawn.panels.map((panel, place) =>
-    drawPanel(panel, drawn.along, pinned?.panels[place], limits, panel.name === last),
-  );
+export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE } = {}) {
+  return drawn.panels.map((panel, place) => {
+    const labelled = panel.name === last || drawn.panels.length === 1 && panel.marks.some(({ kind }) => kind === "contours");
+    return drawPanel(panel, drawn.along, pinned?.panels[place], limits, labelled, net);
+  });
 }
 
 /**
@@ -71,22 +133,32 @@ export function drawPanels(drawn, pinned, limits = null, last = "") {
  * @param {Panel | undefined} pinned
  * @param {[number, number] | null} limits
  * @param {boolean} labelled
+ * @param {{columns: number, rows: number}} net
  */
-function drawPanel(panel, along, pinned, limits, labelled) {
+function drawPanel(panel, along, pinned, limits, labelled, net) {
   const host = figure(panel.name);
   const upright = { ...panel.upright, range: limits ?? rangeOf(panel, pinned) };
   const lines = panel.marks.filter(({ kind }) => kind === "line");
-  const [low, high] = upright.range;
+  const areas = panel.marks.filter(({ kind }) => kind === "area");
+  const { colours } = panel;
+  const [low, high] = d3.extent(upright.range);
   const reach = FAR * (high - low);
   const frame = {
     near: (values) => values.map((value) => value && Math.min(high + reach, Math.max(low - reach, value))),
     middle: along.range && (along.range[0] + along.range[1]) / 2,
     upright: (low + high) / 2,
+    colours,
+    net,
+    words: (place, height, number) =>
+      [amount(along, place), amount(upright, height), amount(/** @type {Axis} */ (colours), number)].join("\n"),
   };
   const before = (pinned?.marks ?? []).filter(({ kind }) => kind === "line");
   const key = lines.filter(({ name }) => name).map(({ name, colour = "first", dash = "solid" }) => [`${colour} ${dash}`, name]);
-  head(host, panel.heading, [...key, ...pinnedKey(pinned ?? null)], panel.remark);
-  const height = panel.height ?? HEIGHT;
+  const hasContours = panel.marks.some(({ kind }) => kind === "contours");
+  const shades = colours && !hasContours ? [["gradient", `dark to bright: ${colours.symbol} 0 to ${value(colours, colours.range[1])}`]] : [];
+  const { height, proportions } = sizeOf(host, panel, along);
+  const remark = [proportions, panel.remark].filter((words) => words).join("; ");
+  head(host, panel.heading, [...key, ...shades, ...pinnedKey(pinned ?? null)], remark);
   const chart = draw(
     host,
     {
@@ -94,12 +166,16 @@ function drawPanel(panel, along, pinned, limits, labelled) {
       ...(labelled ? { marginBottom: NAMED } : {}),
       height,
       x: { ...scale(along), label: labelled ? along.title : null },
-      y: { ...scale(upright), label: short(upright), ticks: height < LOW ? 3 : 5, grid: true },
+      ...(colours ? { color: { ...shading(colours), legend: hasContours } } : {}),
+      y: { ...scale(upright), label: short(upright), ticks: height < LOW ? 3 : 5, grid: !colours },
       marks: [
-        Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 }),
+        ...(colours ? [] : [Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 })]),
         ...before.flatMap(({ x, y }) => pinnedLine(x, frame.near(y))),
         ...panel.marks.flatMap((mark) => MARKS[mark.kind](mark, look(mark), frame)),
-        ...(lines.length ? reading(lines[0].x, frame.near(lines[0].y), (place) => read(lines, place, along, upright)) : []),
+        ...areas.flatMap((area) => readingOf(area, along, upright, colours)),
+        ...(lines.length && !areas.length
+          ? reading(lines[0].x, frame.near(lines[0].y), (place) => read(lines, place, along, upright))
+          : []),
       ],
     },
     panel.description,
@@ -109,6 +185,23 @@ function drawPanel(panel, along, pinned, limits, labelled) {
     return (value) => apply(factor * value);
   };
   return { x: place("x", along), y: place("y", upright), height, limits: upright.range };
+}
+
+/** The height of a panel in pixels, and its proportions in words if these matter. @param {HTMLElement} host @param {Panel} panel @param {Axis} along */
+function sizeOf(host, { upright, proportional, height = HEIGHT }, along) {
+  if (!proportional) return { height, proportions: "" };
+  const natural = (innerWidthOf(host) * lengthOf(upright)) / lengthOf(along); // pixels in true proportions
+  const drawn = Math.min(HIGHEST, Math.max(height, natural));
+  const stretch = drawn / natural;
+  const stretched = (symbol, times) => `${symbol} stretched ${digits(times, 2)} times`;
+  const slightly = Math.abs(stretch - 1) <= 0.02;
+  const words = stretch > 1 ? stretched(upright.symbol, stretch) : stretched(along.symbol, 1 / stretch);
+  return { height: drawn + MARGINS.marginTop + MARGINS.marginBottom, proportions: slightly ? "true proportions" : words };
+}
+
+/** @param {Axis} axis */
+function lengthOf({ range }) {
+  return Math.abs(range[1] - range[0]);
 }
 
 /** The range of the upright axis, with that of what is pinned unless the axis is cut. */
@@ -124,14 +217,23 @@ function look({ colour = "first", dash = "solid" }) {
 }
 
 /** @param {Axis} axis */
-function scale({ factor, range }) {
+function scale({ factor, range, ticks }) {
+  const words = new Map(ticks?.map(([place, said]) => [factor * place, said]));
   return {
+    ...(ticks ? { ticks: [...words.keys()] } : {}),
     domain: range?.map((end) => factor * end),
     transform: (value) => factor * value,
     labelAnchor: "center",
     labelArrow: "none",
-    tickFormat: PLAIN,
+    tickFormat: ticks ? (place) => words.get(place) : PLAIN,
   };
+}
+
+/** What colours stand for. @param {Axis} colours */
+function shading({ factor, range, title }) {
+  const legend = { label: title, width: 220, height: 52, ticks: 4, marginLeft: 8, tickFormat: PLAIN };
+  const domain = range.map((end) => factor * end);
+  return { type: "linear", domain, clamp: true, interpolate: d3.interpolateCividis, ...legend };
 }
 
 /** The label of an upright axis, which has little room. @param {Axis} axis */
@@ -141,7 +243,22 @@ function short({ symbol, label, unit }) {
 
 /** What is at a place of all lines that share their places. @param {Mark[]} lines @param {number} place @param {Axis} along @param {Axis} upright */
 function read(lines, place, along, upright) {
-  const amount = ({ factor, unit }, value) => `${digits(value === null ? null : factor * value, 4)} ${unit}`.trimEnd();
-  const values = lines.map(({ name, y }) => `${lines.length > 1 ? name : upright.symbol} ${amount(upright, y[place])}`);
-  return [`${along.symbol} ${amount(along, lines[0].x[place])}`, ...values].join("\n");
+  const named = (name, y) => `${lines.length > 1 ? name : upright.symbol} ${value(upright, y[place])}`;
+  return [amount(along, lines[0].x[place]), ...lines.map(({ name, y }) => named(name, y))].join("\n");
+}
+
+/** What is at a place of an area: how wide it is and the value in its middle. */
+function readingOf({ x, half_height, values }, along, upright, colours) {
+  const wide = (place) => `${upright.symbol} ±${value(upright, half_height[place])}`;
+  return reading(x, half_height, (place) => [amount(along, x[place]), wide(place), amount(colours, values[place])].join("\n"));
+}
+
+/** A number with its unit, as people read it. @param {Axis} axis @param {number | null} number */
+function value({ factor, unit }, number) {
+  return `${digits(number === null ? null : factor * number, 4)} ${unit}`.trimEnd();
+}
+
+/** The same after the symbol of its axis. @param {Axis} axis @param {number | null} number */
+function amount(axis, number) {
+  return `${axis.symbol} ${value(axis, number)}`;
 }

@@ -13,15 +13,13 @@
  *   ok: true, title: string, ms: number, status: string, complaint: string, warnings: string[],
  *   verdict: {level: string, words: string, sentence: string} | null,
  *   summary: [string, string, string][], key: Key, profiles: Profiles, interval: [number | null, number | null],
- *   figures: Record<"pressure" | "distance", import("./panel.js").Figure>,
+ *   figures: Record<"pressure" | "footprint" | "distance", import("./panel.js").Figure>,
  *   bodies: Record<"a" | "b", import("./sketch.js").Seen>,
- *   footprint: {y: (number | null)[], half_width: (number | null)[], pressure: (number | null)[]},
  *   life: {relative: number | null, million_revolutions: number | null, body: string, ends_counted: boolean} | null,
  *   contact: [number, number][], singular: Singular[],
  *   stress_note?: string,
  *   body?: "a" | "b",
- *   axial?: {y: number[], z: number[], von_mises: (number | null)[][]},
- *   section?: {y: number, x: number[], z: number[], von_mises: (number | null)[][]},
+ *   planes?: Record<"axial" | "section", import("./panel.js").Figure>,
  *   stress?: {body: string, von_mises: {max: number, x: number, y: number, z: number, at_bore: boolean}, searched?: boolean},
  * }} Answer
  * @typedef {{ok: false, mistakes: Mistake[], profiles?: Profiles}} Refusal

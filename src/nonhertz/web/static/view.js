@@ -68,7 +68,7 @@ export class View {
   /** Show the stresses of the latest result. @param {Answer} answer @param {boolean} fine whether on the fine grid */
   stress(answer, fine = true) {
     if (!this.latest) return;
-    this.latest.stressed = answer.section ? answer : null; // none without contact, or where the solver stopped short
+    this.latest.stressed = answer.planes ? answer : null; // none without contact, or where the solver stopped short
     byId("stress-note").textContent = answer.stress_note ?? "";
     this.drawStress(fine);
     this.writeKeys();
@@ -78,11 +78,11 @@ export class View {
    * Show the largest stress of the whole body, the plane through it, and the verdict that it decides.
    * @param {any} found without if there is none
    */
-  searched({ stress, section, verdict }) {
+  searched({ stress, planes, verdict }) {
     if (!this.latest?.stressed || !stress) return;
     this.latest.answer.verdict = verdict;
     writeVerdict(verdict);
-    this.latest.stressed = { ...this.latest.stressed, stress, section };
+    this.latest.stressed = { ...this.latest.stressed, stress, planes };
     this.drawStress();
     this.writeKeys();
   }
@@ -90,7 +90,7 @@ export class View {
   /** Pin a result, or unpin with null. @param {Result | null} result */
   pin(result) {
     // What was solved for a link has its stresses in the answer itself.
-    this.pinned = result && { stressed: result.answer.section ? result.answer : null, ...result };
+    this.pinned = result && { stressed: result.answer.planes ? result.answer : null, ...result };
     this.redraw();
   }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from typing import Any, Final
 
 import numpy as np
@@ -19,7 +19,6 @@ from nonhertz.files.sections import surroundings
 from nonhertz.life.capacity import of_rolling_bearing
 from nonhertz.model.body import Body
 from nonhertz.result.along import contact_lines, unlimited_ends
-from nonhertz.result.area import outlines
 from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
@@ -61,9 +60,9 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "warnings": solution.warnings,
         "figures": {
             "pressure": contact.pressure(solution).to_json(),
+            "footprint": contact.footprint(solution).to_json(),
             "distance": contact.distance(solution).to_json(),
         },
-        "footprint": _in_a_row(plain([*map(vars, outlines(solution))]), ("y", "half_width", "pressure")),
         "life": None if complaint or not solution.contact_y else _life(case, solution),
         "profiles": {"a": relief_of(case.contact.a), "b": relief_of(case.contact.b)},
         "bodies": {"a": _seen(case.contact.a), "b": _seen(case.contact.b)},
@@ -113,15 +112,6 @@ def relief_between(low: float, high: float, relief: Callable[[Array], Array]) ->
 def lines(solution: Solution) -> dict[str, list[float | None]]:
     """Return the lines along a contact as plain numbers; a null separates pieces."""
     return {name: plain(values) for name, values in vars(contact_lines(solution)).items()}
-
-
-def _in_a_row(pieces: Iterable[Mapping[str, Any]], names: Iterable[str]) -> dict[str, list[float | None]]:
-    """Return the columns of pieces one after the other; a null separates them."""
-    found: dict[str, list[float | None]] = {name: [] for name in names}
-    for piece in pieces:
-        for name, column in found.items():
-            column += [*([None] if column else []), *piece[name]]
-    return found
 
 
 def _seen(body: Body) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
+from nonhertz.figures.bearing import pressure_map
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
@@ -23,6 +24,9 @@ from nonhertz.web.view.answers import lines, relief_between, relief_of
 from nonhertz.web.view.replies import verdict_seen
 
 Array = NDArray[np.float64]
+
+MAP_POINTS = 41
+"""Places along a roller, of which a map of the page has cells."""
 
 
 def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, Any]:
@@ -60,6 +64,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "force": plain(solution.force),
         "most": most_loaded(solution),
         "contacts": contacts,
+        "maps": _maps(solution),
         "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
         "summary": rows_of_summaries(shown),
         "columns": rollers.heads,
@@ -112,6 +117,14 @@ def _lines(contact: Solution | None) -> dict[str, Any] | None:
         "penetration_um": 1e3 * contact.penetration,
         "unlimited": bool(contact.singular_ends),
     }
+
+
+def _maps(solution: BearingSolution) -> list[dict[str, Any]]:
+    """Return for every row the pressure of all rollers; nothing by slices, which have none, or without load."""
+    if solution.method == "slices" or not solution.load.any():
+        return []
+    rows = range(len(solution.bearing.rows))
+    return [pressure_map(solution, row=row, points=MAP_POINTS).to_json() for row in rows]
 
 
 def _by_slices(solution: BearingSolution, laminae: int) -> list[list[dict[str, Any] | None]]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.files.results import plain
+from nonhertz.figures.stress import across_contact, along_contact
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.strength import assess
@@ -56,7 +57,7 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
             axial = beside.submit(_axial, solution, body)
             section, largest = _section(solution, solution.max_pressure_y, body)
             worst = {"body": body, "von_mises": vars(largest)}
-            return {"section": section, "axial": axial.result(), "stress": worst}
+            return {"planes": _planes(solution, axial.result(), section, largest), "stress": worst}
     except (InputError, ArithmeticError):
         return {"stress_note": _NO_NUMBERS}
 
@@ -78,7 +79,7 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     try:
         found = assess(solution, body=body)
         worst = found.largest.von_mises
-        section = _section(solution, worst.y, body)[0]
+        planes = _planes(solution, _axial(solution, body), _section(solution, worst.y, body)[0], worst)
     except (InputError, ArithmeticError):
         return {"checks": []}
     if not np.isfinite(worst.max):
@@ -86,32 +87,38 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
     largest = {"body": body, "von_mises": vars(worst), "searched": True}
     verdict = verdict_seen(of_contact(solution, (found,)))
-    return {"checks": checks, "stress": largest, "section": section, "verdict": verdict}
+    return {"checks": checks, "stress": largest, "planes": planes, "verdict": verdict}
 
 
-def _axial(solution: Solution, body: BodyName) -> dict[str, Any]:
+def _planes(solution: Solution, axial: Field, section: Field, largest: Extreme) -> dict[str, Any]:
+    """Return the figures of both planes, with the largest von Mises stress marked."""
+    marked = {"von_mises": largest}
+    figures = {"axial": along_contact(solution, axial, marked), "section": across_contact(solution, section, marked)}
+    return {name: figure.to_json() for name, figure in figures.items()}
+
+
+def _axial(solution: Solution, body: BodyName) -> Field:
     along = axial_range(solution, body)
     y = np.linspace(along[0], along[-1], ALONG)
-    z = _levels(solution.max_half_width)
-    field = _with_numbers(axial_plane(solution, y, z, body=body, threads=1))
-    return {"y": plain(field.y[:, 0]), "z": plain(field.z[0]), "von_mises": plain(_short(field.von_mises.T))}
+    return _with_numbers(axial_plane(solution, y, _levels(solution.max_half_width), body=body, threads=1))
 
 
-def _section(solution: Solution, station: float, body: BodyName) -> tuple[dict[str, Any], Extreme]:
+def _section(solution: Solution, station: float, body: BodyName) -> tuple[Field, Extreme]:
     """Return the plane across the contact, and the largest von Mises stress in it."""
     half_width = float(across_at(solution, np.array([station]))[1][0])
     x = WIDEST * half_width * np.linspace(0.0, 1.0, ACROSS)
     field = _with_numbers(cross_section(solution, station, x, _levels(half_width), body=body, threads=1))
-    # The stress field of the strips is symmetric about x = 0.
-    both = np.concatenate([field.von_mises[:0:-1], field.von_mises])
-    largest = _largest(solution, field, body)
-    section = {
-        "y": station,
-        "x": plain(np.concatenate([-x[:0:-1], x])),
-        "z": plain(field.z[0]),
-        "von_mises": plain(_short(both.T)),
-    }
-    return section, largest
+    return _mirrored(field), _largest(solution, field, body)
+
+
+def _mirrored(field: Field) -> Field:
+    """Return a cross-section from its half: the stress field of the strips is symmetric about x = 0."""
+    signs = np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])  # of tau_xz and tau_xy
+    x, y, z, stress = (
+        np.concatenate([other[:0:-1], half])
+        for other, half in ((-field.x, field.x), (field.y,) * 2, (field.z,) * 2, (signs * field.stress, field.stress))
+    )
+    return replace(field, x=x, y=y, z=z, stress=stress)
 
 
 def _with_numbers(field: Field) -> Field:
@@ -123,13 +130,6 @@ def _with_numbers(field: Field) -> Field:
 
 def _levels(half_width: float) -> Array:
     return DEEPEST * half_width * np.linspace(0.0, 1.0, LEVELS) ** CROWDING
-
-
-def _short(values: Array) -> Array:
-    """Return numbers rounded to the fifth digit of the largest, which is more than a drawing shows."""
-    largest = float(np.nanmax(np.abs(values)))
-    step = 10.0 ** (np.floor(np.log10(largest)) - 4.0) if largest > 0.0 else 1.0
-    return np.round(values / step) * step
 
 
 def _largest(solution: Solution, field: Field, body: BodyName) -> Extreme:

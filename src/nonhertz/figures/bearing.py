@@ -1,0 +1,117 @@
+"""Figures of a loaded bearing."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.amounts import mm, mpa
+from nonhertz.bearing.section import RINGS
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.figures.value import Across, Axis, Cells, Figure, Panel, Points, Span
+
+Array = NDArray[np.float64]
+
+QUARTER, STEP = 90.0, 45.0
+"""Degrees, to which the middle of an unrolled row is rounded, and between its ticks."""
+ON_A_GRID = 1.01
+"""Over the largest pressure: interpolation on another grid than that of the strips is not beyond it, a sharp end is."""
+
+
+def pressure_map(solution: BearingSolution, *, row: int = 0, points: int = 401) -> Figure:
+    """Return the centre-line pressure between the rollers of a row and both rings, over angle and y.
+
+    Every roller is a cell of its angular pitch; nothing is interpolated between rollers. Grey is out of contact. The
+    loaded side is in the middle. Colours are the same for all rows and rings of a bearing, up to its maximum pressure;
+    the largest pressure of this row at each ring is marked.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        A loaded bearing, solved by strips.
+    row : int
+        Which row of rollers, from 0.
+    points : int
+        Places along the rollers.
+
+    Raises
+    ------
+    InputError
+        If there is no such row, or the bearing was solved by slices.
+    """
+    middle = _middle(solution)
+    ticks = middle + np.linspace(-180.0, 180.0, round(360.0 / STEP) + 1)
+    turn = Axis(
+        "Angle of the roller, from +y towards +z",
+        "angle",
+        "°",
+        range=(middle - 180.0, middle + 180.0),
+        ticks=tuple((tick, f"{tick % 360.0:g}°") for tick in ticks.tolist()),
+    )
+    limit = float(solution.max_pressure.max()) or 1.0
+    largest = max(
+        float(solution.unrolled_pressure(ring, row=each).pressure.max())
+        for each in range(len(solution.bearing.rows))
+        for ring in RINGS
+    )
+    colours = Axis("Centre-line pressure p₀", "p₀", "MPa", range=(0.0, limit), cut=largest > ON_A_GRID * limit)
+    panels = tuple(_unrolled(solution, ring, row, points, middle, colours) for ring in RINGS)
+    return Figure(turn, panels)
+
+
+def _unrolled(solution: BearingSolution, ring: str, row: int, points: int, middle: float, colours: Axis) -> Panel:
+    half = 0.5 * solution.bearing.rows[row].bearing.roller_length
+    places = half * np.linspace(-1.0, 1.0, points)
+    unrolled = solution.unrolled_pressure(ring, row=row, y=places)
+    pitch = 360.0 / unrolled.angle.size
+    turned = _around(np.degrees(unrolled.angle), middle)
+    order = np.argsort(turned)
+    # The roller that half a turn from the middle cuts is at both ends; all rows have the same axis.
+    order = np.concatenate([order[-1:], order, order[:1]])
+    edges = turned[order[0]] - 360.0 + pitch * (np.arange(order.size + 1) - 0.5)
+    between = np.concatenate([places[:1], 0.5 * (places[1:] + places[:-1]), places[-1:]])
+    pressure = unrolled.pressure[order]
+    heading = f"Pressure at the {ring} ring"
+    if len(solution.bearing.rows) > 1:
+        heading += f", row {row + 1}"
+    words, marks = "no roller loaded", []
+    these = solution.rollers_of(row)
+    largest, of_ring = solution.max_pressure[these, RINGS.index(ring)], RINGS.index(ring)
+    most = int(largest.argmax())
+    if largest[most] > 0.0:
+        y, angle = float(solution.max_pressure_y[these, of_ring][most]), np.degrees(unrolled.angle[most : most + 1])
+        marks = [Points(_around(angle, middle), np.array([y]), colour="ink")]
+        words = f"largest {mpa(float(largest[most])):.4g} at {angle[0]:.4g}°, y = {mm(y):.3g}"
+    return Panel(
+        f"map-{ring}",
+        heading,
+        Axis("y", "y", "mm", range=(-half, half)),
+        [
+            Span(float(edges[0]), float(edges[-1]), colour="faint"),
+            Cells(edges, between, np.where(pressure > 0.0, pressure, np.nan)),
+            *(Across(edge, colour="paper") for edge in edges[1:-1].tolist()),
+            *marks,
+        ],
+        f"{heading}, of all rollers over angle and y: {words}.",
+        words,
+        110,
+        colours=colours,
+    )
+
+
+def _middle(solution: BearingSolution) -> float:
+    """Return the multiple of a quarter turn [degree] that is nearest to the direction of the loads."""
+    inner = solution.load[:, 0]
+    y, z = float(inner @ np.cos(solution.angle)), float(inner @ np.sin(solution.angle))
+    if math.hypot(y, z) <= 1e-6 * float(inner.sum()):
+        return 0.0
+    return QUARTER * round(math.degrees(math.atan2(z, y)) / QUARTER)
+
+
+def _around(degrees: Array, middle: float) -> Array:
+    """Return angles within half a turn of the middle."""
+    # A roller exactly opposite is on the right; where it is written in binary must not decide.
+    turned: Array = middle + 180.0 - np.mod(np.round(180.0 - (degrees - middle), 9), 360.0)
+    return turned
