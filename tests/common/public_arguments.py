@@ -11,7 +11,8 @@ import numpy as np
 
 import nonhertz as nh
 from nonhertz import bearing, hertz, life, measured, profile
-from nonhertz.files.results import as_object, key_by_key
+from nonhertz.files.contact_results import as_object
+from nonhertz.files.results import key_by_key
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "crowned-roller.toml"
 BEARING = EXAMPLE.with_name("nu206.toml")

@@ -10,7 +10,7 @@ import nonhertz as nh
 from nonhertz.files.bearing_results import as_object as bearing_object
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.results import as_object
+from nonhertz.files.contact_results import as_object
 from nonhertz.report import compose
 from nonhertz.web.view.answers import answer
 from nonhertz.web.view.bearings import bearing_answer

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.results import UNITS
+from nonhertz.files.contact_results import CONTACT
+from nonhertz.files.results import units_of
 from nonhertz.inputs.fields import Quantities, Quantity
 from nonhertz.model.profile import PARAMETERS
 
@@ -43,7 +44,8 @@ def test_every_name_of_the_page_is_in_the_code_and_there_once():
 
 def test_results_on_disk_have_the_units_that_the_page_lists():
     # The page writes exponents by their symbols.
-    listed = {name: unit for name, unit in (UNITS | UNITS["edge_pressure"]).items() if isinstance(unit, str)}
+    units = units_of(CONTACT)
+    listed = {name: unit for name, unit in (units | units["edge_pressure"]).items() if isinstance(unit, str)}
     for name, unit in listed.items():
         if "exponent" not in unit:
             assert LISTED[name] == unit, name

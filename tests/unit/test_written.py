@@ -12,8 +12,9 @@ import nonhertz as nh
 from nonhertz.files.bearingfile import BearingCase, starting_bearing
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case, read_case, starting_case
+from nonhertz.files.contact_results import as_object
 from nonhertz.files.documents import as_toml
-from nonhertz.files.results import as_object, key_by_key
+from nonhertz.files.results import key_by_key
 from nonhertz.files.sections import Life, OverrolledDent
 from nonhertz.life import LoadCase
 from nonhertz.model.profile import CATALOGUE, Profile

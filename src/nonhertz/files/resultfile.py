@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files import results
+from nonhertz.files import contact_results
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case
 from nonhertz.files.documents import meant_as
@@ -115,7 +115,7 @@ class Result:
     def texts(self) -> dict[str, str]:
         """Return what `save` writes but figures, by file name: result.json and tables; raise what `to_json` does."""
         if isinstance(self.case, Case) and isinstance(self.solution, Solution):
-            return results.files(self.solution, self.case)
+            return contact_results.files(self.solution, self.case)
         # Imported here, like bearings below, since a contact needs nothing of them.
         from nonhertz.bearing.solution import BearingSolution
         from nonhertz.files import bearing_results
@@ -151,7 +151,7 @@ def read_result(path: str | Path) -> Result:
     >>> import tempfile
     >>> from nonhertz.files.casefile import read_case, starting_case
     >>> from nonhertz.files.folder import write_files
-    >>> from nonhertz.files.results import files
+    >>> from nonhertz.files.contact_results import files
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = Path(folder, "case.toml")
     ...     _ = path.write_text(starting_case())

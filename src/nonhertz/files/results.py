@@ -1,98 +1,231 @@
-"""A solution as text and as files: one JSON object, one table, and whatever figures the caller draws."""
+"""What files hold of results, in tables of keys, from which JSON, its units, its schema and its reference are made.
+
+A new number of a result is an entry in the table of its file.
+"""
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from operator import attrgetter
+from types import SimpleNamespace
+from typing import Any, Final
 
 import numpy as np
 
 from nonhertz.amounts import read_in
 from nonhertz.files.bounds import FORMAT
 from nonhertz.findings import Finding, as_warnings
-from nonhertz.model.body import BODIES
-from nonhertz.result.quantities import ALONG, QUANTITIES
-from nonhertz.result.solution import Solution
-from nonhertz.result.tables import csv_text
-from nonhertz.verdict import given_verdict, of_contact
+from nonhertz.result.quantities import Quantity
+from nonhertz.verdict import Verdict, given_verdict
 
-if TYPE_CHECKING:
-    from nonhertz.files.casefile import Case
+Get = Callable[[Any], Any]
 
-#: Quantities that are written as single numbers; the stiffness is written as a matrix.
-NUMBERS = tuple(name for name, quantity in QUANTITIES.items() if not quantity.within)
+#: JSON has neither infinity nor NaN: such numbers are null.
+NUMBER: Final = ("number", "null")
 
-#: Units of the numbers in a result; dimensionless ones are left out.
-UNITS: dict[str, Any] = {
-    **{name: QUANTITIES[name].unit for name in NUMBERS},
-    "contact_y": "mm",
-    "edge_pressure": {
-        "y": "mm",
-        "pressure": "MPa",
-        "strip_width": "mm",
-        "strength": "MPa mm^exponent",
-        "correction": "mm^-correction_exponent",
-    },
-    "singular_ends": {"y": "mm"},
-    "stiffness": [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
-    **ALONG,
-    "edges": "mm",
-    "element_half_width": "mm",
-}
+
+@dataclass(frozen=True)
+class ListOf:
+    """A list in JSON: what its entries are, as `Key.holds` says it, and how many, if that is the same in all files."""
+
+    entry: Any = NUMBER
+    count: int | None = None
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of a JSON object.
+
+    Attributes
+    ----------
+    name : str
+        The key.
+    meaning : str
+        What it is.
+    unit : str, list, mapping or None
+        Unit of its number or numbers; where each has its own, a list of them, or a mapping by name. If None, the keys
+        of the objects in it have theirs; if empty, they are as in the object around it.
+    get : callable or str
+        Returns its value in the result; or the dotted path of the attribute that is, by default that of its name.
+    holds : str, tuple of str, list of str, mapping, tuple of Key, or ListOf
+        The type of its value in JSON, such as ``"string"``; types of which it is one; words of which it is one; its
+        schema; the keys of an object; or a list of any of these.
+    nullable : bool
+        Whether it may be null, other than a number, which always may.
+    applies : callable or None
+        Whether a result has the key; if None, all have it.
+    """
+
+    name: str
+    meaning: str
+    unit: Any = None
+    get: Get | str = ""
+    holds: Any = NUMBER
+    nullable: bool = False
+    applies: Get | None = None
+
+    @property
+    def keys(self) -> tuple[Key, ...]:
+        """The keys of the object, or of the objects, in it."""
+        entry = self.holds.entry if isinstance(self.holds, ListOf) else self.holds
+        return entry if _is_object(entry) else ()
+
+    def value(self, result: Any) -> Any:
+        """Return its value in a result."""
+        return (self.get if callable(self.get) else attrgetter(self.get or self.name))(result)
+
+    def json(self, result: Any) -> Any:
+        """Return its value as JSON can represent it."""
+        value = self.value(result)
+        if value is None or not self.keys:
+            return plain(value)
+        if isinstance(self.holds, ListOf):
+            return [object_of(self.keys, entry) for entry in value]
+        return object_of(self.keys, value)
+
+    @property
+    def schema(self) -> dict[str, Any]:
+        """Its JSON schema."""
+        schema = _schema(self.holds)
+        if self.nullable:
+            schema["type"] = [schema["type"], "null"]
+        unit = f" [{self.unit}]" if isinstance(self.unit, str) and self.unit else ""
+        return schema | {"description": self.meaning + unit} | ({"unit": self.unit} if self.unit else {})
+
+
+def within(get: Get | str, *keys: Key) -> tuple[Key, ...]:
+    """Return keys that a part of all results has as keys of the result; ``get`` returns the part, or is its path."""
+    part = get if callable(get) else attrgetter(get)
+
+    def moved(key: Key) -> Key:
+        return replace(key, get=lambda result: key.value(part(result)))
+
+    return tuple(map(moved, keys))
+
+
+def quantity_keys(quantities: Iterable[Quantity], holds: Any = NUMBER) -> tuple[Key, ...]:
+    """Return the keys of quantities of a solution."""
+    return tuple(Key(each.name, each.meaning or each.label, each.unit, each.get, holds) for each in quantities)
 
 
 @read_in("si")
-def as_object(solution: Solution, case: Case) -> dict[str, Any]:
-    """Return a solution as plain numbers, text, lists and dictionaries, with the case it belongs to.
+def document(keys: Iterable[Key], **parts: Any) -> dict[str, Any]:
+    """Return a result as plain numbers, text, lists and dictionaries; keys find their values in its parts, by name."""
+    return object_of(keys, SimpleNamespace(**parts))
 
-    `nonhertz.files.resultfile.read_result` reads it back.
 
-    Numbers are unrounded; a non-finite one, such as the error estimate of a maximum pressure at a corner of the
-    profile, is None, since JSON has no infinity.
-    """
+def object_of(keys: Iterable[Key], result: Any) -> dict[str, Any]:
+    """Return what keys hold of a result, or of a part of one."""
     return {
-        "format": FORMAT,
-        "title": case.title,
-        "status": solution.status.label,
-        "element": solution.element.name,
-        "models": {name: getattr(solution.contact, name).model for name in BODIES},
-        **{name: plain(QUANTITIES[name].get(solution)) for name in NUMBERS},
-        "contact_y": plain(solution.contact_y),
-        "edge_pressure": [
-            plain(vars(edge) | {"kind": edge.kind.label, "converges": edge.converges})
-            for edge in solution.edge_pressure
-        ],
-        "singular_ends": [{"y": plain(end.y), "kind": end.kind.label} for end in solution.singular_ends],
-        "stiffness": plain(solution.stiffness),
-        "peaks_at_corner": solution.peaks_at_corner,
-        "iterations": int(solution.iterations),
-        "strips": solution.strips,
-        "error_estimate": plain(vars(solution.error_estimate)),
-        "verdict": given_verdict(of_contact(solution)),
-        "assumed": [each.as_object() for each in case.assumed],
-        **as_warnings(solution.findings),
-        **({"remarks": [each.as_object() for each in solution.remarks]} if solution.remarks else {}),
-        "units": UNITS,
-        **{name: plain(column) for name, column in solution.table().items()},
-        "edges": plain(solution.edges),
-        "element_half_width": plain(solution.element_half_width),
-        "case": case.own_document,
+        key.name: units_of(keys) if key is UNITS else key.json(result)
+        for key in keys
+        if key.applies is None or key.applies(result)
     }
+
+
+def units_of(keys: Iterable[Key]) -> dict[str, Any]:
+    """Return the units of numbers by their keys; those without are left out."""
+    units = {key.name: units_of(key.keys) if key.unit is None else key.unit for key in keys}
+    return {name: unit for name, unit in units.items() if unit}
+
+
+def schema_of(keys: Iterable[Key]) -> dict[str, Any]:
+    """Return the JSON schema of an object with these keys and no others."""
+    return {
+        "type": "object",
+        "properties": {key.name: key.schema for key in keys},
+        "required": [key.name for key in keys if key.applies is None],
+        "additionalProperties": False,
+    }
+
+
+def _is_object(holds: Any) -> bool:
+    return isinstance(holds, tuple) and isinstance(holds[0], Key)
+
+
+def _schema(holds: Any) -> dict[str, Any]:
+    match holds:
+        case ListOf(entry, count):
+            return {"type": "array", "items": _schema(entry)} | (
+                {"minItems": count, "maxItems": count} if count else {}
+            )
+        case Mapping():
+            return dict(holds)
+        case list():
+            return {"enum": holds}
+    return schema_of(holds) if _is_object(holds) else {"type": holds if isinstance(holds, str) else [*holds]}
+
+
+# Keys of several files
+
+FORMAT_KEY: Final = Key("format", "format of the file", get=lambda _: FORMAT, holds={"const": FORMAT})
+#: Its value follows from the other keys.
+UNITS: Final = Key("units", "units of all these; dimensionless numbers are left out", holds="object")
+
+
+def verdict_key(verdict: Callable[[Any], Verdict | None]) -> Key:
+    """Return the key of the verdict on a result."""
+    meaning = (
+        "whether limits are met: level (met, strained, not-judged, unlimited or not-met), and the findings that decide "
+        "it, worst first; of several, where says which of them it is; null where nothing can be said"
+    )
+    return Key("verdict", meaning, get=lambda result: given_verdict(verdict(result)), holds="object", nullable=True)
+
+
+def models_key(get: Get | str, parts: Iterable[str]) -> Key:
+    """Return the key of the models of bodies."""
+    keys = tuple(Key(part, f"of {part}", get=f"{part}.model", holds="string") for part in parts)
+    return Key("models", "side faces and depth, as they were used", get=get, holds=keys)
+
+
+def findings_key(name: str, meaning: str, path: str, **options: Any) -> Key:
+    """Return a key that holds findings with kind, sentence and numbers."""
+    findings = attrgetter(path)
+    objects = lambda result: [finding.as_object() for finding in findings(result)]  # noqa: E731
+    return Key(name, meaning, get=objects, holds=ListOf("object"), **options)
+
+
+def assumed_key(path: str) -> Key:
+    """Return the key of what is assumed."""
+    meaning = (
+        "what is assumed where the file leaves something out that moves a headline number by more than 5 %: kind, "
+        "sentence, and numbers with default, keys and what it decides"
+    )
+    return findings_key("assumed", meaning, path)
+
+
+def warning_keys(findings: Callable[[Any], Iterable[Finding]], notes: Get = lambda _: ()) -> tuple[Key, Key]:
+    """Return the keys of what strains the model, after any notes."""
+
+    def get(name: str) -> Get:
+        return lambda result: as_warnings(findings(result), notes(result))[name]
+
+    meaning = "the same by kind, with value and unit of each number"
+    return (
+        Key("warnings", "what strains the model, a sentence each", get=get("warnings"), holds=ListOf("string")),
+        Key("findings", meaning, get=get("findings"), holds=ListOf("object")),
+    )
+
+
+# Text
 
 
 def plain(value: Any) -> Any:
     """Return a number, or numbers nested in arrays, lists, tuples and mappings, in a form that JSON can represent.
 
-    Text and truth values stay as they are, and findings become text.
+    Text, truth values and whole numbers stay as they are, and findings become text.
 
     Examples
     --------
-    >>> plain(np.array([1.0, np.inf])), plain({"load": 1, "kind": "finite"})
-    ([1.0, None], {'load': 1.0, 'kind': 'finite'})
+    >>> plain(np.array([1.0, np.inf])), plain({"load": 1.5, "kind": "finite", "strips": 3})
+    ([1.0, None], {'load': 1.5, 'kind': 'finite', 'strips': 3})
     """
-    if value is None or isinstance(value, str | bool):
+    if isinstance(value, np.generic):
+        value = value.item()
+    if value is None or isinstance(value, str | int):
         return value
     if isinstance(value, Finding):
         return str(value)
@@ -120,15 +253,3 @@ def key_by_key(entries: dict[str, Any]) -> str:
     """
     lines = (f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in entries.items())
     return "{\n" + ",\n".join(lines) + "\n}"
-
-
-def as_table(solution: Solution) -> str:
-    """Return the strips as CSV with a header of names and units."""
-    columns = (column.tolist() for column in solution.table().values())
-    return csv_text((f"{name} [{unit}]" for name, unit in ALONG.items()), zip(*columns, strict=True))
-
-
-@read_in("si")
-def files(solution: Solution, case: Case) -> dict[str, str]:
-    """Return the texts of result.json and table.csv, by file name."""
-    return {"result.json": key_by_key(as_object(solution, case)) + "\n", "table.csv": as_table(solution)}

@@ -1,7 +1,7 @@
 """JSON schemas of the files that are read and written, for editors and for other programs.
 
-Those of case, bearing and plan files are made by the tables that check these files. That of results is written here:
-every key of a result is in it, and no other.
+Those of case, bearing and plan files are made by the tables that check these files, those of results by the tables of
+keys that write them: every key is in it, and no other.
 """
 
 from __future__ import annotations
@@ -13,24 +13,18 @@ from functools import partial
 from typing import Any
 
 from nonhertz.files.bearing_document import BearingFile
-from nonhertz.files.bounds import FORMAT
+from nonhertz.files.contact_results import CONTACT
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.profiles import KINDS as KINDS_OF_PROFILES
-from nonhertz.files.results import NUMBERS
+from nonhertz.files.results import Key as ResultKey
+from nonhertz.files.results import schema_of as schema_of_keys
 from nonhertz.files.sections import CaseDocument
 from nonhertz.inputs.fields import Part, Several, text_of
-from nonhertz.model.body import BODIES
-from nonhertz.result.quantities import ALONG, QUANTITIES
-from nonhertz.result.solution import EdgeKind, Status
-from nonhertz.strip.element import ELEMENTS
 
 Schema = dict[str, Any]
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
-_NUMBER = {"type": "number"}
-_NUMBER_OR_NULL = {"type": ["number", "null"]}
-_TEXT = {"type": "string"}
 
 
 def schema_of(kind: str) -> Schema:
@@ -92,43 +86,11 @@ def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
     return found | {"description": text_of(each)} | ({"default": usual} if plain else {})
 
 
-def result_schema() -> Schema:
-    """Return the JSON schema of ``result.json``, which is what ``nonhertz solve --json`` prints."""
-    case = _of_file(CaseDocument)
-    numbers = {name: _described(_NUMBER_OR_NULL, QUANTITIES[name].label, QUANTITIES[name].unit) for name in NUMBERS}
-    columns = {name: _described(_list(_NUMBER_OR_NULL), f"{name} of each strip", unit) for name, unit in ALONG.items()}
-    errors = dict.fromkeys(("approach", "load", "max_pressure", "moment", "tilt"), _NUMBER_OR_NULL)
-    properties = {
-        "format": {"const": FORMAT, "description": "format of the file"},
-        "title": {"type": "string", "description": "title of the case"},
-        "status": {"enum": [each.label for each in Status], "description": "how the solve ended"},
-        "element": {"enum": list(ELEMENTS), "description": "the strip element"},
-        "models": _table(dict.fromkeys(BODIES, _TEXT), "side faces and depth of both bodies, as they were used"),
-        **numbers,
-        "contact_y": _described(_list(_pair(_NUMBER)), "the intervals in contact", "mm"),
-        "edge_pressure": _pair(_edge()) | {"description": "the pressure at the low and at the high end"},
-        "singular_ends": _list(
-            _table({"y": _NUMBER, "kind": _kinds()}, "an end towards which the pressure has no limit")
-        ),
-        "stiffness": _pair(_pair(_NUMBER_OR_NULL))
-        | {"description": "d(load, moment) / d(approach, tilt) [[N/mm, N/rad], [N mm/mm, N mm/rad]]"},
-        "peaks_at_corner": {"type": "boolean", "description": "whether the largest pressure is at a corner"},
-        "iterations": {"type": "integer", "minimum": 0, "description": "Newton steps"},
-        "strips": {"type": "integer", "minimum": 1, "description": "number of strips"},
-        "error_estimate": _table(errors, "estimated discretisation errors, relative; null where there is none"),
-        "warnings": _list(_TEXT) | {"description": "what strains the model, a sentence each"},
-        "assumed": _list({"type": "object"}) | {"description": "what is assumed where the file leaves something out"},
-        "verdict": {"type": ["object", "null"], "description": "whether limits are met: level, and what decides it"},
-        "findings": _list({"type": "object"}) | {"description": "the same, by kind, with numbers and their units"},
-        "remarks": _list({"type": "object"}) | {"description": "what is noticed and strains nothing, if anything is"},
-        "units": {"type": "object", "description": "units of all these; dimensionless numbers are left out"},
-        **columns,
-        "edges": _described(_list(_NUMBER), "edges of the strips", "mm"),
-        "element_half_width": _described(_list(_NUMBER), "half-width of the element's own pressure", "mm"),
-        "case": {key: value for key, value in case.items() if key != "$defs"},
-    }
-    required = [name for name in properties if name != "remarks"]
-    return _table(properties, "A solved contact.") | {"required": required, "$defs": case["$defs"]}
+def _of_result(keys: tuple[ResultKey, ...], meaning: str, inputs: Any) -> Schema:
+    """Return the JSON schema of a file of a result, whose ``case`` is a file of the inputs."""
+    schema, case = schema_of_keys(keys), _of_file(inputs)
+    tables, properties = case.pop("$defs"), schema["properties"] | {"case": case}
+    return schema | {"description": meaning, "properties": properties, "$defs": tables}
 
 
 #: What there are schemas of, and the functions that return them.
@@ -136,7 +98,7 @@ KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
     "case": partial(_of_file, CaseDocument),
     "bearing": partial(_of_file, BearingFile),
     "plan": partial(_of_file, PlanDocument),
-    "result": result_schema,
+    "result": lambda: _of_result(CONTACT, "A solved contact.", CaseDocument),
 }
 
 
@@ -148,31 +110,6 @@ def _table(properties: Schema, description: str) -> Schema:
         "required": list(properties),
         "additionalProperties": False,
     }
-
-
-def _list(entry: Schema) -> Schema:
-    return {"type": "array", "items": entry}
-
-
-def _pair(entry: Schema) -> Schema:
-    return _list(entry) | {"minItems": 2, "maxItems": 2}
-
-
-def _described(schema: Schema, what: str, unit: str) -> Schema:
-    return schema | {"description": f"{what} [{unit}]", "unit": unit}
-
-
-def _kinds() -> Schema:
-    return {"enum": [kind.label for kind in EdgeKind]}
-
-
-def _edge() -> Schema:
-    numbers = dict.fromkeys(
-        ("y", "pressure", "strip_width", "image_weight", "exponent", "correction_exponent"), _NUMBER
-    )
-    unknown = dict.fromkeys(("strength", "correction"), _NUMBER_OR_NULL)
-    rest: Schema = {"kind": _kinds(), "convention": _TEXT, "converges": {"type": "boolean"}}
-    return _table(numbers | unknown | rest, "the pressure at an end of the contact, in mm and MPa")
 
 
 def _for_older_programs(schema: Any) -> Any:

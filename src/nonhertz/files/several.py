@@ -8,9 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nonhertz.amounts import read_in
-from nonhertz.files.results import as_object, plain
+from nonhertz.files.contact_results import as_object
+from nonhertz.files.results import plain
 from nonhertz.inputs.files import legible
 from nonhertz.result.quantities import QUANTITIES
+from nonhertz.result.tables import heading
 from nonhertz.verdict import Verdict, of_contact
 
 if TYPE_CHECKING:
@@ -20,7 +22,7 @@ if TYPE_CHECKING:
 #: Head of the table, with units.
 HEAD = (
     *("case", "title", "status"),
-    *(f"{name} [{quantity.unit}]" for name, quantity in QUANTITIES.items()),
+    *(heading(name, quantity.unit) for name, quantity in QUANTITIES.items()),
     *("warnings", "complaint"),
 )
 _NOT_SOLVED = "not-solved"

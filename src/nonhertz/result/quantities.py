@@ -45,16 +45,19 @@ class Quantity:
         Solution -> size of the terms that it sums, in ``unit``; None if it is not a sum that may cancel to zero.
     within : str
         The array or the part of a result in which summaries and JSON have it; those without have a place of their own.
+    meaning : str
+        What it is, where its label alone does not say.
     """
 
     name: str
     label: str
     symbol: str
     unit: str
-    get: Callable[[Any], float]
+    get: Callable[[Any], Any]
     shown_unit: str = ""
     scale: Callable[[Any], float] | None = None
     within: str = ""
+    meaning: str = ""
 
     def clean(self, solution: Any) -> Any:
         """Return the value in ``unit``, zero where it is only rounding; of many solutions at once, of each."""
@@ -115,12 +118,18 @@ _ALL = (
 #: Every number of a solution, by name.
 QUANTITIES: dict[str, Quantity] = {quantity.name: quantity for quantity in _ALL}
 
-#: Arrays along the contact, by name, with their units.
-ALONG: dict[str, str] = {
-    "y": "mm",
-    "strip_width": "mm",
-    "line_load": "N/mm",
-    "centre_pressure": "MPa",
-    "half_width": "mm",
-    "gap": "mm",
-}
+
+def attributes(*quantities: tuple[str, str, str]) -> dict[str, Quantity]:
+    """Return quantities that are attributes of the solution, given as name, label and unit, by name."""
+    return {name: _own(name, label, "", unit) for name, label, unit in quantities}
+
+
+#: Arrays along the contact, by name.
+ALONG: dict[str, Quantity] = attributes(
+    ("y", "centre of every strip", "mm"),
+    ("strip_width", "width of every strip", "mm"),
+    ("line_load", "load per length of every strip", "N/mm"),
+    ("centre_pressure", "pressure on the centre line of every strip", "MPa"),
+    ("half_width", "half-width across of every strip", "mm"),
+    ("gap", "distance of the deformed surfaces on the centre line; zero in contact", "mm"),
+)

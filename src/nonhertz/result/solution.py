@@ -599,7 +599,7 @@ class Solution(Solved):
 
     def table(self) -> dict[str, Array]:
         """Return the quantities along the contact by name, one array each: the columns of ``table.csv``."""
-        return {name: getattr(self, name) for name in ALONG}
+        return {name: quantity.get(self) for name, quantity in ALONG.items()}
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return a pandas DataFrame: a row for each strip, the columns of `table`, units in ``attrs["units"]``.
@@ -610,7 +610,7 @@ class Solution(Solved):
             If pandas is not installed.
         """
         frame: pd.DataFrame = library("pandas", "to_dataframe").DataFrame(self.table())
-        frame.attrs["units"] = dict(ALONG)
+        frame.attrs["units"] = {name: quantity.unit for name, quantity in ALONG.items()}
         return frame
 
     def plot(self, what: str = "pressure", ax: Any = None) -> Any:

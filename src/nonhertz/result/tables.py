@@ -11,6 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 
+def heading(name: str, unit: str) -> str:
+    """Return the head of a column: name and unit.
+
+    Examples
+    --------
+    >>> heading("load", "N"), heading("exponent", "")
+    ('load [N]', 'exponent')
+    """
+    return f"{name} [{unit}]" if unit else name
+
+
 def as_csv(columns: Mapping[str, NDArray[np.float64]]) -> str:
     """Return columns as CSV, their names in the first line, with ten significant digits.
 
