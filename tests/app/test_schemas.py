@@ -132,6 +132,28 @@ def test_every_result_is_valid(results):
     assert any("remarks" in result for result in results)
 
 
+@pytest.mark.parametrize(
+    ("name", "changes"),
+    [
+        ("nu206", {"solver.method": "slices"}),
+        ("nu206-mounted", {"solver.method": "slices"}),
+        ("tapered-pair", {"solver.method": "slices", "load.radial": 0.0, "load.axial": None}),
+        ("nu206", {"solver.method": "slices", "roller.material": "silicon-nitride"}),  # without a life
+        pytest.param("nu206-mounted", {}, marks=pytest.mark.slow),
+    ],
+)
+def test_every_result_of_a_bearing_is_valid(name, changes):
+    case = nh.read_bearing(EXAMPLES / f"{name}.toml", changes)
+    with without_accuracy_warnings():
+        result = json.loads(nh.Result(case, case.solve()).to_json())
+    assert mistakes("bearing-result", result) == [[], []]
+    for key in result:
+        less = {name: value for name, value in result.items() if name != key}
+        assert all(mistakes("bearing-result", less)), key
+    assert all(mistakes("bearing-result", result | {"more": 1}))
+    assert all(mistakes("bearing-result", result | {"load": 1.0}))
+
+
 def test_a_result_with_a_key_too_few_or_too_many_is_not(results):
     for key in results[0]:
         less = {name: value for name, value in results[0].items() if name != key}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,6 +25,7 @@ from nonhertz.inputs.checks import numbers, one_of, whole
 from nonhertz.life.capacity import is_hollow
 from nonhertz.result.brief import plain_text
 from nonhertz.result.data import library
+from nonhertz.result.quantities import Quantity, attributes
 from nonhertz.result.solution import ReadOnly, Solution
 from nonhertz.solver.one import solve
 
@@ -34,11 +35,19 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 POINTS = 401  # along a roller
-#: Of the numbers of contacts.
-CONTACT_UNITS = {
-    "angle": "rad", "load": "N", "moment": "N mm", "approach": "mm", "tilt": "rad", "contact_angle": "rad",
-    "max_pressure": "MPa", "max_pressure_y": "mm", "rib_load": "N",
-}  # fmt: skip
+#: Arrays of every roller at the inner and the outer ring, by name.
+CONTACT_QUANTITIES: Final[dict[str, Quantity]] = attributes(
+    ("load", "load of every contact", "N"),
+    ("moment", "moment of every contact", "N mm"),
+    ("approach", "approach of every contact", "mm"),
+    ("tilt", "tilt of every contact", "rad"),
+    ("contact_angle", "contact angle of every contact", "rad"),
+    ("max_pressure", "maximum pressure of every contact", "MPa"),
+    ("max_pressure_y", "where it is along the roller", "mm"),
+    ("rib_load", "load on every roller's ends from the ribs of each ring", "N"),
+)
+#: Those of them that are not known by slices.
+PRESSURES: Final = ("max_pressure", "max_pressure_y")
 _SAME = 1e-9  # of the largest approach
 
 
@@ -474,11 +483,11 @@ class BearingSolution(ReadOnly):
             "angle": np.repeat(self.angle, 2),
             "ring": list(RINGS) * self.angle.size,
         }
-        unknown = ("max_pressure", "max_pressure_y") if self.method != "strips" else ()
-        for name in list(CONTACT_UNITS)[1:]:
-            columns[name] = np.full(self.load.size, np.nan) if name in unknown else getattr(self, name).ravel()
+        unknown = PRESSURES if self.method != "strips" else ()
+        for name, quantity in CONTACT_QUANTITIES.items():
+            columns[name] = np.full(self.load.size, np.nan) if name in unknown else quantity.get(self).ravel()
         frame = pandas.DataFrame(columns)
-        frame.attrs["units"] = dict(CONTACT_UNITS)
+        frame.attrs["units"] = {"angle": "rad"} | {name: each.unit for name, each in CONTACT_QUANTITIES.items()}
         return frame
 
     def _of_contacts(self, name: str) -> Array:

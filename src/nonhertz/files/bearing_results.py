@@ -2,138 +2,169 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any
+from operator import itemgetter
+from typing import TYPE_CHECKING, Any, Final
 
-from nonhertz.amounts import read_in
 from nonhertz.bearing.bearings import TaperedRollerBearing
-from nonhertz.bearing.quantities import SolvedBearing, further
+from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.bearing.section import FORCES, MOTIONS, RINGS
-from nonhertz.bearing.solution import CONTACT_UNITS, BearingSolution, slice_loads
-from nonhertz.files.bounds import FORMAT
-from nonhertz.files.results import key_by_key, plain
-from nonhertz.findings import as_warnings
-from nonhertz.result.tables import csv_text
-from nonhertz.verdict import findings_of, given_verdict, of_bearing
+from nonhertz.bearing.solution import CONTACT_QUANTITIES, PRESSURES, BearingSolution, slice_loads
+from nonhertz.files import results
+from nonhertz.files.results import Key, ListOf, plain, quantity_keys, within
+from nonhertz.result.quantities import Quantity
+from nonhertz.result.tables import csv_text, heading
+from nonhertz.verdict import findings_of, of_bearing
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.files.bearingfile import BearingCase
 
-_FORCE, _MOMENT = "N", "N mm"
-_OF_FIT = {
-    **dict.fromkeys(("mounted_pressure", "pressure", "seat_stress", "raceway_stress"), "MPa"),
-    "loosening_speed": "1/min",
-    "temperature_step": "K",
-}
-_LOST = "lost_to_inner_fit", "lost_to_outer_fit", "lost_to_temperatures", "lost_to_speed"
-_OF_CLEARANCE = ("unmounted", *_LOST, "clearance")
-#: Units of the numbers in a result; dimensionless ones are left out.
-UNITS: dict[str, Any] = {
-    **CONTACT_UNITS,
-    "each_rib_load": _FORCE,
-    "roller_load": [_FORCE, _FORCE, _MOMENT],
-    "displacement": list(MOTIONS.values()),
-    "force": list(FORCES.values()),
-    "stiffness": [[f"{force}/{motion}" for motion in MOTIONS.values()] for force in FORCES.values()],
-    "edge_stiffness": "N/mm",
-    "x": "mm",
-    "operating_clearance": {
-        **dict.fromkeys((*_OF_CLEARANCE, "axial", "expansion"), "mm"),
-        **dict.fromkeys(RINGS, _OF_FIT),
-    },
-    "life": {
-        "rating": dict.fromkeys(("dynamic", "static", "inner", "outer", "fatigue_limit"), _FORCE),
-        "equivalent_load": _FORCE,
-        "static_load": _FORCE,
-        **dict.fromkeys(("basic_life", "reference_life", "modified_life", "rated_life"), "10^6 revolutions"),
-    },
-}
-_OF_RING = ("roller_load", "displacement", "force", "stiffness", "edge_rollers", "edge_stiffness", "residual")
-_OF_CONTACTS = ("load", "moment", "approach", "tilt", "contact_angle")
-_OF_LIFE = (
-    *(
-        "equivalent_load",
-        "static_load",
-        "basic_life",
-        "reference_life",
-        "viscosity_ratio",
-        "contamination",
-        "life_factor",
-    ),
-    *("reliability_factor", "modified_life", "rated_life", "static_safety"),
+
+_FIT: Final = (
+    Key("mounted_pressure", "pressure where ring and seat meet, at 20 °C and at rest", "MPa"),
+    Key("pressure", "the same in operation; 0 where they do not press on each other", "MPa"),
+    Key("seat_stress", "hoop stress of the ring in operation, at its seat", "MPa"),
+    Key("raceway_stress", "the same at its raceway", "MPa"),
+    Key("loosening_speed", "speed at which the pressure falls to zero; null if none does", "1/min"),
+    Key("temperature_step", "by how much the part that is inside is warmer than the one around it", "K"),
 )
+_CLEARANCE: Final = (
+    *within(
+        "operating_clearance",
+        Key("unmounted", "radial clearance before the bearing is mounted", "mm"),
+        Key("lost_to_inner_fit", "taken by the fit of the inner ring", "mm"),
+        Key("lost_to_outer_fit", "taken by the fit of the outer ring", "mm"),
+        Key("lost_to_temperatures", "taken by temperatures", "mm"),
+        Key("lost_to_speed", "taken by speed", "mm"),
+        Key("clearance", "radial clearance in operation; negative: preload", "mm"),
+    ),
+    Key(
+        "axial", "axial clearance of one tapered row in operation", "mm",
+        lambda case: case.operating_clearance.axial(case.bearing.rows[0].bearing.nominal_angle),
+        applies=lambda case: isinstance(case.bearing.rows[0].bearing, TaperedRollerBearing),
+    ),
+    Key("expansion", "given by temperatures between two rows", "mm", lambda case: case.fit.expansion(case.bearing)),
+    *(Key(ring, f"fit of the {ring} ring", get=f"operating_clearance.{ring}", holds=_FIT) for ring in RINGS),
+)  # fmt: skip
+_RATING: Final = (
+    Key("dynamic", "basic dynamic load rating C", "N"),
+    Key("static", "basic static load rating C0", "N"),
+    Key("inner", "dynamic capacity of a contact with the inner ring", "N"),
+    Key("outer", "dynamic capacity of a contact with the outer ring", "N"),
+    Key("fatigue_limit", "fatigue load limit Cu", "N"),
+    Key("rows", "number of equal rows", holds="integer"),
+    Key("material_factor", "bm, with which C was found if it is not a catalogue's"),
+    Key("reduction", "lambda nu, reduction of C for uneven line loads"),
+)
+_REVOLUTIONS: Final = "10^6 revolutions"
+_OF_LOAD: Final = (
+    Key("rating", "load ratings by ISO 281 and ISO 76", holds=_RATING),
+    Key("equivalent_load", "P; of a spectrum, the constant load with the same L10", "N"),
+    Key("static_load", "P0; of a spectrum, the largest", "N"),
+    Key("basic_life", "L10 of ISO 281", _REVOLUTIONS),
+    Key("reference_life", "L10r of ISO/TS 16281", _REVOLUTIONS),
+    Key("viscosity_ratio", "kappa; null without a viscosity"),
+    Key("contamination", "e_C; null without a cleanliness"),
+    Key("life_factor", "a_ISO; null without viscosity and cleanliness"),
+    Key("reliability_factor", "a_1"),
+    Key("modified_life", "L_nmr; null where no_modified says why", _REVOLUTIONS),
+    Key("rated_life", "the life that stands: L_nmr, or a_1 L10r where there is none", _REVOLUTIONS),
+    Key("static_safety", "S0 = C0 / P0; null without load"),
+    Key("no_reference", "why there is no L10r; empty if there is one", holds="string"),
+    Key("no_modified", "why there is no modified life; empty if there is one", holds="string"),
+)
+_PART: Final = (
+    Key("share", "share of the revolutions", get=itemgetter(1)),
+    *within(itemgetter(0), *_OF_LOAD),
+    Key("parts", "empty", "", lambda _: (), ListOf("object")),
+)
+_LIFE: Final = (
+    *_OF_LOAD,
+    Key("parts", "the same for each load of a spectrum, with its share of the revolutions", "", holds=ListOf(_PART)),
+)
+_FORCES, _MOTIONS = [*FORCES.values()], [*MOTIONS.values()]
+_ROLLERS, _CONTACTS, _RING = ListOf(), ListOf(ListOf(count=len(RINGS))), ListOf(count=len(MOTIONS))
 
 
-@read_in("si")
+def _row_numbers(solution: BearingSolution) -> list[int]:
+    return [k for k, row in enumerate(solution.bearing.rows, start=1) for _ in range(row.bearing.rollers)]
+
+
+def _pressures(quantity: Quantity) -> Key:
+    def get(solution: BearingSolution) -> Any:
+        return quantity.get(solution) if solution.method == "strips" else None
+
+    return Key(quantity.name, f"{quantity.label}; null by slices", quantity.unit, get, _CONTACTS, nullable=True)
+
+
+def keys() -> tuple[Key, ...]:
+    """Return the keys of the file of a loaded bearing."""
+    return (
+        results.FORMAT_KEY,
+        Key("title", "title of the bearing", get="case.title", holds="string"),
+        Key("method", "how contacts were solved", get="solution.method", holds=["strips", "slices"]),
+        results.models_key(lambda rated: rated.solution.bearing.rows[0].bearing, ("roller", *RINGS)),
+        Key(
+            "operating_clearance", "clearance of a row and what took it, in turn; null without fits", holds=_CLEARANCE,
+            get=lambda rated: None if rated.case.fit is None else rated.case, nullable=True,
+        ),
+        *within(
+            "solution",
+            Key("row", "row of every roller, from 1", get=_row_numbers, holds=ListOf("integer")),
+            Key(
+                "x", "place of every roller along the axis", "mm",
+                lambda solution: [row.x for row in solution.bearing.rows for _ in range(row.bearing.rollers)], _ROLLERS,
+            ),
+            Key("angle", "where every roller is", "rad", holds=_ROLLERS),
+            *quantity_keys((each for name, each in CONTACT_QUANTITIES.items() if name not in PRESSURES), _CONTACTS),
+            Key("each_rib_load", "load on every roller's ends from each rib", "N", holds=ListOf(_ROLLERS)),
+            *(_pressures(CONTACT_QUANTITIES[name]) for name in PRESSURES),
+            Key(
+                "roller_load", "what speed loads every roller with, along x and r and as a moment", ["N", "N", "N mm"],
+                holds=ListOf(ListOf(count=3)),
+            ),
+            Key("displacement", "of the inner ring along x, y and z, and about y and z", _MOTIONS, holds=_RING),
+            Key("force", "forces and moments on the inner ring, likewise", _FORCES, holds=_RING),
+            Key(
+                "stiffness", "d(force) / d(displacement)",
+                [[f"{force}/{motion}" for motion in _MOTIONS] for force in _FORCES], holds=ListOf(_RING, len(FORCES)),
+            ),
+            Key("edge_rollers", "rollers at the edge of the load zone, without load", holds=ListOf("integer")),
+            Key(
+                "edge_stiffness", "change of force along x, y and z where these bear; null if there are none", "N/mm",
+                holds=ListOf(count=3),
+            ),
+            Key("residual", "imbalance relative to the loads"),
+        ),
+        *quantity_keys(quantity for quantity in QUANTITIES.values() if not quantity.within),
+        Key("iterations", "Newton steps of the ring", get="solution.iterations", holds="integer"),
+        Key("life", "ratings and lives; null where life_reason says why", holds=_LIFE, nullable=True),
+        Key("life_reason", "why there is no life; empty if there is one", get="reason", holds="string"),
+        results.assumed_key("case.assumed"),
+        results.verdict_key(lambda rated: of_bearing(rated.solution, rated.life, rated.case.operating_clearance)),
+        *results.warning_keys(lambda rated: findings_of(rated.solution, rated.life, rated.case.operating_clearance)),
+        results.UNITS,
+        Key("case", "the bearing as in a file, with all defaults", get="case.own_document", holds="object"),
+    )  # fmt: skip
+
+
 def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str) -> dict[str, Any]:
     """Return a loaded bearing as plain numbers, text, lists and dictionaries, with the case it belongs to.
 
-    `nonhertz.files.resultfile.read_result` reads it back.
-
-    Numbers are unrounded; a non-finite one, such as the life of a bearing without load, is None, since JSON has no
-    infinity.
+    `nonhertz.files.resultfile.read_result` reads it back. Numbers are unrounded.
     """
-    bearing = solution.bearing.rows[0].bearing
-    pressures = solution.method == "strips"
-    return {
-        "format": FORMAT,
-        "title": case.title,
-        "method": solution.method,
-        "models": {name: getattr(bearing, name).model for name in ("roller", *RINGS)},
-        "operating_clearance": _clearance(case),
-        "row": [k for k, row in enumerate(solution.bearing.rows, start=1) for _ in range(row.bearing.rollers)],
-        "x": [row.x for row in solution.bearing.rows for _ in range(row.bearing.rollers)],
-        **{name: plain(getattr(solution, name)) for name in ("angle", *_OF_CONTACTS, "rib_load", "each_rib_load")},
-        **{name: plain(getattr(solution, name)) if pressures else None for name in ("max_pressure", "max_pressure_y")},
-        **{name: plain(getattr(solution, name)) for name in _OF_RING},
-        **{each.name: plain(value) for each, value in further(SolvedBearing(case, solution))},
-        "iterations": solution.iterations,
-        "life": None if life is None else _life(life),
-        "life_reason": reason,
-        "assumed": [each.as_object() for each in case.assumed],
-        "verdict": given_verdict(of_bearing(solution, life, case.operating_clearance)),
-        **as_warnings(findings_of(solution, life, case.operating_clearance)),
-        "units": UNITS,
-        "case": case.own_document,
-    }
-
-
-def _clearance(case: BearingCase) -> dict[str, Any] | None:
-    """Return what is left of the clearance of a row, and what took it; None without fits."""
-    found = case.operating_clearance
-    if found is None or case.fit is None:
-        return None
-    row = case.bearing.rows[0].bearing
-    numbers = {name: plain(getattr(found, name)) for name in _OF_CLEARANCE}
-    axial = {"axial": plain(found.axial(row.nominal_angle))} if isinstance(row, TaperedRollerBearing) else {}
-    fits = {ring: plain(vars(getattr(found, ring))) for ring in RINGS}
-    return numbers | axial | {"expansion": case.fit.expansion(case.bearing)} | fits
-
-
-def _life(found: BearingLife) -> dict[str, Any]:
-    rating = plain(dataclasses.asdict(found.rating))
-    parts = [{"share": plain(share)} | _life(part) for part, share in found.parts]
-    numbers = {name: plain(getattr(found, name)) for name in _OF_LIFE}
-    return {
-        "rating": rating,
-        **numbers,
-        "no_reference": found.no_reference,
-        "no_modified": found.no_modified,
-        "parts": parts,
-    }
+    return results.document(keys(), case=case, solution=solution, life=life, reason=reason)
 
 
 def rollers_table(solution: BearingSolution) -> str:
     """Return the rollers as CSV with a header of names and units; cells without a number are empty."""
-    names = [*_OF_CONTACTS, *(("max_pressure", "max_pressure_y") if solution.method == "strips" else ())]
-    head = ["roller", "row", "angle [rad]", *(f"{name}_{ring} [{UNITS[name]}]" for name in names for ring in RINGS)]
-    columns = [getattr(solution, name)[:, k] for name in names for k in range(len(RINGS))]
-    rows = [k for k, row in enumerate(solution.bearing.rows, start=1) for _ in range(row.bearing.rollers)]
-    cells = zip(range(solution.angle.size), rows, solution.angle, *columns, *solution.rib_load.T, strict=True)
-    ribs = [f"rib_load_{ring} [N]" for ring in RINGS]
-    return csv_text([*head, *ribs], (map(_cell, each) for each in cells))
+    unknown = () if solution.method == "strips" else PRESSURES
+    quantities = [quantity for name, quantity in CONTACT_QUANTITIES.items() if name not in unknown]
+    heads = [heading(f"{each.name}_{ring}", each.unit) for each in quantities for ring in RINGS]
+    columns = [column for each in quantities for column in each.get(solution).T]
+    cells = zip(range(solution.angle.size), _row_numbers(solution), solution.angle, *columns, strict=True)
+    return csv_text(["roller", "row", "angle [rad]", *heads], map(plain, cells))
 
 
 def lines_table(solution: BearingSolution, laminae: int) -> str:
@@ -146,10 +177,10 @@ def lines_table(solution: BearingSolution, laminae: int) -> str:
     laminae : int
         Number of slices, where it was solved by them; they have no pressure.
     """
+    head = ["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"]
     if solution.method == "strips":
-        head = ["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"]
         return csv_text([*head, "centre_pressure [MPa]", "half_width [mm]"], _strips(solution))
-    return csv_text(["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"], _slices(solution, laminae))
+    return csv_text(head, _slices(solution, laminae))
 
 
 def _strips(solution: BearingSolution) -> Iterator[Iterable[Any]]:
@@ -174,49 +205,38 @@ def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
                         yield j, ring, y, width, load / width
 
 
-@read_in("si")
 def files(solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str) -> dict[str, str]:
     """Return the texts of result.json, rollers.csv and lines.csv, by file name."""
     return {
-        "result.json": key_by_key(as_object(solution, case, life, reason)) + "\n",
+        "result.json": results.key_by_key(as_object(solution, case, life, reason)) + "\n",
         "rollers.csv": rollers_table(solution),
         "lines.csv": lines_table(solution, case.solver.laminae),
     }
 
 
-@read_in("si")
 def comparison_object(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, Any]:
     """Return both methods' loads and motions, and how far slices are from strips, as plain numbers."""
-    names = ("load", "moment", "displacement", "force")
+    names, units = ("load", "moment", "displacement", "force"), results.units_of(keys())
     return {
         "title": title,
         "angle": plain(strips.angle),
         **{each.method: {name: plain(getattr(each, name)) for name in names} for each in (strips, slices)},
         "differences": {name: plain(getattr(slices, name) - getattr(strips, name)) for name in names},
-        "units": {name: UNITS[name] for name in ("angle", *names)},
+        "units": {name: units[name] for name in ("angle", *names)},
     }
 
 
 def comparison_table(strips: BearingSolution, slices: BearingSolution) -> str:
     """Return both methods' loads as CSV with a header of names and units."""
-    head = [
-        "roller",
-        "angle [rad]",
-        *(f"load_{ring}_{method} [N]" for ring in RINGS for method in ("strips", "slices")),
-    ]
+    head = ["roller", "angle [rad]", *(f"load_{ring}_{each.method} [N]" for ring in RINGS for each in (strips, slices))]
     columns = [each.load[:, k] for k in range(len(RINGS)) for each in (strips, slices)]
     cells = zip(range(strips.angle.size), strips.angle, *columns, strict=True)
-    return csv_text(head, (map(_cell, each) for each in cells))
+    return csv_text(head, map(plain, cells))
 
 
-@read_in("si")
 def comparison_files(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, str]:
     """Return the texts of comparison.json and comparison.csv, by file name."""
     return {
-        "comparison.json": key_by_key(comparison_object(strips, slices, title)) + "\n",
+        "comparison.json": results.key_by_key(comparison_object(strips, slices, title)) + "\n",
         "comparison.csv": comparison_table(strips, slices),
     }
-
-
-def _cell(value: Any) -> Any:
-    return value if isinstance(value, int) else plain(value)

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
+from nonhertz.files import bearing_results
 from nonhertz.files.bearing_document import BearingFile
 from nonhertz.files.contact_results import CONTACT
 from nonhertz.files.keys import Key, Table, table_of
@@ -86,11 +87,13 @@ def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
     return found | {"description": text_of(each)} | ({"default": usual} if plain else {})
 
 
-def _of_result(keys: tuple[ResultKey, ...], meaning: str, inputs: Any) -> Schema:
-    """Return the JSON schema of a file of a result, whose ``case`` is a file of the inputs."""
-    schema, case = schema_of_keys(keys), _of_file(inputs)
-    tables, properties = case.pop("$defs"), schema["properties"] | {"case": case}
-    return schema | {"description": meaning, "properties": properties, "$defs": tables}
+def _of_result(keys: Iterable[ResultKey], meaning: str, inputs: Any = None) -> Schema:
+    """Return the JSON schema of a file of a result; its ``case``, if it has one, is a file of the inputs."""
+    schema = schema_of_keys(keys) | {"description": meaning}
+    if inputs is not None:
+        schema["properties"]["case"] = _of_file(inputs)
+        schema["$defs"] = schema["properties"]["case"].pop("$defs")
+    return schema
 
 
 #: What there are schemas of, and the functions that return them.
@@ -99,6 +102,7 @@ KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
     "bearing": partial(_of_file, BearingFile),
     "plan": partial(_of_file, PlanDocument),
     "result": lambda: _of_result(CONTACT, "A solved contact.", CaseDocument),
+    "bearing-result": lambda: _of_result(bearing_results.keys(), "A loaded bearing.", BearingFile),
 }
 
 
