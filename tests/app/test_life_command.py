@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -16,6 +17,7 @@ import nonhertz.show.analysis
 from nonhertz.amounts import digits
 from nonhertz.cli import main
 from nonhertz.files.casefile import read_case
+from nonhertz.files.schemas import schema_of
 from nonhertz.life import LoadCase, assess, ioannides_harris, solve_spectrum
 
 pytestmark = pytest.mark.slow
@@ -63,8 +65,8 @@ def changed(old: str, new: str, name: str = "other.toml", text: str = CASE) -> s
 def found_in(words: list[str], run) -> dict[str, Any]:
     printed = run("life", *words, "--json")
     assert printed.err == ""
-    found = json.loads(printed.out)
-    assert isinstance(found, dict)
+    found: dict[str, Any] = json.loads(printed.out)
+    jsonschema.validate(found, schema_of("life"))
     return found
 
 

@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -13,6 +14,7 @@ import nonhertz.cli.stress
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.files.casefile import read_case
+from nonhertz.files.schemas import schema_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PLANES = ("axial-plane", "cross-section")
@@ -58,7 +60,9 @@ def sharp(case):
 def found(run, *words: str) -> Any:
     printed = run("stress", *words, "--json")
     assert printed.err == ""
-    return json.loads(printed.out)
+    result = json.loads(printed.out)
+    jsonschema.validate(result, schema_of("stress"))
+    return result
 
 
 @pytest.mark.slow

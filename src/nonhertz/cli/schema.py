@@ -11,12 +11,12 @@ from nonhertz.inputs.fields import unknown
 
 
 def schema(kind: str, /, *, out: Path | None = None) -> None:
-    """Print the JSON schema of case, bearing, plan or result files.
+    """Print the JSON schema of files that are read or of JSON that is written.
 
     Parameters
     ----------
     kind : str
-        case, bearing, plan or result.
+        case, bearing or plan; of what commands write, result, bearing-result, stress or life.
     out : Path
         The file to write it to instead; an existing one is replaced.
     """

@@ -4,27 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any
+from operator import attrgetter, itemgetter
+from types import SimpleNamespace
+from typing import Any, Final
 
-from nonhertz.amounts import read_in
-from nonhertz.files.results import key_by_key, plain
-from nonhertz.findings import Finding, as_warnings, sentences
+from nonhertz.files import results
+from nonhertz.files.results import Key, ListOf, key_by_key, plain, within
+from nonhertz.findings import Finding, sentences
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
-from nonhertz.verdict import Verdict, given_verdict, of_loads, with_life
+from nonhertz.verdict import Verdict, of_loads, with_life
 
-#: Units of the numbers; dimensionless ones are left out.
-UNITS: dict[str, Any] = {
-    "models": {
-        "parameters": {"fatigue_limit": "MPa"},
-        "damage": "MPa^exponent mm^(2 - depth_exponent), of iso-16281 none",
-        "reference": "as damage",
-        "million_revolutions": "10^6 revolutions",
-    },
-    "spectrum": {"load": "N", "tilt": "rad", "max_pressure": "MPa"},
-}
 _COLUMNS = ("body", "model", "y [mm]", "density")
 
 
@@ -114,14 +106,84 @@ class Assessment:
         return self.lives[body][number].over(other.lives[body][number])
 
 
-@read_in("si")
-def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, Any]:
-    """Return lives, and those they are compared with, as plain numbers, text, lists and dictionaries.
+def _models(case: Any) -> list[SimpleNamespace]:
+    """Return the lives of both bodies by each model."""
+    found, first, models = case.lives, case.first, []
+    for number, lives in enumerate(zip(*(found.lives[body] for body in BODIES), strict=True)):
+        by_model = SimpleNamespace(**dict(zip(BODIES, lives, strict=True)), model=lives[0].model)
+        by_model.million_revolutions = found.million_revolutions(number)
+        by_model.with_dents = found.dent_lives.get(by_model.model.name)
+        by_model.ratio = first and SimpleNamespace(**{body: first.over(found, body, number) for body in BODIES})
+        models.append(by_model)
+    return models
 
-    A number that is not finite is None.
-    """
-    compared = {} if other is None else {"compared_with": _own(other, found)}
-    return _own(found) | compared | {"units": UNITS}
+
+def _parameters(by_model: Any) -> dict[str, Any]:
+    fields = {name: value for name, value in asdict(by_model.model).items() if name not in {"name", "source"}}
+    return fields | {"slope": by_model.model.slope}
+
+
+def _of_bodies(name: str, meaning: str, unit: str | None = None) -> Key:
+    keys = tuple(Key(body, f"of body {body}", get=f"{body}.{name}") for body in BODIES)
+    return Key(name, meaning, unit, lambda by_model: by_model, keys)
+
+
+_MODEL: Final = (
+    Key("name", "the model", get="model.name", holds="string"),
+    Key("parameters", "its parameters, and Weibull's slope", {"fatigue_limit": "MPa"}, _parameters, "object"),
+    Key("source", "where it comes from", get="model.source", holds="string"),
+    _of_bodies("relative_life", "life over that under the ideal pressure; null without damage, or without such a life"),
+    Key("million_revolutions", "L10 of the raceway; null where there is none", "10^6 revolutions"),
+    _of_bodies("damage", "0 is an infinite life", "MPa^exponent mm^(2 - depth_exponent), of iso-16281 none"),
+    _of_bodies("reference", "damage under the ideal pressure", "as damage"),
+    Key(
+        "with_dents", "life of the raceway with dents over that without; left out without a dent",
+        applies=lambda by_model: by_model.with_dents is not None,
+    ),
+    Key(
+        "ratio", "lives of the first case over these, in compared_with alone", applies=lambda by_model: by_model.ratio,
+        holds=tuple(Key(body, f"of body {body}") for body in BODIES),
+    ),
+)  # fmt: skip
+_LOAD: Final = (
+    *within(itemgetter(0), Key("load", "load", "N"), Key("tilt", "tilt", "rad")),
+    Key("share", "share of the revolutions", get=itemgetter(1)),
+    *within(itemgetter(0), Key("max_pressure", "maximum pressure; null where it has no limit", "MPa")),
+)
+_CASE: Final = (
+    *within(
+        "lives",
+        Key("title", "title of the case", holds="string"),
+        Key(
+            "status", "how the solve for each load ended", holds=ListOf("string"),
+            get=lambda lives: [solution.status.label for solution, _ in lives.spectrum],
+        ),
+        Key("rollers", "number of rollers in the bearing", holds="integer", nullable=True),
+        Key("raceway", "body that a roller rolls on, a or b", holds="string", nullable=True),
+    ),
+    Key("models", "lives by each model", get=_models, holds=ListOf(_MODEL)),
+    *within(
+        "lives",
+        Key("spectrum", "the loads", holds=ListOf(_LOAD)),
+        results.verdict_key(attrgetter("verdict")),
+        results.assumed_key("assumed"),
+        *results.warning_keys(attrgetter("findings"), attrgetter("notes")),
+    ),
+)  # fmt: skip
+#: Keys of the file of lives.
+LIVES: Final = (
+    *_CASE,
+    Key(
+        "compared_with", "the same of the case that it is compared with; left out without one", "", holds=_CASE,
+        get=lambda case: SimpleNamespace(lives=case.other, first=case.lives), applies=lambda case: case.other,
+    ),
+    results.UNITS,
+)  # fmt: skip
+
+
+def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, Any]:
+    """Return lives, and those they are compared with, as plain numbers, text, lists and dictionaries."""
+    return results.document(LIVES, lives=found, other=other, first=None)
 
 
 def as_table(found: Assessment) -> str:
@@ -135,52 +197,7 @@ def as_table(found: Assessment) -> str:
     return csv_text(_COLUMNS, rows)
 
 
-@read_in("si")
 def files(found: Assessment, other: Assessment | None) -> dict[str, str]:
     """Return the texts of life.json and life.csv, and of compared.csv if there is another case, by file name."""
     texts = {"life.json": key_by_key(as_object(found, other)) + "\n", "life.csv": as_table(found)}
     return texts if other is None else texts | {"compared.csv": as_table(other)}
-
-
-def _own(found: Assessment, against: Assessment | None = None) -> dict[str, Any]:
-    """Return the lives of one case, with those of another over them if there is one."""
-    models = []
-    for number, both in enumerate(zip(*(found.lives[body] for body in BODIES), strict=True)):
-        model = both[0].model
-        parameters = {key: value for key, value in asdict(model).items() if key not in {"name", "source"}}
-        by_body = dict(zip(BODIES, both, strict=True))
-        entry = {
-            "name": model.name,
-            "parameters": parameters | {"slope": model.slope},
-            "source": model.source,
-            "relative_life": {body: plain(life.relative_life) for body, life in by_body.items()},
-            "million_revolutions": plain(found.million_revolutions(number)),
-            "damage": {body: plain(life.damage) for body, life in by_body.items()},
-            "reference": {body: plain(life.reference) for body, life in by_body.items()},
-        }
-        if model.name in found.dent_lives:
-            entry["with_dents"] = plain(found.dent_lives[model.name])
-        if against is not None:
-            entry["ratio"] = {body: plain(against.over(found, body, number)) for body in BODIES}
-        models.append(entry)
-    spectrum = [
-        {
-            "load": plain(solution.load),
-            "tilt": plain(solution.tilt),
-            "share": plain(share),
-            # Unbounded at a sharp end, and then None.
-            "max_pressure": plain(solution.max_pressure),
-        }
-        for solution, share in found.spectrum
-    ]
-    return {
-        "title": found.title,
-        "status": [solution.status.label for solution, _ in found.spectrum],
-        "rollers": found.rollers,
-        "raceway": found.raceway,
-        "models": models,
-        "spectrum": spectrum,
-        "verdict": given_verdict(found.verdict),
-        "assumed": [each.as_object() for each in found.assumed],
-        **as_warnings(found.findings, found.notes),
-    }

@@ -16,11 +16,13 @@ from nonhertz.files import bearing_results
 from nonhertz.files.bearing_document import BearingFile
 from nonhertz.files.contact_results import CONTACT
 from nonhertz.files.keys import Key, Table, table_of
+from nonhertz.files.lives import LIVES
 from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.profiles import KINDS as KINDS_OF_PROFILES
 from nonhertz.files.results import Key as ResultKey
 from nonhertz.files.results import schema_of as schema_of_keys
 from nonhertz.files.sections import CaseDocument
+from nonhertz.files.stresses import STRESSES
 from nonhertz.inputs.fields import Part, Several, text_of
 
 Schema = dict[str, Any]
@@ -103,6 +105,8 @@ KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
     "plan": partial(_of_file, PlanDocument),
     "result": lambda: _of_result(CONTACT, "A solved contact.", CaseDocument),
     "bearing-result": lambda: _of_result(bearing_results.keys(), "A loaded bearing.", BearingFile),
+    "stress": lambda: _of_result(STRESSES, "The largest stresses below a contact."),
+    "life": lambda: _of_result(LIVES, "How long the bodies of a contact last."),
 }
 
 

@@ -3,62 +3,88 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import replace
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import read_in
-from nonhertz.files.results import plain
-from nonhertz.findings import Finding, as_warnings
+from nonhertz.files import results
+from nonhertz.files.results import Key, within
+from nonhertz.findings import Finding
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
 from nonhertz.strength import Strength
-from nonhertz.subsurface import Extreme, Extremes, Field
-from nonhertz.verdict import given_verdict, of_contact
+from nonhertz.subsurface import Extremes, Field
+from nonhertz.verdict import of_contact
 
-_EXTREME = {"max": "MPa", "x": "mm", "y": "mm", "z": "mm"}
-_QUANTITIES = ("von_mises", "shear", "orthogonal_shear")
-_UNITS_OF_ALL = dict.fromkeys(_QUANTITIES, _EXTREME)
+#: Names in tables of the stresses of which the largest are searched.
+LARGEST: Final = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
+_EXTREME: Final = (
+    Key("max", "the largest", "MPa"),
+    Key("x", "where it is, across", "mm"),
+    Key("y", "along", "mm"),
+    Key("z", "and below the surface", "mm"),
+    Key("at_bore", "whether that is on the bore of a hollow roller", holds="boolean"),
+)
+_LARGEST: Final = tuple(Key(name, f"largest {words} stress", holds=_EXTREME) for name, words in LARGEST.items())
+_BORE: Final = Key(
+    "bore", "largest von Mises stress on the bore of a hollow roller", holds=_EXTREME,
+    applies=lambda largest: largest.bore is not None,
+)  # fmt: skip
+_STRENGTH: Final = (
+    Key("criterion", "criterion of yielding", holds="string"),
+    Key("verdict", "fine, over or not known", get=lambda strength: str(strength.verdict), holds="string"),
+    Key("static_safety", "(limit of pressure / largest pressure)^2; null where it is not known"),
+    Key(
+        "checks", "by name, each with verdict, ratio, above 1 of which it is too much, and sentence", holds="object",
+        get=lambda strength: {
+            each.name: {"verdict": str(each.verdict), "ratio": each.ratio, "sentence": each.sentence}
+            for each in strength.checks
+        },
+    ),
+)  # fmt: skip
 
-#: Units of the numbers; dimensionless ones are left out.
-UNITS: dict[str, Any] = {
-    "max_pressure": "MPa",
-    "overall": _UNITS_OF_ALL,
-    "section": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", **_UNITS_OF_ALL},
-}
-_COORDINATES = ("x", "y", "z")
-_STRESSES = ("sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy", "von_mises", "max_shear")
+
+def _at_section(name: str) -> results.Get:
+    return lambda found: there(found.solution, getattr(found.solution, name), found.section.von_mises.y)
 
 
-@read_in("si")
+#: Keys of the file of stresses.
+STRESSES: Final = (
+    Key("title", "title of the case", holds="string"),
+    Key("status", "how the solve ended", get="solution.status.label", holds="string"),
+    Key("body", "the body in which stresses were searched, a or b", get="overall.body", holds="string"),
+    Key("poisson", "its Poisson's ratio", get=lambda found: poisson(found.solution, found.overall.body)),
+    Key("max_pressure", "maximum pressure of the contact", "MPa", "solution.max_pressure"),
+    Key("overall", "largest stresses in the body", holds=(*_LARGEST, _BORE)),
+    Key(
+        "section", "largest stresses in a cross-section", get=lambda found: found,
+        holds=(
+            Key("y", "where it is", "mm", "section.von_mises.y"),
+            Key("centre_pressure", "p0 there", "MPa", _at_section("centre_pressure")),
+            Key("half_width", "half-width there", "mm", _at_section("half_width")),
+            *within("section", *_LARGEST),
+            replace(_BORE, get="section.bore", applies=lambda found: found.section.bore is not None),
+        ),
+    ),
+    Key("strength", "whether the body bears them", holds=_STRENGTH),
+    results.verdict_key(lambda found: of_contact(found.solution, (found.strength,))),
+    *results.warning_keys(lambda found: all_findings(found.solution, found.overall, found.section)),
+    results.UNITS,
+)  # fmt: skip
+_POINT: Final = ("x", "y", "z")
+_STRESSES: Final = ("sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy", "von_mises", "max_shear")
+
+
 def as_object(
     solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str
 ) -> dict[str, Any]:
-    """Return the largest stresses, and whether the body bears them, as plain numbers, text, lists and dictionaries.
-
-    Non-finite numbers are None.
-    """
-    y = section.von_mises.y
-    return {
-        "title": title,
-        "status": solution.status.label,
-        "body": overall.body,
-        "poisson": plain(poisson(solution, overall.body)),
-        "max_pressure": plain(solution.max_pressure),
-        "overall": _largest(overall),
-        "section": {
-            "y": plain(y),
-            "centre_pressure": plain(there(solution, solution.centre_pressure, y)),
-            "half_width": plain(there(solution, solution.half_width, y)),
-            **_largest(section),
-        },
-        "strength": _strength(strength),
-        "verdict": given_verdict(of_contact(solution, (strength,))),
-        **as_warnings(all_findings(solution, overall, section)),
-        "units": UNITS,
-    }
+    """Return the largest stresses, and whether the body bears them, as plain numbers, text, lists and dictionaries."""
+    return results.document(
+        STRESSES, title=title, solution=solution, overall=overall, section=section, strength=strength
+    )
 
 
 def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
@@ -69,10 +95,10 @@ def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
 
 def as_table(field: Field) -> str:
     """Return the points of a field and the stress there as CSV with a header of names and units."""
-    columns = [getattr(field, name).ravel() for name in (*_COORDINATES, *_STRESSES)]
+    columns = [getattr(field, name).ravel() for name in (*_POINT, *_STRESSES)]
     # More digits than the quadrature has would only make the file longer.
     rows = ([f"{value:.7g}" if np.isfinite(value) else "" for value in row] for row in np.transpose(columns))
-    return csv_text([*(f"{name} [mm]" for name in _COORDINATES), *(f"{name} [MPa]" for name in _STRESSES)], rows)
+    return csv_text([*(f"{name} [mm]" for name in _POINT), *(f"{name} [MPa]" for name in _STRESSES)], rows)
 
 
 def files(text: str, planes: Mapping[str, Field]) -> dict[str, str]:
@@ -88,25 +114,3 @@ def poisson(solution: Solution, body: BodyName) -> float:
 def all_findings(solution: Solution, *found: Extremes) -> tuple[Finding, ...]:
     """Return what is found of a solution and of the stresses in it, without repeats."""
     return tuple(dict.fromkeys([*solution.findings, *(one for each in found for one in each.findings)]))
-
-
-def _strength(found: Strength) -> dict[str, Any]:
-    checks = {
-        each.name: {"verdict": str(each.verdict), "ratio": plain(each.ratio), "sentence": each.sentence}
-        for each in found.checks
-    }
-    return {
-        "criterion": found.criterion,
-        "verdict": str(found.verdict),
-        "static_safety": plain(found.static_safety),
-        "checks": checks,
-    }
-
-
-def _largest(found: Extremes) -> dict[str, Any]:
-    bore = {} if found.bore is None else {"bore": _extreme(found.bore)}
-    return {**{name: _extreme(getattr(found, name)) for name in _QUANTITIES}, **bore}
-
-
-def _extreme(found: Extreme) -> dict[str, Any]:
-    return {**{name: plain(getattr(found, name)) for name in _EXTREME}, "at_bore": found.at_bore}

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from nonhertz.amounts import digits, mm, mpa
-from nonhertz.files.stresses import poisson, there
+from nonhertz.files.stresses import LARGEST, poisson, there
 from nonhertz.result.solution import Solution
 from nonhertz.show.sections import Said, Section, Table
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extreme, Extremes
-
-#: Names of the quantities in tables.
-NAMES = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
 
 
 def sections(solution: Solution, overall: Extremes, section: Extremes, strengths: Iterable[Strength]) -> list[Section]:
@@ -39,7 +36,7 @@ def stress_table(solution: Solution, overall: Extremes, section: Extremes) -> Ta
     rows: list[tuple[str, ...]] = []
     for where, found in places.items():
         rows.append((where,))
-        rows += [row(name, getattr(found, key)) for key, name in NAMES.items()]
+        rows += [row(name, getattr(found, key)) for key, name in LARGEST.items()]
         if found.bore is not None and not found.von_mises.at_bore:
             rows.append(row("von Mises", found.bore))
     return Table(rows, heads, (0,))
