@@ -37,6 +37,7 @@ extensions = [
     "mathml",
     "public_names",
     "repository_links",
+    "result_file_keys",
     "self_contained",
 ]
 

@@ -37,12 +37,12 @@ Array = NDArray[np.float64]
 POINTS = 401  # along a roller
 #: Arrays of every roller at the inner and the outer ring, by name.
 CONTACT_QUANTITIES: Final[dict[str, Quantity]] = attributes(
-    ("load", "load of every contact", "N"),
-    ("moment", "moment of every contact", "N mm"),
-    ("approach", "approach of every contact", "mm"),
-    ("tilt", "tilt of every contact", "rad"),
-    ("contact_angle", "contact angle of every contact", "rad"),
-    ("max_pressure", "maximum pressure of every contact", "MPa"),
+    ("load", "load of every roller at the inner and outer ring", "N"),
+    ("moment", "moment of every roller at the inner and outer ring", "N mm"),
+    ("approach", "approach of every roller at the inner and outer ring", "mm"),
+    ("tilt", "tilt of every roller at the inner and outer ring", "rad"),
+    ("contact_angle", "contact angle of every roller at the inner and outer ring", "rad"),
+    ("max_pressure", "maximum pressure of every roller at the inner and outer ring", "MPa"),
     ("max_pressure_y", "where it is along the roller", "mm"),
     ("rib_load", "load on every roller's ends from the ribs of each ring", "N"),
 )

@@ -89,7 +89,7 @@ def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
     return found | {"description": text_of(each)} | ({"default": usual} if plain else {})
 
 
-def _of_result(keys: Iterable[ResultKey], meaning: str, inputs: Any = None) -> Schema:
+def _of_result(meaning: str, keys: Iterable[ResultKey], inputs: Any) -> Schema:
     """Return the JSON schema of a file of a result; its ``case``, if it has one, is a file of the inputs."""
     schema = schema_of_keys(keys) | {"description": meaning}
     if inputs is not None:
@@ -98,15 +98,19 @@ def _of_result(keys: Iterable[ResultKey], meaning: str, inputs: Any = None) -> S
     return schema
 
 
+#: What is written as JSON: what it is, its keys, and the inputs that are its ``case``, if it has one.
+RESULTS: dict[str, tuple[str, tuple[ResultKey, ...], Any]] = {
+    "result": ("A solved contact.", CONTACT, CaseDocument),
+    "bearing-result": ("A loaded bearing.", bearing_results.keys(), BearingFile),
+    "stress": ("The largest stresses below a contact.", STRESSES, None),
+    "life": ("How long the bodies of a contact last.", LIVES, None),
+}
 #: What there are schemas of, and the functions that return them.
 KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
     "case": partial(_of_file, CaseDocument),
     "bearing": partial(_of_file, BearingFile),
     "plan": partial(_of_file, PlanDocument),
-    "result": lambda: _of_result(CONTACT, "A solved contact.", CaseDocument),
-    "bearing-result": lambda: _of_result(bearing_results.keys(), "A loaded bearing.", BearingFile),
-    "stress": lambda: _of_result(STRESSES, "The largest stresses below a contact."),
-    "life": lambda: _of_result(LIVES, "How long the bodies of a contact last."),
+    **{kind: partial(_of_result, *result) for kind, result in RESULTS.items()},
 }
 
 

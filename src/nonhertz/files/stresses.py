@@ -23,12 +23,12 @@ from nonhertz.verdict import of_contact
 LARGEST: Final = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
 _EXTREME: Final = (
     Key("max", "the largest", "MPa"),
-    Key("x", "where it is, across", "mm"),
-    Key("y", "along", "mm"),
-    Key("z", "and below the surface", "mm"),
+    Key("x", "where it is across the contact", "mm"),
+    Key("y", "where it is along it", "mm"),
+    Key("z", "how far below the surface", "mm"),
     Key("at_bore", "whether that is on the bore of a hollow roller", holds="boolean"),
 )
-_LARGEST: Final = tuple(Key(name, f"largest {words} stress", holds=_EXTREME) for name, words in LARGEST.items())
+_LARGEST: Final = tuple(Key(name, f"largest {words}", holds=_EXTREME) for name, words in LARGEST.items())
 _BORE: Final = Key(
     "bore", "largest von Mises stress on the bore of a hollow roller", holds=_EXTREME,
     applies=lambda largest: largest.bore is not None,

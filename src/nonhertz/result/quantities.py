@@ -76,11 +76,9 @@ class Quantity:
         return str(self.amount(float(self.clean(solution))))
 
 
-def _own(
-    name: str, label: str, symbol: str, unit: str, shown: str = "", scale: Callable[[Any], float] | None = None
-) -> Quantity:
+def _own(name: str, label: str, symbol: str, unit: str, shown: str = "", **options: Any) -> Quantity:
     """Return the quantity that is an attribute of the solution."""
-    return Quantity(name, label, symbol, unit, attrgetter(name), shown, scale)
+    return Quantity(name, label, symbol, unit, attrgetter(name), shown, **options)
 
 
 def _slope(
@@ -100,20 +98,23 @@ def _by_approach_on_lever(solution: Any) -> Any:
 
 
 _ALL = (
-    _own("approach", "approach", "delta", "mm", "um"),
-    _own("penetration", "penetration", "", "mm", "um"),
-    _own("tilt", "tilt", "gamma", "rad", "mrad"),
-    _own("load", "load", "Q", "N"),
-    _own("moment", "moment", "T", "N mm", scale=lambda solution: solution.load * solution.contact_length),
-    _own("max_pressure", "maximum pressure", "", "MPa"),
+    _own("approach", "approach", "delta", "mm", "um", meaning="how much closer the bodies are than at first touch"),
+    _own("penetration", "penetration", "", "mm", "um", meaning="approach beyond first touch at this tilt"),
+    _own("tilt", "tilt", "gamma", "rad", "mrad", meaning="rotation about x; positive: loads the positive-y side"),
+    _own("load", "load", "Q", "N", meaning="integral of the pressure"),
+    _own(
+        "moment", "moment", "T", "N mm", scale=lambda solution: solution.load * solution.contact_length,
+        meaning="integral of the pressure times y",
+    ),
+    _own("max_pressure", "maximum pressure", "", "MPa", meaning="largest more than a half-width from singular ends"),
     _own("max_pressure_y", "position of the maximum", "", "mm"),
-    _own("max_half_width", "largest half-width", "", "mm"),
+    _own("max_half_width", "largest half-width", "", "mm", meaning="largest more than a half-width from singular ends"),
     _own("contact_length", "length of contact", "", "mm"),
     _slope(0, 0, "load_by_approach", "N/mm", "N/um"),
     _slope(0, 1, "load_by_tilt", "N/rad", "N/mrad", _by_approach_on_lever),
     _slope(1, 0, "moment_by_approach", "N mm/mm", "N mm/um", _by_approach_on_lever),
     _slope(1, 1, "moment_by_tilt", "N mm/rad", "N m/mrad"),
-)
+)  # fmt: skip
 
 #: Every number of a solution, by name.
 QUANTITIES: dict[str, Quantity] = {quantity.name: quantity for quantity in _ALL}
