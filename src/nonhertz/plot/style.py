@@ -1,6 +1,6 @@
 """The look that all figures share: colours, line widths and the settings of the finished sheets.
 
-The colours are distinguishable with any colour vision (Okabe and Ito's blue and vermilion, and the cividis map),
+The colours are distinguishable with any colour vision (Okabe and Ito's blue and vermilion, and the viridis map),
 and every pair of lines also differs in dash pattern, for printing in grey.
 """
 
@@ -13,7 +13,7 @@ from typing import Any
 
 FIRST, SECOND = "#0072B2", "#D55E00"
 INK, FAINT_INK, PALE = "#222222", "#777777", "#E9EEF2"
-COLOUR_MAP = "cividis"
+COLOUR_MAP = "viridis"
 
 # Of several lines beside each other, each with dashes of its own.
 PALETTE: tuple[tuple[str, Any], ...] = (

@@ -107,7 +107,7 @@ function gradient(id, x, values, { range }) {
   const gradient = d3.create("svg:defs").append("linearGradient").attr("id", id);
   for (const [place, value] of x.entries()) {
     const stop = gradient.append("stop").attr("offset", (value - low) / (high - low || 1));
-    stop.attr("stop-color", d3.interpolateCividis(Math.min(1, values[place] / range[1])));
+    stop.attr("stop-color", d3.interpolateViridis(Math.min(1, values[place] / range[1])));
   }
   return gradient.node().parentNode;
 }
@@ -233,7 +233,7 @@ function scale({ factor, range, ticks }) {
 function shading({ factor, range, title }) {
   const legend = { label: title, width: 220, height: 52, ticks: 4, marginLeft: 8, tickFormat: PLAIN };
   const domain = range.map((end) => factor * end);
-  return { type: "linear", domain, clamp: true, interpolate: d3.interpolateCividis, ...legend };
+  return { type: "linear", domain, clamp: true, interpolate: d3.interpolateViridis, ...legend };
 }
 
 /** The label of an upright axis, which has little room. @param {Axis} axis */
