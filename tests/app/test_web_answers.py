@@ -109,6 +109,16 @@ def test_the_profile_is_the_relief_of_each_body():
     assert set(b["relief_um"]) == {0.0}
 
 
+def test_a_profile_is_drawn_to_the_scale_of_its_land():
+    crowned = changed(body__a__profile=[{"kind": "crown", "radius": 2000.0}], body__a__corner_radius=0.5)
+    low, high = answer(crowned)["profiles"]["a"]["range_um"]
+    at_the_end_of_the_land = 1e3 * 9.5**2 / 4000.0
+    assert at_the_end_of_the_land < high < 1.3 * at_the_end_of_the_land, "the corner goes down 500 um"
+    assert low < 0.0
+    low, high = answer(STARTING)["profiles"]["a"]["range_um"]
+    assert 10.0 < high < 60.0, "a logarithm is cut at its ends"
+
+
 @pytest.mark.parametrize("body", ["a", "b"])
 def test_stress_is_that_of_the_search(body):
     found, solution = answer(STARTING, True, body), solution_of(STARTING)

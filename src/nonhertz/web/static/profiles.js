@@ -59,8 +59,8 @@ export function drawProfiles(bodies, profiles, pinned) {
   }
 }
 
-function drawProfile(host, body, { y, relief_um: relief }, pinned) {
-  const [low, high] = reach([relief, pinned?.relief_um ?? []]);
+function drawProfile(host, body, { y, relief_um: relief, range_um: range }, pinned) {
+  const [low, high] = d3.extent([...range, ...(pinned?.range_um ?? [])]);
   const cut = relief.map((value) => (value === null ? null : Math.min(value, 2 * high)));
   draw(
     host,
@@ -89,17 +89,4 @@ function drawProfile(host, body, { y, relief_um: relief }, pinned) {
     },
     `Profile of ${bodyNamed(body)}: relief up to ${spelled(extent(relief)[1], "µm", 3)}.`,
   );
-}
-
-/** The axis range for the relief; a logarithm, unbounded at an end, is cut at twice what the inner 96 % need. */
-function reach(rows) {
-  const values = rows
-    .flat()
-    .filter((value) => value !== null && Number.isFinite(value))
-    .sort((one, other) => one - other);
-  if (!values.length) return [0, 1];
-  const [low, inner, high] = [values[0], values[Math.floor(0.96 * (values.length - 1))], values[values.length - 1]];
-  const top = high > 6 * Math.max(inner, 1e-9) && inner > 0 ? 2 * inner : high;
-  const room = 0.08 * (top - low) || 1;
-  return [low - room, top + room];
 }

@@ -3,7 +3,7 @@
 /**
  * @typedef {{y: number, strength: number | null, exponent: number, corner: boolean}} Singular
  * @typedef {{path: string, sentence: string}} Mistake
- * @typedef {{y: number[], relief_um: (number | null)[]}} Relief
+ * @typedef {{y: number[], relief_um: (number | null)[], range_um: [number, number]}} Relief
  * @typedef {{a?: Relief, b?: Relief}} Profiles
  * @typedef {{
  *   max_pressure: number, max_pressure_y: number, largest: string,

@@ -30,6 +30,10 @@ from nonhertz.web.view.replies import verdict_seen
 Array = NDArray[np.float64]
 
 RELIEF_POINTS: Final = 161
+INNER: Final = 0.96
+STEEP: Final = 6.0
+ROOM: Final = 0.12
+"""Of the relief of a land: the part that is drawn whole, how many times as much ends may have, and room beside."""
 FAR: Final = 10.0
 """mm on either side of the middle, over which the profile of an unbounded body is drawn."""
 
@@ -93,20 +97,42 @@ def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
 
 
 def relief_of(body: Body) -> dict[str, Any]:
-    """Return the relief of a body over the length on which it can touch."""
+    """Return the relief of a body over the length on which it can touch, and the range of it that is drawn."""
     low, high = body.interval
     low = low if math.isfinite(low) else min(body.position, high) - FAR
     high = high if math.isfinite(high) else max(body.position, low) + FAR
-    return relief_between(low, high, body.relief)
+    y, relief = _relief_at(low, high, body.relief)
+    land = body.land
+    return _sent(y, relief) | {"range_um": _range_of(1e3 * relief[(land[0] <= y) & (y <= land[1])])}
 
 
 def relief_between(low: float, high: float, relief: Callable[[Array], Array]) -> dict[str, Any]:
-    """Return a relief from one position to another, denser at the ends, where profiles are steep."""
+    """Return a relief from one position to another."""
+    return _sent(*_relief_at(low, high, relief))
+
+
+def _relief_at(low: float, high: float, relief: Callable[[Array], Array]) -> tuple[Array, Array]:
+    """Return places from one position to another, denser at the ends, and the relief there."""
     spread = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, RELIEF_POINTS))
     y = np.clip(0.5 * (low + high) + 0.5 * (high - low) * spread, low, high)
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        return {"y": plain(y), "relief_um": plain(1e3 * relief(y))}
+        return y, relief(y)
+
+
+def _sent(y: Array, relief: Array) -> dict[str, Any]:
+    return {"y": plain(y), "relief_um": plain(1e3 * relief)}
+
+
+def _range_of(relief: Array) -> list[float]:
+    """Return the range in which the relief of a land is drawn: corners would flatten it, and a logarithm has no end."""
+    values = np.sort(relief[np.isfinite(relief)])
+    if not values.size:
+        return [0.0, 1.0]
+    low, inner, high = float(values[0]), float(np.quantile(values, INNER)), float(values[-1])
+    top = 2.0 * inner if high > STEEP * inner > 0.0 else high
+    room = ROOM * (top - low) or 1.0
+    return [low - room, top + room]
 
 
 def lines(solution: Solution) -> dict[str, list[float | None]]:
