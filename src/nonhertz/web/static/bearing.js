@@ -163,7 +163,28 @@ function choose(number) {
 /** @param {any} answer @param {any} [before] that by strips of the bearing before the last change, in place of none */
 function keyNumbers(answer, before = null) {
   const pressed = before ? { ...pressure(before), stale: true } : pressure(answer);
-  return [mostLoad(answer), displacement(answer), loaded(answer), pressed, life(answer)];
+  const shown = [pressed, life(answer), safety(answer), oil(answer), clearance(answer)];
+  return [...shown, mostLoad(answer), loaded(answer), displacement(answer)].filter((number) => number);
+}
+
+/** Static safety by the load ratings. */
+function safety({ key }) {
+  const { static_safety: number } = key;
+  return number === null ? null : { name: "Static safety", value: digits(number, 3), unit: "S₀", where: "C₀ / P₀", number };
+}
+
+/** How well the film parts the surfaces, and how clean it is. */
+function oil({ key }) {
+  const { viscosity_ratio: number, contamination } = key;
+  if (number === null) return null;
+  const where = contamination === null ? "cleanliness not given" : `cleanliness e_C = ${digits(contamination, 3)}`;
+  return { name: "Viscosity ratio", value: digits(number, 3), unit: "κ", where, number };
+}
+
+/** What fits, temperatures and speed leave of the clearance. */
+function clearance({ key }) {
+  const { clearance: number } = key;
+  return number === null ? null : { name: "Clearance in operation", ...parts(1e3 * number, "µm"), where: "radial", number };
 }
 
 function mostLoad({ key, angle, most }) {
@@ -196,7 +217,8 @@ function life({ key, method }) {
   const { life: number } = key;
   const name = key.no_modified ? "Rated life" : "Modified life";
   if (number === null) return { name, value: "–", unit: "", where: "", number };
-  return { name, value: digits(number, 3), unit: "10⁶ rev", where: key.no_modified || `by ${method}`, number };
+  const hours = key.speed ? `${digits((number * 1e6) / (60 * key.speed), 4)} hours, ` : "";
+  return { name, value: digits(number, 3), unit: "10⁶ rev", where: key.no_modified || `${hours}by ${method}`, number };
 }
 
 function writeRollers({ columns, rollers }, number) {

@@ -84,8 +84,8 @@ function life(found, load) {
  */
 export function writeKeyNumbers(numbers, pinned) {
   byId("key-numbers").replaceChildren(
-    ...numbers.map((each, place) => {
-      const before = pinned?.[place];
+    ...numbers.map((each) => {
+      const before = pinned?.find(({ name }) => name === each.name);
       return element("div", { class: `key-number${each.stale ? " stale" : ""}`, "data-key": each.name, "data-number": String(each.number) }, [
         element("dt", {}, [each.name]),
         element("dd", {}, [

@@ -55,7 +55,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "ok": True,
         "title": case.title,
         "method": solution.method,
-        "key": _key_numbers(solution, life),
+        "key": _key_numbers(case, solution, life),
         "rows": _rows(solution),
         "profiles": {part: relief_of(getattr(solution.bearing.rows[0].bearing, part)) for part in PARTS},
         "angle": plain(solution.angle),
@@ -73,7 +73,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
     }
 
 
-def _key_numbers(solution: BearingSolution, life: BearingLife | None) -> dict[str, Any]:
+def _key_numbers(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> dict[str, Any]:
     """Return the numbers on top of the page, unrounded."""
     most = most_loaded(solution)
     found: dict[str, Any] = {
@@ -85,6 +85,11 @@ def _key_numbers(solution: BearingSolution, life: BearingLife | None) -> dict[st
         "max_pressure": None,
         "life": None if life is None else plain(life.rated_life),
         "no_modified": "" if life is None else life.no_modified,
+        "speed": None if case.spectrum else case.prescribed.speed,
+        "static_safety": None if life is None else plain(life.static_safety),
+        "viscosity_ratio": None if life is None else plain(life.viscosity_ratio),
+        "contamination": None if life is None else plain(life.contamination),
+        "clearance": None if case.operating_clearance is None else plain(case.operating_clearance.clearance),
     }
     if solution.method == "strips" and solution.load.any():
         roller, ring = np.unravel_index(int(np.argmax(solution.max_pressure)), solution.load.shape)
