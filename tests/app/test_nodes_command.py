@@ -4,12 +4,14 @@ import csv
 import io
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.nodes import read_nodes
+from nonhertz.files.schemas import schema_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASE = str(EXAMPLES / "roller-15x20.toml")
@@ -131,6 +133,7 @@ def test_the_command_writes_a_table_and_says_what_the_sums_are(run):
     np.testing.assert_allclose([float(row["pressure [MPa]"]) for row in table], solution.pressure(x, y), rtol=1e-9)
     assert sum(float(row["force [N]"]) for row in table) == pytest.approx(LOAD, rel=1e-9)
     found = run("nodes", CASE, "surface.csv", "--set", "load.load=6kN", "--out", "other.csv", "--json").json
+    jsonschema.validate(found, schema_of("nodes"))
     assert found["force_sum"] == pytest.approx(6000.0, rel=1e-9)
     assert len(found["pressure"]) == x.size
     assert Path("other.csv").exists()

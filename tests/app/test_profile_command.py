@@ -3,11 +3,13 @@
 import tomllib
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from nonhertz.files.casefile import read_case
+from nonhertz.files.schemas import schema_of
 
 RADIUS = 900.0
 FILES = {"profile.csv", "profile.json", "profile.toml", "profile-steps.svg", "profile-steps.png"}
@@ -49,6 +51,7 @@ def test_roughness_that_is_left_in_is_warned_of(file, run):
 
 def test_json_has_all_numbers(file, run):
     found = run("profile", file, "--height-unit", "um", "--fit", "crown", "--json").json
+    jsonschema.validate(found, schema_of("profile"))
     assert [step["name"] for step in found["steps"]] == [
         "raw", "level", "align", "trim", "outliers", "smooth", "thin"
     ]  # fmt: skip

@@ -6,18 +6,18 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import read_in
 from nonhertz.errors import InputError, nearest
-from nonhertz.files.results import plain
+from nonhertz.files import results
+from nonhertz.files.results import Key, ListOf, within
 from nonhertz.files.traces.heads import cells_of
 from nonhertz.files.traces.text import decoded, value_in
-from nonhertz.findings import as_warnings
 from nonhertz.inputs.files import readable
 from nonhertz.inputs.units import in_unit
 from nonhertz.result.nodes import NodalLoads
@@ -95,27 +95,37 @@ def as_table(nodes: Nodes, found: NodalLoads) -> str:
     return csv_text((*nodes.head, *_RESULTS), rows)
 
 
-@read_in("si")
+#: Keys of what nodes get of a contact.
+NODES: Final = (
+    Key("title", "title of the case", holds="string"),
+    *within(
+        "solution",
+        Key("status", "how the solve ended", get="status.label", holds="string"),
+        Key("load", "load of the contact", "N"),
+    ),
+    *within(
+        "nodes",
+        Key("force_sum", "sum of the forces", "N", lambda nodes: np.sum(nodes.force)),
+        Key("outside", "load outside of the nodes", "N"),
+        Key("interpolated_load", "load of the pressures, linear between nodes", "N"),
+    ),
+    Key("max_pressure", "maximum pressure of the contact", "MPa", "solution.max_pressure"),
+    *results.warning_keys(attrgetter("solution.findings")),
+    results.UNITS,
+    *within(
+        "nodes",
+        Key("x", "place of every node across the contact", "mm", holds=ListOf()),
+        Key("y", "its place along it", "mm", holds=ListOf()),
+        Key("pressure", "pressure there", "MPa", holds=ListOf()),
+        Key("force", "force on it", "N", holds=ListOf()),
+        Key("area", "area that it stands for", "mm^2", holds=ListOf()),
+    ),
+)
+
+
 def as_object(solution: Solution, found: NodalLoads, title: str) -> dict[str, Any]:
     """Return pressures and forces at nodes, and their sums, as plain numbers, text and lists."""
-    numbers = {name: plain(getattr(found, name)) for name in ("x", "y", "pressure", "force", "area")}
-    return {
-        "title": title,
-        "status": solution.status.label,
-        "load": plain(solution.load),
-        "force_sum": plain(np.sum(found.force)),
-        "outside": plain(found.outside),
-        "interpolated_load": plain(found.interpolated_load),
-        "max_pressure": plain(solution.max_pressure),
-        **as_warnings(solution.findings),
-        "units": {
-            **dict.fromkeys(("load", "force_sum", "outside", "interpolated_load", "force"), "N"),
-            **dict.fromkeys(("max_pressure", "pressure"), "MPa"),
-            **dict.fromkeys(("x", "y"), "mm"),
-            "area": "mm^2",
-        },
-        **numbers,
-    }
+    return results.document(NODES, title=title, solution=solution, nodes=found)
 
 
 def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:

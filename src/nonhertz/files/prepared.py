@@ -4,59 +4,77 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from operator import itemgetter
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from nonhertz.amounts import read_in, um
+from nonhertz.files import results
 from nonhertz.files.measured import KIND
-from nonhertz.files.results import key_by_key, plain
+from nonhertz.files.results import Key, ListOf, key_by_key, within
 from nonhertz.inputs.files import seen_from
-from nonhertz.measured import Measured, ProfileFit, Roughness
+from nonhertz.measured import Measured, ProfileFit
 from nonhertz.result.tables import csv_text
 
-#: Units of the numbers; dimensionless ones are left out. Fitted parameters have the units of the catalogue.
-UNITS: dict[str, Any] = {
-    "steps": {
-        "tilt": "rad",
-        **dict.fromkeys(("shift", "low", "high", "land_low", "land_high", "width_low", "depth_low"), "mm"),
-        **dict.fromkeys(("width_high", "depth_high", "limit", "cutoff", "rms"), "mm"),
-    },
-    "roughness": {"ra": "mm", "rq": "mm", "rz": "mm", "cutoff": "mm", "bands": {"from": "mm", "to": "mm", "rms": "mm"}},
-    "fits": {"offset": "mm", "shift": "mm", "tilt": "rad", "rms": "mm", "largest": "mm"},
-    "y": "mm",
-    "relief": "mm",
-}
 TABLE = "profile.csv"
+_STEPS: Final = {
+    "tilt": "rad",
+    **dict.fromkeys(("shift", "low", "high", "land_low", "land_high", "width_low", "depth_low"), "mm"),
+    **dict.fromkeys(("width_high", "depth_high", "limit", "cutoff", "rms"), "mm"),
+}
+_ROUGHNESS: Final = (
+    Key("ra", "mean absolute height", "mm"),
+    Key("rq", "root mean square height", "mm"),
+    Key("rz", "mean of the height differences in sections", "mm"),
+    Key("sections", "number of sections", holds="integer"),
+    Key("cutoff", "length of a section", "mm"),
+    Key(
+        "bands", "octaves of wavelength", holds=ListOf((
+            Key("from", "shortest", "mm", itemgetter(0)),
+            Key("to", "longest", "mm", itemgetter(1)),
+            Key("rms", "root mean square height of these", "mm", itemgetter(2)),
+        )),
+    ),
+)  # fmt: skip
+_FIT: Final = (
+    Key("kind", "kind of profile", holds="string"),
+    Key("parameters", "its parameters, in the units of case files", holds="object"),
+    Key("standard_errors", "by parameter; null where the trace does not determine it", holds="object"),
+    Key("offset", "height added to it", "mm"),
+    Key("shift", "shift along y", "mm"),
+    Key("tilt", "slope added to it", "rad"),
+    Key("rms", "root mean square residual", "mm"),
+    Key("largest", "largest residual", "mm"),
+    Key("points", "effective number of independent points"),
+    Key("penalised", "Bayesian information criterion, by which kinds are ranked"),
+)
+#: Keys of the file of a prepared profile.
+PROFILE: Final = (
+    *within(
+        "measured",
+        Key("name", "the measured file", get="trace.name", holds="string"),
+        Key("notes", "how it was read", get="trace.notes", holds=ListOf("string")),
+        Key(
+            "steps", "name and words of each step, and its numbers", _STEPS, holds=ListOf("object"),
+            get=lambda measured: [{"name": each.name, "words": each.words, **each.numbers} for each in measured.states],
+        ),
+        Key("gaps", "from and to of stretches without points", "mm", "points.gaps", ListOf(ListOf(count=2))),
+        Key("roughness", "what smoothing takes away", holds=_ROUGHNESS),
+    ),
+    Key("fits", "fitted profiles, best first", holds=ListOf(_FIT)),
+    *within(
+        "measured",
+        Key("warnings", "what is doubtful, a sentence each", holds=ListOf("string")),
+        Key("y", "points of the profile", "mm", "points.y", ListOf()),
+        Key("relief", "relief at these", "mm", holds=ListOf()),
+    ),
+    results.UNITS,
+)  # fmt: skip
 
 
-@read_in("si")
 def as_object(measured: Measured, fits: Sequence[ProfileFit] = ()) -> dict[str, Any]:
-    """Return a prepared profile as plain numbers, text, lists and dictionaries.
-
-    Parameters
-    ----------
-    measured : Measured
-        The trace and its steps.
-    fits : sequence of ProfileFit
-        Fitted profiles, best first.
-
-    Returns
-    -------
-    dict
-        Non-finite numbers are None.
-    """
-    return {
-        "name": measured.trace.name,
-        "notes": list(measured.trace.notes),
-        "steps": [{"name": state.name, "words": state.words} | plain(state.numbers) for state in measured.states],
-        "gaps": plain(measured.points.gaps),
-        "roughness": _roughness(measured.roughness),
-        "fits": [plain(vars(fit)) for fit in fits],
-        "warnings": list(measured.warnings),
-        "y": plain(measured.points.y),
-        "relief": plain(measured.relief),
-        "units": UNITS,
-    }
+    """Return a prepared profile, and fitted ones, best first, as plain numbers, text, lists and dictionaries."""
+    return results.document(PROFILE, measured=measured, fits=fits)
 
 
 def as_table(measured: Measured) -> str:
@@ -128,9 +146,3 @@ def files(
 def _table(entries: Mapping[str, Any]) -> str:
     # Numbers, booleans and strings are written alike in JSON and TOML; the keys need no quotes.
     return "{ " + ", ".join(f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in entries.items()) + " }"
-
-
-def _roughness(roughness: Roughness) -> dict[str, Any]:
-    bands = [{"from": low, "to": high, "rms": rms} for low, high, rms in roughness.bands]
-    heights = {"ra": roughness.ra, "rq": roughness.rq, "rz": roughness.rz}
-    return heights | {"sections": roughness.sections, "cutoff": roughness.cutoff, "bands": bands}

@@ -17,7 +17,9 @@ from nonhertz.files.bearing_document import BearingFile
 from nonhertz.files.contact_results import CONTACT
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.lives import LIVES
+from nonhertz.files.nodes import NODES
 from nonhertz.files.plan_document import PlanDocument
+from nonhertz.files.prepared import PROFILE
 from nonhertz.files.profiles import KINDS as KINDS_OF_PROFILES
 from nonhertz.files.results import Key as ResultKey
 from nonhertz.files.results import schema_of as schema_of_keys
@@ -104,6 +106,8 @@ RESULTS: dict[str, tuple[str, tuple[ResultKey, ...], Any]] = {
     "bearing-result": ("A loaded bearing.", bearing_results.keys(), BearingFile),
     "stress": ("The largest stresses below a contact.", STRESSES, None),
     "life": ("How long the bodies of a contact last.", LIVES, None),
+    "profile": ("A prepared measured profile.", PROFILE, None),
+    "nodes": ("Pressures and forces of a contact at the nodes of a mesh.", NODES, None),
 }
 #: What there are schemas of, and the functions that return them.
 KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
