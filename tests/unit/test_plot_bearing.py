@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonhertz as nh
 from nonhertz import plot
-from nonhertz.plot.bearing.displacement import MULTIPLES
+from nonhertz.figures.displacement import MULTIPLES
 
 B = nh.bearing
 
@@ -139,9 +139,9 @@ class TestRoller:
 class TestDisplacement:
     def test_the_state_is_marked_with_its_tangent(self, tilted):
         axes = plot.displacement_against_load(tilted, flat())
-        marker = labelled(axes, f"radial, {1e3 * tilted.displacement[1]:.4g} µm by strips, with tangent")
+        marker = labelled(axes, f"radial, {1e3 * tilted.displacement[1]:.4g} µm by strips")
         assert_allclose(marker.get_xydata(), [[5.0, 1e3 * tilted.displacement[1]]], rtol=1e-6)
-        tangent = next(line for line in axes.lines if len(line.get_xdata()) == 2)
+        tangent = labelled(axes, "tangent: stiffness of the state")
         slope = np.ptp(tangent.get_ydata()) / np.ptp(tangent.get_xdata())  # um/kN
         more = B.solve(row(), radial=5.05e3, tilt=5e-4)
         assert_allclose(slope, 1e3 * (more.displacement[1] - tilted.displacement[1]) / 0.05, rtol=1e-2)

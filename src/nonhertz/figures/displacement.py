@@ -6,28 +6,29 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz import bearing
 from nonhertz.amounts import um
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.plot.axes import OWN, Array, Axes, drawing, key_above, measure, open_frame
-from nonhertz.plot.axial import written
-from nonhertz.plot.style import FIRST, LINE, SECOND, THIN
+from nonhertz.figures.value import Axis, Figure, Line, Mark, Panel, Points
 
 if TYPE_CHECKING:
     from nonhertz.bearing import BearingMaps, BearingSolution
+
+Array = NDArray[np.float64]
 
 # Multiples of the load: close together where clearance makes the curve steep.
 MULTIPLES = 1.5 * (np.arange(1, 7) / 6.0) ** 2
 POINTS = 201
 NO_FORCE = 1e-9  # of the sum of the rollers' loads
 NO_TILT = 1e-12  # rad
-TANGENT = 0.25  # of the load, to both sides
+TANGENT = 0.5  # of the load, to both sides
+ROOM = 1.08  # upper end of the axis over the largest displacement
 
 
-@drawing
-def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps: BearingMaps | None = None) -> Axes:
-    """Draw the displacement of the inner ring under up to 1.5 times its forces.
+def displacement_against_load(solution: BearingSolution, maps: BearingMaps | None = None) -> Figure:
+    """Return the displacement of the inner ring under up to 1.5 times its forces.
 
     All forces grow in proportion; the ring's rotation and speed stay as they are. Radial displacement is that in
     the direction of the radial force. The curve goes through the state itself and six others, marked by dots, with the
@@ -52,36 +53,43 @@ def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps
     ways = directions(solution)
     if not ways:
         raise InputError("solution", "without force", "have a force on the inner ring", "give a radial or an axial one")
-    size = float(np.linalg.norm(solution.force[:3]))
-    force, distance = measure("N", values=[size]), measure("mm", "um")
-    load = force.factor * size
+    load = float(np.linalg.norm(solution.force[:3]))
     multiples, curve = _curve(solution, maps)
     reached = np.isfinite(curve[0, :, 0])
     others = reached & (multiples != 1.0)
     fine = np.linspace(multiples[reached][0], multiples[reached][-1], POINTS) if reached.sum() > 1 else multiples[:0]
     by = "maps" if maps is not None else solution.method
     slope = _slope(solution.stiffness, solution.force)
-    for (label, way), (colour, dashes) in zip(ways.items(), ((FIRST, "-"), (SECOND, "--")), strict=False):
+    marks: list[Mark] = []
+    words, highest, lowest = [], 0.0, 0.0
+    for (label, way), second in zip(ways.items(), (False, True), strict=False):
         at, rise = float(solution.displacement[:3] @ way), TANGENT * float(slope @ way)
-        moved, rising = distance(curve @ way)
+        moved, rising = curve @ way
+        style: dict[str, Any] = {"colour": "second" if second else "first"}
         if fine.size:
-            # Smooth, with the slopes of the states that were found.
+            # Smooth, with the slopes of the states that were solved.
             line = CubicHermiteSpline(multiples[reached], moved[reached], rising[reached])(fine)
-            ax.plot(load * fine, line, color=colour, linestyle=dashes, linewidth=LINE, label=f"{label} by {by}")
-            ax.plot(load * multiples[others], moved[others], ".", markersize=4.0, color=colour)
-        ends = [load * (1.0 - TANGENT), load * (1.0 + TANGENT)]
-        ax.plot(ends, distance([at - rise, at + rise]), color=colour, linewidth=THIN)
-        words = f"{label}, {written(um(at))} by {solution.method}, with tangent"
-        ax.plot([load], distance([at]), "o", markersize=5.0, color=colour, markerfacecolor="white", label=words)
-    ax.set_xlim(0.0, 1.04 * MULTIPLES[-1] * load)
-    ax.margins(y=0.08)
-    low, high = ax.get_ylim()
-    ax.set_ylim(min(low, 0.0), max(high, 0.0))
-    ax.set_xlabel(force.label("Force on the inner ring"))
-    ax.set_ylabel(distance.label("Displacement of\nthe inner ring"))
-    open_frame(ax)
-    key_above(ax, columns=1 if len(ways) == 1 else 2, handlelength=2.6)
-    return ax
+            style_of_line = style | {"dash": "dashed" if second else "solid"}
+            marks.append(Line(load * fine, line, name=f"{label} by {by}", **style_of_line))
+            marks.append(Points(load * multiples[others], moved[others], symbol="dot", **style))
+            highest, lowest = max(highest, float(line.max())), min(lowest, float(line.min()))
+        ends = load * np.array([1.0 - TANGENT, 1.0 + TANGENT])
+        tangent = "" if second else "tangent: stiffness of the state"
+        marks.append(Line(ends, np.array([at - rise, at + rise]), name=tangent, colour="ink", dash="dotted"))
+        marks.append(
+            Points(np.array([load]), np.array([at]), name=f"{label}, {um(at):.4g} by {solution.method}", **style)
+        )
+        highest, lowest = max(highest, at), min(lowest, at)
+        words.append(f"{label} {um(at):.4g}")
+    panel = Panel(
+        "displacement",
+        "Displacement against load",
+        Axis("Displacement of the inner ring", "displacement", "mm", "um", (ROOM * lowest, ROOM * highest)),
+        marks,
+        f"Displacement of the inner ring under up to 1.5 times the load: {' and '.join(words)} under the load itself.",
+    )
+    along = Axis("Force on the inner ring", "force", "N", range=(0.0, 1.04 * float(MULTIPLES[-1]) * load))
+    return Figure(along, (panel,))
 
 
 def directions(solution: BearingSolution) -> dict[str, Array]:

@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 Colour = Literal["first", "second", "ink", "faint", "paper"]
 Dash = Literal["solid", "dashed", "dotted", "ends"]
 Side = Literal["left", "center", "right"]
-Symbol = Literal["circle", "diamond", "triangle"]
+Symbol = Literal["circle", "diamond", "triangle", "dot"]
 Range = tuple[float, float]
 
 

@@ -50,7 +50,7 @@ DASHES: Final[dict[str, Any]] = {
 }  # fmt: skip
 LOWEST: Final = 0.5  # inch, of a panel in true proportions
 HEADS: Final = 0.24, 0.6  # inch, above such a panel and the stretched one below it
-SYMBOLS: Final = {"circle": ("o", 4.0), "diamond": ("D", 5.0), "triangle": ("^", 4.0)}
+SYMBOLS: Final = {"circle": ("o", 4.0), "diamond": ("D", 5.0), "triangle": ("^", 4.0), "dot": (".", 4.0)}
 MARKERS: Final = {marker for marker, _ in SYMBOLS.values()}
 TITLE_ABOVE, ROW_OF_KEY, SAMPLE = 7.0, 11.5, 7  # points above a legend, and of a row of it; letters that a sample takes
 DOTS: Final = 100.0  # of a screen, in an inch
@@ -71,7 +71,7 @@ def sheet_of(figure: Figure, title: str = "", conditions: Sequence[str] = ()) ->
     sheet, axes = stacked([HEAD] * len(heights), heights, title, conditions or [typeset(words)])
     for ax, panel in zip(axes, figure.panels, strict=True):
         draw_panel(panel, figure, ax, last=ax is axes[-1])
-        _draw_key(ax)
+        draw_key(ax)
     return sheet
 
 
@@ -100,7 +100,7 @@ def _proportional_sheet(figure: Figure, title: str) -> Sheet:
     sheet, several = stacked(heads, [*heights.values()], title, [typeset(figure.conditions)], right=right)
     for ax, times in zip(several, heights, strict=True):
         draw_panel(panel, figure, ax, last=ax is several[-1], stretch=times)
-        _draw_key(ax)
+        draw_key(ax)
         words = proportions(panel, times, "" if area else panel.heading)
         ax.set_title(words, loc="left", fontsize=style.SMALL_SIZE, pad=TITLE_ABOVE + ROW_OF_KEY * rows)
     draw_colour_bar(panel, several[-1], cax=bar_beside(several[-1]))
@@ -127,7 +127,7 @@ def draw_on(figure: Figure, ax: Axes) -> Axes:
         for axes, of in ((ax, first), (twin, panel)):
             axes.yaxis.label.set_color(COLOURS[next(mark.colour for mark in of.marks if isinstance(mark, Line))])
         several.append(twin)
-    _draw_key(*several)
+    draw_key(*several)
     words = typeset(figure.conditions)
     ax.set_title(f"{words}; {first.remark}" if first.remark else words, loc="left", pad=18.0)
     return ax
@@ -137,7 +137,7 @@ def draw_proportional(figure: Figure, ax: Axes, *, stretch: float = 1.0, bar: Ax
     """Draw the only panel of a figure on axes, which are made smaller to fit its shape, with its colour bar."""
     (panel,) = figure.panels
     draw_panel(panel, figure, ax, stretch=stretch)
-    _draw_key(ax)
+    draw_key(ax)
     words = f"{typeset(figure.conditions)}; {proportions(panel, stretch, panel.heading[0].lower() + panel.heading[1:])}"
     ax.set_title(words, loc="left", pad=TITLE_ABOVE + ROW_OF_KEY * _rows_of_key(panel))
     draw_colour_bar(panel, ax, **({"ax": ax} if bar is None else {"cax": bar}))
@@ -224,7 +224,7 @@ class _Pen:
         return self.across * x, self.up * y
 
 
-def _draw_key(ax: Axes, *others: Axes) -> None:
+def draw_key(ax: Axes, *others: Axes) -> None:
     """Write the legend of all marks with a name, on these axes and on others, above the first."""
     entries: dict[str, Any] = {}
     for axes in (ax, *others):
@@ -323,16 +323,13 @@ def _(mark: Bar, pen: _Pen) -> None:
 
 @_draw.register
 def _(mark: Points, pen: _Pen) -> None:
-    marker, size = SYMBOLS[mark.symbol]
-    look: dict[str, Any] = {
-        "color": COLOURS[mark.colour],
-        "markerfacecolor": "white",
-        "label": typeset(mark.name) or None,
-    }
+    (marker, size), colour = SYMBOLS[mark.symbol], COLOURS[mark.colour]
+    look: dict[str, Any] = {"color": colour, "markerfacecolor": colour if mark.symbol == "dot" else "white"}
     if pen.colours:
         # A small symbol may lie on a larger one.
         look |= {"markeredgewidth": style.THIN, "clip_on": False, "zorder": 4.0 - 0.1 * size}
-    pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), marker, linestyle="none", markersize=size, **look)
+    look |= {"linestyle": "none", "markersize": size, "label": typeset(mark.name) or None}
+    pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), marker, **look)
 
 
 @_draw.register

@@ -11,10 +11,11 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.figures import contact
 from nonhertz.figures.bearing import pressure_map
+from nonhertz.figures.displacement import directions
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import Artist, Axes, Figure
 from nonhertz.plot.axial import written
-from nonhertz.plot.bearing.displacement import directions, displacement_against_load
+from nonhertz.plot.bearing.displacement import displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
 from nonhertz.plot.bearing.pressure import bearing_pressure, draw_titled
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
@@ -51,7 +52,7 @@ OF_BEARINGS: Final[Drawings] = {
 ALONE, BESIDE, AROUND, HEAD_OF_POLAR, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
 PER_LINE = 2
 PANEL, PANEL_HEAD = 1.25, 0.3
-CURVE, CURVE_HEAD = 2.6, 0.45
+CURVE, CURVE_HEAD, SECOND_WAY = 2.6, 0.4, 0.22
 ROLLER_PANELS, ROLLER_HEADS = (2.2, 1.4), (0.5, 0.45)
 CONDITION_LETTERS = 104  # that fit in a line
 LEFT_OF_TWO = 0.85  # beside a label of two lines
@@ -125,8 +126,9 @@ def bearing_figures(
             )
             most_loaded_roller(solution, upper).tick_params(labelbottom=False)
             roller_relief(solution, lower)
-        if directions(solution):
-            found["displacement"], (axes,) = stacked([CURVE_HEAD], [CURVE], *head, left=LEFT_OF_TWO, words=MARGIN)
+        if ways := directions(solution):
+            above = CURVE_HEAD + (len(ways) - 1) * SECOND_WAY
+            found["displacement"], (axes,) = stacked([above], [CURVE], *head, words=MARGIN)
             displacement_against_load(solution, axes, maps=maps)
         return found
 

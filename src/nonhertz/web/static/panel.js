@@ -74,7 +74,7 @@ const MARKS = {
     return [Plot.contour(shown, { width: net.columns, height: net.rows, ...corners, ...look, thresholds })];
   },
   points: ({ x, y, symbol = "circle" }, { stroke }, { colours }) => {
-    const dots = (look) => Plot.dot(x, { x, y, symbol, ...look });
+    const dots = (look) => Plot.dot(x, { x, y, symbol: symbol === "dot" ? "circle" : symbol, ...look });
     // Over colours a symbol has a rim.
     return colours ? [dots({ r: 4, fill: "white", stroke: "black" })] : [dots({ r: 3, fill: stroke })];
   },
