@@ -23,6 +23,8 @@ _EVEN, _UNEVEN, _TENTH = 0.25, 0.02, 0.1
 FARTHEST = 1e6  # mm; no machine measures a kilometre
 LONGEST = 1e3  # mm; few measure more than a metre, and a file in um taken for mm looks that long
 
+_INNER = 0.9  # of a trace, which its corners leave
+
 
 @dataclass(frozen=True, eq=False)
 class Points:
@@ -120,6 +122,15 @@ class Points:
             return self
         low, high = self.beyond_land
         return replace(self.kept(~(low | high)), land=None)
+
+    @property
+    def height_between_corners(self) -> Array:
+        """Heights of the land [mm], or before it is known those of the middle nine tenths: what drawings are for."""
+        if self.land is not None:
+            return self.on_land.height
+        from_middle = np.abs(self.y - 0.5 * (self.y[0] + self.y[-1]))
+        inner: Array = self.height[from_middle <= 0.5 * _INNER * np.ptp(self.y)]
+        return inner
 
 
 @dataclass(frozen=True, eq=False)

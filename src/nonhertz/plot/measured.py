@@ -92,7 +92,7 @@ def _draw_step(every: Iterator[Axes], count: int, before: StepResult, after: Ste
     """Draw a step on the next of the panels, and what smoothing took off on the one below."""
     axes = next(every)
     _head(axes, f"{count}. {after.words}")
-    ruler = _ruler(after.points.on_land.height)
+    ruler = _ruler(after.points.height_between_corners)
     broad = LINE if after.name in {"align", "smooth"} else THIN
     axes.plot(*_line(before.y, before.height, ruler), color=GREY, linewidth=broad)
     axes.plot(*_line(after.y, after.height, ruler), color=INK, linewidth=THIN)
@@ -198,12 +198,12 @@ def _head(axes: Axes, words: str, letters: int = LETTERS) -> None:
 
 
 def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: Measure) -> None:
-    """Set the range of heights: all, unless what was cut off is so deep that it would flatten the rest."""
-    land = after.points.on_land.height
-    low, high = (ruler.factor * float(bound) for bound in (land.min(), land.max()))
+    """Set the range of heights: all, unless corners are so deep that they would flatten the rest."""
+    inner = [state.points.height_between_corners for state in (before, after)]
+    low, high = (ruler.factor * float(bound(heights)) for bound, heights in ((np.min, inner[1]), (np.max, inner[1])))
     deepest = ruler.factor * float(before.height.min())
     room = max(high - low, 1e-6 * ruler.factor)
-    if (after.name != "trim" and after.points.land is None) or high - deepest <= CUT * room:
+    if high - deepest <= CUT * room:
         low = min(low, deepest)
         high = max(high, ruler.factor * float(before.height.max()))
     else:
@@ -211,8 +211,10 @@ def _frame(axes: Axes, before: StepResult, after: StepResult, ruler: Measure) ->
         note = f"axis cut, heights go down to {written(read, 3)}"
         style: dict[str, Any] = {"fontsize": SMALL_SIZE, "color": FAINT_INK, "bbox": BACKING, "ha": "center"}
         axes.text(0.5, 0.06, note, transform=axes.transAxes, **style)
-        low -= 0.5 * room
-        high = max(high, ruler.factor * float(before.points.on_land.height.max()))
+        low = min(low, ruler.factor * float(inner[0].min())) - 0.5 * room
+        high = max(high, ruler.factor * float(inner[0].max()))
+    if after.name == "level" and after.removed_height is not None:
+        high = max(high, ruler.factor * float(np.max(after.removed_height) + np.max(after.height)))
     # A perfectly flat line still needs a range.
     above = max(ROOM * (high - low), 1e-6 * ruler.factor, 1e-6 * abs(high))
     axes.set_ylim(low - above, high + above)

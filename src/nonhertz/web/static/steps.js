@@ -7,7 +7,7 @@ import { named } from "./units.js";
 /**
  * Draw the steps into their element.
  * @param {HTMLElement} host
- * @param {{name: string, sentence: string, before: {y: number[], height_um: number[]}, after: {y: number[], height_um: number[]}, floor_um: number | null}[]} steps
+ * @param {{name: string, sentence: string, before: {y: number[], height_um: number[]}, after: {y: number[], height_um: number[]}, floor_um: number}[]} steps
  */
 export function drawSteps(host, steps) {
   const figures = steps.map((step) =>
@@ -22,7 +22,7 @@ export function drawSteps(host, steps) {
 
 function drawStep(host, { name, sentence, before, after, floor_um: floor }) {
   // Corners go down a hundred times deeper than the land.
-  const heights = [...before.height_um, ...after.height_um].filter((height) => floor === null || height >= floor);
+  const heights = [...before.height_um, ...after.height_um].filter((height) => height >= floor);
   draw(
     host,
     {

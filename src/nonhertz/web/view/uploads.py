@@ -126,11 +126,9 @@ def _short(measured: Measured) -> Measured:
     return whole.thinned(max(MOST_POINTS - positions(whole.points).size, FEWEST_POINTS))
 
 
-def _floor(state: StepResult) -> float | None:
-    """Return down to which height [um] a step should be drawn so that its land can be seen; None for all of it."""
-    if state.points.land is None:
-        return None
-    land = state.points.on_land.height
+def _floor(state: StepResult) -> float:
+    """Return down to which height [um] a step should be drawn so that its land can be seen."""
+    land = state.points.height_between_corners
     return round(1e3 * float(land.min() - max(np.ptp(land), 1e-3)), 4)
 
 
