@@ -12,7 +12,7 @@ from nonhertz.bearing.section import FORCES, MOTIONS, RINGS
 from nonhertz.bearing.solution import CONTACT_QUANTITIES, PRESSURES, BearingSolution, slice_loads
 from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, plain, quantity_keys, within
-from nonhertz.result.quantities import Quantity
+from nonhertz.result.quantities import ALONG, Quantity
 from nonhertz.result.tables import csv_text, heading
 from nonhertz.verdict import findings_of, of_bearing
 
@@ -29,14 +29,18 @@ _FIT: Final = (
     Key("loosening_speed", "speed at which the pressure falls to zero; null if none does", "1/min"),
     Key("temperature_step", "by how much the part that is inside is warmer than the one around it", "K"),
 )
+#: What takes clearance.
+LOSSES: Final = (
+    Key("lost_to_inner_fit", "taken by the fit of the inner ring", "mm"),
+    Key("lost_to_outer_fit", "taken by the fit of the outer ring", "mm"),
+    Key("lost_to_temperatures", "taken by temperatures", "mm"),
+    Key("lost_to_speed", "taken by speed", "mm"),
+)
 _CLEARANCE: Final = (
     *within(
         "operating_clearance",
         Key("unmounted", "radial clearance before the bearing is mounted", "mm"),
-        Key("lost_to_inner_fit", "taken by the fit of the inner ring", "mm"),
-        Key("lost_to_outer_fit", "taken by the fit of the outer ring", "mm"),
-        Key("lost_to_temperatures", "taken by temperatures", "mm"),
-        Key("lost_to_speed", "taken by speed", "mm"),
+        *LOSSES,
         Key("clearance", "radial clearance in operation; negative: preload", "mm"),
     ),
     Key(
@@ -168,30 +172,29 @@ def rollers_table(solution: BearingSolution) -> str:
 
 
 def lines_table(solution: BearingSolution, laminae: int) -> str:
-    """Return line load and pressure along all loaded contacts as CSV with a header of names and units.
+    """Return what is known along all loaded contacts as CSV with a header of names and units.
 
     Parameters
     ----------
     solution : BearingSolution
         The loaded bearing.
     laminae : int
-        Number of slices, where it was solved by them; they have no pressure.
+        Number of slices, where it was solved by them.
     """
-    head = ["roller", "ring", "y [mm]", "strip_width [mm]", "line_load [N/mm]"]
-    if solution.method == "strips":
-        return csv_text([*head, "centre_pressure [MPa]", "half_width [mm]"], _strips(solution))
-    return csv_text(head, _slices(solution, laminae))
+    by_strips = solution.method == "strips"
+    names = ALONG.keys() - {"gap"} if by_strips else ("y", "strip_width", "line_load")
+    quantities = [quantity for name, quantity in ALONG.items() if name in names]
+    heads = (heading(each.name, each.unit) for each in quantities)
+    rows = _strips(solution, quantities) if by_strips else _slices(solution, laminae)
+    return csv_text(["roller", "ring", *heads], rows)
 
 
-def _strips(solution: BearingSolution) -> Iterator[Iterable[Any]]:
+def _strips(solution: BearingSolution, quantities: Iterable[Quantity]) -> Iterator[Iterable[Any]]:
     for j in range(solution.angle.size):
         for ring in RINGS:
             contact = solution.contact(j, ring)
             if contact is not None:
-                columns = (
-                    contact.y, contact.strip_width, contact.line_load, contact.centre_pressure, contact.half_width
-                )  # fmt: skip
-                for numbers in zip(*(column.tolist() for column in columns), strict=True):
+                for numbers in zip(*(each.get(contact).tolist() for each in quantities), strict=True):
                     yield j, ring, *numbers
 
 

@@ -15,6 +15,7 @@ from nonhertz.bearing.equilibrium import NO_LOAD
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
+from nonhertz.files.bearing_results import LOSSES
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.beside import beside, changes, compared
@@ -200,14 +201,8 @@ def _fit_rows(case: BearingCase) -> list[Row]:
     factor, way = 1.0, "radial"
     if isinstance(row, TaperedRollerBearing):
         factor, way = 0.5 / math.tan(row.nominal_angle), "axial"
-    taken = (
-        (found.lost_to_inner_fit, "taken by the fit of the inner ring"),
-        (found.lost_to_outer_fit, "taken by the fit of the outer ring"),
-        (found.lost_to_temperatures, "taken by temperatures"),
-        (found.lost_to_speed, "taken by speed"),
-    )
     rows = [("before mounting", f"{um(factor * found.unmounted):g}", way)]
-    rows += [("", f"{um(factor * value):4}", words) for value, words in taken]
+    rows += [("", f"{um(factor * key.value(found)):4}", key.meaning) for key in LOSSES]
     if isinstance(case.bearing, Paired):
         rows.append(("", f"{um(case.fit.expansion(case.bearing)):4}", "given by temperatures between rows"))
     for ring, fit in (("inner", found.inner), ("outer", found.outer)):
