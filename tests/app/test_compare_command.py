@@ -4,7 +4,10 @@ import json
 import re
 from pathlib import Path
 
+import jsonschema
 import pytest
+
+from nonhertz.files.schemas import schema_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -42,6 +45,7 @@ def test_json_is_one_object_and_nothing_else(case, run):
     printed = run("compare", case, *CELLS, "--json", "--out", "new/folder")
     assert printed.err == ""
     found = json.loads(printed.out)
+    jsonschema.validate(found, schema_of("comparison"))
     assert found["cells"] == [24, 48]
     assert {"quantities", "stretches", "seconds", "stations", "warnings", "units", "patch"} <= set(found)
     assert json.loads(Path("new/folder/comparison.json").read_text(encoding="utf-8")) == found

@@ -2,45 +2,87 @@
 
 from __future__ import annotations
 
-from typing import Any
+from operator import itemgetter
+from typing import Any, Final
 
 import numpy as np
 
-from nonhertz.amounts import read_in
-from nonhertz.comparison import ComparedQuantity, Comparison
-from nonhertz.files.results import key_by_key, plain
-from nonhertz.result.solution import Solution
+from nonhertz.comparison import Comparison
+from nonhertz.files import results
+from nonhertz.files.results import Get, Key, ListOf, key_by_key, plain, quantity_keys, within
+from nonhertz.result.quantities import ALONG
 from nonhertz.result.tables import csv_text
 
-#: Units of the numbers in a comparison; quantities carry their own, and dimensionless numbers are left out.
-UNITS: dict[str, Any] = {
-    "seconds": "s",
-    "stretches": {"low": "mm", "high": "mm", "at": "mm"},
-    "stations": {"y": "mm"},
-    "strips": {"y": "mm", "strip_width": "mm", "centre_pressure": "MPa", "half_width": "mm"},
-    "patch": {"y": "mm", "centre_pressure": "MPa", "half_width": "mm", "line_load": "N/mm"},
-}
-_STRIPS = ("semi_elliptic", "parabolic")
+_ELEMENTS: Final = {"semi_elliptic": "semi-elliptic strips", "parabolic": "parabolic strips"}
 _COLUMNS = ("element", "y [mm]", "strip_width [mm]", "centre_pressure [MPa]", "patch_pressure [MPa]", "difference")
 
 
-@read_in("si")
+_QUANTITY: Final = (
+    Key("name", "what it is", holds="string"),
+    Key("unit", "its unit", holds="string"),
+    Key("patch", "by the plane grid"),
+    *(Key(name, f"by {strips}") for name, strips in _ELEMENTS.items()),
+    Key("absolute", "whether differences are in its unit; else relative to the plane grid", holds="boolean"),
+    Key("remark", "what to know about it", get=lambda quantity: quantity.remark or "", holds="string"),
+    Key(
+        "differences", "from the plane grid",
+        holds=tuple(Key(name, f"of {strips}", get=itemgetter(k)) for k, (name, strips) in enumerate(_ELEMENTS.items())),
+    ),
+)  # fmt: skip
+_STRETCH: Final = (
+    Key("element", "element of the strips", holds="string"),
+    Key("low", "outer edge at low y", "mm"),
+    Key("high", "outer edge at high y", "mm"),
+    Key("largest", "largest difference; null where the plane grid has no contact"),
+    Key("at", "centre of the strip that has it", "mm"),
+)
+_SECONDS: Final = (
+    *(Key(name, f"a solve by {strips}") for name, strips in _ELEMENTS.items()),
+    Key("patch", "a solve on the plane grid"),
+    Key("runs", "solves by strips, of whose times these are the medians", holds="integer"),
+)
+_STRIPS: Final = (
+    *within(
+        itemgetter(0),
+        Key("strips", "number of strips", holds="integer"),
+        *quantity_keys((ALONG[name] for name in ("y", "strip_width", "centre_pressure", "half_width")), ListOf()),
+    ),
+    Key("difference", "pressure less that of the plane grid, relative to it", get=itemgetter(1), holds=ListOf()),
+)
+_PATCH: Final = (
+    Key("y", "centres of rows of cells", "mm", holds=ListOf()),
+    *quantity_keys((ALONG[name] for name in ("centre_pressure", "half_width", "line_load")), ListOf()),
+)
+
+
+def _strips(name: str) -> Get:
+    return lambda found: (solution := getattr(found.compared, name), found.compared.along(solution))
+
+
+#: Keys of the file of a comparison.
+COMPARISON: Final = (
+    Key("title", "title of the case", holds="string"),
+    *within(
+        "compared",
+        Key("cells", "cells of the plane grid, across and along", get="patch.cells", holds=ListOf("integer", 2)),
+        Key("quantities", "numbers by all methods", holds=ListOf(_QUANTITY)),
+        Key("stretches", "where pressures on the centre line differ by more than 1 %", holds=ListOf(_STRETCH)),
+        Key("seconds", "times", "s", holds=_SECONDS),
+        Key(
+            "stations", "where to look across the contact",
+            holds=ListOf((Key("y", "where", "mm"), Key("reason", "why there", holds="string"))),
+        ),
+        Key("warnings", "what strains the models, a sentence each", holds=ListOf("string")),
+    ),
+    results.UNITS,
+    *(Key(name, strips, get=_strips(name), holds=_STRIPS) for name, strips in _ELEMENTS.items()),
+    Key("patch", "the plane grid", get="compared.patch", holds=_PATCH),
+)  # fmt: skip
+
+
 def as_object(found: Comparison, title: str) -> dict[str, Any]:
-    """Return a comparison as plain numbers, text, lists and dictionaries; a number that is not finite is None."""
-    patch = found.patch
-    return {
-        "title": title,
-        "cells": list(patch.cells),
-        "quantities": [_quantity(each) for each in found.quantities],
-        "stretches": [plain(vars(each)) for each in found.stretches],
-        "seconds": plain(vars(found.seconds)) | {"runs": found.seconds.runs},
-        "stations": [plain(vars(each)) for each in found.stations],
-        "warnings": list(found.warnings),
-        "units": UNITS,
-        "semi_elliptic": _strips(found, found.semi_elliptic),
-        "parabolic": _strips(found, found.parabolic),
-        "patch": {name: plain(getattr(patch, name)) for name in UNITS["patch"]},
-    }
+    """Return a comparison as plain numbers, text, lists and dictionaries."""
+    return results.document(COMPARISON, compared=found, title=title)
 
 
 def as_table(found: Comparison) -> str:
@@ -53,22 +95,6 @@ def as_table(found: Comparison) -> str:
     return csv_text(_COLUMNS, rows)
 
 
-@read_in("si")
 def files(found: Comparison, title: str) -> dict[str, str]:
     """Return the texts of comparison.json and comparison.csv, by file name."""
     return {"comparison.json": key_by_key(as_object(found, title)) + "\n", "comparison.csv": as_table(found)}
-
-
-def _quantity(each: ComparedQuantity) -> dict[str, Any]:
-    numbers = {name: value for name, value in vars(each).items() if name not in {"what", "at"}}
-    differences = dict(zip(_STRIPS, each.differences, strict=True))
-    found: dict[str, Any] = plain({"name": each.name} | numbers | {"differences": differences})
-    return found | {"remark": str(each.remark or "")}
-
-
-def _strips(found: Comparison, solution: Solution) -> dict[str, Any]:
-    return {
-        "strips": solution.strips,
-        **{name: plain(getattr(solution, name)) for name in UNITS["strips"]},
-        "difference": plain(found.along(solution)),
-    }

@@ -14,6 +14,7 @@ from typing import Any
 
 from nonhertz.files import bearing_results
 from nonhertz.files.bearing_document import BearingFile
+from nonhertz.files.comparisons import COMPARISON
 from nonhertz.files.contact_results import CONTACT
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.lives import LIVES
@@ -107,6 +108,7 @@ RESULTS: dict[str, tuple[str, tuple[ResultKey, ...], Any]] = {
     "stress": ("The largest stresses below a contact.", STRESSES, None),
     "life": ("How long the bodies of a contact last.", LIVES, None),
     "profile": ("A prepared measured profile.", PROFILE, None),
+    "comparison": ("Strips beside a plane grid.", COMPARISON, None),
     "nodes": ("Pressures and forces of a contact at the nodes of a mesh.", NODES, None),
 }
 #: What there are schemas of, and the functions that return them.
