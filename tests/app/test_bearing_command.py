@@ -352,8 +352,8 @@ def test_a_load_beyond_half_of_c_is_said(folder, capsys, run):
 
 
 def test_a_contact_is_printed_as_a_case_file(folder, run, few):
-    Path("contact.toml").write_text(run("bearing", "few.toml", "--contact", "1", "outer").out, encoding="utf-8")
+    Path("contact.toml").write_text(run("bearing", "few.toml", "--contact", "2", "outer").out, encoding="utf-8")
     _, loaded = few
     case = nh.read_case("contact.toml")
-    assert case.title == "six, roller 1 on the outer ring"
+    assert case.title == "six, roller 2 on the outer ring"
     assert_allclose(case.solve().max_pressure, loaded.max_pressure[1, 1], rtol=1e-9)  # a file holds all digits

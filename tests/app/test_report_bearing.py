@@ -162,10 +162,10 @@ def test_key_numbers_are_those_of_the_solution(few):
     solution = few.solution
     value, where = shown["maximum pressure"]
     assert float(value.split()[0]) == pytest.approx(solution.max_pressure.max(), rel=1e-4)
-    assert where.startswith("inner ring, roller 0")
+    assert where.startswith("inner ring, roller 1")
     value, where = shown["most loaded roller"]
     assert [float(each) for each in re.findall(r"[\d.]+", value)] == pytest.approx(1e-3 * solution.load[0], rel=1e-4)
-    assert (value[-2:], where) == ("kN", "at inner and outer ring; roller 0 at 0.0 degrees")
+    assert (value[-2:], where) == ("kN", "at inner and outer ring; roller 1 at 0.0 degrees")
     # One of them bears what a force towards it alone leaves to the neighbours, which are 60 degrees off.
     loaded = np.flatnonzero(solution.load[:, 0])
     assert shown["loaded rollers"][0] == f"{loaded.size} of 6"

@@ -344,7 +344,7 @@ def test_a_contact_is_a_case_of_the_other_page():
     found = json.loads(jobs.contact(FEW, 0, "outer"))["document"]
     loaded = solved(FEW, "strips")
     shown = json.loads(jobs.solve(found, False, "a"))
-    assert shown["title"].endswith("roller 0 on the outer ring")
+    assert shown["title"].endswith("roller 1 on the outer ring")
     assert shown["key"]["load"] == pytest.approx(loaded.load[0, 1], rel=1e-9)
     assert shown["key"]["max_pressure"] == pytest.approx(loaded.max_pressure[0, 1], rel=1e-9)
 

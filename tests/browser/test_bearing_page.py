@@ -76,7 +76,7 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing):
     assert "strips follow" in bearing.page.locator(".state").inner_text()
     assert bearing.numbers["Largest pressure"] == pressure, "that by strips stays, and is said to be older"
     kept = bearing.page.locator('[data-key="Largest pressure"].stale')
-    assert kept.locator(".where").inner_text().startswith("before the change, roller 0")
+    assert kept.locator(".where").inner_text().startswith("before the change, roller 1")
     assert bearing.page.locator("#verdict.stale").inner_text().startswith("Before the change: ")
     bearing.page.wait_for_timeout(800)
     assert method_of(bearing) == "by slices", "strips wait until the slider is let go"
@@ -94,11 +94,11 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing):
 
 def test_a_clicked_roller_is_drawn(bearing):
     name = bearing.page.locator("#roller-name")
-    assert name.inner_text() == "Roller 0 at 0.0°, the most loaded"
+    assert name.inner_text() == "Roller 1 at 0.0°, the most loaded"
     pressure = bearing.page.locator('[data-figure="pressure"] svg').first
     before = pressure.get_attribute("aria-label")
     bearing.page.locator('[data-roller="1"] .mark').click()
-    assert name.inner_text() == "Roller 1 at 60.0°"
+    assert name.inner_text() == "Roller 2 at 60.0°"
     assert pressure.get_attribute("aria-label") != before
     assert bearing.page.locator("#rollers tr.chosen td").first.inner_text() == "1"
     bearing.page.keyboard.press("ArrowRight")
@@ -107,7 +107,7 @@ def test_a_clicked_roller_is_drawn(bearing):
     bearing.page.locator('[data-roller-row="5"]').click()
     assert name.inner_text() == "Roller 5 at 300.0°"
     bearing.page.locator("#most").click()
-    assert name.inner_text() == "Roller 0 at 0.0°, the most loaded"
+    assert name.inner_text() == "Roller 1 at 0.0°, the most loaded"
 
 
 def opened(desk: Desk, text: str) -> None:
@@ -159,7 +159,7 @@ def test_a_contact_is_opened_on_the_page_of_contacts(bearing):
     bearing.page.locator('[data-contact="outer"]').click()
     bearing.page.wait_for_url("**/contact#c=*")
     bearing.settle()
-    assert bearing.page.locator("h1").inner_text() == "six, roller 1 on the outer ring"
+    assert bearing.page.locator("h1").inner_text() == "six, roller 2 on the outer ring"
     case = BearingCase.of(tomllib.loads(FEW), Path("six.toml"))
     loaded = case.solve()
     assert_allclose(bearing.numbers["Load"], loaded.load[1, 1], rtol=SAME)
@@ -167,6 +167,6 @@ def test_a_contact_is_opened_on_the_page_of_contacts(bearing):
     bearing.page.go_back()
     bearing.settle()
     assert bearing.page.locator('[data-roller="1"]').get_attribute("aria-label") == loads
-    assert bearing.page.locator("#roller-name").inner_text() == "Roller 1 at 60.0°"
+    assert bearing.page.locator("#roller-name").inner_text() == "Roller 2 at 60.0°"
     bearing.page.locator('[data-roller="3"]').click()
     assert bearing.page.locator("[data-contact]:disabled").count() == 2  # it bears no load

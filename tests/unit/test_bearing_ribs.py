@@ -112,7 +112,7 @@ def test_a_contact_beyond_the_flank_is_said():
         found = B.solve(near, radial=4e3, axial=900.0, method="slices")
     assert tuple(str(each.message) for each in raised) == found.warnings
     for said, ring in zip(found.warnings, ("inner", "outer"), strict=True):
-        assert f"roller 0 with a rib of the {ring} ring reaches 0." in said
+        assert f"roller 1 with a rib of the {ring} ring reaches 0." in said
     assert B.solve(row(), radial=4e3, axial=10.0, method="slices").warnings == ()
 
 

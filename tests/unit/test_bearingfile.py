@@ -645,7 +645,7 @@ def test_a_contact_of_a_bearing_is_a_case_of_its_own(tmp_path, text, roller, rin
     path, at = tmp_path / "contact.toml", (roller, ("inner", "outer").index(ring))
     found.contact_case(loaded, roller, ring).write(path)
     case = read_case(path)
-    assert case.title.endswith(f"roller {roller} on the {ring} ring")
+    assert case.title.endswith(f"roller {roller + 1} on the {ring} ring")
     solution = case.solve()
     # The same solve of the same bodies, as a file holds them: all digits but the last ones of a rounding.
     assert solution.load == pytest.approx(loaded.load[at], rel=1e-9)
@@ -660,8 +660,8 @@ def test_a_contact_by_slices_says_so_and_one_without_load_is_refused():
     found = BearingCase.of(tomllib.loads(PLAIN), Path("nu.toml"))
     sliced = found.solve("slices")
     case = found.contact_case(sliced, 0)
-    assert case.title == "nu, roller 0 on the inner ring, by slices"
+    assert case.title == "nu, roller 1 on the inner ring, by slices"
     assert case.prescribed.keywords == {"load": sliced.load[0, 0], "tilt": sliced.tilt[0, 0]}
-    assert case.path == Path("nu-0-inner.toml")
+    assert case.path == Path("nu-1-inner.toml")
     with pytest.raises(nh.InputError, match="must be a roller that the outer ring loads: choose"):
         found.contact_case(sliced, 6, "outer")

@@ -114,7 +114,7 @@ class TestPressure:
 class TestRoller:
     def test_lines_are_the_pressures_of_the_most_loaded(self, tilted):
         axes = plot.most_loaded_roller(tilted, flat())
-        assert "number 0 at 0°" in axes.get_title(loc="left")
+        assert "number 1 at 0°" in axes.get_title(loc="left")
         for ring in RINGS:
             contact, line = tilted.contact(0, ring), labelled(axes, ring)
             at_strips = np.isin(line.get_xdata(), contact.y)

@@ -207,7 +207,7 @@ class BearingSolution(ReadOnly):
         Parameters
         ----------
         roller : int
-            Its number, from 0.
+            Its index, from 0.
         ring : {"inner", "outer"}
             Which ring.
 
@@ -233,7 +233,7 @@ class BearingSolution(ReadOnly):
         Parameters
         ----------
         roller : int
-            Its number, from 0.
+            Its index, from 0.
         ring : {"inner", "outer"}
             Which ring.
 
@@ -248,12 +248,12 @@ class BearingSolution(ReadOnly):
         return rib.under(load) if rib is not None and load > 0.0 else None
 
     def place_of(self, roller: int) -> str:
-        """Return which roller it is, in words.
+        """Return which roller it is, in words, in which rollers are counted from 1.
 
         Parameters
         ----------
         roller : int
-            Its number, from 0.
+            Its index, from 0.
 
         Raises
         ------
@@ -263,7 +263,7 @@ class BearingSolution(ReadOnly):
         roller = self._number_of(roller)
         row = next(k for k, row in enumerate(self.bearing.rows, start=1) if roller < row.rollers.stop)
         among = f", row {row}" if len(self.bearing.rows) > 1 else ""
-        return f"roller {roller} at {np.degrees(self.angle[roller]):.1f} degrees{among}"
+        return f"roller {roller + 1} at {np.degrees(self.angle[roller]):.1f} degrees{among}"
 
     def _number_of(self, roller: int, ring: str = RINGS[0]) -> int:
         one_of("ring", ring, RINGS, "name one of both")
@@ -296,7 +296,7 @@ class BearingSolution(ReadOnly):
                     "The contact of roller {roller} with a rib of the {ring} ring reaches {reach:.3g} along the flank, "
                     "beyond an edge at {room:.3g}, where the pressure is higher than Hertz's."
                 )
-                found.append(finding("rib-edge", words, roller=j, ring=ring, reach=mm(reach), room=mm(rib.room)))
+                found.append(finding("rib-edge", words, roller=j + 1, ring=ring, reach=mm(reach), room=mm(rib.room)))
         if self.method == "slices" and any(is_hollow(row.bearing.roller) for row in self.bearing.rows):
             words = "Slices take hollow rollers as solid ones, which are stiffer: solve the bearing by strips."
             found.append(finding("hollow-by-slices", words))
@@ -395,7 +395,7 @@ class BearingSolution(ReadOnly):
         Parameters
         ----------
         row : int
-            Its number, from 0.
+            Its index, from 0.
 
         Raises
         ------

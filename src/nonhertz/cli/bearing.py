@@ -8,12 +8,13 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, AsJson, Changes, named_as, refuse_unwritable_out, saved, written
+from nonhertz.cli.options import NONE, AsJson, Changes, refuse_unwritable_out, saved, written
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
 from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
+from nonhertz.inputs.checks import whole
 from nonhertz.show.bearing import compared_sections, sections
 from nonhertz.verdict import findings_of, of_bearing
 
@@ -37,7 +38,7 @@ def bearing(
     compare : bool
         Solve it by strips and by the slices of ISO/TS 16281, and print both side by side.
     contact : tuple of int and str
-        ROLLER, counted from 0, and RING, inner or outer: print a case file of this contact alone, with its load and its
+        ROLLER, counted from 1, and RING, inner or outer: print a case file of this contact alone, with its load and its
         tilt in the bearing, for the commands that take a case.
     out : Path
         Directory for result.json, rollers.csv, lines.csv and the figures, with --compare for comparison.json and
@@ -53,8 +54,13 @@ def bearing(
     with without_accuracy_warnings():  # which are printed with the results
         solution = case.solve()
     if contact is not None:
-        with named_as(roller="--contact", ring="--contact"):
-            print(case.contact_case(solution, *contact).text, end="")
+        number, ring = contact
+        whole("--contact", number, 1, solution.angle.size, "count from 1")
+        try:
+            alone = case.contact_case(solution, number - 1, ring)
+        except InputError as error:
+            raise error.about("--contact", number if error.field == "roller" else ring) from None
+        print(alone.text, end="")
         return None
     try:
         life, reason = case.rated(solution)

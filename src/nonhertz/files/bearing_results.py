@@ -167,7 +167,7 @@ def rollers_table(solution: BearingSolution) -> str:
     quantities = [quantity for name, quantity in CONTACT_QUANTITIES.items() if name not in unknown]
     heads = [heading(f"{each.name}_{ring}", each.unit) for each in quantities for ring in RINGS]
     columns = [column for each in quantities for column in each.get(solution).T]
-    cells = zip(range(solution.angle.size), _row_numbers(solution), solution.angle, *columns, strict=True)
+    cells = zip(_numbers(solution), _row_numbers(solution), solution.angle, *columns, strict=True)
     return csv_text(["roller", "row", "angle [rad]", *heads], map(plain, cells))
 
 
@@ -189,13 +189,18 @@ def lines_table(solution: BearingSolution, laminae: int) -> str:
     return csv_text(["roller", "ring", *heads], rows)
 
 
+def _numbers(solution: BearingSolution) -> Iterable[int]:
+    """Return the numbers of rollers in tables, from 1."""
+    return range(1, solution.angle.size + 1)
+
+
 def _strips(solution: BearingSolution, quantities: Iterable[Quantity]) -> Iterator[Iterable[Any]]:
-    for j in range(solution.angle.size):
+    for j, number in enumerate(_numbers(solution)):
         for ring in RINGS:
             contact = solution.contact(j, ring)
             if contact is not None:
                 for numbers in zip(*(each.get(contact).tolist() for each in quantities), strict=True):
-                    yield j, ring, *numbers
+                    yield number, ring, *numbers
 
 
 def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
@@ -205,7 +210,7 @@ def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
             for k, ring in enumerate(RINGS):
                 if solution.load[j, k] > 0.0:
                     for y, load in zip(slices.y.tolist(), of_roller[k], strict=True):
-                        yield j, ring, y, width, load / width
+                        yield j + 1, ring, y, width, load / width
 
 
 def files(solution: BearingSolution, case: BearingCase, life: BearingLife | None, reason: str) -> dict[str, str]:
@@ -233,7 +238,7 @@ def comparison_table(strips: BearingSolution, slices: BearingSolution) -> str:
     """Return both methods' loads as CSV with a header of names and units."""
     head = ["roller", "angle [rad]", *(f"load_{ring}_{each.method} [N]" for ring in RINGS for each in (strips, slices))]
     columns = [each.load[:, k] for k in range(len(RINGS)) for each in (strips, slices)]
-    cells = zip(range(strips.angle.size), strips.angle, *columns, strict=True)
+    cells = zip(_numbers(strips), strips.angle, *columns, strict=True)
     return csv_text(head, map(plain, cells))
 
 

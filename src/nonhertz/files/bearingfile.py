@@ -235,7 +235,7 @@ class BearingCase(HeldCase):
         solution : BearingSolution
             This bearing, solved by strips or by slices, whose load and tilt are then those of slices.
         roller : int
-            Its number, from 0.
+            Its index, from 0; in words rollers are counted from 1.
         ring : {"inner", "outer"}
             Which ring; of thrust bearings the washer of the shaft or of the housing.
 
@@ -253,7 +253,7 @@ class BearingCase(HeldCase):
         ...     bearing = read_bearing(path)
         >>> case = bearing.contact_case(bearing.solve("slices"), 0, "outer")
         >>> case.title, round(case.prescribed.load, -1)
-        ('NU 206, roller 0 on the outer ring, by slices', 3720.0)
+        ('NU 206, roller 1 on the outer ring, by slices', 3720.0)
         """
         from nonhertz.bearing.section import RINGS
         from nonhertz.bearing.solution import BearingSolution
@@ -273,8 +273,8 @@ class BearingCase(HeldCase):
         return Case(
             contact=row.bearing.contacts[side],
             prescribed=Prescription(load=load, tilt=tilt),
-            title=f"{self.title}, roller {roller} on the {ring} ring{method}".removeprefix(", "),
-            path=Path(f"{self.path.stem}-{roller}-{ring}.toml"),
+            title=f"{self.title}, roller {roller + 1} on the {ring} ring{method}".removeprefix(", "),
+            path=Path(f"{self.path.stem}-{roller + 1}-{ring}.toml"),
             title_block=self.title_block,
         )
 

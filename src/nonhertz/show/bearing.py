@@ -165,7 +165,7 @@ def carrying(solution: BearingSolution) -> NDArray[np.bool_]:
 
 
 def most_loaded(solution: BearingSolution) -> int:
-    """Return the number of the roller with the largest load, counted from 0."""
+    """Return the index of the roller with the largest load."""
     return int(np.argmax(solution.load.max(axis=1)))
 
 
@@ -301,7 +301,7 @@ def _stiffness_rows(solution: BearingSolution) -> list[Row]:
     pitch = solution.bearing.rows[0].bearing.pitch
     found = without_rounding(diagonal, np.array([1.0, 1.0, 1.0, *[1.0 / pitch**2] * 2]))
     rows = [("stiffness", str(amount(found[:3], "N/mm", "N/um")), "along x, y, z")]
-    ready = [str(j) for j in solution.edge_rollers]
+    ready = [str(j + 1) for j in solution.edge_rollers]
     if ready:
         who = f"rollers {', '.join(ready)} stand" if 1 < len(ready) < 5 else f"{len(ready)} rollers stand"
         who = f"roller {ready[0]} stands" if len(ready) == 1 else who
@@ -330,11 +330,11 @@ def _method_rows(solution: BearingSolution) -> list[Row]:
 
 
 def _rollers(solution: BearingSolution) -> Iterator[tuple[str, str, str]]:
-    """Yield number, row and angle of every roller; rows are counted from 1, and blank where there is only one."""
+    """Yield number, row and angle of every roller, counted from 1; rows are blank where there is only one."""
     several = len(solution.bearing.rows) > 1
     for number, row in enumerate(solution.bearing.rows, start=1):
         for j in range(row.rollers.start, row.rollers.stop):
-            yield str(j), str(number) if several else "", _degrees(solution.angle[j])
+            yield str(j + 1), str(number) if several else "", _degrees(solution.angle[j])
 
 
 def _degrees(angle: float) -> str:

@@ -72,7 +72,7 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     ax.set_ylabel(stress.label("Centre-line\npressure $p_0$"))
     several = f"row {row + 1}, " if len(solution.bearing.rows) > 1 else ""
     where = number(math.degrees(solution.angle[roller]), 4)
-    words = f"Most loaded roller: {several}number {roller - solution.rollers_of(row).start} at {where}°"
+    words = f"Most loaded roller: {several}number {roller - solution.rollers_of(row).start + 1} at {where}°"
     if any(contact.singular_ends for _, contact in contacts):
         words += "; pressure has no limit at sharp ends"
     ax.set_title(words, loc="left", fontsize=SMALL_SIZE, pad=18.0)

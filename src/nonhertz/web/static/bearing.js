@@ -189,7 +189,7 @@ function clearance({ key }) {
 
 function mostLoad({ key, angle, most }) {
   const [value, unit] = newtons(key.load).split(" ");
-  const where = key.load > 0 ? `roller ${most} at ${degrees(angle[most])}°` : "";
+  const where = key.load > 0 ? `roller ${most + 1} at ${degrees(angle[most])}°` : "";
   return { name: "Largest load of a roller", value, unit, where, number: key.load };
 }
 
@@ -210,7 +210,7 @@ function pressure({ key, method }) {
   const { max_pressure: number, at } = key;
   const name = "Largest pressure";
   if (number === null) return { name, value: "–", unit: "", where: method === "slices" ? "by strips only" : "", number };
-  return { name, ...parts(number, "MPa"), where: `roller ${at[0]}, ${at[1]} ring`, number };
+  return { name, ...parts(number, "MPa"), where: `roller ${at[0] + 1}, ${at[1]} ring`, number };
 }
 
 function life({ key, method }) {

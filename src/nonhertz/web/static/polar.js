@@ -97,7 +97,7 @@ export class Polar {
       // One of the rollers is reached by the tab key, the others from there by arrow keys.
       set(parts.group, "tabindex", here || (!within && j === 0) ? "0" : "-1");
       const loads = `${newtons(inner)} inner, ${newtons(outer)} outer ring`;
-      const words = `roller ${number} at ${degrees(at)} degrees: ${loads}`;
+      const words = `roller ${number + 1} at ${degrees(at)} degrees: ${loads}`;
       set(parts.group, "aria-label", words);
     }
     drawGrid(picture.grid, row, answer, top, radius);

@@ -52,7 +52,7 @@ export function drawRoller(answer, pressed, roller, pinned) {
   const row = answer.rows.find(({ first, count }) => roller >= first && roller < first + count);
   const several = answer.rows.length > 1 ? `, row ${answer.rows.indexOf(row) + 1}` : "";
   const most = roller === answer.most ? ", the most loaded" : "";
-  byId("roller-name").textContent = `Roller ${roller} at ${degrees(answer.angle[roller])}°${several}${most}`;
+  byId("roller-name").textContent = `Roller ${roller + 1} at ${degrees(answer.angle[roller])}°${several}${most}`;
   const span = /** @type {[number, number]} */ ([-0.5 * row.length, 0.5 * row.length]);
   drawPressure(pressed, roller, span);
   drawLineLoad(answer, roller, span, pinned);
