@@ -69,12 +69,12 @@ def words(holds: Any, *, several: bool = False) -> str:
 
 
 def units(unit: Any) -> Iterator[str]:
-    """Yield each of the units of a key."""
+    """Yield the units of a key."""
     if isinstance(unit, Mapping):
-        yield from (f"{name}: {each}" for name, each in unit.items())
+        yield from (f"{name}: {word}" for name, word in unit.items())
     elif isinstance(unit, list):
-        for each in unit:
-            yield from units(each)
+        for part in unit:
+            yield from units(part)
     else:
         yield unit or ""
 

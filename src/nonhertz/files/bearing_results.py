@@ -87,6 +87,7 @@ _LIFE: Final = (
     *_OF_LOAD,
     Key("parts", "the same for each load of a spectrum, with its share of the revolutions", "", holds=ListOf(_PART)),
 )
+_OF_SLICES: Final = [quantity for name, quantity in CONTACT_QUANTITIES.items() if name not in PRESSURES]
 _FORCES, _MOTIONS = [*FORCES.values()], [*MOTIONS.values()]
 _ROLLERS, _CONTACTS, _RING = ListOf(), ListOf(ListOf(count=len(RINGS))), ListOf(count=len(MOTIONS))
 
@@ -121,7 +122,7 @@ def keys() -> tuple[Key, ...]:
                 lambda solution: [row.x for row in solution.bearing.rows for _ in range(row.bearing.rollers)], _ROLLERS,
             ),
             Key("angle", "where every roller is", "rad", holds=_ROLLERS),
-            *quantity_keys((each for name, each in CONTACT_QUANTITIES.items() if name not in PRESSURES), _CONTACTS),
+            *quantity_keys(_OF_SLICES, _CONTACTS),
             Key("each_rib_load", "load on every roller's ends from each rib", "N", holds=ListOf(_ROLLERS)),
             *(_pressures(CONTACT_QUANTITIES[name]) for name in PRESSURES),
             Key(
@@ -134,7 +135,7 @@ def keys() -> tuple[Key, ...]:
                 "stiffness", "d(force) / d(displacement)",
                 [[f"{force}/{motion}" for motion in _MOTIONS] for force in _FORCES], holds=ListOf(_RING, len(FORCES)),
             ),
-            Key("edge_rollers", "rollers at the edge of the load zone, without load", holds=ListOf("integer")),
+            Key("edge_rollers", "unloaded rollers at the edge of the load zone, from 0", holds=ListOf("integer")),
             Key(
                 "edge_stiffness", "change of force along x, y and z where these bear; null if there are none", "N/mm",
                 holds=ListOf(count=3),
@@ -163,10 +164,9 @@ def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | 
 
 def rollers_table(solution: BearingSolution) -> str:
     """Return the rollers as CSV with a header of names and units; cells without a number are empty."""
-    unknown = () if solution.method == "strips" else PRESSURES
-    quantities = [quantity for name, quantity in CONTACT_QUANTITIES.items() if name not in unknown]
-    heads = [heading(f"{each.name}_{ring}", each.unit) for each in quantities for ring in RINGS]
-    columns = [column for each in quantities for column in each.get(solution).T]
+    quantities = [*CONTACT_QUANTITIES.values()] if solution.method == "strips" else _OF_SLICES
+    heads = [heading(f"{quantity.name}_{ring}", quantity.unit) for quantity in quantities for ring in RINGS]
+    columns = [column for quantity in quantities for column in quantity.get(solution).T]
     cells = zip(_numbers(solution), _row_numbers(solution), solution.angle, *columns, strict=True)
     return csv_text(["roller", "row", "angle [rad]", *heads], map(plain, cells))
 
@@ -184,7 +184,7 @@ def lines_table(solution: BearingSolution, laminae: int) -> str:
     by_strips = solution.method == "strips"
     names = ALONG.keys() - {"gap"} if by_strips else ("y", "strip_width", "line_load")
     quantities = [quantity for name, quantity in ALONG.items() if name in names]
-    heads = (heading(each.name, each.unit) for each in quantities)
+    heads = (heading(quantity.name, quantity.unit) for quantity in quantities)
     rows = _strips(solution, quantities) if by_strips else _slices(solution, laminae)
     return csv_text(["roller", "ring", *heads], rows)
 
@@ -199,7 +199,7 @@ def _strips(solution: BearingSolution, quantities: Iterable[Quantity]) -> Iterat
         for ring in RINGS:
             contact = solution.contact(j, ring)
             if contact is not None:
-                for numbers in zip(*(each.get(contact).tolist() for each in quantities), strict=True):
+                for numbers in zip(*(quantity.get(contact).tolist() for quantity in quantities), strict=True):
                     yield number, ring, *numbers
 
 
@@ -228,7 +228,7 @@ def comparison_object(strips: BearingSolution, slices: BearingSolution, title: s
     return {
         "title": title,
         "angle": plain(strips.angle),
-        **{each.method: {name: plain(getattr(each, name)) for name in names} for each in (strips, slices)},
+        **{solution.method: {name: plain(getattr(solution, name)) for name in names} for solution in (strips, slices)},
         "differences": {name: plain(getattr(slices, name) - getattr(strips, name)) for name in names},
         "units": {name: units[name] for name in ("angle", *names)},
     }
@@ -236,8 +236,12 @@ def comparison_object(strips: BearingSolution, slices: BearingSolution, title: s
 
 def comparison_table(strips: BearingSolution, slices: BearingSolution) -> str:
     """Return both methods' loads as CSV with a header of names and units."""
-    head = ["roller", "angle [rad]", *(f"load_{ring}_{each.method} [N]" for ring in RINGS for each in (strips, slices))]
-    columns = [each.load[:, k] for k in range(len(RINGS)) for each in (strips, slices)]
+    head = [
+        "roller",
+        "angle [rad]",
+        *(f"load_{ring}_{by} [N]" for ring in RINGS for by in ("strips", "slices")),
+    ]
+    columns = [solution.load[:, k] for k in range(len(RINGS)) for solution in (strips, slices)]
     cells = zip(_numbers(strips), strips.angle, *columns, strict=True)
     return csv_text(head, map(plain, cells))
 

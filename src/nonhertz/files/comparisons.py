@@ -56,7 +56,7 @@ _PATCH: Final = (
 
 
 def _strips(name: str) -> Get:
-    return lambda found: (solution := getattr(found.compared, name), found.compared.along(solution))
+    return lambda file: (strips := getattr(file.compared, name), file.compared.along(strips))
 
 
 #: Keys of the file of a comparison.
@@ -80,21 +80,21 @@ COMPARISON: Final = (
 )  # fmt: skip
 
 
-def as_object(found: Comparison, title: str) -> dict[str, Any]:
+def as_object(compared: Comparison, title: str) -> dict[str, Any]:
     """Return a comparison as plain numbers, text, lists and dictionaries."""
-    return results.document(COMPARISON, compared=found, title=title)
+    return results.document(COMPARISON, compared=compared, title=title)
 
 
-def as_table(found: Comparison) -> str:
+def as_table(compared: Comparison) -> str:
     """Return all strips, and the plane grid at their centres, as CSV with a header of names and units."""
     rows = []
-    for solution in found.strips:
-        of_patch = np.interp(solution.y, found.patch.y, found.patch.centre_pressure)
-        columns = (solution.y, solution.strip_width, solution.centre_pressure, of_patch, found.along(solution))
+    for solution in compared.strips:
+        of_patch = np.interp(solution.y, compared.patch.y, compared.patch.centre_pressure)
+        columns = (solution.y, solution.strip_width, solution.centre_pressure, of_patch, compared.along(solution))
         rows += [[solution.element.name, *row] for row in zip(*map(plain, columns), strict=True)]
     return csv_text(_COLUMNS, rows)
 
 
-def files(found: Comparison, title: str) -> dict[str, str]:
+def files(compared: Comparison, title: str) -> dict[str, str]:
     """Return the texts of comparison.json and comparison.csv, by file name."""
-    return {"comparison.json": key_by_key(as_object(found, title)) + "\n", "comparison.csv": as_table(found)}
+    return {"comparison.json": key_by_key(as_object(compared, title)) + "\n", "comparison.csv": as_table(compared)}

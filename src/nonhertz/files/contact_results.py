@@ -91,7 +91,7 @@ def as_object(solution: Solution, case: Case) -> dict[str, Any]:
 def as_table(solution: Solution) -> str:
     """Return the strips as CSV with a header of names and units."""
     columns = (column.tolist() for column in solution.table().values())
-    return csv_text((heading(each.name, each.unit) for each in ALONG.values()), zip(*columns, strict=True))
+    return csv_text((heading(name, quantity.unit) for name, quantity in ALONG.items()), zip(*columns, strict=True))
 
 
 def files(solution: Solution, case: Case) -> dict[str, str]:

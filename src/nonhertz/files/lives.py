@@ -108,12 +108,12 @@ class Assessment:
 
 def _models(case: Any) -> list[SimpleNamespace]:
     """Return the lives of both bodies by each model."""
-    found, first, models = case.lives, case.first, []
-    for number, lives in enumerate(zip(*(found.lives[body] for body in BODIES), strict=True)):
+    assessment, first, models = case.lives, case.first, []
+    for number, lives in enumerate(zip(*(assessment.lives[body] for body in BODIES), strict=True)):
         by_model = SimpleNamespace(**dict(zip(BODIES, lives, strict=True)), model=lives[0].model)
-        by_model.million_revolutions = found.million_revolutions(number)
-        by_model.with_dents = found.dent_lives.get(by_model.model.name)
-        by_model.ratio = first and SimpleNamespace(**{body: first.over(found, body, number) for body in BODIES})
+        by_model.million_revolutions = assessment.million_revolutions(number)
+        by_model.with_dents = assessment.dent_lives.get(by_model.model.name)
+        by_model.ratio = first and SimpleNamespace(**{body: first.over(assessment, body, number) for body in BODIES})
         models.append(by_model)
     return models
 
@@ -181,23 +181,23 @@ LIVES: Final = (
 )  # fmt: skip
 
 
-def as_object(found: Assessment, other: Assessment | None = None) -> dict[str, Any]:
+def as_object(lives: Assessment, other: Assessment | None = None) -> dict[str, Any]:
     """Return lives, and those they are compared with, as plain numbers, text, lists and dictionaries."""
-    return results.document(LIVES, lives=found, other=other, first=None)
+    return results.document(LIVES, lives=lives, other=other, first=None)
 
 
-def as_table(found: Assessment) -> str:
+def as_table(lives: Assessment) -> str:
     """Return the damage density along both bodies as CSV with a header of names and units."""
     rows = (
         [body, life.model.name, y, plain(density)]
         for body in BODIES
-        for life in found.lives[body]
+        for life in lives.lives[body]
         for y, density in zip(life.y.tolist(), life.density.tolist(), strict=True)
     )
     return csv_text(_COLUMNS, rows)
 
 
-def files(found: Assessment, other: Assessment | None) -> dict[str, str]:
+def files(lives: Assessment, other: Assessment | None) -> dict[str, str]:
     """Return the texts of life.json and life.csv, and of compared.csv if there is another case, by file name."""
-    texts = {"life.json": key_by_key(as_object(found, other)) + "\n", "life.csv": as_table(found)}
+    texts = {"life.json": key_by_key(as_object(lives, other)) + "\n", "life.csv": as_table(lives)}
     return texts if other is None else texts | {"compared.csv": as_table(other)}

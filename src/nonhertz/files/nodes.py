@@ -86,11 +86,11 @@ def read_nodes(path: Path) -> Nodes:
     return Nodes(tuple(head), cells, numbers[:, 0], numbers[:, 1])
 
 
-def as_table(nodes: Nodes, found: NodalLoads) -> str:
+def as_table(nodes: Nodes, loads: NodalLoads) -> str:
     """Return the file of the nodes as CSV, with pressure and force at each."""
     rows = (
         [*cells, pressure, "" if math.isnan(force) else force]
-        for cells, pressure, force in zip(nodes.cells, found.pressure.tolist(), found.force.tolist(), strict=True)
+        for cells, pressure, force in zip(nodes.cells, loads.pressure.tolist(), loads.force.tolist(), strict=True)
     )
     return csv_text((*nodes.head, *_RESULTS), rows)
 
@@ -123,9 +123,9 @@ NODES: Final = (
 )
 
 
-def as_object(solution: Solution, found: NodalLoads, title: str) -> dict[str, Any]:
+def as_object(solution: Solution, loads: NodalLoads, title: str) -> dict[str, Any]:
     """Return pressures and forces at nodes, and their sums, as plain numbers, text and lists."""
-    return results.document(NODES, title=title, solution=solution, nodes=found)
+    return results.document(NODES, title=title, solution=solution, nodes=loads)
 
 
 def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:

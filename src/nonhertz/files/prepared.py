@@ -56,7 +56,7 @@ PROFILE: Final = (
         Key("notes", "how it was read", get="trace.notes", holds=ListOf("string")),
         Key(
             "steps", "name and words of each step, and its numbers", _STEPS, holds=ListOf("object"),
-            get=lambda measured: [{"name": each.name, "words": each.words, **each.numbers} for each in measured.states],
+            get=lambda measured: [{"name": step.name, "words": step.words, **step.numbers} for step in measured.states],
         ),
         Key("gaps", "from and to of stretches without points", "mm", "points.gaps", ListOf(ListOf(count=2))),
         Key("roughness", "what smoothing takes away", holds=_ROUGHNESS),

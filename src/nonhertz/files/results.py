@@ -108,7 +108,7 @@ def within(get: Get | str, *keys: Key) -> tuple[Key, ...]:
 
 def quantity_keys(quantities: Iterable[Quantity], holds: Any = NUMBER) -> tuple[Key, ...]:
     """Return the keys of quantities of a solution."""
-    return tuple(Key(each.name, each.meaning or each.label, each.unit, each.get, holds) for each in quantities)
+    return tuple(Key(q.name, q.meaning or q.label, q.unit, q.get, holds) for q in quantities)
 
 
 @read_in("si")

@@ -40,15 +40,15 @@ _STRENGTH: Final = (
     Key(
         "checks", "by name, each with verdict, ratio, above 1 of which it is too much, and sentence", holds="object",
         get=lambda strength: {
-            each.name: {"verdict": str(each.verdict), "ratio": each.ratio, "sentence": each.sentence}
-            for each in strength.checks
+            check.name: {"verdict": str(check.verdict), "ratio": check.ratio, "sentence": check.sentence}
+            for check in strength.checks
         },
     ),
 )  # fmt: skip
 
 
 def _at_section(name: str) -> results.Get:
-    return lambda found: there(found.solution, getattr(found.solution, name), found.section.von_mises.y)
+    return lambda stress: at_station(stress.solution, getattr(stress.solution, name), stress.section.von_mises.y)
 
 
 #: Keys of the file of stresses.
@@ -56,22 +56,22 @@ STRESSES: Final = (
     Key("title", "title of the case", holds="string"),
     Key("status", "how the solve ended", get="solution.status.label", holds="string"),
     Key("body", "the body in which stresses were searched, a or b", get="overall.body", holds="string"),
-    Key("poisson", "its Poisson's ratio", get=lambda found: poisson(found.solution, found.overall.body)),
+    Key("poisson", "its Poisson's ratio", get=lambda stress: poisson(stress.solution, stress.overall.body)),
     Key("max_pressure", "maximum pressure of the contact", "MPa", "solution.max_pressure"),
     Key("overall", "largest stresses in the body", holds=(*_LARGEST, _BORE)),
     Key(
-        "section", "largest stresses in a cross-section", get=lambda found: found,
+        "section", "largest stresses in a cross-section", get=lambda stress: stress,
         holds=(
             Key("y", "where it is", "mm", "section.von_mises.y"),
             Key("centre_pressure", "p0 there", "MPa", _at_section("centre_pressure")),
             Key("half_width", "half-width there", "mm", _at_section("half_width")),
             *within("section", *_LARGEST),
-            replace(_BORE, get="section.bore", applies=lambda found: found.section.bore is not None),
+            replace(_BORE, get="section.bore", applies=lambda stress: stress.section.bore is not None),
         ),
     ),
     Key("strength", "whether the body bears them", holds=_STRENGTH),
-    results.verdict_key(lambda found: of_contact(found.solution, (found.strength,))),
-    *results.warning_keys(lambda found: all_findings(found.solution, found.overall, found.section)),
+    results.verdict_key(lambda stress: of_contact(stress.solution, (stress.strength,))),
+    *results.warning_keys(lambda stress: all_findings(stress.solution, stress.overall, stress.section)),
     results.UNITS,
 )  # fmt: skip
 _POINT: Final = ("x", "y", "z")
@@ -87,7 +87,7 @@ def as_object(
     )
 
 
-def there(solution: Solution, values: NDArray[np.float64], y: float) -> float:
+def at_station(solution: Solution, values: NDArray[np.float64], y: float) -> float:
     """Return a quantity of the strips interpolated at a station, zero outside the contact."""
     touching = any(low <= y <= high for low, high in solution.contact_y)
     return float(np.interp(y, solution.y, values)) if touching else 0.0
@@ -111,6 +111,8 @@ def poisson(solution: Solution, body: BodyName) -> float:
     return float({"a": solution.contact.a, "b": solution.contact.b}[body].material.poisson)
 
 
-def all_findings(solution: Solution, *found: Extremes) -> tuple[Finding, ...]:
+def all_findings(solution: Solution, *stresses: Extremes) -> tuple[Finding, ...]:
     """Return what is found of a solution and of the stresses in it, without repeats."""
-    return tuple(dict.fromkeys([*solution.findings, *(one for each in found for one in each.findings)]))
+    return tuple(
+        dict.fromkeys([*solution.findings, *(finding for largest in stresses for finding in largest.findings)])
+    )

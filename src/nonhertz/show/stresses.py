@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from nonhertz.amounts import digits, mm, mpa
-from nonhertz.files.stresses import LARGEST, poisson, there
+from nonhertz.files.stresses import LARGEST, at_station, poisson
 from nonhertz.result.solution import Solution
 from nonhertz.show.sections import Said, Section, Table
 from nonhertz.strength import Strength
@@ -24,7 +24,7 @@ def stress_table(solution: Solution, overall: Extremes, section: Extremes) -> Ta
     (stress, of_stress), (length, of_length) = mpa(overall.von_mises.max).scale, mm().scale
 
     def row(name: str, found: Extreme) -> tuple[str, ...]:
-        pressure = there(solution, solution.centre_pressure, found.y)
+        pressure = at_station(solution, solution.centre_pressure, found.y)
         share = f"{found.max / pressure:.4f}" if pressure > 0.0 else ""
         x, y, z = (digits(length * each, 4) for each in (found.x, found.y, found.z))
         # The stress field of the strips is symmetric about x = 0.
@@ -45,7 +45,7 @@ def stress_table(solution: Solution, overall: Extremes, section: Extremes) -> Ta
 def sentences(solution: Solution, section: Extremes) -> list[str]:
     """Return what the reader needs to know about the body and the cross-section to interpret the numbers."""
     y, shear = section.von_mises.y, section.orthogonal_shear
-    pressure, half_width = (there(solution, each, y) for each in (solution.centre_pressure, solution.half_width))
+    pressure, half_width = (at_station(solution, each, y) for each in (solution.centre_pressure, solution.half_width))
     contact = f"p0 = {mpa(pressure)} and the half-width is {mm(half_width)}"
     return [
         f"Body {section.body} has a Poisson's ratio of {poisson(solution, section.body):g}. At y = {mm(y):.5g} "
