@@ -204,10 +204,10 @@ def test_out_writes_result_rollers_and_lines(folder, capsys, few):
     assert_array_equal([float(row["max_pressure_outer [MPa]"]) for row in rollers], found.max_pressure[:, 1])
     assert rollers[3]["max_pressure_y_inner [mm]"] == ""
     lines = table(out / "lines.csv")
-    assert {(row["roller"], row["ring"]) for row in lines} == {(j, ring) for j in "015" for ring in ("inner", "outer")}
+    assert {(row["roller"], row["ring"]) for row in lines} == {(j, ring) for j in "126" for ring in ("inner", "outer")}
     for j in (0, 1, 5):
         # Line loads over the widths of their strips add up to the loads of the rollers, and to moments about y = 0.
-        own = [row for row in lines if row["roller"] == str(j) and row["ring"] == "outer"]
+        own = [row for row in lines if row["roller"] == str(j + 1) and row["ring"] == "outer"]
         load, width, y = (
             np.array([float(row[name]) for row in own]) for name in ("line_load [N/mm]", "strip_width [mm]", "y [mm]")
         )
