@@ -4,13 +4,14 @@ import dataclasses
 import importlib
 import inspect
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.contact_results import CONTACT
-from nonhertz.files.results import units_of
+from nonhertz.files.results import Key, units_of
+from nonhertz.files.schemas import RESULTS
 from nonhertz.inputs.fields import Quantities, Quantity
 from nonhertz.model.profile import PARAMETERS
 
@@ -42,13 +43,24 @@ def test_every_name_of_the_page_is_in_the_code_and_there_once():
     assert set(LISTED) - public_names() == set()
 
 
-def test_results_on_disk_have_the_units_that_the_page_lists():
-    # The page writes exponents by their symbols.
-    units = units_of(CONTACT)
-    listed = {name: unit for name, unit in (units | units["edge_pressure"]).items() if isinstance(unit, str)}
-    for name, unit in listed.items():
-        if "exponent" not in unit:
-            assert LISTED[name] == unit, name
+def every_key(keys: tuple[Key, ...]) -> Iterator[Key]:
+    """Yield keys and those of the objects in them."""
+    for key in keys:
+        yield key
+        yield from every_key(key.keys)
+
+
+@pytest.mark.parametrize("kind", RESULTS)
+def test_keys_of_results_say_what_they_are_and_have_the_units_that_the_page_lists(kind):
+    _, keys, _ = RESULTS[kind]
+    assert len({key.name for key in keys}) == len(keys)
+    for key in every_key(keys):
+        assert key.meaning, key.name
+        # The page writes exponents by their symbols, and no revolutions.
+        if isinstance(key.unit, str) and key.unit and key.name in LISTED and "exponent" not in key.unit:
+            assert (LISTED[key.name] or "as damage") == key.unit.removesuffix(" revolutions"), key.name
+    if kind == "result":
+        assert {name for name, unit in units_of(keys).items() if isinstance(unit, str)} <= LISTED.keys()
 
 
 @pytest.mark.parametrize("kind", PARAMETERS)
