@@ -100,7 +100,7 @@ def test_a_clicked_roller_is_drawn(bearing):
     bearing.page.locator('[data-roller="1"] .mark').click()
     assert name.inner_text() == "Roller 2 at 60.0°"
     assert pressure.get_attribute("aria-label") != before
-    assert bearing.page.locator("#rollers tr.chosen td").first.inner_text() == "1"
+    assert bearing.page.locator("#rollers tr.chosen td").first.inner_text() == "2"
     bearing.page.keyboard.press("ArrowRight")
     assert name.inner_text() == "Roller 2 at 120.0°"
     assert "no load" in bearing.page.locator('[data-figure="pressure"] .drawing').inner_text()

@@ -30,7 +30,7 @@ const live = new Live({
     if (stress) showStress(answer, false);
     if (answer.ok) {
       curve.at(document, answer.key);
-      sketch.draw(answer.bodies);
+      sketch.draw(answer);
     }
     roundTrip(since, begun, answer);
   },

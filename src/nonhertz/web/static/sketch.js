@@ -1,11 +1,14 @@
-// Both bodies at scale, across the contact and along it, so that one sees what is pressed on what; what is changed is
-// marked.
+// Both bodies at scale, across the contact and along it, with their dimensions, so that one sees what is pressed on
+// what; what is changed is marked. Profiles and tilt are so small that they are drawn many times as large.
 
 import { byId, drawn } from "./elements.js";
+import { digits } from "./numbers.js";
 import { text } from "./polar.js";
 import { amount } from "./units.js";
 
-const [WIDTH, HEIGHT, ACROSS] = [330, 132, 120]; // pixels, the last of the view across the contact
+const [WIDTH, HEIGHT, ACROSS] = [330, 150, 120]; // pixels, the last of the view across the contact
+const WIDE = 140; // pixels, above which a length stands within its dimension
+const [TOP, RELIEF, TILT] = [20, 7, 2.5]; // pixels above for the dimension, and of the deepest relief; degrees of a tilt
 const [ABOVE, BELOW] = [1.12, 0.5]; // of the smaller diameter, that are seen of body a and of body b
 const FAR = 1e5; // pixels, beyond any view
 
@@ -29,32 +32,36 @@ export class Sketch {
     this.host.replaceChildren();
   }
 
-  /** @param {Record<string, Seen>} bodies */
-  draw(bodies) {
+  /** @param {import("./types.js").Answer} answer */
+  draw({ bodies, profiles, key }) {
     const pairs = /** @type {["a" | "b", Seen][]} */ (Object.entries(bodies));
     const sizes = pairs.filter(([, { curvature }]) => curvature).map(([, { curvature }]) => 2 / Math.abs(curvature));
     const lengths = pairs.map(([, { interval: [low, high] }]) => (low === null || high === null ? Infinity : high - low));
     const size = Math.min(...sizes, 1e4);
     const length = Math.min(...lengths, 1e4);
-    const scale = Math.min((HEIGHT - 8) / ((ABOVE + BELOW) * size), (WIDTH - ACROSS - 28) / length);
-    const ground = 4 + Math.max(ABOVE * size * scale, HEIGHT - 8 - BELOW * size * scale); // pixels down to the contact
+    const room = HEIGHT - TOP - 4;
+    const scale = Math.min(room / ((ABOVE + BELOW) * size), (WIDTH - ACROSS - 28) / length);
+    const ground = TOP + Math.max(ABOVE * size * scale, room - BELOW * size * scale); // pixels down to the contact
     const svg = drawn("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": words(pairs) });
     const middle = [ACROSS / 2, (ACROSS + WIDTH) / 2];
     for (const [name, body] of pairs) {
-      const shapes = [across(name, body, scale), alongside(name, body, scale)].map((shape, view) => {
+      const turned = name === "a" && key.tilt ? ` rotate(${Math.sign(key.tilt) * TILT})` : "";
+      const shapes = [across(name, body, scale), alongside(name, body, profiles[name], scale)].map((shape, view) => {
         const window = drawn("svg", { x: view ? ACROSS : 0, y: 0, width: view ? WIDTH - ACROSS : ACROSS, height: HEIGHT });
-        shape.setAttribute("transform", `translate(${middle[view] - (view ? ACROSS : 0)} ${ground})`);
+        const at = `translate(${middle[view] - (view ? ACROSS : 0)} ${ground})`;
+        shape.setAttribute("transform", view ? at + turned : at);
         window.append(shape);
         return window;
       });
       const label = text(ACROSS - 2, name === "a" ? ground - 8 : ground + 14, name, "name");
       const group = drawn("g", { class: this.changed.startsWith(`body.${name}`) ? `body ${name} changed` : `body ${name}` });
-      group.append(...shapes, label);
+      group.append(...shapes, label, ...dimensions(name, body, scale, middle, ground));
       svg.append(group);
     }
     const tip = ground - Math.min(sizeOf(bodies.a, size) * scale, ground - 18) - 2;
     const arrow = `M${middle[1]} ${Math.max(0, tip - 16)}V${tip}m-4 -6l4 6l4 -6`;
     svg.append(drawn("path", { d: arrow, class: this.changed.startsWith("load") ? "load changed" : "load" }));
+    if (key.tilt) svg.append(text(WIDTH - 4, HEIGHT - 6, `tilt ${digits(1e3 * key.tilt, 3)} mrad, enlarged`, "aside"));
     this.host.replaceChildren(svg);
   }
 }
@@ -76,11 +83,41 @@ function across(name, { curvature }, scale) {
   return drawn("path", { d: around + circle, "fill-rule": "evenodd" });
 }
 
-/** The same from the side. @param {"a" | "b"} name @param {Seen} body */
-function alongside(name, { curvature, interval }, scale) {
+/**
+ * The same from the side, with its profile.
+ * @param {"a" | "b"} name
+ * @param {Seen} body
+ * @param {import("./types.js").Relief | undefined} profile
+ * @param {number} scale
+ */
+function alongside(name, { curvature, interval }, profile, scale) {
   const [low, high] = interval.map((end, place) => (end === null ? (place ? FAR : -FAR) : end * scale));
-  const depth = (name === "a" ? -1 : 1) * (curvature > 0 ? (2 * scale) / curvature : FAR);
-  return drawn("path", { d: `M${low} 0H${high}V${depth}H${low}Z` });
+  const up = name === "a" ? -1 : 1;
+  const depth = up * (curvature > 0 ? (2 * scale) / curvature : FAR);
+  const deepest = profile ? Math.max(1e-6, profile.range_um[1]) : 1;
+  const surface = (profile?.y ?? []).map((y, place) => {
+    const relief = Math.min(profile?.relief_um[place] ?? Infinity, 2 * deepest);
+    return `L${(y * scale).toFixed(1)} ${((up * RELIEF * relief) / deepest).toFixed(1)}`;
+  });
+  const flat = interval.includes(null) || !profile?.relief_um.some((relief) => relief !== 0);
+  return drawn("path", { d: `M${low} ${depth}V0${flat ? "" : surface.join("")}${flat ? `H${high}` : ""}L${high} ${depth}Z` });
+}
+
+/** The diameter in the round view and the length over the other, of body a; the other's in words. */
+function dimensions(name, { curvature, interval: [low, high] }, scale, middle, ground) {
+  if (name !== "a") return [];
+  const round = curvature > 0 ? [text(middle[0], ground - scale / curvature, `⌀ ${short(2 / curvature)}`, "size")] : [];
+  if (low === null || high === null) return round;
+  const [from, to, at] = [middle[1] + low * scale, middle[1] + high * scale, 9];
+  const wide = to - from > WIDE;
+  const length = text(wide ? from + 0.22 * (to - from) : to + 6, at, short(high - low), wide ? "size halo" : "size beside");
+  const line = `M${from} ${at}H${to}M${from} ${at - 4}V${at + 4}M${to} ${at - 4}V${at + 4}`;
+  return [...round, drawn("path", { d: line, class: "dimension" }), length];
+}
+
+/** A length as on a drawing. @param {number} length mm */
+function short(length) {
+  return amount(length, "mm", 4).replace(/\.?0+(?= )/, "");
 }
 
 /** @param {["a" | "b", Seen][]} pairs */
