@@ -197,60 +197,45 @@ def _object(path: Path) -> dict[str, Any]:
     return found
 
 
-def _solution(found: dict[str, Any], case: Case) -> Solution:
-    (low, high), ends = found["edge_pressure"], found["singular_ends"]
+def _solution(content: dict[str, Any], case: Case) -> Solution:
+    (low, high), ends = content["edge_pressure"], content["singular_ends"]
     # Files of the first format have no kinds.
-    kinds = [str(each["kind"]) for each in found.get("findings", ())]
+    kinds = [str(finding["kind"]) for finding in content.get("findings", ())]
+    numbers: dict[str, Any] = {name: float(content[name]) for name in ("approach", "tilt", "load", "moment")}
+    arrays = {name: _array(content[name]) for name in ("edges", "line_load", "element_half_width", "gap")}
     return Solution(
         contact=case.contact,
-        element=ELEMENTS[found["element"]],
-        status=Status[_member(found["status"])],
-        approach=float(found["approach"]),
-        tilt=float(found["tilt"]),
-        load=float(found["load"]),
-        moment=float(found["moment"]),
-        stiffness=np.array(found["stiffness"], dtype=float).reshape(2, 2),
-        edges=_array(found["edges"]),
-        line_load=_array(found["line_load"]),
-        element_half_width=_array(found["element_half_width"]),
-        gap=_array(found["gap"]),
-        iterations=int(found["iterations"]),
+        element=ELEMENTS[content["element"]],
+        status=Status[_member(content["status"])],
+        stiffness=np.array(content["stiffness"], dtype=float).reshape(2, 2),
+        iterations=int(content["iterations"]),
         judgement=Judgement.of(
-            contact_y=tuple((float(first), float(last)) for first, last in found["contact_y"]),
+            contact_y=tuple((float(first), float(last)) for first, last in content["contact_y"]),
             edge_pressure=(_edge(low), _edge(high)),
-            singular_ends=tuple(SingularEnd(each["y"], EdgeKind[_member(each["kind"])]) for each in ends),
-            peaks_at_corner=bool(found["peaks_at_corner"]),
-            error_estimate=ErrorEstimate(**{name: _number(value) for name, value in found["error_estimate"].items()}),
-            findings=tuple(starmap(said, zip_longest(map(str, found["warnings"]), kinds, fillvalue=""))),
+            singular_ends=tuple(SingularEnd(end["y"], EdgeKind[_member(end["kind"])]) for end in ends),
+            peaks_at_corner=bool(content["peaks_at_corner"]),
+            error_estimate=ErrorEstimate(**{name: _number(value) for name, value in content["error_estimate"].items()}),
+            findings=tuple(starmap(said, zip_longest(map(str, content["warnings"]), kinds, fillvalue=""))),
         ),
+        **numbers | arrays,
     )
 
 
-def _bearing_solution(found: dict[str, Any], case: BearingCase) -> BearingSolution:
+def _bearing_solution(content: dict[str, Any], case: BearingCase) -> BearingSolution:
     from nonhertz.bearing.solution import BearingSolution
 
     bearing = case.mounted
     count = sum(row.bearing.rollers for row in bearing.rows)
     shapes: dict[str, tuple[int, ...]] = {
-        **dict.fromkeys(("load", "moment", "approach", "tilt", "contact_angle"), (count, 2)),
-        **{
-            "angle": (count,),
-            "each_rib_load": (count, -1),
-            "roller_load": (count, 3),
-            "displacement": (5,),
-            "force": (5,),
-        },
-        **{"stiffness": (5, 5), "edge_rollers": (-1,), "edge_stiffness": (3,)},
-    }
+        "angle": (count,), **dict.fromkeys(("load", "moment", "approach", "tilt", "contact_angle"), (count, 2)),
+        "each_rib_load": (count, -1), "roller_load": (count, 3), "displacement": (5,), "force": (5,),
+        "stiffness": (5, 5), "edge_rollers": (-1,), "edge_stiffness": (3,),
+    }  # fmt: skip
     # Null becomes NaN: the stiffness at the edge of the load zone where no roller stands there.
-    arrays: dict[str, Any] = {name: np.array(found[name], float).reshape(shape) for name, shape in shapes.items()}
-    return BearingSolution(
-        bearing=bearing,
-        method=str(found["method"]),
-        residual=float(found["residual"]),
-        iterations=int(found["iterations"]),
-        **arrays | {"edge_rollers": arrays["edge_rollers"].astype(np.int64)},
-    )
+    arrays: dict[str, Any] = {name: np.array(content[name], float).reshape(shape) for name, shape in shapes.items()}
+    arrays["edge_rollers"] = arrays["edge_rollers"].astype(np.int64)
+    numbers = {"residual": float(content["residual"]), "iterations": int(content["iterations"])}
+    return BearingSolution(bearing=bearing, method=str(content["method"]), **arrays | numbers)
 
 
 def _edge(found: dict[str, Any]) -> EdgePressure:
