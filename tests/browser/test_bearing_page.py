@@ -102,10 +102,10 @@ def test_a_clicked_roller_is_drawn(bearing):
     assert pressure.get_attribute("aria-label") != before
     assert bearing.page.locator("#rollers tr.chosen td").first.inner_text() == "2"
     bearing.page.keyboard.press("ArrowRight")
-    assert name.inner_text() == "Roller 2 at 120.0°"
+    assert name.inner_text() == "Roller 3 at 120.0°"
     assert "no load" in bearing.page.locator('[data-figure="pressure"] .drawing').inner_text()
     bearing.page.locator('[data-roller-row="5"]').click()
-    assert name.inner_text() == "Roller 5 at 300.0°"
+    assert name.inner_text() == "Roller 6 at 300.0°"
     bearing.page.locator("#most").click()
     assert name.inner_text() == "Roller 1 at 0.0°, the most loaded"
 
