@@ -109,7 +109,10 @@ def keys() -> tuple[Key, ...]:
         results.FORMAT_KEY,
         Key("title", "title of the bearing", get="case.title", holds="string"),
         Key("method", "how contacts were solved", get="solution.method", holds=["strips", "slices"]),
-        results.models_key(lambda rated: rated.solution.bearing.rows[0].bearing, ("roller", *RINGS)),
+        results.models_key(
+            lambda rated: rated.solution.bearing.rows[0].bearing,
+            {"roller": "the rollers", **{ring: f"the {ring} ring" for ring in RINGS}},
+        ),
         Key(
             "operating_clearance", "clearance of a row and what took it, in turn; null without fits", holds=_CLEARANCE,
             get=lambda rated: None if rated.case.fit is None else rated.case, nullable=True,

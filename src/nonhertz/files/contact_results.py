@@ -48,7 +48,7 @@ CONTACT: Final = (
         "solution",
         Key("status", "how the solve ended", get="status.label", holds=[status.label for status in Status]),
         Key("element", "the strip element", get="element.name", holds=[*ELEMENTS]),
-        results.models_key("contact", BODIES),
+        results.models_key("contact", {name: f"body {name}" for name in BODIES}),
         *quantity_keys(quantity for quantity in QUANTITIES.values() if not quantity.within),
         Key("contact_y", "the intervals in contact", "mm", holds=ListOf(ListOf("number", 2))),
         Key("edge_pressure", "at the low and at the high end", holds=ListOf(_EDGE, 2)),

@@ -175,9 +175,9 @@ def verdict_key(verdict: Callable[[Any], Verdict | None]) -> Key:
     return Key("verdict", meaning, get=lambda result: given_verdict(verdict(result)), holds="object", nullable=True)
 
 
-def models_key(get: Get | str, parts: Iterable[str]) -> Key:
-    """Return the key of the models of bodies."""
-    keys = tuple(Key(part, f"of {part}", get=f"{part}.model", holds="string") for part in parts)
+def models_key(get: Get | str, bodies: Mapping[str, str]) -> Key:
+    """Return the key of the models of bodies, by attribute and what they are called."""
+    keys = tuple(Key(name, f"of {body}", get=f"{name}.model", holds="string") for name, body in bodies.items())
     return Key("models", "side faces and depth, as they were used", get=get, holds=keys)
 
 
