@@ -97,7 +97,10 @@ def pressure(solution: Solution) -> Figure:
         f"Half-width along y: at most {mm(widest):3}.",
         height=112,
     )
-    return Figure(_along(solution), (upper, lower), conditions(solution))
+    caption = "Pressure on the centre line and half-width along the contact."
+    if cut:
+        caption += " Where the pressure has no limit the axis is cut, with exponent and strength beside it."
+    return Figure(_along(solution), (upper, lower), conditions(solution), caption)
 
 
 def footprint(solution: Solution) -> Figure:
@@ -139,7 +142,8 @@ def footprint(solution: Solution) -> Figure:
         colours=Axis("Pressure p", "p", "MPa", range=(0.0, limit), cut=beyond),
         proportional=True,
     )
-    return Figure(_along(solution), (panel,), conditions(solution))
+    caption = f"Contact area, coloured by its pressure{' (the dotted line is the half-width)' if parabolic else ''}."
+    return Figure(_along(solution), (panel,), conditions(solution), caption)
 
 
 def distance(solution: Solution) -> Figure:
@@ -184,7 +188,13 @@ def distance(solution: Solution) -> Figure:
         "zero in contact.",
         remark,
     )
-    return Figure(_along(solution), (panel,), conditions(solution))
+    caption = "Distance of both surfaces on the centre line before and after loading."
+    return Figure(_along(solution), (panel,), conditions(solution), caption)
+
+
+def figures_of(solution: Solution) -> dict[str, Figure]:
+    """Return all figures of a solved contact by the names of their files."""
+    return {"pressure": pressure(solution), "footprint": footprint(solution), "profile": distance(solution)}
 
 
 def conditions(solution: Solution) -> str:

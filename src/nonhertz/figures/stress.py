@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -65,7 +65,10 @@ def along_contact(
         f"y = {mm(worst.y):.4g}, {mm(worst.z):.4g} deep."
     )
     axis = Axis("Axial position y", "y", "mm", range=span)
-    return _figure("axial", heading, axis, field.y[:, 0], field, marks, description, solution, worst)
+    contours = Contours(field.y[:, 0], field.z[0], field.von_mises)
+    panel = _panel("axial", heading, [contours, *marks], description, _colours(solution, field, worst))
+    caption = f"Von Mises stress in body {field.body} below the centre line, along the contact."
+    return Figure(axis, (panel,), conditions(solution), caption)
 
 
 def across_contact(solution: Solution, field: Field, largest: Mapping[str, Extreme]) -> Figure:
@@ -99,7 +102,10 @@ def across_contact(solution: Solution, field: Field, largest: Mapping[str, Extre
     )
     axis = Axis("Across x", "x", "mm", range=(float(x[0]), float(x[-1])))
     heading = f"Across the contact, body {field.body}, y = {mm(y):.3g}"
-    return _figure("section", heading, axis, x, field, marks, description, solution, worst)
+    contours = Contours(x, field.z[0], field.von_mises)
+    panel = _panel("section", heading, [contours, *marks], description, _colours(solution, field, worst))
+    caption = f"Von Mises stress in the cross-section at y = {mm(y):.4g}."
+    return Figure(axis, (panel,), conditions(solution), caption)
 
 
 def extremes_by_name(overall: Extremes) -> dict[str, Extreme]:
@@ -107,26 +113,19 @@ def extremes_by_name(overall: Extremes) -> dict[str, Extreme]:
     return {name: getattr(overall, name) for name in LARGEST}
 
 
-def _figure(
-    name: str, heading: str, along: Axis, places: np.ndarray, field: Field, marks: list[Mark], description: str,
-    solution: Solution, worst: Extreme,
-) -> Figure:  # fmt: skip
-    # The last colour is that of the largest stress, unless that is an artefact of a step between strips.
+def _panel(name: str, heading: str, marks: Sequence[Mark], description: str, colours: Axis) -> Panel:
+    deepest = max(mark.y[-1] for mark in marks if isinstance(mark, Contours))
+    depth = Axis("Depth z", "z", "mm", range=(float(deepest), 0.0))
+    return Panel(name, heading, depth, marks, description, height=270, colours=colours, proportional=True)
+
+
+def _colours(solution: Solution, field: Field, worst: Extreme) -> Axis:
+    """Return what colours stand for: up to the largest stress, unless that is an artefact of a step between strips."""
     limit = min(worst.max, element_peak(solution)) or 1.0
     # On the surface itself the stress is also unbounded at a step of the pressure from strip to strip.
     below = field.von_mises[:, field.z[0] > 0.0]
     beyond = bool(np.nanmax(below, initial=0.0) > ABOVE * limit)
-    panel = Panel(
-        name,
-        heading,
-        Axis("Depth z", "z", "mm", range=(float(field.z.max()), 0.0)),
-        [Contours(places, field.z[0], field.von_mises), *marks],
-        description,
-        height=270,
-        colours=Axis("Von Mises stress", "σ", "MPa", range=(0.0, limit), cut=beyond),
-        proportional=True,
-    )
-    return Figure(along, (panel,), conditions(solution))
+    return Axis("Von Mises stress", "σ", "MPa", range=(0.0, limit), cut=beyond)
 
 
 def _with_room(solution: Solution, field: Field) -> Range:

@@ -248,11 +248,29 @@ class Panel:
 
 @dataclass(frozen=True, eq=False)
 class Figure:
-    """Panels one below the other, over one axis along; the conditions say what was solved."""
+    """Panels one below the other, over one axis along.
+
+    Attributes
+    ----------
+    along : Axis
+        The horizontal axis.
+    panels : sequence of Panel
+        From the top.
+    conditions : str
+        What was solved.
+    caption : str
+        What is shown, in a sentence to stand under it.
+    """
 
     along: Axis
     panels: Sequence[Panel]
     conditions: str = ""
+    caption: str = ""
+
+    @property
+    def description(self) -> str:
+        """What all panels show, for those who do not see them."""
+        return " ".join(panel.description for panel in self.panels)
 
     def to_csv(self) -> str:
         """Return the numbers of all lines as CSV, in units of the program: one row for each point of each line."""

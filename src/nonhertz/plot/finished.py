@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, Final
 from nonhertz.amounts import mrad, newton
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
-from nonhertz.figures import contact
 from nonhertz.figures.bearing import pressure_map
+from nonhertz.figures.contact import figures_of
 from nonhertz.figures.displacement import directions
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import Artist, Axes, Figure
@@ -88,11 +88,7 @@ def figures(result: Solution | BearingSolution, title: str = "") -> dict[str, Fi
     if isinstance(result, BearingSolution):
         return bearing_figures(result, title)
     with sheet_style():
-        return {
-            "pressure": sheet_of(contact.pressure(result), title),
-            "footprint": sheet_of(contact.footprint(result), title),
-            "profile": sheet_of(contact.distance(result), title),
-        }
+        return {name: sheet_of(figure, title) for name, figure in figures_of(result).items()}
 
 
 def bearing_figures(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from nonhertz.amounts import mm, mpa
+from nonhertz.figures.contact import figures_of
 from nonhertz.plot import dent_figure, figures, life_figure, stress_figures
 from nonhertz.plot.overlay import all_pressed, compared_bearings, compared_contacts
 from nonhertz.report.results import BearingResults, CaseResults, Results
@@ -16,7 +17,6 @@ _OF_BEARING = {
     "roller": "The most loaded roller: pressure on both rings, and the relief that it starts from.",
     "displacement": "Displacement of the inner ring along the force under up to 1.5 times the load.",
 }
-_SHARP = " Where the pressure has no limit the axis is cut, with exponent and strength beside it."
 
 
 def belonging(found: Results, numbers: Iterable[Row]) -> dict[str, list[Picture]]:
@@ -25,20 +25,14 @@ def belonging(found: Results, numbers: Iterable[Row]) -> dict[str, list[Picture]
     The numbers that are looked for first describe them.
     """
     words = f"{found.case.title}: {'; '.join(' '.join(filter(None, row)) for row in numbers)}"
-    captions = _OF_BEARING
-    more: dict[str, list[Picture]] = {}
-    if isinstance(found, CaseResults):
-        parabolic = found.solution.element.name == "parabolic"
-        captions = {
-            "pressure": "Pressure on the centre line and half-width along the contact."
-            + (_SHARP if found.solution.singular_ends else ""),
-            "footprint": "Contact area, coloured by its pressure"
-            + (" (the dotted line is the half-width)." if parabolic else "."),
-            "profile": "Distance of both surfaces on the centre line before and after loading.",
-        }
-        more = {"Stress below the surface": [*_of_stress(found)], "Life": [*_of_lives(found)]}
     finished = {} if found.solution is None else figures(found.solution)
-    drawn = [Picture(figure, captions[name], words) for name, figure in finished.items()]
+    if isinstance(found, CaseResults):
+        values = figures_of(found.solution)
+        drawn = [Picture(finished[name], figure.caption, figure.description) for name, figure in values.items()]
+        more = {"Stress below the surface": [*_of_stress(found)], "Life": [*_of_lives(found)]}
+    else:
+        drawn = [Picture(figure, _OF_BEARING[name], words) for name, figure in finished.items()]
+        more = {}
     return {"": drawn[:1], "Results": drawn[1:]} | more
 
 
