@@ -3,12 +3,14 @@
 import re
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz.cli import main
+from nonhertz.files.schemas import schema_of
 
 CASE = """
 title = "Crowned roller"
@@ -55,6 +57,7 @@ def test_a_map_is_printed_and_written_in_all_formats(case, run):
     assert_allclose(tilt, 1e-4, rtol=1e-9)  # that of the case
 
     said = run(*words, "--load", "0:1kN", "--tilt", "0.1 mrad", "--out", "k.npz", "--json").json
+    jsonschema.validate(said, schema_of("map"))
     found = nh.ContactMap.read("k.npz")
     assert said["load"] == list(found.pressed) == [0.0, 1000.0]
     assert said["sampled_error"]["load"] == found.sampled_error.load

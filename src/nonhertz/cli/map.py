@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 from pathlib import Path
 from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from nonhertz import ContactMap, InputError, read_case
+from nonhertz import InputError, read_case
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, named_as, refuse_unwritable_out
 from nonhertz.cli.printing import Progress
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.folder import write_files
+from nonhertz.files.map_results import as_object
 from nonhertz.files.spreads import number_in, range_in
-from nonhertz.findings import as_warnings
 from nonhertz.maps import contact_map as map_of
 from nonhertz.maps.value import ROWS, TILTS
 from nonhertz.show.maps import sections
@@ -87,25 +86,5 @@ def contact_map(
         made = write_files(out.parent, {out.name: found.csv(found.grid(rows or ROWS, tilts or TILTS))})
     elif out is not None:
         made = write_files(out.parent, {}, lambda folder: found.save(folder / out.name))
-    return Answer(
-        read.title, sections(found), lambda: _as_json(found, read.title), warnings=found.findings, written=made
-    )
-
-
-def _as_json(found: ContactMap, title: str) -> str:
-    """Return the range and the sampled errors of a map as JSON text."""
-    content = {
-        "title": title,
-        "description": found.description,
-        found.given: found.pressed,
-        "tilt": found.tilt_range,
-        "max_load": found.max_load,
-        "accuracy": found.accuracy,
-        "sampled_error": dataclasses.asdict(found.sampled_error),
-        "cases": found.cases,
-        "failed": found.failed,
-        "stations": found.stations.tolist(),
-        **as_warnings(found.findings),
-        "units": {"load": "N", "approach": "mm", "tilt": "rad", "max_load": "N", "stations": "mm"},
-    }
-    return json.dumps(content, indent=2)
+    shown, text = sections(found), lambda: json.dumps(as_object(found, read.title), indent=2)
+    return Answer(read.title, shown, text, warnings=found.findings, written=made)

@@ -18,6 +18,7 @@ from nonhertz.files.comparisons import COMPARISON
 from nonhertz.files.contact_results import CONTACT
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.lives import LIVES
+from nonhertz.files.map_results import MAP
 from nonhertz.files.nodes import NODES
 from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.prepared import PROFILE
@@ -108,6 +109,7 @@ RESULTS: dict[str, tuple[str, tuple[ResultKey, ...], Any]] = {
     "stress": ("The largest stresses below a contact.", STRESSES, None),
     "life": ("How long the bodies of a contact last.", LIVES, None),
     "profile": ("A prepared measured profile.", PROFILE, None),
+    "map": ("A map of a contact: its range, and how far it is off.", MAP, None),
     "comparison": ("Strips beside a plane grid.", COMPARISON, None),
     "nodes": ("Pressures and forces of a contact at the nodes of a mesh.", NODES, None),
 }
