@@ -77,7 +77,7 @@ def solve(client: httpx.Client, number: int, *, stress: bool) -> float:
 
 
 def form(client: httpx.Client) -> float:
-    """Have the form made anew; no worker has a part in it."""
+    """Ask what the form takes from another geometry; no worker has a part in it."""
     client.post("/form", json={"document": tomllib.loads(starting_case())}).raise_for_status()
     return 0.0
 
@@ -162,7 +162,11 @@ def serving() -> Iterator[httpx.Client]:
 def page(found: dict[str, Any]) -> str:
     """Return the page of what was found."""
     about = found["machine"]
-    names = {"solve with stress": "solved, with the stress below", "solve": "solved", "form": "the form made anew"}
+    names = {
+        "solve with stress": "solved, with the stress below",
+        "solve": "solved",
+        "form": "ranges of sliders",
+    }
     rows = "\n".join(f"| {words} | {row(found[name])} |" for name, words in names.items())
     return f"""# How long the page waits
 

@@ -20,8 +20,8 @@ from nonhertz.cli.serve import starting_document
 from nonhertz.files.bearingfile import BearingCase, starting_bearing
 from nonhertz.files.casefile import starting_case
 from nonhertz.web import limits
-from nonhertz.web.form.fields import FormField
-from nonhertz.web.form.form import form
+from nonhertz.web.form.ranges import form_state
+from nonhertz.web.form.schema import form_schema
 from nonhertz.web.server import workers
 from nonhertz.web.view import jobs
 
@@ -131,73 +131,53 @@ def test_the_file_says_the_method():
     assert (found["file_method"], found["method"]) == ("slices", "slices")
 
 
-# The form
+# What the form has of the geometry
 
 
-def fields(document: dict[str, Any]) -> dict[str, FormField]:
-    return {each.path: each for each in form(document, "bearing").fields if each.kind != "switch"}
+def sliders(document: dict[str, Any]) -> dict[str, Any]:
+    ranges: dict[str, Any] = form_state(document, "bearing")["ranges"]
+    return ranges
 
 
 @pytest.mark.parametrize("document", [STARTING, FEW, PAIR, THRUST])
 def test_every_place_of_a_slider_of_loads_can_be_solved(document):
-    for field in fields(document).values():
-        keys = [int(key) - 1 if key.isdigit() else key for key in re.findall(r"\w+", field.path)]
-        if field.slider is None or not field.value or not field.path.startswith(("load", "bearing.clearance")):
+    paths = [
+        *(f"load.{name}" for name in document["load"]),
+        *(["bearing.clearance"] * ("clearance" in document["bearing"])),
+    ]
+    for path in paths:
+        name = path.partition(".")[2]
+        slider = sliders(document).get(name)
+        if slider is None:
             continue
-        for value in (field.slider.low, field.slider.high):
-            made = copy.deepcopy(document)
-            table: Any = made
-            for key in keys[:-1]:
-                table = table[key]
-            table[keys[-1]] = value
+        for value in (slider["low"], slider["high"]):
+            made = changed(document, path, value)
             found = answer(made)
-            assert found["ok"], (field.path, value, found["mistakes"])
-            again = fields(made)[field.path].slider
-            assert again is not None
-            assert again == field.slider, "it would run away from the hand"
-
-
-def test_what_a_bearing_cannot_have_is_not_offered():
-    def offered(name: str) -> set[str]:
-        return {each.path for each in form(tomllib.loads(starting_bearing(name)), "bearing").fields}
-
-    assert any(path.startswith("fit") for path in offered("cylindrical"))
-    assert not any(path.startswith("fit") for path in offered("thrust"))
-    assert not {"inner.diameter", "outer.diameter"} & offered("thrust")
-    # A raceway has one diameter: there is no choice of a table of y and diameter.
-    for name in ("cylindrical", "tapered-pair"):
-        every = list(form(tomllib.loads(starting_bearing(name)), "bearing").fields)
-        assert [each.label for each in every if each.kind == "switch" and each.path.endswith("diameter")] == [
-            "diameter by"
-        ]
-    assert "inner.diameter" in offered("cylindrical")
+            assert found["ok"], (path, value, found["mistakes"])
+            assert sliders(made)[name] == slider, "it would run away from the hand"
 
 
 def test_what_a_bearing_does_not_bear_has_no_slider():
-    assert fields(FEW)["load.axial"].slider is None
-    assert fields(changed(FEW, "bearing.design", "NUP"))["load.axial"].slider is not None
-    assert fields(changed(THRUST, "load", {"axial": 1.0}))["load.radial"].slider is None
+    assert sliders(FEW)["axial"] is None
+    assert sliders(changed(FEW, "bearing.design", "NUP"))["axial"] is not None
+    assert sliders(changed(THRUST, "load", {"axial": 1.0}))["radial"] is None
 
 
 def test_a_load_at_the_end_of_its_slider_is_what_steel_bears():
-    slider = fields(STARTING)["load.radial"].slider
-    assert slider is not None
-    found = answer(changed(changed(STARTING, "load.radial", slider.high), "load.tilt", 0.0), "strips")
+    high = sliders(STARTING)["radial"]["high"]
+    found = answer(changed(changed(STARTING, "load.radial", high), "load.tilt", 0.0), "strips")
     middle = [max(filter(None, lines["pressure"][20:-20])) for lines in filter(None, found["contacts"][found["most"]])]
     assert 2500.0 < max(middle) < 4000.0
 
 
 def test_another_kind_of_bearing_begins_with_one_that_can_be_solved():
-    (kind,) = (field for field in form(PAIR, "bearing").fields if field.path == "bearing.kind")
-    assert [option.value for option in kind.options] == list(nh.bearing.RollerBearing.kinds)
-    for option in kind.options:
-        made = copy.deepcopy(PAIR)
-        for path, value in option.edits:
-            made = changed(made, path, value)
-        made = {name: value for name, value in made.items() if value is not None}
-        found = answer(made)
-        assert found["ok"], (option.value, found["mistakes"])
-        assert made["bearing"]["kind"] == option.value
+    examples = form_schema("bearing")["x-examples"]
+    assert set(examples) == set(nh.bearing.RollerBearing.kinds)
+    for kind, edits in examples.items():
+        made = PAIR | edits
+        found = answer({name: value for name, value in made.items() if value is not None})
+        assert found["ok"], (kind, found["mistakes"])
+        assert made["bearing"]["kind"] == kind
 
 
 # Mistakes
@@ -232,7 +212,7 @@ def test_no_file_is_read(tmp_path, monkeypatch):
             (mistake,) = answer(document)["mistakes"]
             assert mistake["path"] == f"{part}.profile.file"
             assert "not be read here" in mistake["sentence"]
-            assert form(document, "bearing").members
+            assert form_state(document, "bearing")["bodies"]
             assert b"must not be read here" in jobs.written(document, BearingCase, "rollers.csv")
             assert b"must not be read here" in jobs.drawn(document, "loads", "svg")
 
@@ -255,7 +235,7 @@ def test_a_bearing_is_what_the_page_begins_with(page):
     assert (start["document"], start["text"]) == (FEW, FEW_TEXT)
     assert "<seven>" not in text
     assert text == page.get("/bearing").text
-    assert 'name="body.a.diameter"' in page.get("/contact").text
+    assert '"title": "nonhertz case file"' in page.get("/contact").text
     assert 'href="contact"' in text
     assert 'href="bearing"' in page.get("/contact").text
 

@@ -7,16 +7,11 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any
 
-import jinja2
 import pytest
-from form_reading import document_in
-from numpy.testing import assert_allclose
 
-from nonhertz.amounts import US, read_in
+from nonhertz.amounts import read_in
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.casefile import TEMPLATES, starting_case
-from nonhertz.web.form.fields import FormField, FormGroup
-from nonhertz.web.form.form import form
 from nonhertz.web.server.guard import UNITS as HEADER
 from nonhertz.web.view import jobs
 
@@ -82,46 +77,3 @@ def test_of_a_bearing_sentences_change_and_numbers_do_not(name, method):
     assert in_si_units(usual)
     assert in_si_units(found) == []
     assert list(numbers(found)) == list(numbers(usual))
-
-
-BEARINGS = {f"bearing {name}": tomllib.loads(starting_bearing(name)) for name in BEARING_TEMPLATES}
-
-
-def form_of(name: str) -> FormGroup:
-    return form(BEARINGS[name], "bearing") if name in BEARINGS else form(CASES[name])
-
-
-def fields(name: str) -> dict[str, FormField]:
-    return {each.path: each for each in form_of(name).fields if each.kind in {"quantity", "integer-or-word"}}
-
-
-@pytest.mark.parametrize("name", [*CASES, *BEARINGS])
-def test_fields_are_in_us_units_and_stand_for_what_the_case_says(name):
-    usual = fields(name)
-    with read_in("us"):
-        found = fields(name)
-    converted = 0
-    for path, each in found.items():
-        unit = next((unit for unit in each.units if unit.word == each.word), None)
-        before = next((unit for unit in usual[path].units if unit.word == usual[path].word), None)
-        if unit is None or not each.value:
-            assert each.value == usual[path].value
-            continue
-        assert unit.word not in US.table
-        if unit != before and each.value != usual[path].value:  # a word is one in any unit
-            assert_allclose(
-                float(each.value) * unit.factor, float(usual[path].value) * before.factor, rtol=1e-5, err_msg=path
-            )
-            assert each.stands_for
-            assert len(re.sub(r"\D", "", each.value).lstrip("0")) <= 6
-            converted += 1
-        assert not OF_SI.search(each.default) or not re.search(r"\d", each.default)
-    assert converted >= 3
-
-
-@pytest.mark.parametrize("name", [*CASES, *BEARINGS])
-def test_a_form_in_us_units_is_still_its_case(name):
-    templates = jinja2.Environment(loader=jinja2.PackageLoader("nonhertz.web"), autoescape=True)
-    with read_in("us"):
-        text = templates.get_template("form.html").render(form=form_of(name))
-    assert document_in(text) == (CASES | BEARINGS)[name]

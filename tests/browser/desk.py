@@ -34,7 +34,7 @@ class Desk:
 
     def field(self, path: str) -> Any:
         """The input of a key."""
-        return self.page.locator(f'#case [name="{path}"]:not([data-base])')
+        return self.page.locator(f'#case [name="{path}"]')
 
     def slider(self, path: str) -> Any:
         """The slider beside the input of a key."""

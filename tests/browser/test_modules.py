@@ -65,6 +65,9 @@ CALLS = {
         ("load.load", ["load", "load"]), ("body.a.profile[2].radius", ["body", "a", "profile", 1, "radius"]),
         ('body.a."odd key"[1]', ["body", "a", "odd key", 0]), ('"a.b".c', ["a.b", "c"]),
     ],
+    "paths pathOf": [
+        (["body", "a", "profile", 2, "radius"], "body.a.profile[2].radius"), (["a.b", "c"], '"a.b".c'), ([], ""),
+    ],
     "paths outer": [("a.b[2]", "a.b"), ("a.b", "a"), ("a", ""), ('a."x.y"', "a")],
 }  # fmt: skip
 

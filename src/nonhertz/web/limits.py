@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any, Final
 
@@ -44,6 +45,7 @@ REPORT_SECONDS: Final = 120.0
 WAITING_SECONDS: Final = 0.5
 WAITING_REQUESTS: Final = 8
 
+_MOST_BITS: Final = 1023
 _ELSEWHERE = "use the command line for more"
 _BODIES: Final = (("body", "a"), ("body", "b"), *((name,) for name in OF_BEARINGS[1:]))
 #: The largest numbers, and the longest lists with what they are lists of.
@@ -97,3 +99,8 @@ def too_long(document: dict[str, Any]) -> list[InputError]:
             path, condition = path_of(place or ("case",)), f"have at most {most} {what} on the page"
             found.append(InputError(path, each, condition, _ELSEWHERE))
     return found
+
+
+def is_number(value: int | float) -> bool:
+    """Return whether a number is finite and, if an integer, fits into a float."""
+    return value.bit_length() <= _MOST_BITS if isinstance(value, int) else math.isfinite(value)

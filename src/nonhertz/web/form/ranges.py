@@ -1,4 +1,4 @@
-"""The slider range of each quantity, and the initial value of a key when it is added.
+"""What a form has of the physics: the slider range of each quantity, and what a key that is added begins with.
 
 What loads a contact or a bearing, the relief of a profile and what is cut out of a body have ranges that follow from
 the geometry, up to where a drag leads nobody by mistake: loads up to a pressure that hardened steel just bears, tilts
@@ -10,15 +10,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any, Final
+from dataclasses import asdict, dataclass
+from typing import Any, Final, Literal
 
-from nonhertz.amounts import chosen
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
-from nonhertz.files.bearing_document import radius_across, read_document
+from nonhertz.files.bearing_document import BearingFile, radius_across, read_document
 from nonhertz.files.documents import OF_BEARINGS
+from nonhertz.files.keys import Table, table_of
+from nonhertz.files.profiles import profile_tables
 from nonhertz.files.reading import Surroundings, read
 from nonhertz.files.sections import Bodies, surroundings
 from nonhertz.hertz import half_space_line_compression, line_contact
@@ -38,6 +39,7 @@ _TIGHT, _LOOSE = 1e-3, 3e-3  # of the pitch diameter: beyond the clearance group
 _FASTEST: Final = 1e6  # mm/min, pitch diameter times speed: beyond what rolling bearings do with oil
 _FITTING: Final = ("roller.diameter", "inner.diameter", "outer.diameter", "bearing.pitch_diameter")
 _STOPS: Final = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)
+_NOTICEABLE: Final = 0.1  # of the length of a body, by which a slider moves a profile
 _HALVES: Final = (1.0, 2.0, 2.5, 5.0, 10.0)  # on both sides of zero: a thousandth of the whole is round, too
 
 
@@ -60,27 +62,11 @@ class Range:
     scale: str
     start: float
 
-    def mirrored(self) -> Range:
-        """Return the range of values of the other sign."""
-        return Range(-self.low, -self.high, self.scale, -self.start)
-
-    def as_read(self, unit: str) -> Range:
-        """Return the range, of a quantity in a unit, with ends that are round in the one in which it is read."""
-        factor = chosen().of(unit)[1]
-        if factor == 1.0:
-            return self
-        ends = []
-        for end in (factor * self.low, factor * self.high):  # to two figures
-            power = 10.0 ** (math.floor(math.log10(abs(end))) - 1) if end else 1.0
-            ends.append(math.trunc(round(end / power, 9)) * power / factor)
-        return Range(ends[0], ends[1], self.scale, self.start)
-
 
 LENGTH: Final = Range(0.5, 500.0, "log", 20.0)
 DIAMETER: Final = Range(1.0, 2000.0, "log", 20.0)
 STRENGTH: Final = Range(10.0, 5000.0, "log", 1500.0)
 TEMPERATURE: Final = Range(-40.0, 200.0, "linear", 20.0)
-ONE: Final = Range(0.0, 2.0, "linear", 1.0)
 #: By key, which denotes the same quantity throughout a file, or by the last two; the radius of a profile for a design
 #: load is the one across the contact. Where a geometry is known, its own ranges take the place of these.
 RANGES: Final[dict[str, Range]] = {
@@ -139,18 +125,46 @@ ENDS: Final[dict[str, list[float]]] = {
 }
 
 
-def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]:
-    """Return the ranges of the sliders of a document, by key: those of its geometry as far as that has no mistakes.
-
-    What has no slider has None.
+def form_state(document: dict[str, Any], file: Literal["case", "bearing"]) -> dict[str, Any]:
+    """Return what the form of a document takes from its geometry, as JSON.
 
     Parameters
     ----------
     document : dict
-        A case, or a bearing.
+        A case, or a bearing, valid or not.
     file : {"case", "bearing"}
         Which of them it is.
+
+    Returns
+    -------
+    dict
+        ``"ranges"``: by key, the range of its slider, null where it has none; ``"bodies"``: by path, what is of one
+        body alone: its own ``"ranges"``, its usual ``"depth"``, and the ``"sizes"`` of its profile by key.
     """
+    names = ("a", "b") if file == "case" else OF_BEARINGS[1:]
+    within = document.get("body") if file == "case" else document
+    tables = table_of(Bodies if file == "case" else BearingFile).keys
+    bodies = {
+        f"body.{name}" if file == "case" else name: _body_state(within[name], tables[name].tables[0])
+        for name in names
+        if isinstance(within, dict) and isinstance(within.get(name), dict)
+    }
+    return {"ranges": _as_json(ranges_of(document, file)), "bodies": bodies}
+
+
+def _as_json(ranges: Mapping[str, Range | None]) -> dict[str, Any]:
+    return {name: one and asdict(one) for name, one in ranges.items()}
+
+
+def _body_state(body: dict[str, Any], table: Table) -> dict[str, Any]:
+    table = table.of_kind(body.get("kind"))
+    fixed: dict[str, Range | None] = {} if _can_be_moved(body, table) else {"shift": None}
+    ranges = _as_json(of_body(body) | fixed)
+    return {"ranges": ranges, "depth": _usual_depth(body, table), "sizes": _sizes(body, table)}
+
+
+def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]:
+    """Return the ranges of the sliders of a document, by key: those of its geometry as far as that has no mistakes."""
     try:
         if file == "case":
             bodies = read(Bodies, document.get("body"), surroundings(document, None))
@@ -183,6 +197,44 @@ def size_of(name: str, value: Any) -> float:
     except InputError:
         return 0.0
     return abs(size) if isinstance(size, float) and math.isfinite(size) else 0.0
+
+
+def _read(given: dict[str, Any], table: Table) -> Body | None:
+    """Return the body of a table; None where it has mistakes."""
+    try:
+        return read(Body, given, likely=table.likely)
+    except InputError:
+        return None
+
+
+def _usual_depth(given: dict[str, Any], table: Table) -> str:
+    """Return the depth of a body that gives none; nothing where it has mistakes."""
+    body = _read({name: value for name, value in given.items() if name not in ("depth", "profile", "chamfer")}, table)
+    return body.behind.word if body else ""
+
+
+def _sizes(given: dict[str, Any], table: Table) -> dict[str, float]:
+    """Return drop and parameters of a body's profile, where it has a single one that is neither moved nor stretched."""
+    tables = profile_tables(given) if isinstance(given.get("profile"), list | dict) else []
+    if len(tables) != 1 or not isinstance(tables[0], dict) or {"at", "shift", "scale", "flip"} & set(tables[0]):
+        return {}
+    body = _read(given, table)
+    end = body.land[1] - body.position if body else math.inf
+    if body is None or body.profile.catalogue_entry is None or not math.isfinite(end):
+        return {}
+    drop = float(body.profile.relief(end) - body.profile.relief(0.0))
+    parameters = body.profile.catalogue_entry[1]
+    values = {name: value for name, value in parameters.items() if isinstance(value, float)} | {"drop": drop}
+    return {name: float(f"{value:.4g}") for name, value in values.items() if math.isfinite(value) and value}
+
+
+def _can_be_moved(given: dict[str, Any], table: Table) -> bool:
+    """Return whether the profiles of a body leave room to be moved: beside corners, a bounded one leaves none."""
+    if not {"corner_radius", "chamfer"} & set(given) or not isinstance(given.get("profile"), list | dict):
+        return True
+    shift = _NOTICEABLE * size_of("length", given.get("length"))
+    moved = [each | {"shift": shift} if isinstance(each, dict) else each for each in profile_tables(given)]
+    return _read(given | {"profile": moved}, table) is not None
 
 
 def _of_contact(contact: Contact) -> dict[str, Range]:

@@ -1,4 +1,4 @@
-"""The routes of a page: its HTML, its form, and the answers to what is asked of a document."""
+"""The routes of a page: its HTML, what its form needs, and the answers to what is asked of a document."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ from starlette.routing import Route
 from nonhertz import __version__
 from nonhertz.errors import CaseError
 from nonhertz.files.documents import parsed
-from nonhertz.web.form.form import form
+from nonhertz.web.form.ranges import ENDS, form_state
+from nonhertz.web.form.schema import form_schema
+from nonhertz.web.form.units import units_of_fields
 from nonhertz.web.limits import (
     ANSWER_SECONDS,
     DOCUMENT_BYTES,
@@ -86,26 +88,24 @@ class Page:
                 each.wake()
         limits = {"upload_bytes": UPLOAD_BYTES, "document_bytes": DOCUMENT_BYTES, "strips": STRIPS}
         start = {"document": self.document, "text": self.text, "version": __version__, "limits": limits}
+        form = {"schema": form_schema(self.kind.name), "units": units_of_fields(), "lists": ENDS}
+        form["state"] = form_state(self.document, self.kind.name)
         whole = self.templates.get_template(f"{self.kind.name}.html").render(
-            start=Markup(in_script(start)),
+            start=Markup(in_script(start | {"form": form})),
             version=__version__,
             title=str(self.document.get("title", "")),
-            form=Markup(self._form_of(self.document)),
             templates=self.kind.templates,
         )
         return HTMLResponse(whole)
 
     async def form(self, request: Request) -> Response:
-        """Answer with the form of a document."""
-        (document,) = Question(self._form_of).read(await _asked(request))
+        """Answer with what the form of a document takes from its geometry."""
+        (document,) = Question(form_state).read(await _asked(request))
         try:
             refuse(too_long(document))
         except CaseError as error:
             return reply(misfit(error), 422)
-        return HTMLResponse(await anyio.to_thread.run_sync(self._form_of, document))
-
-    def _form_of(self, document: dict[str, Any]) -> str:
-        return self.templates.get_template("form.html").render(form=form(document, self.kind.name))
+        return reply(await anyio.to_thread.run_sync(form_state, document, self.kind.name))
 
     def answering(self, route: str, question: Question) -> Callable[[Request], Awaitable[Response]]:
         """Return what answers a question about a document, with a file to save where the route ends in its name."""

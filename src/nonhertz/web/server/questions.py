@@ -16,8 +16,7 @@ from nonhertz.bearing.section import RINGS
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, starting_bearing
 from nonhertz.files.casefile import TEMPLATES, Case, starting_case
 from nonhertz.model.body import BODIES
-from nonhertz.web.form.fields import is_number
-from nonhertz.web.limits import CURVE_POINTS
+from nonhertz.web.limits import CURVE_POINTS, is_number
 from nonhertz.web.server.workers import Job
 from nonhertz.web.view import jobs
 from nonhertz.web.view.curves import curve

@@ -54,15 +54,15 @@ const live = new Live({
     showMistakes(answer.ok ? [] : answer.mistakes);
     if (answer.ok) show(answer, document);
     else refuse(answer);
-    timed(since, begun, (took) => saySlices(answer, took));
+    timed(since, begun, () => saySlices(answer));
   },
-  more(answer, { document }, begun) {
+  more(answer, { document }) {
     if (answer.ok) {
       page.pressed = answer;
       page.fresh = true;
       show(answer, document);
       byId("state").textContent = "solved by strips";
-      byId("round-trip").textContent = `in ${((performance.now() - begun) / 1e3).toFixed(1)} s`;
+      byId("round-trip").textContent = "";
     } else {
       showMistakes(answer.mistakes);
       stay("strips gave no answer");
@@ -106,13 +106,11 @@ function refuse({ mistakes }) {
   sayMistakes(mistakes);
 }
 
-function saySlices(answer, took) {
+function saySlices(answer) {
   if (!answer.ok) return;
   if (page.fresh) return; // strips are there already
   byId("state").textContent = SLICED;
-  const then = answer.file_method === "strips" ? "; strips follow when the slider rests" : "";
-  byId("round-trip").textContent =
-    `in ${Math.round(took)} ms, ${Math.round(answer.ms)} ms of it in the solver${then}`;
+  byId("round-trip").textContent = answer.file_method === "strips" ? "; strips follow when the slider rests" : "";
 }
 
 /** The roller whose lines are drawn. */

@@ -1,97 +1,149 @@
-// One field of the form: its value in the unit that is chosen, and the slider beside it.
+// The text of a field: what it shows of a value of the document, and what of its text goes into the document; and the
+// slider beside it.
 
+import { byId } from "./elements.js";
 import { list, quantity, rounded, split } from "./numbers.js";
+import { read, unitsCode } from "./units.js";
+
+/** @typedef {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} Control */
+/** @typedef {{low: number, high: number, scale: string, start: number}} Range */
 
 const STEPS = 1000; // positions of a slider
 const SLOPE = "um/mm"; // a unit to which the angle is not proportional
+const [FIGURES, FEWER] = [12, 6]; // the latter of what was given in other units
+const PLAIN = /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/;
+const NUMERIC = ["quantity", "integer-or-word"];
 
-/** @typedef {HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement} Control */
+/** @type {{choices: Record<string, Record<string, number>>, shown_in: Record<string, [number, string][]>, micrometres: string[]}} */
+const units = JSON.parse(byId("start").textContent).form.units;
 
-/**
- * The value of a field as in the case file; undefined if the key is left out.
- * @param {Control} control
- */
-export function said(control) {
-  const text = control.value.trim();
-  switch (control.dataset.kind) {
-    case "boolean":
-      return { true: true, false: false }[text];
-    case "list":
-      return text.startsWith("[") ? json(text) : list(text);
-    case "json":
-    case "hidden-json":
-      return text === "" ? undefined : json(text);
-    case "text":
-    case "choice":
-      return text === "" ? undefined : text;
-    default: // a quantity, or an integer or word: numbers are in the unit beside them, all else is text
-      return inUnit(quantity(text), control);
-  }
+/** The units to choose from in place of a base unit, with their sizes. @param {string} base @returns {Record<string, number>} */
+export function choicesOf(base) {
+  return units.choices[base] ?? {};
 }
 
-/** A number with the unit beside its field, as the case file has it. */
-function inUnit(value, control) {
-  const unit = unitsOf(control)?.value;
-  return typeof value === "number" && unit && unit !== control.dataset.unit ? `${value} ${unit}` : value;
+/** A unit as people read it. @param {string} word */
+export function legible(word) {
+  return word
+    .replace("um", "µm")
+    .replace("uin", "µin")
+    .replace("deg", "°")
+    .replace("arcmin", "′")
+    .replace("^2", "²")
+    .replace("^3", "³");
 }
 
-/** The units to choose from beside a field, if there are any. @param {Control} control */
-export function unitsOf(control) {
-  const near = control.closest(".field")?.querySelector("select[data-unit-of]");
-  return near instanceof HTMLSelectElement && near.dataset.unitOf === control.id ? near : null;
+/** A number in the base unit; of a slope, the angle. */
+function inBase(number, word, size) {
+  return word === SLOPE ? Math.atan(number * size) : number * size;
 }
 
-/**
- * A number that was written with its unit goes on as the number, with the unit chosen beside it.
- * @param {Control} control
- */
-export function settle(control) {
-  const [units, written] = [unitsOf(control), split(control.value)];
-  if (!units || !written) return;
-  if (![...units.options].some(({ value }) => value === written.unit)) return; // it stays as it is written
-  control.value = written.number;
-  units.value = written.unit;
-  units.dataset.before = written.unit;
+function outOf(value, word, size) {
+  return word === SLOPE ? Math.tan(value) / size : value / size;
 }
 
-/**
- * Another unit has been chosen: the number goes with it.
- * @param {HTMLSelectElement} units
- * @param {Control} control
- */
-export function convert(units, control) {
-  const [before, after] = [units.dataset.before ?? "", units.value].map(
-    (word) => [...units.options].find(({ value }) => value === word) ?? null,
-  );
-  units.dataset.before = units.value;
-  const number = quantity(control.value);
-  if (!before || !after || typeof number !== "number") return;
-  const value = exact(control, units) ?? inBase(number, before);
-  control.value = String(Number(outOf(value, after).toPrecision(12)));
+/** Number and unit of a text, null if it has none; some units begin with a number. */
+function writtenAs(value, base) {
+  if (typeof value !== "string") return null;
+  const unit = Object.keys(choicesOf(base)).find((word) => value.endsWith(` ${word}`));
+  const number = unit && value.slice(0, -unit.length).trim();
+  return number && PLAIN.test(number) ? { number, unit } : split(value);
+}
+
+/** The value of a quantity in its base unit; NaN if it is none in a unit that is known here. */
+export function valueIn(value, base) {
+  if (typeof value === "number") return value;
+  const written = writtenAs(value, base);
+  const size = written && choicesOf(base)[written.unit];
+  return size ? inBase(Number(written.number), written.unit, size) : NaN;
+}
+
+/** The unit in which people read a quantity of a name and size. */
+function usualUnit(base, name, size) {
+  if (base === "mm") return units.micrometres.includes(name) && size < 1 ? "um" : "mm";
+  return units.shown_in[base]?.findLast(([least]) => size >= least)?.[1] ?? base;
+}
+
+/** That unit as it is chosen to be read. @param {string} word */
+function readIn(word) {
+  return read(word)[0].replace("µ", "u");
 }
 
 /**
- * What the case says, in the base unit, where a field shows it rounded; null once it has been edited.
- * @param {Control} control
- * @param {HTMLSelectElement} units
+ * The text of a quantity, and the unit beside it: the one in which it is written, or in which people read it.
+ * @param {any} value of the document
+ * @param {string} base
+ * @param {string} name of the key
+ * @param {string} [chosen] the unit that was chosen
+ * @returns {{text: string, word: string}}
  */
-function exact(control, units) {
-  const stands = control.dataset.standsFor;
-  if (!stands || !(control instanceof HTMLInputElement) || control.value !== control.defaultValue) return null;
-  const said = JSON.parse(stands);
-  if (typeof said === "number") return said;
-  const written = split(String(said));
-  const unit = written && [...units.options].find(({ value }) => value === written.unit);
-  return written && unit ? inBase(Number(written.number), unit) : null;
+export function shownIn(value, base, name, chosen) {
+  const known = choicesOf(base);
+  const written = writtenAs(value, base);
+  const number = valueIn(value, base);
+  if (!Number.isFinite(number)) return { text: inWords(value) ?? "", word: chosen ?? readIn(usualUnit(base, name, 0)) };
+  const kept =
+    written &&
+    (written.unit === chosen || (!chosen && (unitsCode() === "si" || read(written.unit)[0] === written.unit)));
+  if (kept) return { text: written.number, word: written.unit };
+  const usual = chosen ?? usualUnit(base, name, Math.abs(number));
+  const word = chosen ?? (known[readIn(usual)] ? readIn(usual) : usual);
+  // Without the digits that dividing by a unit adds.
+  const figures = word === usual ? FIGURES : FEWER;
+  return { text: String(Number(outOf(number, word, known[word] ?? 1).toPrecision(figures))), word };
 }
 
-/** A number in the base unit; of a slope, the angle. @param {number} number @param {HTMLOptionElement} unit */
-function inBase(number, unit) {
-  return unit.value === SLOPE ? Math.atan(number * Number(unit.dataset.factor)) : number * Number(unit.dataset.factor);
+/** The number in a unit as the document has it. @param {number} value in the base unit */
+export function writtenIn(value, word, base) {
+  const number = Number(outOf(value, word, choicesOf(base)[word] ?? 1).toPrecision(FIGURES));
+  return word === base ? number : `${number} ${word}`;
 }
 
-function outOf(value, unit) {
-  return unit.value === SLOPE ? Math.tan(value) / Number(unit.dataset.factor) : value / Number(unit.dataset.factor);
+/**
+ * What goes into the document of the text of a field; undefined if the key is left out.
+ * @param {string} kind
+ * @param {string} text
+ * @param {string} [word] the unit beside it
+ * @param {string} [base]
+ */
+export function said(kind, text, word, base) {
+  const trimmed = text.trim();
+  if (trimmed === "") return undefined;
+  if (kind === "boolean") return trimmed === "true";
+  if (kind === "list") return trimmed.startsWith("[") ? json(trimmed) : list(trimmed);
+  if (kind === "json") return json(trimmed);
+  if (!NUMERIC.includes(kind)) return trimmed;
+  // Numbers are in the unit beside them, all else is text.
+  const value = quantity(trimmed);
+  return typeof value === "number" && word && word !== base ? `${value} ${word}` : value;
+}
+
+/** The text of a value; null if a field of this kind cannot hold it. @param {string} kind @param {any} value @returns {string | null} */
+export function textOf(kind, value) {
+  if (value === undefined) return "";
+  if (NUMERIC.includes(kind)) return inWords(value);
+  if (kind === "json") return JSON.stringify(value);
+  if (kind === "boolean") return typeof value === "boolean" ? String(value) : null;
+  if (kind === "list") return listed(value);
+  return typeof value === "string" && isPlain(value) ? value : null;
+}
+
+/** The text of a number, or a text that cannot be mistaken for one; null for anything else. */
+function inWords(value) {
+  if (typeof value === "number") return String(value);
+  return typeof value === "string" && isPlain(value) && !PLAIN.test(value) ? value : null;
+}
+
+function isPlain(text) {
+  return text !== "" && text === text.trim() && !text.includes("\n");
+}
+
+/** Entries separated by blanks, or as JSON if they contain blanks themselves. */
+function listed(value) {
+  if (!Array.isArray(value)) return null;
+  const texts = value.map(inWords);
+  const plain = value.length && texts.every((text) => text !== null && !text.includes(" ") && !text.startsWith("["));
+  return plain ? texts.join(" ") : JSON.stringify(value);
 }
 
 /** What is not (yet) JSON goes to the program as text, and the program says what is wrong. @param {string} text */
@@ -103,48 +155,42 @@ function json(text) {
   }
 }
 
-/** The slider that belongs to a field, if it has one. @param {Control} control @returns {HTMLInputElement | null} */
-export function sliderOf(control) {
-  const field = control.closest(".field");
-  const sliders = /** @type {HTMLInputElement[]} */ ([...(field?.querySelectorAll('input[type="range"]') ?? [])]);
-  return sliders.find((slider) => slider.dataset.for === control.id) ?? null;
-}
-
 /**
- * The text of a field for its slider's position: no more digits than the slider resolves, in the unit that is chosen.
- * @param {HTMLInputElement} slider
- * @param {Control} control
+ * The range of a slider for a value, with ends that are round in the unit in which it is read, and of its sign.
+ * @param {Range} range @param {string} base @param {number} value
  */
-export function slid(slider, control) {
-  const [low, high] = ends(slider);
-  const share = Number(slider.value) / STEPS;
-  const factor = factorOf(control);
-  if (isLogarithmic(slider)) {
-    const value = low * (high / low) ** share;
-    return rounded(value / factor, (value * Math.log(high / low)) / STEPS / factor);
-  }
-  return rounded((low + (high - low) * share) / factor, (high - low) / STEPS / factor);
+export function rangeFor({ low, high, scale, start }, base, value) {
+  const factor = read(base)[1];
+  const round = (end) => {
+    const power = end ? 10 ** (Math.floor(Math.log10(Math.abs(end))) - 1) : 1;
+    return (Math.trunc(Number((end / power).toPrecision(10))) * power) / factor;
+  };
+  const sign = scale === "log" && value < 0 && low > 0 ? -1 : 1;
+  const [least, most] = factor === 1 ? [low, high] : [round(factor * low), round(factor * high)];
+  return { low: sign * least, high: sign * most, scale, start: sign * start };
 }
 
-/**
- * Move a slider to the value of its field, if that is a number.
- * @param {HTMLInputElement} slider
- * @param {Control} control
- */
-export function follow(slider, control) {
-  const unit = split(control.value) ? "" : unitOf(control);
-  slider.setAttribute("aria-valuetext", control.value ? `${control.value} ${unit}`.trim() : "left out");
-  const value = valueOf(slider, control);
-  if (Number.isFinite(value)) place(slider, value);
+/** The position of a slider for a value; one beyond the range leaves it at an end. @param {Range} range @param {number} value */
+export function placeOf({ low, high, scale }, value) {
+  const share =
+    scale === "log" ? Math.log(Math.max(value / low, 1)) / Math.log(high / low) : (value - low) / (high - low);
+  return Math.round(STEPS * Math.min(1, Math.max(0, share)));
 }
 
-/** Move a slider to a value; one beyond the range leaves it at an end. @param {HTMLInputElement} slider @param {number} value */
-export function place(slider, value) {
-  const [low, high] = ends(slider);
-  const share = isLogarithmic(slider)
-    ? Math.log(Math.max(value / low, 1)) / Math.log(high / low)
-    : (value - low) / (high - low);
-  slider.value = String(Math.round(STEPS * Math.min(1, Math.max(0, share))));
+/** The text of a position of a slider, in a unit of a size. @param {Range} range @param {number} place @param {number} size */
+export function textAt({ low, high, scale }, place, size) {
+  const share = place / STEPS;
+  const value = scale === "log" ? low * (high / low) ** share : low + (high - low) * share;
+  const step = (scale === "log" ? value * Math.log(high / low) : high - low) / STEPS;
+  return rounded(value / size, step / size);
+}
+
+// What stands beside the control of a field, for whoever draws over its slider.
+
+/** The units to choose from beside a field, if there are any. @param {Control} control */
+function unitsOf(control) {
+  const near = control.closest(".field")?.querySelector("select[data-unit-of]");
+  return near instanceof HTMLSelectElement && near.dataset.unitOf === control.id ? near : null;
 }
 
 /**
@@ -165,18 +211,9 @@ export function unitOf(control) {
   return unitsOf(control)?.selectedOptions[0]?.textContent ?? control.dataset.unit ?? "";
 }
 
-/**
- * The size of that unit in units of the slider. Where a number in it says nothing, such as in a slope of a steep angle,
- * the field goes over to the unit of the slider.
- * @param {Control} control
- */
+/** The size of that unit in units of the slider. @param {Control} control */
 export function factorOf(control) {
-  const units = unitsOf(control);
-  if (!units) return 1;
-  const factor = Number(units.selectedOptions[0]?.dataset.factor);
-  if (factor) return factor;
-  units.value = control.dataset.unit ?? "";
-  return 1;
+  return Number(unitsOf(control)?.selectedOptions[0]?.dataset.factor ?? 1) || 1;
 }
 
 /** The ends of a slider, which the program gives in the unit of the quantity. @param {HTMLInputElement} slider */

@@ -54,7 +54,7 @@ function wordsOf(field) {
 
 function controlOf(field) {
   return /** @type {HTMLElement | null} */ (
-    field.querySelector("input:not([type=range], [type=hidden]), select, textarea, button")
+    field.querySelector("[name]") ?? field.querySelector("select, button")
   );
 }
 

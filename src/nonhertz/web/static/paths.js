@@ -56,3 +56,15 @@ export function outer(path) {
   const last = [...path.matchAll(PART)].pop();
   return last ? path.slice(0, last.index) : "";
 }
+
+const BARE = /^[A-Za-z0-9_-]+$/;
+
+/** Return the path of keys and positions (from 1). @param {(string | number)[]} place */
+export function pathOf(place) {
+  const quoted = (key) => (BARE.test(key) ? key : JSON.stringify(key));
+  return place.reduce(
+    (/** @type {string} */ path, part) =>
+      typeof part === "number" ? `${path}[${part}]` : `${path}${path && "."}${quoted(part)}`,
+    "",
+  );
+}

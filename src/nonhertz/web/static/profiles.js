@@ -1,7 +1,6 @@
 // The small drawing of each body's profile, above the list of profiles in the form.
 
 import { FIRST, INK, PINNED, axis, draw, extent, figure, line, reading, widthOf } from "./chart.js";
-import { element } from "./elements.js";
 import { amount, named, spelled, unitsCode } from "./units.js";
 
 /** @typedef {import("./types.js").Profiles} Profiles */
@@ -12,31 +11,6 @@ const drawn = new WeakMap();
 /** What a body is called: those of a single contact have letters. @param {string} body */
 export function bodyNamed(body) {
   return body.length === 1 ? `body ${body}` : body === "roller" ? body : `${body} ring`;
-}
-
-/**
- * Put an empty drawing and a button for measured profiles above each list of profiles.
- * @param {Record<string, string>} bodies their paths by name
- * @param {(body: string) => void} measured opens the dialog for a measured profile
- */
-export function placeProfiles(bodies, measured) {
-  for (const [body, path] of Object.entries(bodies)) {
-    const list = document.querySelector(`#case fieldset[data-group="${path}.profile"]`);
-    if (!list || list.querySelector("figure")) continue;
-    const legend = /** @type {HTMLElement} */ (list.querySelector("legend"));
-    legend.after(
-      element("figure", { "data-figure": `profile-${body}`, class: "profile-figure" }, [
-        element("figcaption", { class: "unseen" }, [`Profile of ${bodyNamed(body)}`]),
-        element("div", { class: "drawing" }),
-      ]),
-    );
-    const button = element(
-      "button",
-      { type: "button", class: "measured", "data-measured": body, click: () => measured(body) },
-      ["Measured…"],
-    );
-    (list.querySelector(":scope > .add") ?? list).append(button);
-  }
 }
 
 /**

@@ -1,4 +1,4 @@
-// What the page says about itself: notices, and how long the last answer took.
+// What the page says about itself: notices, and whether something is being solved.
 
 import { byId } from "./elements.js";
 
@@ -37,7 +37,7 @@ export function whileSolving(giveUp, words, outdates) {
   };
 }
 
-// The time from an edit to the redrawn figures: shown on the page, and recorded for measurements.
+// The time from an edit to the redrawn figures, recorded for measurements.
 let answers = 0;
 
 /**
@@ -47,10 +47,10 @@ let answers = 0;
  * @param {import("./types.js").Answer | import("./types.js").Refusal} answer
  */
 export function roundTrip(since, begun, answer) {
-  timed(since, begun, (took) => {
+  timed(since, begun, () => {
     if (!answer.ok) return;
     byId("state").textContent = answer.complaint ? answer.status : "solved";
-    byId("round-trip").textContent = `in ${Math.round(took)} ms, ${Math.round(answer.ms)} ms of it in the solver`;
+    byId("round-trip").textContent = "";
   });
 }
 
@@ -58,7 +58,7 @@ export function roundTrip(since, begun, answer) {
  * Count an answer and measure it, once it is on the screen.
  * @param {number} since when the edit began, by performance.now()
  * @param {number} begun when the drawing of the answer began
- * @param {(took: number) => void} say called with the milliseconds from edit to drawn answer
+ * @param {() => void} say called once the answer is drawn
  */
 export function timed(since, begun, say) {
   answers += 1;
@@ -69,6 +69,6 @@ export function timed(since, begun, say) {
     const end = performance.now();
     performance.measure("nonhertz round trip", { start: since, end });
     root.dataset.roundTrip = (end - since).toFixed(1);
-    say(end - since);
+    say();
   });
 }

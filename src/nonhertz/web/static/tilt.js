@@ -4,7 +4,7 @@
 // held the vertical axis stays as it was: otherwise the end would run away from the pointer.
 
 import { element } from "./elements.js";
-import { ends, said, valueOf } from "./fields.js";
+import { ends, valueOf } from "./fields.js";
 import { spelled } from "./units.js";
 
 const PATH = "load.tilt";
@@ -169,8 +169,8 @@ function fieldOf() {
   const field = document.querySelector(`#case .field[data-path="${PATH}"]`);
   const slider = /** @type {HTMLInputElement | null} */ (field?.querySelector('input[type="range"]') ?? null);
   const control = /** @type {HTMLInputElement | null} */ (field?.querySelector(`[name="${PATH}"]`) ?? null);
-  const given = control && said(control);
-  return slider && control && (given === undefined || Number.isFinite(valueOf(slider, control))) ? { slider, control } : null;
+  if (!slider || !control) return null;
+  return control.value.trim() === "" || Number.isFinite(valueOf(slider, control)) ? { slider, control } : null;
 }
 
 /** @param {number | null} value @param {[number, number]} limits */

@@ -11,12 +11,12 @@ import { AWAY, post } from "./live.js";
 import { Measured } from "./measured.js";
 import { showMistakes } from "./mistakes.js";
 import { withValue } from "./paths.js";
-import { drawProfiles, placeProfiles } from "./profiles.js";
+import { drawProfiles } from "./profiles.js";
 import { notice } from "./status.js";
-import { unitsCode, watchUnits } from "./units.js";
+import { watchUnits } from "./units.js";
 
 /** @typedef {{document: object, answer: any}} Result a document with what was answered to it */
-/** @typedef {{document: any, text: string, limits: {document_bytes: number, upload_bytes: number}}} Start */
+/** @typedef {{document: any, text: string, form: any, limits: {document_bytes: number, upload_bytes: number}}} Start */
 /**
  * @typedef {{
  *   what: string,
@@ -52,19 +52,20 @@ export class Work {
       most: start.limits.upload_bytes,
       use: (body, table) => void this.form.open(withValue(this.document, `${page.bodies[body]}.profile`, [table])),
     });
-    this.form = new Form(start.document, {
+    this.form = new Form(start.document, start.form, {
+      bodies: page.bodies,
       edited: (document, since) => {
         notice("link", "");
         this.edits.note({ document, text: this.text });
         this.keep();
         page.want(document, since);
       },
-      fresh: (document) => this.fresh(document),
+      stateOf: (document) => this.stateOf(document),
       drawn: () => {
         page.drawn?.();
-        placeProfiles(page.bodies, (body) => this.measured.open(body));
         this.drawProfiles(this.profiles);
       },
+      measured: (body) => this.measured.open(body),
     });
     this.edits = new Edits({ document: start.document, text: start.text }, () => {
       byId("undo").disabled = !this.edits.can(-1);
@@ -80,8 +81,7 @@ export class Work {
   /** Begin with the document in the address, if there is one. */
   async begin() {
     if (await this.fromLink()) this.edits.restart({ document: this.document, text: this.text });
-    // The form that came with the page is in the units of the program.
-    else if (unitsCode() === "si" || !(await this.form.open(this.document))) this.page.want(this.document);
+    else this.page.want(this.document);
   }
 
   /** Keep the document in the address. */
@@ -95,16 +95,14 @@ export class Work {
     drawProfiles(Object.keys(this.page.bodies), profiles, this.pinned?.answer.profiles);
   }
 
-  /** Request the form of a document. @param {object} document */
-  async fresh(document) {
+  /** Ask what the form of a document takes from its geometry; null if there is no answer. @param {object} document */
+  async stateOf(document) {
     try {
       const response = await post(`${this.page.at}form`, { document });
-      if (response.ok) return await response.text();
-      showMistakes((await response.json()).mistakes);
+      return response.ok ? await response.json() : null;
     } catch {
-      notice("program", AWAY);
+      return null;
     }
-    return null;
   }
 
   /** Begin with another document. @param {object} document @param {string} text of its file */

@@ -19,8 +19,7 @@ from nonhertz.files.held import HeldCase
 from nonhertz.files.resultfile import Result
 from nonhertz.model.body import BodyName
 from nonhertz.show.solving import attempted
-from nonhertz.web.form.fields import is_number
-from nonhertz.web.limits import refuse, too_long, too_slow, unfit
+from nonhertz.web.limits import is_number, refuse, too_long, too_slow, unfit
 from nonhertz.web.view.answers import answer, drawable
 from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
 from nonhertz.web.view.replies import broken, job, misfit

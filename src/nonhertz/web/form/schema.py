@@ -1,0 +1,86 @@
+"""The JSON schema of a file as the page needs it: that for editors, with hints for a form."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from typing import Any, Final
+
+from nonhertz.files.bearing_document import BearingFile
+from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
+from nonhertz.files.documents import parsed
+from nonhertz.files.keys import Key, Table, table_of
+from nonhertz.files.schemas import schema_of
+from nonhertz.files.sections import CaseDocument
+from nonhertz.inputs.fields import OneOrTwo, Part
+
+Schema = dict[str, Any]
+
+#: What a kind of body needs; a diameter if it is not listed.
+_NEEDED: Final = {"roller": ("diameter", "length"), "plate": ()}
+#: Of a bearing file, what another kind of bearing leaves as it is.
+_OF_ALL_BEARINGS: Final = ("format", "solver", "report")
+
+
+@cache
+def form_schema(file: str) -> Schema:
+    """Return the JSON schema of a case file or a bearing file with hints.
+
+    Of a table, ``x-pairs`` lists keys of which one is given in place of the other, ``x-apart`` groups of which no two
+    are, and ``x-kinds`` has by kind the keys and those that are needed. Of a key, ``x-words`` are the names that may
+    stand for it, and ``x-names`` tells its two values apart, of which one alone is that of the number ``x-single``. The
+    schema of a bearing has documents of all kinds in ``x-examples``.
+    """
+    schema = schema_of(file)
+    for table, place in _tables(table_of(_whole(file)), schema, schema["$defs"], set()):
+        place["x-pairs"], place["x-apart"] = list(table.pairs), list(table.apart)
+        if table.kinds:
+            place["x-kinds"] = {word: _of_kind(word, kind) for word, kind in table.kinds.items()}
+        for name, key in table.keys.items():
+            place["properties"][name] |= _hints(key)
+    return schema | ({"x-examples": _examples()} if file == "bearing" else {})
+
+
+def _whole(file: str) -> Any:
+    return CaseDocument if file == "case" else BearingFile
+
+
+def _tables(table: Table, place: Schema, definitions: Schema, seen: set[str]) -> Iterator[tuple[Table, Schema]]:
+    """Yield the table of a file and all within, with the schema of each."""
+    yield table, place
+    for name, key in table.keys.items():
+        inner = {one.get("title"): one for one in _objects(place["properties"][name])}
+        for each in key.tables:
+            if each.name and each.name not in seen:
+                seen.add(each.name)
+                yield from _tables(each, definitions[each.name], definitions, seen)
+            if not each.name and each.word in inner:
+                yield each, inner[each.word]
+
+
+def _objects(place: Schema) -> Iterator[Schema]:
+    """Yield the schemas of tables that may stand in a place, but for references."""
+    if "properties" in place:
+        yield place
+        return
+    for one in place.get("anyOf", ()):
+        yield from _objects(one)
+
+
+def _of_kind(word: str, kind: Table) -> Schema:
+    of_body = "diameter" in kind.keys
+    return {"keys": list(kind.keys), "needed": _NEEDED.get(word, ("diameter",)) if of_body else kind.required}
+
+
+def _hints(key: Key) -> Schema:
+    """Return what the schema of a key does not say."""
+    if isinstance(key.each, OneOrTwo):
+        return {"x-names": key.each.names, "x-single": key.each.single}
+    return {"x-words": list(key.each.named)} if isinstance(key.each, Part) and key.each.named else {}
+
+
+def _examples() -> dict[str, dict[str, Any]]:
+    """Return by kind of bearing what makes any other bearing an example of it."""
+    documents = [parsed(starting_bearing(name), name) for name in BEARING_TEMPLATES]
+    names = [name for name in BearingFile.descriptions if name not in _OF_ALL_BEARINGS]
+    return {each["bearing"]["kind"]: {name: each.get(name) for name in names} for each in documents}
