@@ -188,7 +188,7 @@ function clearance({ key }) {
 function mostLoad({ key, angle, most }) {
   const [value, unit] = newtons(key.load).split(" ");
   const where = key.load > 0 ? `roller ${most + 1} at ${degrees(angle[most])}°` : "";
-  return { name: "Largest load of a roller", value, unit, where, number: key.load };
+  return { name: "Largest roller load", value, unit, where, number: key.load };
 }
 
 function displacement({ key }) {
@@ -215,8 +215,11 @@ function life({ key, method }) {
   const { life: number } = key;
   const name = key.no_modified ? "Rated life" : "Modified life";
   if (number === null) return { name, value: "–", unit: "", where: "", number };
-  const hours = key.speed ? `${digits((number * 1e6) / (60 * key.speed), 4)} hours, ` : "";
-  return { name, value: digits(number, 3), unit: "10⁶ rev", where: key.no_modified || `${hours}by ${method}`, number };
+  const revolutions = { value: digits(number, 3), unit: "10⁶ rev" };
+  const where = key.no_modified || `by ${method}`;
+  if (!key.speed) return { name, ...revolutions, where, number };
+  const hours = (number * 1e6) / (60 * key.speed);
+  return { name, value: digits(hours, 4), unit: "hours", where: `${revolutions.value} ${revolutions.unit}, ${where}`, number: hours };
 }
 
 function writeRollers({ columns, rollers }, number) {
