@@ -14,10 +14,11 @@ const [FIGURES, FEWER] = [12, 6]; // the latter of what was given in other units
 const PLAIN = /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/;
 const NUMERIC = ["quantity", "integer-or-word"];
 
-/** @type {{choices: Record<string, Record<string, number>>, shown_in: Record<string, [number, string][]>, micrometres: string[]}} */
+/** @typedef {Record<string, Record<string, number>>} Choices by base unit, words and their sizes */
+/** @type {{choices: Choices, shown_in: Record<string, [number, string][]>, micrometres: string[]}} */
 const units = JSON.parse(byId("start").textContent).form.units;
 
-/** The units to choose from in place of a base unit, with their sizes. @param {string} base @returns {Record<string, number>} */
+/** The units to choose from in place of a base unit, with their sizes. @param {string} base */
 export function choicesOf(base) {
   return units.choices[base] ?? {};
 }
@@ -118,7 +119,7 @@ export function said(kind, text, word, base) {
   return typeof value === "number" && word && word !== base ? `${value} ${word}` : value;
 }
 
-/** The text of a value; null if a field of this kind cannot hold it. @param {string} kind @param {any} value @returns {string | null} */
+/** The text of a value; null if a field of this kind cannot hold it. @param {string} kind @param {any} value */
 export function textOf(kind, value) {
   if (value === undefined) return "";
   if (NUMERIC.includes(kind)) return inWords(value);
@@ -170,14 +171,14 @@ export function rangeFor({ low, high, scale, start }, base, value) {
   return { low: sign * least, high: sign * most, scale, start: sign * start };
 }
 
-/** The position of a slider for a value; one beyond the range leaves it at an end. @param {Range} range @param {number} value */
+/** The position of a slider for a value, at an end for one beyond. @param {Range} range @param {number} value */
 export function placeOf({ low, high, scale }, value) {
   const share =
     scale === "log" ? Math.log(Math.max(value / low, 1)) / Math.log(high / low) : (value - low) / (high - low);
   return Math.round(STEPS * Math.min(1, Math.max(0, share)));
 }
 
-/** The text of a position of a slider, in a unit of a size. @param {Range} range @param {number} place @param {number} size */
+/** The text of a position, in a unit of a size. @param {Range} range @param {number} place @param {number} size */
 export function textAt({ low, high, scale }, place, size) {
   const share = place / STEPS;
   const value = scale === "log" ? low * (high / low) ** share : low + (high - low) * share;

@@ -1,8 +1,8 @@
 // The form of a document, drawn from the JSON schema of its file.
 //
 // The document is all that is kept: an edit makes another document, of which the form is drawn anew, and the library
-// changes what differs on the page, so that focus and folds stay. What sliders span follows from the geometry, which the
-// program works out when the hand rests.
+// changes what differs on the page, so that focus and folds stay. What sliders span follows from the geometry, and is
+// asked of the program when the hand rests.
 
 import { byId } from "./elements.js";
 import { choicesOf, legible, placeOf, rangeFor, said, shownIn, textAt, textOf, valueIn, writtenIn } from "./fields.js";
@@ -23,8 +23,8 @@ const NO_GEOMETRY = /^(title|load|solver|life|report)\b/;
 const NUMERIC = ["quantity", "integer-or-word"];
 const MOSTLY_NUMBERS = ["bore"]; // a number in the form, unless a file has a table in its place
 const RINGS = ["inner", "outer"]; // whose diameter is that of a raceway, one number
-const OPEN = ["fit", "life", "pair", "viscosity", "cleanliness", "spectrum"]; // headings that are unfolded where a file has what is below them
-const LONG = { list: 24, text: 1000, tables: 40 }; // entries, letters and tables beyond which something is not shown
+const OPEN = ["fit", "life", "pair", "viscosity", "cleanliness", "spectrum"]; // unfolded at first where a file has them
+const LONG = { numbers: 24, letters: 1000, tables: 40 }; // beyond which they are not shown
 
 export class Form {
   /**
@@ -57,7 +57,7 @@ export class Form {
 
   draw() {
     // Fields remember the unit that was chosen in them: not beyond a change of all units.
-    render(html`<${Document} key=${unitsCode()} form=${this} document=${this.document} />`, this.host);
+    render(html`<${Whole} key=${unitsCode()} form=${this} document=${this.document} />`, this.host);
   }
 
   /** Show another document. @param {object} document @param {number} [since] */
@@ -161,7 +161,7 @@ export class Form {
     );
   }
 
-  /** Remove an entry of a list; the focus goes to the button in its place. @param {string} path @param {number} since */
+  /** Remove an entry; the focus goes to the button in its place. @param {string} path @param {number} since */
   remove(path, since) {
     this.restructure([[path, undefined]], since);
     const button = (what, at) => this.host.querySelector(`[data-action="${what}"][data-path="${CSS.escape(at)}"]`);
@@ -171,197 +171,171 @@ export class Form {
 }
 
 /** @param {{form: Form, document: any}} props */
-function Document({ form, document }) {
+function Whole({ form, document }) {
   form.optional.clear();
-  return html`<${Members} form=${form} table=${form.schema.whole} value=${document} place=${[]} />`;
+  return html`<${Members} ...${{ form, table: form.schema.whole, value: document, place: [] }} />`;
 }
 
 /**
- * The keys of a table: its kind, its fields, those that most files leave out below headings, and what is unknown as JSON.
+ * A table: its kind, its keys, those that most files leave out below headings, and what is unknown as JSON.
  * @param {{form: Form, table: any, value: any, place: Place, others?: any[]}} props `others` may stand in its place
  */
 function Members({ form, table, value, place, others = [] }) {
   const { schema } = form;
   const keys = schema.keys(table, value);
-  const needed = schema.needed(table);
-  const pairs = table["x-pairs"] ?? [];
-  let names = schema.shown(table, value, keys);
-  // Washers are flat, without seats that would press on a raceway.
-  if (form.document.bearing?.kind === "thrust" && (!place.length || RINGS.includes(String(place[0]))))
-    names = names.filter((name) => name in value || !["fit", "diameter"].includes(name));
-  if ("profile" in table.properties && !isWhole(form, place, value))
-    names = names.filter((name) => name in value || name !== "bore");
+  const hidden = hiddenBeside(form, table, value, place);
   const order = [...FIRST, ...keys];
+  const names = schema.shown(table, value, keys).filter((name) => name in value || !hidden.includes(name));
   names.sort((one, other) => order.indexOf(one) - order.indexOf(other));
+  const always = [...schema.needed(table), ...(table["x-pairs"] ?? []).flat()];
   const folds = FOLDS.map(([heading, all, only]) => {
-    const here = !only || only === place[place.length - 1] ? all : [];
-    const folded = names.filter(
-      (name) => here.includes(name) && !needed.includes(name) && !pairs.some((pair) => pair.includes(name)),
-    );
-    return {
-      heading: 2 * folded.length < all.length ? folded.map((name) => labelOf([...place, name])).join(", ") : heading,
-      folded,
-    };
+    const here = !only || only === lastOf(place) ? all : [];
+    const folded = names.filter((name) => here.includes(name) && !always.includes(name));
+    const few = 2 * folded.length < all.length;
+    return { folded, heading: few ? folded.map((name) => labelOf([...place, name])).join(", ") : heading };
   });
-  const member = (name) =>
-    html`<${Member} key=${name} ...${{ form, table, within: value, place: [...place, name], value: value[name] }} />`;
+  const unfolded = names.filter((name) => !folds.some(({ folded }) => folded.includes(name)));
   const known = [...keys, ...(table.properties.kind || !place.length ? ["kind", "format"] : [])];
-  return html` ${table.properties.kind && html`<${Kind} key="kind" ...${{ form, table, value, place, others }} />`}
-  ${names.filter((name) => !folds.some(({ folded }) => folded.includes(name))).map(member)}
-  ${Object.keys(value)
-    .filter((name) => !known.includes(name))
-    .map((name) => html`<${Stray} key=${`?${name}`} form=${form} place=${[...place, name]} value=${value[name]} />`)}
-  ${folds.map(({ heading, folded }, number) => folded.length > 0 && html`<${Fold} key=${`/${number}`} heading=${heading} name=${[...place, folded[0]].join("/")} section=${!place.length} open=${folded.some((name) => OPEN.includes(name) && name in value)}>${folded.map(member)}<//>`)}`;
+  const stray = Object.keys(value).filter((name) => !known.includes(name));
+  const entry = (name) => ({ form, place: [...place, name], value: value[name] });
+  const member = (name) => html`<${Member} key=${name} ...${{ ...entry(name), table, within: value }} />`;
+  return html`
+    ${table.properties.kind && html`<${Kind} ...${{ form, table, value, place, others }} />`} ${unfolded.map(member)}
+    ${stray.map((name) => html`<${Stray} key=${`?${name}`} ...${entry(name)} />`)}
+    ${folds.map(({ heading, folded }, number) => {
+      const open = folded.some((name) => OPEN.includes(name) && name in value);
+      const props = { heading, open, section: !place.length, name: [...place, folded[0]].join("/") };
+      return folded.length > 0 && html`<${Fold} key=${`/${number}`} ...${props}>${folded.map(member)}<//>`;
+    })}`;
 }
 
-/** Only whole rollers are hollow; of a body with mistakes it is not known what it is. */
-function isWhole(form, place, value) {
-  return (value.depth ?? (form.state.bodies[pathOf(place)]?.depth || "finite")) === "finite";
+/** The keys that have no meaning beside others, unless they are given. @returns {string[]} */
+function hiddenBeside(form, table, value, place) {
+  // Washers are flat, without seats that would press on a raceway.
+  const flat = form.document.bearing?.kind === "thrust" && (!place.length || RINGS.includes(String(place[0])));
+  // Only whole rollers are hollow; of a body with mistakes it is not known what it is.
+  const whole = (value.depth ?? (form.state.bodies[pathOf(place)]?.depth || "finite")) === "finite";
+  return [...(flat ? ["fit", "diameter"] : []), ...("profile" in table.properties && !whole ? ["bore"] : [])];
 }
 
 /** Fields below a heading. */
 function Fold({ heading, name, section, open, children }) {
   const opened = useRef(open).current; // at first: whether it is folded is for the reader to choose
   return html`<details class=${section ? "section" : "more"} open=${opened} data-details=${name}>
-    <summary>${heading}</summary>
-    ${children}
-  </details>`;
+    <summary>${heading}</summary>${children}</details>`;
+}
+
+/** @param {{value: string, options: [string, string, object?][], [attribute: string]: any}} props */
+function Select({ value, options, ...attributes }) {
+  const shown = options.map(([word, label, more]) => html`<option value=${word} ...${more}>${label}</option>`);
+  return html`<select ...${attributes} value=${value}>${shown}</select>`;
+}
+
+/** A choice between edits. @param {{form: Form, options: Option[], [attribute: string]: any}} props */
+function Choice({ form, options, words, ...attributes }) {
+  const take = ({ target, timeStamp }) =>
+    form.restructure(options.find(({ label }) => label === target.value)?.edits ?? [], timeStamp);
+  const shown = [...(words ?? []), ...options.map(({ label }) => [label, label])];
+  return html`<${Select} ...${attributes} options=${shown} onInput=${take} />`;
 }
 
 /** The choice of the kind of a table, on which its other keys depend. */
 function Kind({ form, table, value, place, others }) {
-  const path = pathOf(place);
-  const range = form.rangesIn(place);
-  const options = table["x-kinds"]
-    ? Object.keys(table["x-kinds"]).map((kind) => ({
-        label: kind,
-        edits: form.schema.ofKind(table, value, kind, path, range),
-      }))
-    : form.schema
-        .ofNumbers(others)
-        .map((other) => ({
-          label: other.properties.kind.const,
-          edits: [[path, form.schema.fresh(other, range, "", value)]],
-        }));
-  const at = [...place, "kind"];
+  const { schema } = form;
+  const [path, range, at] = [pathOf(place), form.rangesIn(place), [...place, "kind"]];
+  const kinds = Object.keys(table["x-kinds"] ?? {});
+  const options = kinds.length
+    ? kinds.map((kind) => ({ label: kind, edits: schema.ofKind(table, value, kind, path, range) }))
+    : schema.ofNumbers(others).map((other) => ({
+        label: other.properties.kind.const,
+        edits: [[path, schema.fresh(other, range, "", value)]],
+      }));
+  const { kind } = value;
   const help = table.properties.kind.description ?? "kind of profile";
-  if (value.kind !== undefined && textOf("choice", value.kind) === null)
-    return html`<${Text} form=${form} place=${at} kind="json" value=${value.kind} help=${help} />`;
-  const known = options.some(({ label }) => label === value.kind);
-  const take = (event) =>
-    form.restructure(options.find(({ label }) => label === event.target.value)?.edits ?? [], event.timeStamp);
-  return html`<${Row} place=${at} help=${help}>
-    <select ...${control(at)} data-kind="choice" value=${value.kind ?? ""} onInput=${take}>
-      ${value.kind === undefined && html`<option value="">${"diameter" in table.properties ? "by its dimensions" : "not given"}</option>`}
-      ${options.map(({ label }) => html`<option value=${label}>${label}</option>`)}
-      ${value.kind !== undefined && !known && html`<option value=${value.kind}>${value.kind}</option>`}
-    </select><//
-  >`;
+  if (kind !== undefined && textOf("choice", kind) === null)
+    return html`<${Text} ...${{ form, place: at, kind: "json", value: kind, help }} />`;
+  const missing = "diameter" in table.properties ? "by its dimensions" : "not given";
+  const known = options.some(({ label }) => label === kind);
+  const words = kind === undefined ? [["", missing]] : known ? [] : [[kind, kind]];
+  const props = { ...control(at), form, options, words, value: kind ?? "" };
+  return html`<${Row} place=${at} help=${help}><${Choice} ...${props} data-kind="choice" /><//>`;
 }
 
 /** One key of a table, whatever it holds. */
 function Member({ form, table, within, place, value }) {
   const { schema } = form;
-  const name = String(place[place.length - 1]);
-  const part = table.properties[name];
-  const holds = schema.key(part);
-  const props = { form, place, holds, value, within, swap: alternatives(form, table, within, place) };
+  const name = String(lastOf(place));
+  const holds = schema.key(table.properties[name]);
+  const usual = name === "depth" ? form.state.bodies[outer(pathOf(place))]?.depth : holds.usual;
+  const props = { form, place, holds, value, usual, within, swap: alternatives(form, table, place) };
   if (holds.names) return html`<${OneOrTwo} ...${props} />`;
   if (holds.entries) return html`<${List} ...${props} />`;
-  const isTable = typeof value === "object" && value !== null && !Array.isArray(value);
-  if (holds.kind === "table" || (holds.tables.length && MOSTLY_NUMBERS.includes(name) && isTable))
+  if (holds.kind === "table" || (holds.tables.length && MOSTLY_NUMBERS.includes(name) && isTable(value)))
     return html`<${Part} ...${props} optional=${!schema.needed(table).includes(name)} />`;
-  const alone = MOSTLY_NUMBERS.includes(name) || (name === "diameter" && RINGS.includes(String(place[0])) && !isTable);
-  if (holds.tables.length && !alone) return html`<${ValueOrTable} ...${props} />`;
-  return html`<${Value}
-    ...${props}
-    usual=${name === "depth" ? form.state.bodies[outer(pathOf(place))]?.depth : holds.usual}
-  />`;
+  const alone = MOSTLY_NUMBERS.includes(name) || (name === "diameter" && RINGS.includes(String(place[0])));
+  if (holds.tables.length && (!alone || isTable(value))) return html`<${ValueOrTable} ...${props} />`;
+  return html`<${Value} ...${props} />`;
 }
 
-/** Of a key that is given in place of another, both: the one that is shown first. @returns {Option[] | undefined} */
-function alternatives(form, table, within, place) {
-  const [name, path] = [String(place[place.length - 1]), pathOf(place.slice(0, -1))];
-  const pair = (table["x-pairs"] ?? []).find((each) => each.includes(name));
-  if (!pair) return undefined;
-  const sizes = pair.includes("drop") ? (form.state.bodies[outer(outer(path))]?.sizes ?? {}) : {};
-  const at = (each) => (path ? `${path}.${each}` : each);
-  const range = form.rangesIn(place.slice(0, -1));
-  const options = pair.map((each) => ({
-    label: labelOf([...place.slice(0, -1), each]),
-    edits: [
-      ...pair.filter((other) => other !== each).map((other) => [at(other), undefined]),
-      [at(each), sizes[each] ?? form.schema.start(each, table.properties[each], range)],
-    ],
-  }));
-  return [options[pair.indexOf(name)], ...options.filter((_, number) => pair[number] !== name)];
-}
-
-/** The options of a label, of which the first is what is shown. @param {Option[] | undefined} swap @param {Option[]} shapes */
-function withShapes(swap, shapes) {
-  return [...shapes, ...(swap ?? []).slice(1)];
+/** Of a key that is given in place of another, both, with the one that is shown first. @returns {Option[]} */
+function alternatives(form, table, place) {
+  const [name, around] = [lastOf(place), place.slice(0, -1)];
+  const pair = (table["x-pairs"] ?? []).find((each) => each.includes(name)) ?? [];
+  const sizes = (pair.includes("drop") && form.state.bodies[pathOf(around.slice(0, -2))]?.sizes) || {};
+  const start = (each) => sizes[each] ?? form.schema.start(each, table.properties[each], form.rangesIn(around));
+  const without = (each) =>
+    pair.filter((other) => other !== each).map((other) => [pathOf([...around, other]), undefined]);
+  return [...pair]
+    .sort((one, other) => Number(other === name) - Number(one === name))
+    .map((each) => {
+      const at = [...around, each];
+      return { label: labelOf(at), edits: [...without(each), [pathOf(at), start(each)]] };
+    });
 }
 
 /** A table; one that needs some of its keys is given as a whole, or left out by a choice. */
-function Part({ form, place, holds, value, optional, within }) {
-  const [path, label, table] = [pathOf(place), labelOf(place), holds.tables[0]];
-  const given = value !== undefined;
-  if (given && (typeof value !== "object" || value === null || Array.isArray(value)))
-    return html`<${Stray} form=${form} place=${place} value=${value} help=${holds.help} />`;
+function Part({ form, place, holds, value, optional }) {
+  const [path, table] = [pathOf(place), holds.tables[0]];
+  if (value !== undefined && !isTable(value)) return html`<${Stray} ...${{ form, place, value, help: holds.help }} />`;
   const needs = optional && form.schema.needed(table).length > 0;
   if (optional) form.optional.add(path);
-  const made = () => form.schema.fresh(table, form.rangesIn(place.slice(0, -1)), String(place[place.length - 1]));
-  const choice =
-    needs &&
-    html`<${Row} place=${place} help=${holds.help} switched>
-      <select
-        id=${idOf(path)}
-        data-structure
-        value=${given ? "given" : "none"}
-        onInput=${(event) => form.restructure([[path, event.target.value === "given" ? made() : undefined]], event.timeStamp)}
-      >
-        <option value="none">none</option>
-        <option value="given">given</option>
-      </select><//
-    >`;
-  if (needs && !given) return choice;
+  const made = needs && form.schema.fresh(table, form.rangesIn(place.slice(0, -1)), String(lastOf(place)));
+  const options = [
+    ["none", undefined],
+    ["given", made],
+  ].map(([label, edit]) => ({ label, edits: [[path, edit]] }));
+  const choice = { form, options, id: idOf(path), value: value ? "given" : "none", "data-structure": true };
+  const row = needs && html`<${Row} place=${place} help=${holds.help} style="switch"><${Choice} ...${choice} /><//>`;
+  if (needs && value === undefined) return row;
   return html`<${Group} place=${place} help=${holds.help} quiet=${needs || SECTIONS.includes(path)}>
-    ${choice}<${Members} form=${form} table=${table} value=${value ?? {}} place=${place}
-  /><//>`;
+    ${row}<${Members} ...${{ form, table, value: value ?? {}, place }} /><//>`;
 }
 
 /** A key with one value, or a table of several. */
-function ValueOrTable({ form, place, holds, value, within }) {
-  const [name, path, table] = [String(place[place.length - 1]), pathOf(place), holds.tables[0]];
-  const tabular = typeof value === "object" && value !== null && !Array.isArray(value);
-  const range = form.rangesIn(place);
+function ValueOrTable({ form, place, holds, value, ...more }) {
+  const [name, path, table, label] = [String(lastOf(place)), pathOf(place), holds.tables[0], labelOf(place)];
   const needed = form.schema.needed(table);
-  const several = Object.fromEntries(
-    needed.map((each) => [each, form.schema.start(each, table.properties[each], range)]),
-  );
-  const middle = tabular && Array.isArray(value[name]) ? value[name][value[name].length >> 1] : undefined;
-  const simple = middle ?? (NUMERIC.includes(holds.kind) ? (form.range(place)?.start ?? 1) : holds.words[0]);
-  if (!tabular && value !== undefined && name in several) several[name] = several[name].map(() => value);
-  const label = labelOf(place);
+  const start = (each) => form.schema.start(each, table.properties[each], form.rangesIn(place));
+  const several = Object.fromEntries(needed.map((each) => [each, start(each)]));
+  const inner = isTable(value) ? value[name] : undefined;
+  const usual = NUMERIC.includes(holds.kind) ? (form.range(place)?.start ?? 1) : holds.words[0];
+  const simple = Array.isArray(inner) && inner.length ? inner[inner.length >> 1] : usual;
+  if (!isTable(value) && value !== undefined && name in several) several[name] = several[name].map(() => value);
   const shapes = [
     { label, edits: [[path, simple]] },
     { label: `${label} by ${needed.map((each) => labelOf([each])).join(" and ")}`, edits: [[path, several]] },
   ];
-  if (!tabular) return html`<${Value} ...${{ form, place, holds, value, within, usual: holds.usual, swap: shapes }} />`;
+  if (!isTable(value)) return html`<${Value} ...${{ ...more, form, place, holds, value, swap: shapes }} />`;
   return html`<${Group} place=${place} help=${holds.help} quiet>
-    <${Shape} form=${form} options=${[shapes[1], shapes[0]]} label=${label} place=${place} />
-    <${Members} form=${form} table=${table} value=${value} place=${place}
-  /><//>`;
+    <${Shape} ...${{ form, place, options: shapes.reverse() }} />
+    <${Members} ...${{ form, table, value, place }} /><//>`;
 }
 
 /** A key with one value, or one for each of two. */
-function OneOrTwo({ form, place, holds, value, within, swap }) {
+function OneOrTwo({ form, place, holds, value, within, swap, usual }) {
   const [path, label] = [pathOf(place), labelOf(place)];
   const isPair = Array.isArray(value) && value.length === 2;
-  const one = { ...holds, names: null };
-  if (!isPair && place[place.length - 1] === "side_faces" && !("length" in within))
-    return html`<${Value} ...${{ form, place, holds: one, value, within, usual: holds.usual }} />`;
-  const first = isPair ? value[holds.single ?? 0] : (value ?? holds.usual ?? 0);
+  const first = isPair ? value[holds.single ?? 0] : (value ?? usual ?? 0);
   const both = holds.names.map((_, number) => (holds.single === null || holds.single === number ? first : 0));
   const shapes = [
     { label, edits: [[path, first]] },
@@ -370,218 +344,145 @@ function OneOrTwo({ form, place, holds, value, within, swap }) {
       edits: [[path, isPair ? value : both]],
     },
   ];
-  if (!isPair)
-    return html`<${Value}
-      ...${{ form, place, holds: one, value, within, usual: holds.usual, swap: withShapes(swap, shapes) }}
-    />`;
+  const alone = lastOf(place) === "side_faces" && !("length" in within);
+  const options = [...(isPair ? shapes.reverse() : shapes), ...swap.slice(1)];
+  if (!isPair) return html`<${Value} ...${{ form, place, holds, value, usual, swap: alone ? [] : options }} />`;
   const range = form.range(place);
-  const wide = range && { ...range, low: -range.high };
+  const one = { form, holds, range: range && { ...range, low: -range.high } };
+  const entry = (each, at) =>
+    html`<${Value} key=${at} ...${{ ...one, place: [...place, at + 1], value: each, label: holds.names[at] }} />`;
   return html`<${Group} place=${place} help=${holds.help} quiet>
-    <${Shape} form=${form} options=${withShapes(swap, [shapes[1], shapes[0]])} label=${label} place=${place} />
-    ${value.map((entry, number) => html`<${Value} key=${number} ...${{ form, place: [...place, number + 1], holds: one, value: entry, within, label: holds.names[number], range: wide }} />`)}<//
-  >`;
+    <${Shape} ...${{ form, place, options }} />${value.map(entry)}<//>`;
 }
 
-/** A choice that is no key of the document. @param {{form: Form, options: Option[], label: string, place: Place}} props */
-function Shape({ form, options, label, place }) {
+/** A choice that is no key of the document. @param {{form: Form, options: Option[], place: Place}} props */
+function Shape({ form, options, place }) {
   const id = `${idOf(pathOf(place))}-shape`;
-  return html`<div class="field switch">
-    <label class="unseen" for=${id}>${label}, as</label> <${Swap} form=${form} options=${options} id=${id} />
-  </div>`;
+  return html`<div class="field switch"><label class="unseen" for=${id}>${labelOf(place)}, as</label>
+    <${Swap} ...${{ form, options, id }} /></div>`;
 }
 
-/** @param {{form: Form, options: Option[], id?: string, label?: string}} props the first option is what is shown */
-function Swap({ form, options, id, label }) {
-  const take = (event) =>
-    form.restructure(options.find((each) => each.label === event.target.value)?.edits ?? [], event.timeStamp);
-  const ordered = [...options].sort((one, other) => (one.label < other.label ? -1 : 1));
-  return html`<select
-    class="swap"
-    id=${id}
-    aria-label=${label}
-    data-structure
-    value=${options[0].label}
-    onInput=${take}
-  >
-    ${ordered.map((each) => html`<option value=${each.label}>${each.label}</option>`)}
-  </select>`;
+/** A label that is a choice. @param {{form: Form, options: Option[], [attribute: string]: any}} props */
+function Swap({ form, options, ...attributes }) {
+  const sorted = [...options].sort((one, other) => (one.label < other.label ? -1 : 1));
+  const props = { ...attributes, form, options: sorted, value: options[0].label, "data-structure": true };
+  return html`<${Choice} class="swap" ...${props} />`;
 }
 
 /** A list of tables, or a single table in place of a list of one. */
 function List({ form, place, holds, value }) {
   const [path, tables] = [pathOf(place), holds.entries];
-  if (value !== undefined && (typeof value !== "object" || value === null))
-    return html`<${Stray} form=${form} place=${place} value=${value} help=${holds.help} />`;
-  const entry = (each, at) =>
-    html`<${Entry} key=${at[at.length - 1]} form=${form} tables=${tables} value=${each} place=${at} />`;
-  if (value !== undefined && !Array.isArray(value)) return entry(value, place);
-  if (value?.length > LONG.tables)
-    return html`<${Row} place=${place}><span class="points">${value.length} entries</span><//>`;
+  const entry = (each, at) => html`<${Entry} key=${lastOf(at)} ...${{ form, tables, value: each, place: at }} />`;
+  if (isTable(value)) return entry(value, place);
+  if (value !== undefined && !Array.isArray(value))
+    return html`<${Stray} ...${{ form, place, value, help: holds.help }} />`;
+  if (value?.length > LONG.tables) return html`<${Hidden} ...${{ place, value, what: "entries" }} />`;
   const body = Object.entries(form.page.bodies).find(([, of]) => path === `${of}.profile`)?.[0];
-  return html`<${Group} place=${place} help=${holds.help}>
-    ${
-      body &&
-      html`<figure data-figure="profile-${body}" class="profile-figure">
-        <figcaption class="unseen">Profile of ${bodyNamed(body)}</figcaption>
-        <div class="drawing"></div>
-      </figure>`
-    }
+  const figure = html`<figure data-figure="profile-${body}" class="profile-figure">
+    <figcaption class="unseen">Profile of ${bodyNamed(body ?? "")}</figcaption><div class="drawing"></div></figure>`;
+  return html`<${Group} place=${place} help=${holds.help}>${body && figure}
     ${(value ?? []).map((each, number) => entry(each, [...place, number + 1]))}
-    <${Add}
-      form=${form}
-      place=${place}
-      label=${labelOf(place)}
-      tables=${form.schema.ofNumbers(tables)}
-      value=${value}
-      body=${body}
-  /><//>`;
+    <${Add} ...${{ form, place, tables: form.schema.ofNumbers(tables), value, body }} /><//>`;
 }
 
 /** What can be added to a list. */
-function Add({ form, place, label, tables, value, body }) {
-  const path = pathOf(place);
-  const chosen = useRef(0);
-  const kinds = tables.map((table) => table.properties.kind?.const ?? "");
-  const titles = tables.map(
-    (table, number) => kinds[number] || (tables.length > 1 ? labelOf([table.title.toLowerCase()]) : "row"),
-  );
-  const add = (event) =>
-    form.restructure(
-      [[path, [...(value ?? []), form.schema.fresh(tables[chosen.current], form.rangesIn(place))]]],
-      event.timeStamp,
-    );
+function Add({ form, place, tables, value = [], body }) {
+  const [path, label, chosen] = [pathOf(place), labelOf(place), useRef(0)];
+  const titles = tables.map(({ properties, title }) => properties.kind?.const ?? labelOf([title.toLowerCase()]));
+  const choose = ({ target }) => (chosen.current = target.selectedIndex);
+  const kinds = { options: titles.map((title) => [title, title]), onInput: choose, "data-additions": path };
+  const fresh = () => form.schema.fresh(tables[chosen.current], form.rangesIn(place));
+  const add = ({ timeStamp }) => form.restructure([[path, [...value, fresh()]]], timeStamp);
+  const measured = () => form.page.measured(body);
   return html`<div class="add">
-    ${
-      tables.length > 1 &&
-      html`<select
-        aria-label="kind of ${label} to add"
-        data-additions=${path}
-        onInput=${(event) => (chosen.current = event.target.selectedIndex)}
-      >
-        ${titles.map((title) => html`<option value=${title}>${title}</option>`)}
-      </select>`
-    }
+    ${tables.length > 1 && html`<${Select} ...${kinds} aria-label="kind of ${label} to add" />`}
     <button type="button" data-action="add" data-path=${path} onClick=${add}>
-      Add ${tables.length > 1 ? label : titles[0]}
-    </button>
-    ${body && html`<button type="button" class="measured" data-measured=${body} onClick=${() => form.page.measured(body)}>Measured…</button>`}
+      Add ${tables.length > 1 ? label : "row"}</button>
+    ${body && html`<button type="button" data-measured=${body} onClick=${measured}>Measured…</button>`}
   </div>`;
 }
 
 /** An entry of a list. */
 function Entry({ form, tables, value, place }) {
-  if (typeof value !== "object" || value === null || Array.isArray(value))
-    return html`<${Stray} form=${form} place=${place} value=${value} />`;
+  if (!isTable(value)) return html`<${Stray} ...${{ form, place, value }} />`;
   const isKinded = tables[0].properties.kind;
-  const overlap = (table) => Object.keys(value).filter((name) => name in table.properties).length;
-  const unknown = { properties: { kind: { description: "kind of profile" } }, required: [] }; // of which the keys are unknown, too
+  const overlap = ({ properties }) => Object.keys(value).filter((name) => name in properties).length;
+  // Of an unknown kind the keys are unknown, too.
   const table = isKinded
-    ? (tables.find((each) => each.properties.kind.const === value.kind) ?? unknown)
+    ? (tables.find(({ properties }) => properties.kind.const === value.kind) ?? { properties: { kind: {} } })
     : tables.reduce((best, each) => (overlap(each) > overlap(best) ? each : best));
   const label = `${labelOf(place)}${isKinded && typeof value.kind === "string" ? `: ${value.kind}` : ""}`;
+  const removal = typeof lastOf(place) === "number" && html`<${Remove} ...${{ form, place, label }} />`;
+  return html`<${Group} ...${{ place, label, help: table.description, before: removal }}>
+    <${Members} ...${{ form, table, value, place, others: tables }} /><//>`;
+}
+
+/** A button that removes an entry of a list, or an unknown key. */
+function Remove({ form, place, label }) {
   const path = pathOf(place);
-  const removable = typeof place[place.length - 1] === "number";
-  return html`<${Group}
-    place=${place}
-    label=${label}
-    help=${table.description}
-    before=${removable && html`<button type="button" data-action="remove" data-path=${path} aria-label="remove ${label}" onClick=${(event) => form.remove(path, event.timeStamp)}>Remove</button>`}
-  >
-    <${Members} form=${form} table=${table} value=${value} place=${place} others=${tables}
-  /><//>`;
+  return html`<button type="button" data-action="remove" data-path=${path} aria-label="remove ${label}"
+    onClick=${({ timeStamp }) => form.remove(path, timeStamp)}>Remove</button>`;
 }
 
 /** Fields that belong together. */
 function Group({ place, label = labelOf(place), help, before, quiet, children }) {
   const path = pathOf(place);
   return html`<fieldset data-group=${path}>
-    <legend class=${quiet ? "unseen" : ""}>${label}</legend>
-    ${before} ${help && html`<p class="help">${help}</p>`}
-    <p class="mistake" data-mistake-for=${path} role="alert" hidden></p>
-    ${children}
-  </fieldset>`;
+    <legend class=${quiet ? "unseen" : ""}>${label}</legend>${before}
+    ${help && html`<p class="help">${help}</p>`}
+    <p class="mistake" data-mistake-for=${path} role="alert" hidden></p>${children}</fieldset>`;
 }
 
 /** The row of a field: its label, which may be a choice between keys or shapes, and what is in it. */
-function Row({ form, place, label = labelOf(place), swap, help = "", removable, switched, children }) {
-  const path = pathOf(place);
-  const id = idOf(path);
-  return html`<div class=${switched ? "field switch" : "field"} data-path=${path}>
-    ${swap && html`<${Swap} form=${form} options=${swap} label=${`which of: ${swap.map((each) => each.label).join("; ")}`} />`}
-    <label class=${swap ? "unseen" : ""} for=${id}>${label}</label>${children}
-    ${removable && html`<button type="button" data-action="remove" data-path=${path} aria-label="remove ${path}" onClick=${(event) => form.remove(path, event.timeStamp)}>Remove</button>`}
-    <p class="help" id="${id}-help">${help}</p>
-    <p class="mistake" id="${id}-mistake" role="alert" hidden></p>
-  </div>`;
+function Row({ form, place, label = labelOf(place), swap = [], help = "", removable, style = "", children }) {
+  const [path, id] = [pathOf(place), idOf(pathOf(place))];
+  const words = `which of: ${swap.map((each) => each.label).join("; ")}`;
+  return html`<div class="field ${style}" data-path=${path}>
+    ${swap.length > 0 && html`<${Swap} ...${{ form, options: swap }} aria-label=${words} />`}
+    <label class=${swap.length ? "unseen" : ""} for=${id}>${label}</label>${children}
+    ${removable && html`<${Remove} ...${{ form, place, label: path }} />`}
+    <p class="help" id="${id}-help">${help}</p><p class="mistake" id="${id}-mistake" role="alert" hidden></p></div>`;
 }
 
 /** The attributes of the control of a field. @param {Place} place */
 function control(place) {
-  const path = pathOf(place);
-  return { id: idOf(path), name: path, "aria-describedby": `${idOf(path)}-help ${idOf(path)}-mistake` };
+  const [path, id] = [pathOf(place), idOf(pathOf(place))];
+  return { id, name: path, "aria-describedby": `${id}-help ${id}-mistake` };
 }
 
-/** An unknown key, which can be edited or removed. */
-function Stray({ form, place, value, help }) {
-  return html`<${Text}
-    form=${form}
-    place=${place}
-    kind="json"
-    value=${value}
-    removable
-    label=${String(place[place.length - 1])}
-    help=${help}
-  />`;
+/** What does not fit its place, such as an unknown key: it can be edited or removed. */
+function Stray({ place, ...more }) {
+  return html`<${Text} ...${{ ...more, place, kind: "json", label: String(lastOf(place)) }} removable />`;
 }
 
 /** A value other than a table. */
 function Value({ form, place, holds, value, usual, label, swap, range = form.range(place) }) {
-  const text = textOf(holds.kind, value);
-  const shared = { form, place, label, swap, help: holds.help };
-  const length =
-    Array.isArray(value) && holds.kind === "list" ? value.length : typeof value === "string" ? value.length : 0;
-  if (length > (Array.isArray(value) ? LONG.list : LONG.text))
-    return html`<${Row} ...${shared}
-      ><span class="points" id=${idOf(pathOf(place))}
-        >${length} ${Array.isArray(value) ? "numbers" : "letters"}</span
-      ><//
-    >`;
-  if (text === null) return html`<${Text} ...${shared} kind="json" value=${value} />`;
-  if (holds.kind === "choice" || holds.kind === "boolean")
-    return html`<${Choice} ...${shared} ...${{ holds, text, usual }} />`;
-  return html`<${Text}
-    ...${shared}
-    ...${{ kind: holds.kind, base: holds.unit, words: holds.words, value, usual, range }}
-  />`;
+  const { kind, unit, words, help } = holds;
+  const [text, shared] = [textOf(kind, value), { form, place, label, swap, help }];
+  const what = Array.isArray(value) && kind === "list" ? "numbers" : typeof value === "string" ? "letters" : "";
+  if (what && value.length > LONG[what]) return html`<${Hidden} ...${{ ...shared, value, what }} />`;
+  if (text === null) return html`<${Text} ...${{ ...shared, value, kind: "json" }} />`;
+  if (kind !== "choice" && kind !== "boolean")
+    return html`<${Text} ...${{ ...shared, kind, base: unit, words, value, usual, range }} />`;
+  const named = kind === "boolean" ? { true: "yes", false: "no" } : {};
+  const options = [...new Set([...(kind === "boolean" ? ["true", "false"] : words), ...(text ? [text] : [])])];
+  const left = usual === undefined || usual === "" ? "not given" : `${named[usual] ?? usual} (usual)`;
+  const take = ({ target, timeStamp }) => form.edit(pathOf(place), said(kind, target.value), timeStamp);
+  const shown = [["", left], ...options.map((word) => [word, named[word] ?? word])];
+  const props = { ...control(place), value: text, options: shown };
+  return html`<${Row} ...${shared}><${Select} ...${props} data-kind=${kind} onInput=${take} /><//>`;
 }
 
-/** A word of a few. */
-function Choice({ form, place, label, swap, help, holds, text, usual }) {
-  const words =
-    holds.kind === "boolean"
-      ? { true: "yes", false: "no" }
-      : Object.fromEntries([...holds.words, text].filter(Boolean).map((word) => [word, word]));
-  const left = usual === undefined || usual === "" ? "not given" : `${words[String(usual)] ?? usual} (usual)`;
-  const path = pathOf(place);
-  return html`<${Row} ...${{ form, place, label, swap, help }}>
-    <select
-      ...${control(place)}
-      data-kind=${holds.kind}
-      value=${text}
-      onInput=${(event) => form.edit(path, said(holds.kind, event.target.value), event.timeStamp)}
-    >
-      <option value="">${left}</option>
-      ${Object.entries(words).map(([word, shown]) => html`<option value=${word}>${shown}</option>`)}
-    </select><//
-  >`;
+/** What is too long to be shown. */
+function Hidden({ value, what, ...shared }) {
+  return html`<${Row} ...${shared}><span class="points">${value.length} ${what}</span><//>`;
 }
 
 /** A number with its unit and its slider, a text, a list, or JSON. */
-function Text({ form, place, label, swap, help, kind, base = "", words = [], value, usual, range, removable }) {
+function Text({ form, place, kind, value, base = "", words = [], usual, range, label = labelOf(place), ...more }) {
   /** @type {{current: {text: string, value: any} | null}} what is being written, until the field is left */
   const draft = useRef(null);
-  /** @type {{current: string | undefined}} the unit that was chosen */
-  const chosen = useRef(undefined);
+  const chosen = useRef(undefined); // unit
   const last = useRef(0); // position of the slider
   const [path, id] = [pathOf(place), idOf(pathOf(place))];
   const name = String(place.findLast((each) => typeof each === "string"));
@@ -589,91 +490,65 @@ function Text({ form, place, label, swap, help, kind, base = "", words = [], val
   const sizes = numeric ? choicesOf(base) : {};
   const units = Object.keys(sizes);
   const shown = numeric ? shownIn(value, base, name, chosen.current) : { text: textOf(kind, value) ?? "", word: "" };
-  const isDraft = draft.current && JSON.stringify(draft.current.value) === JSON.stringify(value);
-  if (!isDraft) draft.current = null;
-  const text = draft.current?.text ?? shown.text;
-  const word = isDraft && chosen.current ? chosen.current : shown.word;
-  const take = (written, since, byHand) => {
+  if (JSON.stringify(draft.current?.value) !== JSON.stringify(value)) draft.current = null;
+  const { text, word } = { ...shown, ...(draft.current && { text: draft.current.text }) };
+  const number = value === undefined ? NaN : valueIn(value, base);
+  const take = (written, since, byHand = false) => {
     const next = said(kind, written, word, base);
     draft.current = byHand ? { text: written, value: next } : null;
     chosen.current = word;
     form.edit(path, next, since);
   };
   const leave = () => {
-    const unit = numeric && typeof value === "string" && split(value)?.unit;
     draft.current = null;
-    if (unit && unit in sizes) chosen.current = unit;
+    const unit = numeric && typeof value === "string" && split(value)?.unit;
+    if (unit && unit in sizes) chosen.current = unit; // that was written with the number
     form.draw();
   };
-  const change = (event) => {
-    const number = valueIn(value, base);
-    chosen.current = event.target.value;
+  const convert = ({ target, timeStamp }) => {
     draft.current = null;
-    if (Number.isFinite(number)) form.edit(path, writtenIn(number, event.target.value, base), event.timeStamp);
+    chosen.current = target.value;
+    if (Number.isFinite(number)) form.edit(path, writtenIn(number, target.value, base), timeStamp);
     else form.draw();
   };
-  const number = value === undefined ? NaN : valueIn(value, base);
-  const span =
-    numeric && range && !(kind === "integer-or-word" && typeof value === "string" && !Number.isFinite(number))
-      ? rangeFor(range, base, number)
-      : null;
-  if (span)
-    last.current =
-      Number.isFinite(number) || value === undefined
-        ? placeOf(span, Number.isFinite(number) ? number : span.start)
-        : last.current;
-  const placeholder =
-    typeof usual === "number" && usual && units.length ? `${shownIn(usual, base, name, word).text}` : (usual ?? "");
-  return html`<${Row} ...${{ form, place, label, swap, help, removable }}>
-    <input
-      type="text"
-      ...${control(place)}
-      data-kind=${kind}
-      data-unit=${base || undefined}
-      value=${text}
-      placeholder=${placeholder}
-      list=${words.length ? `${id}-words` : undefined}
-      autocomplete="off"
-      spellcheck=${false}
-      onInput=${(event) => take(event.target.value, event.timeStamp, true)}
-      onChange=${leave}
-    />
-    ${words.length > 0 && html`<datalist id="${id}-words">${words.map((each) => html`<option value=${each}></option>`)}</datalist>`}
-    ${
-      units.length > 1 &&
-      html`<select
-        class="unit"
-        data-unit-of=${id}
-        aria-label="unit of ${label ?? labelOf(place)}"
-        value=${word}
-        onInput=${change}
-      >
-        ${units.map((each) => html`<option value=${each} data-factor=${sizes[each]}>${legible(each)}</option>`)}
-      </select>`
-    }
+  const isWord = kind === "integer-or-word" && typeof value === "string" && Number.isNaN(number);
+  const span = numeric && range && !isWord ? rangeFor(range, base, number) : null;
+  if (span && (value === undefined || Number.isFinite(number)))
+    last.current = placeOf(span, value === undefined ? span.start : number);
+  const suggestions = words.map((each) => html`<option value=${each} />`);
+  const converted = typeof usual === "number" && usual && units.length;
+  const placeholder = converted ? shownIn(usual, base, name, word).text : (usual ?? "");
+  const chooser = {
+    ...{ class: "unit", "data-unit-of": id, "aria-label": `unit of ${label}`, value: word, onInput: convert },
+    options: units.map((each) => [each, legible(each), { "data-factor": sizes[each] }]),
+  };
+  return html`<${Row} ...${{ ...more, form, place, label }}>
+    <input type="text" ...${control(place)} data-kind=${kind} data-unit=${base || undefined} value=${text}
+      placeholder=${placeholder} list=${words.length ? `${id}-words` : undefined} autocomplete="off" spellcheck=${false}
+      onInput=${({ target, timeStamp }) => take(target.value, timeStamp, true)} onChange=${leave} />
+    ${words.length > 0 && html`<datalist id="${id}-words">${suggestions}</datalist>`}
+    ${units.length > 1 && html`<${Select} ...${chooser} />`}
     ${units.length < 2 && base && html`<span class="unit">${legible(base)}</span>`}
     ${
       span &&
-      html`<input
-        type="range"
-        class="slider"
-        data-for=${id}
-        min="0"
-        max="1000"
-        step="1"
-        data-min=${span.low}
-        data-max=${span.high}
-        data-slider-scale=${span.scale}
-        aria-label="${label ?? labelOf(place)}, slider"
-        aria-valuetext=${text ? `${text} ${split(text) ? "" : legible(word)}`.trim() : "not given"}
-        value=${last.current}
-        onInput=${(event) => take(textAt(span, Number(event.target.value), sizes[word] ?? 1), event.timeStamp, false)}
-      />`
-    }<//
-  >`;
+      html`<input type="range" class="slider" data-for=${id} min="0" max="1000" step="1" data-min=${span.low}
+      data-max=${span.high} data-slider-scale=${span.scale} aria-label="${label}, slider" value=${last.current}
+      aria-valuetext=${text ? `${text} ${split(text) ? "" : legible(word)}`.trim() : "not given"}
+      onInput=${({ target, timeStamp }) => take(textAt(span, Number(target.value), sizes[word] ?? 1), timeStamp)} />`
+    }<//>`;
+}
+
+/** @param {any} value */
+function isTable(value) {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+/** @param {Place} place */
+function lastOf(place) {
+  return place[place.length - 1];
 }
 
 /** An identifier, the same every time a field is drawn. @param {string} path */
 function idOf(path) {
-  return `field-${[...path].map((letter) => (/[A-Za-z0-9]/.test(letter) ? letter : `-${letter.codePointAt(0)?.toString(16)}`)).join("")}`;
+  return `field-${path.replace(/[^A-Za-z0-9]/gu, (letter) => `-${letter.codePointAt(0)?.toString(16)}`)}`;
 }

@@ -6,10 +6,10 @@
  *   kind: string, unit: string, words: string[], tables: Table[], entries: Table[] | null, names: string[] | null,
  *   single: number | null, usual: any, help: string, whole: boolean, least: number,
  * }} Key
- * What a key may hold: of which kind its text is, in which unit, words, tables, lists of tables, or one value for each of two.
+ * What a key may hold: of which kind its text is, in which unit, words, tables, lists of tables, or two values.
  */
 
-const PROFILE = /** @param {Table} table */ (table) => table.properties.kind?.const !== undefined;
+const PROFILE = (table) => table.properties.kind?.const !== undefined; // whose lists a file may replace
 const COMMON = ["shift", "scale", "flip"]; // keys that all kinds of profile have, kept when the kind is changed
 const ONLY_BESIDE = { at: "drop", chamfer: "length" };
 const ONE = 1; // what a number begins with that has no slider
@@ -49,35 +49,11 @@ export class Schema {
     const words = [...named, ...(plain.length ? plain : items).flatMap((one) => one.enum ?? [])];
     const unit = [part, ...all, list?.items ?? {}, ...items].find((one) => one.unit)?.unit ?? "";
     const entries = items.filter((one) => one.properties);
-    const kind =
-      has("boolean") && plain.length > 1
-        ? "json"
-        : number
-          ? words.length
-            ? "integer-or-word"
-            : "quantity"
-          : has("boolean")
-            ? "boolean"
-            : words.length && plain.length
-              ? "choice"
-              : list
-                ? "list"
-                : has("string")
-                  ? "text"
-                  : tables.length
-                    ? "table"
-                    : "json";
+    const kind = kindOf({ boolean: has("boolean"), text: has("string"), number, words, list, tables, plain });
     return {
-      kind,
-      unit,
-      words: kind === "json" && has("boolean") ? ["true", "false", ...words] : words,
-      tables,
-      entries: entries.length ? entries : null,
-      names: part["x-names"] ?? null,
-      single: part["x-single"] ?? null,
-      usual: part.default,
-      help: part.description ?? "",
-      whole: number?.type === "integer",
+      ...{ kind, unit, tables, words: kind === "json" && has("boolean") ? ["true", "false", ...words] : words },
+      ...{ entries: entries.length ? entries : null, names: part["x-names"] ?? null, single: part["x-single"] ?? null },
+      ...{ usual: part.default, help: part.description ?? "", whole: number?.type === "integer" },
       least: number?.minimum ?? 0,
     };
   }
@@ -131,18 +107,12 @@ export class Schema {
   fresh(table, range, within = "", before = {}) {
     const inner = "load" in table.properties ? "across" : within;
     const needed = this.needed(table);
-    const filled = this.fileless(table);
     const made = PROFILE(table) ? { kind: table.properties.kind.const } : {};
     for (const [name, part] of Object.entries(table.properties))
-      if (needed.includes(name) || (filled && this.key(part).kind === "list"))
+      if (needed.includes(name) || (PROFILE(table) && this.key(part).kind === "list"))
         made[name] = this.start(name, part, range, inner);
     if (PROFILE(table)) for (const name of COMMON) if (name in before) made[name] = before[name];
     return made;
-  }
-
-  /** Whether a table is a profile whose lists a file may replace: the page reads no files by name. */
-  fileless(table) {
-    return PROFILE(table);
   }
 
   /** The tables that need no file. @param {Table[]} tables */
@@ -151,8 +121,8 @@ export class Schema {
   }
 
   /**
-   * The edits that make a table one of another kind: what that needs is added, what it lacks is removed. Of a bearing whose
-   * parts are others, little could stay: these make an example of one.
+   * The edits that make a table one of another kind: what that needs is added, what it lacks is removed. Of a bearing
+   * whose parts are others, little could stay: these make an example of one.
    * @param {Table} table @param {any} value @param {string} kind @param {string} path
    * @param {(path: string[]) => any} range
    * @returns {[string, any][]}
@@ -177,4 +147,13 @@ export class Schema {
       ),
     ];
   }
+}
+
+/** Of which kind the text of a key is, by what may stand in it. @returns {string} */
+function kindOf({ boolean, text, number, words, list, tables, plain }) {
+  if (boolean) return plain.length > 1 ? "json" : "boolean";
+  if (number) return words.length ? "integer-or-word" : "quantity";
+  if (words.length && plain.length) return "choice";
+  if (list) return "list";
+  return text ? "text" : tables.length ? "table" : "json";
 }
