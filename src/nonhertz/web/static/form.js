@@ -8,7 +8,7 @@ import { byId } from "./elements.js";
 import { choicesOf, legible, placeOf, rangeFor, said, shownIn, textAt, textOf, valueIn, writtenIn } from "./fields.js";
 import { columns, split } from "./numbers.js";
 import { outer, pathOf, valueAt, withValue } from "./paths.js";
-import { html, render, useRef } from "./preact.js";
+import { html, render, useRef, useState } from "./preact.js";
 import { bodyNamed } from "./profiles.js";
 import { Schema } from "./schema.js";
 import { unitsCode } from "./units.js";
@@ -172,15 +172,23 @@ export class Form {
 
 /** @param {{form: Form, document: any}} props */
 function Whole({ form, document }) {
-  form.optional.clear();
   return html`<${Members} ...${{ form, table: form.schema.whole, value: document, place: [] }} />`;
+}
+
+/** A table as it was drawn before, if neither it nor the geometry is another: a drag changes one value. */
+function Members(props) {
+  const before = useRef(/** @type {any} */ ({}));
+  const { value, table, form } = props;
+  const of = [value, table, form.state, form.document.bearing?.kind];
+  if (of.some((each, at) => each !== before.current.of?.[at])) before.current = { of, shown: members(props) };
+  return before.current.shown;
 }
 
 /**
  * A table: its kind, its keys, those that most files leave out below headings, and what is unknown as JSON.
  * @param {{form: Form, table: any, value: any, place: Place, others?: any[]}} props `others` may stand in its place
  */
-function Members({ form, table, value, place, others = [] }) {
+function members({ form, table, value, place, others = [] }) {
   const { schema } = form;
   const keys = schema.keys(table, value);
   const hidden = hiddenBeside(form, table, value, place);
@@ -484,6 +492,7 @@ function Text({ form, place, kind, value, base = "", words = [], usual, range, l
   const draft = useRef(null);
   const chosen = useRef(undefined); // unit
   const last = useRef(0); // position of the slider
+  const [, redraw] = useState(0);
   const [path, id] = [pathOf(place), idOf(pathOf(place))];
   const name = String(place.findLast((each) => typeof each === "string"));
   const numeric = NUMERIC.includes(kind);
@@ -503,13 +512,13 @@ function Text({ form, place, kind, value, base = "", words = [], usual, range, l
     draft.current = null;
     const unit = numeric && typeof value === "string" && split(value)?.unit;
     if (unit && unit in sizes) chosen.current = unit; // that was written with the number
-    form.draw();
+    redraw((count) => count + 1);
   };
   const convert = ({ target, timeStamp }) => {
     draft.current = null;
     chosen.current = target.value;
     if (Number.isFinite(number)) form.edit(path, writtenIn(number, target.value, base), timeStamp);
-    else form.draw();
+    redraw((count) => count + 1);
   };
   const isWord = kind === "integer-or-word" && typeof value === "string" && Number.isNaN(number);
   const span = numeric && range && !isWord ? rangeFor(range, base, number) : null;

@@ -30,22 +30,23 @@ export function valueAt(document, path) {
  * @param {any} value
  */
 export function withValue(document, path, value) {
-  const changed = structuredClone(document);
-  const keys = parts(path);
-  const last = keys.pop();
-  if (last === undefined) return changed;
-  let table = changed;
-  for (const [position, key] of keys.entries()) {
-    if (typeof table[key] !== "object" || table[key] === null) {
-      if (value === undefined) return changed;
-      table[key] = typeof (keys[position + 1] ?? last) === "number" ? [] : {};
-    }
-    table = table[key];
+  return changed(document, parts(path), value);
+}
+
+/** A copy of a table with a value at keys; what is not on the way is shared. @param {any} table */
+function changed(table, [key, ...rest], value) {
+  if (key === undefined) return table;
+  const copy = Array.isArray(table) ? [...table] : { ...table };
+  let inner = value;
+  if (rest.length) {
+    const isTable = typeof copy[key] === "object" && copy[key] !== null;
+    if (!isTable && value === undefined) return table;
+    inner = changed(isTable ? copy[key] : typeof rest[0] === "number" ? [] : {}, rest, value);
   }
-  if (value !== undefined) table[last] = value;
-  else if (Array.isArray(table)) table.splice(Number(last), 1);
-  else delete table[last];
-  return changed;
+  if (inner !== undefined) copy[key] = inner;
+  else if (Array.isArray(copy)) copy.splice(Number(key), 1);
+  else delete copy[key];
+  return copy;
 }
 
 /**

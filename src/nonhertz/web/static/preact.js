@@ -1,3 +1,3 @@
 // The library that the form is drawn with, in one place.
 
-export { html, render, useRef } from "./vendor/preact-htm.js";
+export { html, render, useRef, useState } from "./vendor/preact-htm.js";
