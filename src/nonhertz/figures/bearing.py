@@ -89,7 +89,7 @@ def _unrolled(solution: BearingSolution, ring: str, row: int, points: int, middl
         heading,
         Axis("y", "y", "mm", range=(-half, half)),
         [
-            Span(float(edges[0]), float(edges[-1]), colour="faint"),
+            Span(middle - 180.0, middle + 180.0, colour="faint"),
             Cells(edges, between, np.where(pressure > 0.0, pressure, np.nan)),
             *(Across(edge, colour="paper") for edge in edges[1:-1].tolist()),
             *marks,

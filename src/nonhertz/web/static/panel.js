@@ -63,7 +63,7 @@ const MARKS = {
     const [along, up] = [middle(x, 0), middle(y, 1)];
     const title = (_, k) => words(along[k], up[k], values[places[k][0]][places[k][1]]);
     const tip = Plot.pointer({ x: along, y: up, title, maxRadius: 60, ariaHidden: true, fill: "var(--surface)", stroke: "var(--rule)" });
-    return [Plot.rect(places, { ...corners, fill, inset: -0.5 }), Plot.tip(places, tip)];
+    return [Plot.rect(places, { ...corners, fill, inset: -0.5, clip: true }), Plot.tip(places, tip)];
   },
   contours: ({ x, y, values }, _, { colours, net }) => {
     const { even, ...corners } = resampled(x, y, values, net);
