@@ -49,21 +49,21 @@ def _tables(table: Table, place: Schema, definitions: Schema, seen: set[str]) ->
     """Yield the table of a file and all within, with the schema of each."""
     yield table, place
     for name, key in table.keys.items():
-        inner = {one.get("title"): one for one in _objects(place["properties"][name])}
+        inner = list(_objects(place["properties"][name]))
         for each in key.tables:
             if each.name and each.name not in seen:
                 seen.add(each.name)
                 yield from _tables(each, definitions[each.name], definitions, seen)
-            if not each.name and each.word in inner:
-                yield each, inner[each.word]
+            if not each.name:
+                yield from ((each, one) for one in inner if one.get("title") == each.word)
 
 
 def _objects(place: Schema) -> Iterator[Schema]:
-    """Yield the schemas of tables that may stand in a place, but for references."""
+    """Yield the schemas of tables that may stand in a place, alone or in a list, but for references."""
     if "properties" in place:
         yield place
         return
-    for one in place.get("anyOf", ()):
+    for one in (*place.get("anyOf", ()), *([place["items"]] if "items" in place else ())):
         yield from _objects(one)
 
 
