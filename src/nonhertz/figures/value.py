@@ -290,8 +290,12 @@ class Figure:
 
 
 def _plain(value: Any) -> Any:
-    if isinstance(value, np.ndarray | tuple | list):
-        return [_plain(entry) for entry in (_short(value).tolist() if isinstance(value, np.ndarray) else value)]
+    if isinstance(value, np.ndarray):
+        value = _short(value)
+        # Entry by entry only where there is something to replace: a drag waits for it.
+        return value.tolist() if np.isfinite(value).all() else [_plain(entry) for entry in value.tolist()]
+    if isinstance(value, tuple | list):
+        return [_plain(entry) for entry in value]
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if not isinstance(value, Figure | Panel | Axis | Mark):
