@@ -230,7 +230,7 @@ def assert_answered(found):
     assert found["ok"] or found["mistakes"]
     assert not found.get("internal")
     for mistake in found.get("mistakes", ()):
-        assert mistake["sentence"].endswith(".")
+        assert mistake["sentence"].endswith((".", "?"))
         assert len(mistake["sentence"].splitlines()) == 1
 
 

@@ -257,7 +257,7 @@ def _centres(solution):
 def sentence_faults(error, case):
     """Faults of the sentence that a case ends in: more than one line, or about what nobody gave."""
     said, faults = str(error), []
-    if "\n" in said or not said.strip().endswith(".") or len(said) > 600:
+    if "\n" in said or not said.strip().endswith((".", "?")) or len(said) > 600:
         faults.append(("not one sentence", said[:200]))
     if type(error).__name__ == "ConvergenceError":
         solution = error.solution
