@@ -135,12 +135,6 @@ export function axis(label, unit, domain) {
   return { ...scaled(unit, domain), label: title, labelAnchor: "center", labelArrow: "none", tickFormat: PLAIN };
 }
 
-/** Thin lines where the bodies end, if they do. @param {import("./types.js").Answer} answer */
-export function ends({ interval }) {
-  const places = interval.filter((place) => place !== null);
-  return Plot.ruleX(places, { stroke: FAINT, strokeDasharray: "7 2 1.5 2", strokeWidth: 0.8 });
-}
-
 /** A line through points. @param {(number|null)[]} x @param {(number|null)[]} y @param {object} options */
 export function line(x, y, options) {
   return Plot.line(x, { x, y, strokeWidth: 1.6, ...options });

@@ -121,10 +121,9 @@ function gradient(id, x, values, { range }) {
  * @returns {import("./tilt.js").Axes[]} where places are in the drawings
  */
 export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE } = {}) {
-  return drawn.panels.map((panel, place) => {
-    const labelled = panel.name === last || drawn.panels.length === 1 && panel.marks.some(({ kind }) => kind === "contours");
-    return drawPanel(panel, drawn.along, pinned?.panels[place], limits, labelled, net);
-  });
+  return drawn.panels.map((panel, place) =>
+    drawPanel(panel, drawn.along, pinned?.panels[place], limits, panel.name === last, net),
+  );
 }
 
 /**
@@ -156,14 +155,14 @@ function drawPanel(panel, along, pinned, limits, labelled, net) {
   const key = lines.filter(({ name }) => name).map(({ name, colour = "first", dash = "solid" }) => [`${colour} ${dash}`, name]);
   const hasContours = panel.marks.some(({ kind }) => kind === "contours");
   const shades = colours && !hasContours ? [["gradient", `dark to bright: ${colours.symbol} 0 to ${value(colours, colours.range[1])}`]] : [];
-  const { height, proportions } = sizeOf(host, panel, along);
+  const margins = { ...MARGINS, ...(labelled ? { marginBottom: NAMED } : {}) };
+  const { height, proportions } = sizeOf(host, panel, along, margins);
   const remark = [proportions, panel.remark].filter((words) => words).join("; ");
   head(host, panel.heading, [...key, ...shades, ...pinnedKey(pinned ?? null)], remark);
   const chart = draw(
     host,
     {
-      ...MARGINS,
-      ...(labelled ? { marginBottom: NAMED } : {}),
+      ...margins,
       height,
       x: { ...scale(along), label: labelled ? along.title : null },
       ...(colours ? { color: { ...shading(colours), legend: hasContours } } : {}),
@@ -187,8 +186,8 @@ function drawPanel(panel, along, pinned, limits, labelled, net) {
   return { x: place("x", along), y: place("y", upright), height, limits: upright.range };
 }
 
-/** The height of a panel in pixels, and its proportions in words if these matter. @param {HTMLElement} host @param {Panel} panel @param {Axis} along */
-function sizeOf(host, { upright, proportional, height = HEIGHT }, along) {
+/** The height of a panel in pixels, and its proportions in words if these matter. @param {HTMLElement} host @param {Panel} panel @param {Axis} along @param {typeof MARGINS} margins */
+function sizeOf(host, { upright, proportional, height = HEIGHT }, along, { marginTop, marginBottom }) {
   if (!proportional) return { height, proportions: "" };
   const natural = (innerWidthOf(host) * lengthOf(upright)) / lengthOf(along); // pixels in true proportions
   const drawn = Math.min(HIGHEST, Math.max(height, natural));
@@ -196,7 +195,7 @@ function sizeOf(host, { upright, proportional, height = HEIGHT }, along) {
   const stretched = (symbol, times) => `${symbol} stretched ${digits(times, 2)} times`;
   const slightly = Math.abs(stretch - 1) <= 0.02;
   const words = stretch > 1 ? stretched(upright.symbol, stretch) : stretched(along.symbol, 1 / stretch);
-  return { height: drawn + MARGINS.marginTop + MARGINS.marginBottom, proportions: slightly ? "true proportions" : words };
+  return { height: drawn + marginTop + marginBottom, proportions: slightly ? "true proportions" : words };
 }
 
 /** @param {Axis} axis */

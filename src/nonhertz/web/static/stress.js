@@ -17,6 +17,6 @@ export function drawStress({ planes, key }, unit, fine) {
   for (const plane of [planes.axial, planes.section]) {
     const [panel] = plane.panels;
     const colours = unit === "p0" ? { ...panel.colours, ...share } : panel.colours;
-    drawPanels({ ...plane, panels: [{ ...panel, colours }] }, undefined, { net: fine ? FINE : QUICK });
+    drawPanels({ ...plane, panels: [{ ...panel, colours }] }, undefined, { last: panel.name, net: fine ? FINE : QUICK });
   }
 }
