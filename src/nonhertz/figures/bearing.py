@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.solution import BearingSolution, UnrolledPressure
 from nonhertz.figures.value import Across, Axis, Cells, Figure, Panel, Points, Span
 
 Array = NDArray[np.float64]
@@ -20,26 +20,20 @@ ON_A_GRID = 1.01
 """Over the largest pressure: interpolation on another grid than that of the strips is not beyond it, a sharp end is."""
 
 
-def pressure_map(solution: BearingSolution, *, row: int = 0, points: int = 401) -> Figure:
-    """Return the centre-line pressure between the rollers of a row and both rings, over angle and y.
-
-    Every roller is a cell of its angular pitch; nothing is interpolated between rollers. Grey is out of contact. The
-    loaded side is in the middle. Colours are the same for all rows and rings of a bearing, up to its maximum pressure;
-    the largest pressure of this row at each ring is marked.
+def pressure_maps(solution: BearingSolution, points: int = 401) -> list[Figure]:
+    """Return the pressure of all rollers at both rings, which `nonhertz.plot.bearing_pressure` draws, of every row.
 
     Parameters
     ----------
     solution : BearingSolution
         A loaded bearing, solved by strips.
-    row : int
-        Which row of rollers, from 0.
     points : int
         Places along the rollers.
 
     Raises
     ------
     InputError
-        If there is no such row, or the bearing was solved by slices.
+        If the bearing was solved by slices.
     """
     middle = _middle(solution)
     ticks = middle + np.linspace(-180.0, 180.0, round(360.0 / STEP) + 1)
@@ -51,20 +45,19 @@ def pressure_map(solution: BearingSolution, *, row: int = 0, points: int = 401) 
         ticks=tuple((tick, f"{tick % 360.0:g}°") for tick in ticks.tolist()),
     )
     limit = float(solution.max_pressure.max()) or 1.0
-    largest = max(
-        float(solution.unrolled_pressure(ring, row=each).pressure.max())
-        for each in range(len(solution.bearing.rows))
-        for ring in RINGS
-    )
+    rows = [[_unrolled(solution, ring, row, points) for ring in RINGS] for row in range(len(solution.bearing.rows))]
+    largest = max(float(unrolled.pressure.max()) for both in rows for unrolled in both)
     colours = Axis("Centre-line pressure p₀", "p₀", "MPa", range=(0.0, limit), cut=largest > ON_A_GRID * limit)
-    panels = tuple(_unrolled(solution, ring, row, points, middle, colours) for ring in RINGS)
-    return Figure(turn, panels)
+    return [Figure(turn, [_panel(solution, unrolled, middle, colours) for unrolled in both]) for both in rows]
 
 
-def _unrolled(solution: BearingSolution, ring: str, row: int, points: int, middle: float, colours: Axis) -> Panel:
+def _unrolled(solution: BearingSolution, ring: str, row: int, points: int) -> UnrolledPressure:
     half = 0.5 * solution.bearing.rows[row].bearing.roller_length
-    places = half * np.linspace(-1.0, 1.0, points)
-    unrolled = solution.unrolled_pressure(ring, row=row, y=places)
+    return solution.unrolled_pressure(ring, row=row, y=half * np.linspace(-1.0, 1.0, points))
+
+
+def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float, colours: Axis) -> Panel:
+    ring, row, places = unrolled.ring, unrolled.row, unrolled.y
     pitch = 360.0 / unrolled.angle.size
     turned = _around(np.degrees(unrolled.angle), middle)
     order = np.argsort(turned)
@@ -78,7 +71,8 @@ def _unrolled(solution: BearingSolution, ring: str, row: int, points: int, middl
         heading += f", row {row + 1}"
     words, marks = "no roller loaded", []
     these = solution.rollers_of(row)
-    largest, of_ring = solution.max_pressure[these, RINGS.index(ring)], RINGS.index(ring)
+    of_ring = RINGS.index(ring)
+    largest = solution.max_pressure[these, of_ring]
     most = int(largest.argmax())
     if largest[most] > 0.0:
         y, angle = float(solution.max_pressure_y[these, of_ring][most]), np.degrees(unrolled.angle[most : most + 1])
@@ -87,7 +81,7 @@ def _unrolled(solution: BearingSolution, ring: str, row: int, points: int, middl
     return Panel(
         f"map-{ring}",
         heading,
-        Axis("y", "y", "mm", range=(-half, half)),
+        Axis("y", "y", "mm", range=(float(places[0]), float(places[-1]))),
         [
             Span(middle - 180.0, middle + 180.0, colour="faint"),
             Cells(edges, between, np.where(pressure > 0.0, pressure, np.nan)),

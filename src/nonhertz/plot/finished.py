@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 from nonhertz.amounts import mrad, newton
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
-from nonhertz.figures.bearing import pressure_map
+from nonhertz.figures.bearing import pressure_maps
 from nonhertz.figures.contact import figures_of
 from nonhertz.figures.displacement import directions
 from nonhertz.inputs.checks import one_of
@@ -148,8 +148,7 @@ def _loads(solution: BearingSolution, title: str, words: Sequence[str]) -> Figur
 
 
 def _pressure(solution: BearingSolution, title: str, words: Sequence[str]) -> Figure:
-    figures = [pressure_map(solution, row=row) for row in range(len(solution.bearing.rows))]
-    panels = [(figure, ring) for figure in figures for ring in figure.panels]
+    panels = [(figure, ring) for figure in pressure_maps(solution) for ring in figure.panels]
     heads, heights = [PANEL_HEAD] * len(panels), [PANEL] * len(panels)
     sheet, every = stacked(heads, heights, title, words, right=BAR_ROOM, words=MARGIN)
     for (figure, ring), axes in zip(panels, every, strict=True):

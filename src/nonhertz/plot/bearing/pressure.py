@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from nonhertz.bearing import BearingSolution
 from nonhertz.bearing.section import RINGS
-from nonhertz.figures.bearing import pressure_map
+from nonhertz.figures.bearing import pressure_maps
 from nonhertz.figures.value import Figure, Panel
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import OWN, Axes, drawing
@@ -39,7 +39,8 @@ def bearing_pressure(
         If there is no such ring or row, or the bearing was solved by slices.
     """
     one_of("ring", ring, RINGS, "name one of both")
-    figure = pressure_map(solution, row=row)
+    solution.rollers_of(row)  # refuses a row that is not there
+    figure = pressure_maps(solution)[row]
     panel = figure.panels[RINGS.index(ring)]
     draw_titled(panel, figure, ax)
     if colour_bar:

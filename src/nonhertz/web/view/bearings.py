@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
-from nonhertz.figures.bearing import pressure_map
+from nonhertz.figures.bearing import pressure_maps
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
@@ -128,8 +128,7 @@ def _maps(solution: BearingSolution) -> list[dict[str, Any]]:
     """Return for every row the pressure of all rollers; nothing by slices, which have none, or without load."""
     if solution.method == "slices" or not solution.load.any():
         return []
-    rows = range(len(solution.bearing.rows))
-    return [pressure_map(solution, row=row, points=MAP_POINTS).to_json() for row in rows]
+    return [figure.to_json() for figure in pressure_maps(solution, MAP_POINTS)]
 
 
 def _by_slices(solution: BearingSolution, laminae: int) -> list[list[dict[str, Any] | None]]:
