@@ -104,18 +104,7 @@ def pressure(solution: Solution) -> Figure:
 
 
 def footprint(solution: Solution) -> Figure:
-    """Return the contact area, y to the right and x upwards, coloured by its pressure.
-
-    The outline is the half-width at the strips' centres. In x the pressure is the strip element's own,
-    ``p0 sqrt(1 - x^2/b^2)`` for the semi-elliptic one. The parabolic one, ``p(0) (1 - x^2/c^2)``, is wider than the
-    Hertz contact of equal load: the area is its own and the dotted line is the half-width b. Where the pressure has no
-    limit at an end, the strips there have the last colour.
-
-    Parameters
-    ----------
-    solution : Solution
-        A solved contact.
-    """
+    """Return the contact area as `nonhertz.plot.footprint` draws it."""
     pieces, limit = outlines(solution), element_peak(solution)
     parabolic = solution.element.name == PARABOLIC.name
     marks: list[Mark] = [Level(0.0, colour="faint", dash="ends"), *_ends_of_bodies(solution, named=False)]

@@ -28,26 +28,7 @@ ROOM = 1.08  # upper end of the axis over the largest displacement
 
 
 def displacement_against_load(solution: BearingSolution, maps: BearingMaps | None = None) -> Figure:
-    """Return the displacement of the inner ring under up to 1.5 times its forces.
-
-    All forces grow in proportion; the ring's rotation and speed stay as they are. Radial displacement is that in
-    the direction of the radial force. The curve goes through the state itself and six others, marked by dots, with the
-    slopes that their exact stiffness gives; they are solved as the state was, or by maps. States that have no solution
-    are left out. The state itself is marked as it was solved, with its tangent.
-
-    Parameters
-    ----------
-    solution : BearingSolution
-        A loaded bearing.
-    maps : BearingMaps, optional
-        Of this bearing, from `nonhertz.bearing.maps`, up to 1.5 times the loads. With them the six states take
-        milliseconds; by strips they take about a second.
-
-    Raises
-    ------
-    InputError
-        If no force acts on the ring, or the maps are not for these states.
-    """
+    """Return what `nonhertz.plot.displacement_against_load` draws."""
     from scipy.interpolate import CubicHermiteSpline
 
     ways = directions(solution)

@@ -30,22 +30,10 @@ ABOVE = 1.01
 def along_contact(
     solution: Solution, field: Field, largest: Mapping[str, Extreme], station: float | None = None
 ) -> Figure:
-    """Return the von Mises stress in a plane along the contact, y to the right and z downwards.
+    """Return what `nonhertz.plot.axial_stress` draws.
 
-    The largest stresses are marked; one that lies off the plane is projected onto it, as its words say. The thick line
-    on the surface is the contact. Where a sharp end makes the stress singular it has the last colour, which is that of
-    the largest stress away from there.
-
-    Parameters
-    ----------
-    solution : Solution
-        A solved contact.
-    field : Field, shape (m, n)
-        What `nonhertz.subsurface.axial_plane` returned.
-    largest : mapping of str to Extreme
-        Largest stresses to mark, by their names in `nonhertz.subsurface.Extremes`; that of von Mises among them.
-    station : float, optional
-        Where a cross-section lies along y [mm], drawn as a thin line.
+    Of largest stresses those are marked that are named as in `nonhertz.subsurface.Extremes`; that of von Mises must be
+    among them.
     """
     span = _with_room(solution, field)
     ends = {end: name for end, name in body_ends(solution) if span[0] < end < span[1]}
@@ -72,19 +60,7 @@ def along_contact(
 
 
 def across_contact(solution: Solution, field: Field, largest: Mapping[str, Extreme]) -> Figure:
-    """Return the von Mises stress in a cross-section, x to the right and z downwards.
-
-    The largest stresses in it are marked, on either side of the middle. The thick line on the surface is the contact.
-
-    Parameters
-    ----------
-    solution : Solution
-        A solved contact.
-    field : Field, shape (m, n)
-        What `nonhertz.subsurface.cross_section` returned.
-    largest : mapping of str to Extreme
-        Largest stresses to mark, as for `along_contact`.
-    """
+    """Return what `nonhertz.plot.section_stress` draws, with largest stresses as for `along_contact`."""
     x, y = field.x[:, 0], float(field.y[0, 0])
     middle, half_width = (float(number) for number in across_at(solution, np.asarray(y)))
     marks = [

@@ -126,10 +126,10 @@ def _sent(y: Array, relief: Array) -> dict[str, Any]:
 
 def _range_of(relief: Array) -> list[float]:
     """Return the range in which the relief of a land is drawn: corners would flatten it, and a logarithm has no end."""
-    values = np.sort(relief[np.isfinite(relief)])
+    values = relief[np.isfinite(relief)]
     if not values.size:
         return [0.0, 1.0]
-    low, inner, high = float(values[0]), float(np.quantile(values, INNER)), float(values[-1])
+    low, inner, high = np.quantile(values, (0.0, INNER, 1.0)).tolist()
     top = 2.0 * inner if high > STEEP * inner > 0.0 else high
     room = ROOM * (top - low) or 1.0
     return [low - room, top + room]
