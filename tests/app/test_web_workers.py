@@ -120,27 +120,19 @@ def test_a_job_that_fails_is_told_and_its_process_goes_on():
 
 
 @pytest.mark.slow
-def test_a_long_job_has_a_process_of_its_own_and_the_next_is_refused():
+def test_a_long_job_has_a_process_of_its_own_and_the_next_waits_for_its_end():
     async def use(workers):
         outcomes = []
 
         async def ask():
-            try:
-                outcomes.append(await workers.run_apart(own_number, seconds=PATIENT))
-            except HTTPException as refusal:
-                outcomes.append(refusal.status_code)
+            outcomes.append(await workers.run_apart(own_number, seconds=PATIENT))
 
         async with anyio.create_task_group() as tasks:
             tasks.start_soon(ask)
             tasks.start_soon(ask)
-        live = await workers.run(own_number, seconds=PATIENT)
-        again = await workers.run_apart(doubled, 21, seconds=PATIENT)
-        return outcomes, live, again
+        return [await workers.run(own_number, seconds=PATIENT), os.getpid(), *outcomes]
 
-    outcomes, live, again = with_workers(1, use)
-    assert outcomes[0] == 503
-    assert outcomes[1] not in {live, os.getpid()}
-    assert again == 42
+    assert len(set(with_workers(1, use))) == 4
 
 
 @posix

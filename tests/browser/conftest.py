@@ -120,7 +120,7 @@ def desks(browser: Any, usual: Any, address: str) -> Iterator[Any]:
         page = context.new_page()
         desk = Desk(page, SCREENSHOTS)
         complain = desk.complaints.append
-        page.on("console", lambda message: complain(message.text) if is_complaint(message) else None)
+        page.on("console", lambda message: complain(message.text) if message.type == "error" else None)
         page.on("pageerror", lambda error: complain(str(error)))
         page.on("request", lambda request: complain(request.url) if is_foreign(request.url, address) else None)
         opened.append((context, desk))
@@ -140,11 +140,6 @@ def desks(browser: Any, usual: Any, address: str) -> Iterator[Any]:
 @pytest.fixture
 def desk(open_desk):
     return open_desk()
-
-
-def is_complaint(message: Any) -> bool:
-    # A busy server says so, and the page asks again; the browser writes down that it did.
-    return message.type == "error" and "503 (Service Unavailable)" not in message.text
 
 
 def is_foreign(url: str, address: str) -> bool:

@@ -58,3 +58,17 @@ def test_values_without_a_solution_are_told(desk):
     desk.page.wait_for_timeout(100)
     drawn(desk)
     assert "have no solution" in desk.page.locator("#curve-note").inner_text()
+
+
+def test_curves_that_are_superseded_keep_no_answer_waiting(desk):
+    """Whoever answers is busy with points of curves that nobody waits for any more."""
+    statuses = []
+    desk.page.on("response", lambda response: statuses.append(response.status))
+    desk.page.locator("#curve-on").check()
+    desk.page.locator("#curve-path").select_option("load.tilt")
+    desk.page.locator('#case summary:text-is("Solution")').click()
+    desk.write("solver.strips", "300")
+    for load in range(21, 27):
+        desk.write("load.load", f"{load} kN")
+    desk.settle(within=120.0)
+    assert set(statuses) == {200}

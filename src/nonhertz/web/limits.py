@@ -42,8 +42,9 @@ HEAD_SECONDS: Final = 20.0
 BODY_SECONDS: Final = 10.0
 REPORT_SECONDS: Final = 120.0
 """Time limit of a report or a picture, which has a process of its own."""
-WAITING_SECONDS: Final = 0.5
+WAITING_SECONDS: Final = 60.0
 WAITING_REQUESTS: Final = 8
+"""How long, and how many of them, requests wait for a process."""
 
 _MOST_BITS: Final = 1023
 _ELSEWHERE = "use the command line for more"

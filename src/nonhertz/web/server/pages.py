@@ -68,7 +68,7 @@ class Page:
         self.quick = Workers(workers, kind.quick)
         # Where strips are waited for at every rest of a slider, the process is ready for them; else it is started late.
         ready = kind.patient is kind.quick
-        self.patient = Workers(min(workers, 1) if ready else 1, kind.patient, waiting=ANSWER_SECONDS, eager=ready)
+        self.patient = Workers(min(workers, 1) if ready else 1, kind.patient, eager=ready)
         self.processes = (self.quick, self.patient)
 
     def start(self, tasks: TaskGroup, *, at_once: bool) -> None:

@@ -13,7 +13,7 @@ import multiprocessing
 import pickle
 import signal
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from multiprocessing.connection import Connection
 from typing import Any, Final
 
@@ -116,17 +116,12 @@ class Workers:
         Number of processes for short jobs.
     warm_up : callable or None
         What each does before it is used.
-    waiting : float
-        How long a job waits for an idle process [s].
     eager : bool
         Whether a process that was killed is replaced at once, or only for the next job.
     """
 
-    def __init__(
-        self, count: int = 2, warm_up: Job | None = None, waiting: float = WAITING_SECONDS, *, eager: bool = True
-    ) -> None:
+    def __init__(self, count: int = 2, warm_up: Job | None = None, *, eager: bool = True) -> None:
         self.ready = anyio.Event()
-        self._patience = waiting
         self._missing, self._warm_up, self.eager = count, warm_up, eager
         self._idle: asyncio.Queue[Worker] = asyncio.Queue()
         self._limiter = anyio.CapacityLimiter(2 * count + 1)
@@ -175,34 +170,42 @@ class Workers:
         return value
 
     async def run_apart(self, job: Job, *arguments: Any, seconds: float) -> Any:
-        """Return what a long job returns, run in a process started for it; raise as `run` does."""
-        if self._apart.locked():
-            raise HTTPException(503, "Another report or picture is being made: try again when it is done.")
-        async with self._apart:
+        """Return what a long job returns, run in a process started for it, one after the other; raise as `run` does."""
+        with self._queued():
+            await self._apart.acquire()
+        worker: Worker | None = None
+        try:
             worker = await self._in_thread(Worker)
             self._living.add(worker)
-            try:
-                return await self._in_thread(worker.do, job, arguments, seconds)
-            finally:
+            return await self._in_thread(worker.do, job, arguments, seconds)
+        finally:
+            if worker is not None:
                 self._end(worker)
+            self._apart.release()
 
     async def _free(self) -> Worker:
         """Return an idle process."""
         self.wake()
+        with self._queued():
+            while True:
+                worker = await self._idle.get()
+                if worker.alive:
+                    return worker
+                self._replace(worker)  # killed from outside while idle
+                self.wake()
+
+    @contextlib.contextmanager
+    def _queued(self) -> Iterator[None]:
+        """Let a job wait for a process, unless too many do.
+
+        A refusal would be no quicker for whoever waits, and a browser writes each into its console.
+        """
         if self._waiting >= WAITING_REQUESTS:
             raise HTTPException(503, _BUSY)
         self._waiting += 1
         try:
-            if not self.ready.is_set():
-                with anyio.fail_after(WARM_UP_SECONDS):
-                    await self.ready.wait()
-            with anyio.fail_after(self._patience):
-                while True:
-                    worker = await self._idle.get()
-                    if worker.alive:
-                        return worker
-                    self._replace(worker)  # killed from outside while idle
-                    self.wake()
+            with anyio.fail_after(WAITING_SECONDS):
+                yield
         except TimeoutError:
             raise HTTPException(503, _BUSY) from None
         finally:
