@@ -6,6 +6,7 @@
 
 import { byId } from "./elements.js";
 import { choicesOf, legible, placeOf, rangeFor, said, shownIn, textAt, textOf, valueIn, writtenIn } from "./fields.js";
+import { marked, whenMarked } from "./mistakes.js";
 import { columns, split } from "./numbers.js";
 import { outer, pathOf, valueAt, withValue } from "./paths.js";
 import { html, render, useRef, useState } from "./preact.js";
@@ -51,6 +52,7 @@ export class Form {
     this.host = /** @type {HTMLFormElement} */ (byId("case"));
     this.host.addEventListener("submit", (event) => event.preventDefault());
     this.host.addEventListener("paste", (event) => this.paste(event));
+    whenMarked(() => this.draw());
     this.draw();
     this.page.drawn();
   }
@@ -175,11 +177,11 @@ function Whole({ form, document }) {
   return html`<${Members} ...${{ form, table: form.schema.whole, value: document, place: [] }} />`;
 }
 
-/** A table as it was drawn before, if neither it nor the geometry is another: a drag changes one value. */
+/** A table as it was drawn before, if neither it nor geometry or mistakes are others: a drag changes one value. */
 function Members(props) {
   const before = useRef(/** @type {any} */ ({}));
   const { value, table, form } = props;
-  const of = [value, table, form.state, form.document.bearing?.kind];
+  const of = [value, table, form.state, form.document.bearing?.kind, marked];
   if (of.some((each, at) => each !== before.current.of?.[at])) before.current = { of, shown: members(props) };
   return before.current.shown;
 }
@@ -438,24 +440,30 @@ function Group({ place, label = labelOf(place), help, before, quiet, children })
   return html`<fieldset data-group=${path}>
     <legend class=${quiet ? "unseen" : ""}>${label}</legend>${before}
     ${help && html`<p class="help">${help}</p>`}
-    <p class="mistake" data-mistake-for=${path} role="alert" hidden></p>${children}</fieldset>`;
+    <${Sentence} of="${path}/" />${children}</fieldset>`;
 }
 
 /** The row of a field: its label, which may be a choice between keys or shapes, and what is in it. */
 function Row({ form, place, label = labelOf(place), swap = [], help = "", removable, style = "", children }) {
   const [path, id] = [pathOf(place), idOf(pathOf(place))];
   const words = `which of: ${swap.map((each) => each.label).join("; ")}`;
-  return html`<div class="field ${style}" data-path=${path}>
+  return html`<div class="field ${style} ${marked.has(path) ? "wrong" : ""}" data-path=${path}>
     ${swap.length > 0 && html`<${Swap} ...${{ form, options: swap }} aria-label=${words} />`}
     <label class=${swap.length ? "unseen" : ""} for=${id}>${label}</label>${children}
     ${removable && html`<${Remove} ...${{ form, place, label: path }} />`}
-    <p class="help" id="${id}-help">${help}</p><p class="mistake" id="${id}-mistake" role="alert" hidden></p></div>`;
+    <p class="help" id="${id}-help">${help}</p><${Sentence} of=${path} id="${id}-mistake" /></div>`;
+}
+
+/** What is wrong with a field, or with a group as a whole. */
+function Sentence({ of, id }) {
+  return html`<p class="mistake" id=${id} role="alert" hidden=${!marked.has(of)}>${marked.get(of)}</p>`;
 }
 
 /** The attributes of the control of a field. @param {Place} place */
 function control(place) {
   const [path, id] = [pathOf(place), idOf(pathOf(place))];
-  return { id, name: path, "aria-describedby": `${id}-help ${id}-mistake` };
+  const wrong = marked.has(path) ? "true" : undefined;
+  return { id, name: path, "aria-invalid": wrong, "aria-describedby": `${id}-help ${id}-mistake` };
 }
 
 /** What does not fit its place, such as an unknown key: it can be edited or removed. */

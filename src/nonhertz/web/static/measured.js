@@ -2,18 +2,44 @@
 //
 // The bytes are kept here. Every switch sends them again with other options, so every step can be undone.
 
+import { FIRST, PINNED, axis, draw, extent, line } from "./chart.js";
 import { byId } from "./elements.js";
 import { AWAY, send } from "./live.js";
-import { options, outcome, picker } from "./preparation.js";
+import { html, render, useRef } from "./preact.js";
 import { bodyNamed } from "./profiles.js";
-import { drawSteps } from "./steps.js";
+import { named } from "./units.js";
 
 /** @typedef {{name: string, bytes: ArrayBuffer, options: Record<string, string>, answer: any}} Upload */
+/** @typedef {{y: number[], height_um: number[]}} Heights */
+/** @typedef {{name: string, sentence: string, before: Heights, after: Heights, floor_um: number}} Step */
+
+/** Steps: name, the option that switches it, and what it does. */
+const STEPS = [
+  ["level", "level", "remove the tilt"],
+  ["align", "align", "put the middle at y = 0"],
+  ["trim", "trim", "cut off what is neither land nor corner"],
+  ["outliers", "outliers", "remove outliers"],
+  ["smooth", "smooth", "smooth, which removes roughness"],
+  ["thin", "points", "thin to fewer points"],
+];
+const AS_SAID = ["", "as the file says"];
+/** @type {[string, string, string[][]][]} the option, its words, and its values with theirs */
+const CHOICES = [
+  ["height_unit", "heights in", [AS_SAID, ["um", "µm"], ["mm", "mm"], ["nm", "nm"], ["m", "m"], ["in", "in"]]],
+  ["position_unit", "positions in", [AS_SAID, ["mm", "mm"], ["um", "µm"], ["m", "m"], ["in", "in"]]],
+  ["corner", "corners", [["", "keep"], ["cut", "cut off"]]],
+  ["sense", "positive is", [["", "material (height)"], ["drop", "material removed (drop)"]]],
+  ["cutoff", "cutoff", [["", "0.8 mm"], ["0.25", "0.25 mm"], ["2.5", "2.5 mm"], ["8", "8 mm"]]],
+];
+/** What is typed: the option, its words, and what an empty field shows. */
+const TYPED = [
+  ["step", "points apart", "such as 0.5 um"],
+  ["position_column", "column of positions", "number or name"],
+  ["height_column", "column of heights", "number or name"],
+];
 
 export class Measured {
-  /**
-   * @param {{most: number, use: (body: string, table: object) => void}} given
-   */
+  /** @param {{most: number, use: (body: string, table: object) => void}} page */
   constructor({ most, use }) {
     this.most = most;
     this.use = use;
@@ -22,8 +48,6 @@ export class Measured {
     this.body = "";
     this.asked = 0;
     this.dialog = /** @type {HTMLDialogElement} */ (byId("measured"));
-    this.content = byId("measured-body");
-    byId("measured-close").addEventListener("click", () => this.dialog.close());
     this.dialog.addEventListener("dragover", (event) => event.preventDefault());
     this.dialog.addEventListener("drop", (event) => this.dropped(event, this.body));
   }
@@ -31,9 +55,8 @@ export class Measured {
   /** Show the dialog for a body, with what was uploaded for it before. @param {string} body */
   open(body) {
     this.body = body;
-    byId("measured-title").textContent = `Measured profile for ${bodyNamed(body)}`;
-    this.show();
     if (!this.dialog.open) this.dialog.showModal();
+    this.draw();
   }
 
   /** @param {DragEvent} event @param {string} body */
@@ -47,36 +70,33 @@ export class Measured {
 
   /** @param {File} file */
   async take(file) {
-    const mistake = (sentence) => ({ ok: false, mistakes: [{ path: "upload", sentence }] });
     const fits = file.size <= this.most;
+    const sentence = `${file.name} must be a file of at most ${Math.floor(this.most / 1048576)} MB: prepare it with nonhertz profile.`;
     const upload = {
       name: file.name,
       bytes: fits ? await file.arrayBuffer() : new ArrayBuffer(0),
       options: {},
-      answer: fits
-        ? null
-        : mistake(`${file.name} must be a file of at most ${Math.floor(this.most / 1048576)} MB: prepare it with nonhertz profile.`),
+      answer: fits ? null : { ok: false, mistakes: [{ sentence }] },
     };
     this.uploads[this.body] = upload;
-    this.show();
+    this.draw();
     if (fits) await this.send(upload);
   }
 
   /** @param {Upload} upload */
   async send(upload) {
     const number = (this.asked += 1);
-    this.content.classList.add("stale");
+    this.draw(true);
     const query = new URLSearchParams({ name: upload.name, ...upload.options });
     let answer;
     try {
-      const response = await send(`upload?${query}`, "application/octet-stream", upload.bytes);
-      answer = await response.json();
+      answer = await (await send(`upload?${query}`, "application/octet-stream", upload.bytes)).json();
     } catch {
-      answer = { ok: false, mistakes: [{ path: "", sentence: AWAY }] };
+      answer = { ok: false, mistakes: [{ sentence: AWAY }] };
     }
     if (number !== this.asked) return; // superseded by a later request
     upload.answer = answer;
-    this.show();
+    this.draw();
   }
 
   /** @param {Upload} upload @param {string} option @param {string} value empty to leave it out */
@@ -86,18 +106,9 @@ export class Measured {
     void this.send(upload);
   }
 
-  show() {
-    const upload = this.uploads[this.body];
-    const focus = document.activeElement?.id ?? "";
-    this.content.classList.remove("stale");
-    const set = (option, value) => upload && this.set(upload, option, value);
-    const use = () => upload && this.useIt(upload);
-    this.content.replaceChildren(
-      picker(upload?.name, (file) => void this.take(file)),
-      ...(upload ? [options(upload, set), ...outcome(upload, bodyNamed(this.body), use)] : []),
-    );
-    if (upload?.answer?.ok) drawSteps(this.content.querySelector(".steps"), upload.answer.steps);
-    if (focus && this.dialog.open) document.getElementById(focus)?.focus();
+  /** @param {boolean} [stale] whether the answer is to other options */
+  draw(stale = false) {
+    render(html`<${Content} key=${this.body} measured=${this} upload=${this.uploads[this.body]} stale=${stale} />`, this.dialog);
   }
 
   /** @param {Upload} upload */
@@ -105,4 +116,99 @@ export class Measured {
     this.use(this.body, upload.answer.table);
     this.dialog.close();
   }
+}
+
+/** @param {{measured: Measured, upload: Upload | undefined, stale: boolean}} props */
+function Content({ measured, upload, stale }) {
+  const body = bodyNamed(measured.body);
+  const input = useRef(/** @type {any} */ (null));
+  return html`
+    <div class="measured-head">
+      <h2 id="measured-title">Measured profile for ${body}</h2>
+      <button type="button" onClick=${() => measured.dialog.close()}>Close</button></div>
+    <div class="measured-body ${stale ? "stale" : ""}">
+      <div class="picker">
+        <button type="button" onClick=${() => input.current.click()}>Choose ${upload ? "another" : "a"} file…</button>
+        <input type="file" id="measured-file" hidden aria-label="measured profile" ref=${input}
+          onChange=${({ target }) => target.files[0] && void measured.take(target.files[0])} />
+        ${upload && html`<b>${upload.name}</b>`}
+        <span class="hint">${
+          upload
+            ? "or drop one here"
+            : "with positions and heights, or drop it here. It goes to the program on this machine and nowhere else."
+        }</span></div>
+      ${upload && html`<${Options} ...${{ measured, upload }} /><${Outcome} ...${{ measured, upload, body }} />`}</div>`;
+}
+
+/** The switches of the steps, and how to read the file. */
+function Options({ measured, upload }) {
+  const of = (option) => upload.options[option] ?? "";
+  const take = (option) => ({ target }) => measured.set(upload, option, target.value.trim());
+  const turn = (option) => ({ target }) => measured.set(upload, option, target.checked ? "" : "false");
+  const switches = STEPS.map(
+    ([name, option, words]) => html`<label class="check">
+      <input type="checkbox" id="step-${name}" checked=${of(option) !== "false"} onChange=${turn(option)} /> ${words}</label>`,
+  );
+  const choices = CHOICES.map(
+    ([option, words, values]) => html`<label class="choice">${words}
+      <select value=${of(option)} onChange=${take(option)}>
+        ${values.map(([value, text]) => html`<option value=${value}>${text}</option>`)}</select></label>`,
+  );
+  const typed = TYPED.map(
+    ([option, words, placeholder]) => html`<label class="choice">${words}
+      <input type="text" value=${of(option)} placeholder=${placeholder} onChange=${take(option)} /></label>`,
+  );
+  return html`<div class="measured-options">
+    <fieldset><legend>Steps</legend>${switches}</fieldset>
+    <fieldset><legend>Reading</legend>${choices}${typed}</fieldset></div>`;
+}
+
+/** The result of preparing the file. */
+function Outcome({ measured, upload, body }) {
+  const { answer } = upload;
+  const list = (sentences) => sentences.map((words) => html`<li>${words}</li>`);
+  if (!answer) return html`<p class="hint" role="status">reading …</p>`;
+  if (!answer.ok)
+    return html`<ul class="mistakes-plain" role="alert">${list(answer.mistakes.map(({ sentence }) => sentence))}</ul>`;
+  return html`
+    ${answer.notes.map((words) => html`<p class="hint">${words}</p>`)}
+    ${answer.warnings.length > 0 && html`<ul class="warnings">${list(answer.warnings)}</ul>`}
+    <div class="steps">${answer.steps.map((step) => html`<${StepFigure} key=${step.name} step=${step} />`)}</div>
+    <details class="roughness"><summary>Roughness removed by smoothing</summary>
+      <table>${answer.roughness.map(
+        ([name, ...cells]) => html`<tr><th>${name}</th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`,
+      )}</table></details>
+    <p class="measured-foot">
+      <button type="button" class="primary" id="measured-use" onClick=${() => measured.useIt(upload)}>
+        Use as profile of ${body}</button>
+      <span class="hint">${answer.table.y.length} points, replacing the profiles of ${body}</span></p>`;
+}
+
+/** What a step did: before in grey and after in colour. @param {{step: Step}} props */
+function StepFigure({ step }) {
+  return html`<figure class="step" data-step=${step.name} ref=${(host) => host && drawStep(host, step)}>
+    <figcaption><b>${step.name}</b> ${step.sentence}</figcaption><div class="drawing"></div></figure>`;
+}
+
+/** @param {HTMLElement} host @param {Step} step */
+function drawStep(host, { name, sentence, before, after, floor_um: floor }) {
+  // Corners go down a hundred times deeper than the land.
+  const heights = [...before.height_um, ...after.height_um].filter((height) => height >= floor);
+  draw(
+    host,
+    {
+      height: 130,
+      marginLeft: 46,
+      marginRight: 8,
+      marginTop: 8,
+      marginBottom: 30,
+      x: { ...axis("y", "mm"), ticks: 5 },
+      y: { ...axis("height", "µm", extent(heights)), nice: true, ticks: 3, grid: true },
+      marks: [
+        line(before.y, before.height_um, { stroke: PINNED, strokeWidth: 1, clip: true }),
+        line(after.y, after.height_um, { stroke: FIRST, strokeWidth: 1.4, clip: true }),
+      ],
+    },
+    `Heights in ${named("µm")} before and after the step ${name}. ${sentence}`,
+  );
 }

@@ -1,79 +1,66 @@
 // Mistakes: each sentence below its field, and all of them in a list at the top.
 
-import { byId, element } from "./elements.js";
+import { byId } from "./elements.js";
 import { outer } from "./paths.js";
+import { html, render } from "./preact.js";
 
 /** @typedef {import("./types.js").Mistake} Mistake */
+
+/** The sentences by the path of the field below which they stand, or of the group and a slash; anew at each change. */
+export let marked = /** @type {Map<string, string>} */ (new Map());
+let redraw = () => {};
+
+/** Set what draws the fields anew. @param {() => void} draw */
+export function whenMarked(draw) {
+  redraw = draw;
+}
 
 /**
  * Show these mistakes in place of the previous ones.
  * @param {Mistake[]} mistakes
  */
 export function showMistakes(mistakes) {
-  for (const field of document.querySelectorAll("#case .wrong")) clear(field);
-  const unplaced = mistakes.map((mistake) => ({ mistake, field: fieldOf(mistake.path) }));
-  for (const { mistake, field } of unplaced) if (field) mark(field, mistake.sentence);
-  const list = byId("mistakes");
-  list.hidden = mistakes.length === 0;
-  byId("mistakes-title").textContent = mistakes.length === 1 ? "1 mistake" : `${mistakes.length} mistakes`;
-  byId("mistakes-list").replaceChildren(
-    ...unplaced.map(({ mistake, field }) => element("li", {}, entry(mistake, field))),
+  if (!mistakes.length && !marked.size && byId("mistakes").hidden) return;
+  const placed = mistakes.map((mistake) => ({ ...mistake, host: hostOf(mistake.path) }));
+  marked = new Map();
+  for (const { sentence, host } of placed) {
+    const place = host?.dataset.path ?? `${host?.dataset.group}/`;
+    marked.set(place, [marked.get(place), sentence].filter(Boolean).join(" "));
+  }
+  redraw();
+  byId("mistakes").hidden = !mistakes.length;
+  const title = mistakes.length === 1 ? "1 mistake" : `${mistakes.length} mistakes`;
+  render(
+    html`<h2 id="mistakes-title">${title}</h2>
+      <ul id="mistakes-list">${placed.map((each) => html`<li><${Entry} ...${each} /></li>`)}</ul>`,
+    byId("mistakes"),
   );
 }
 
-function entry(mistake, field) {
-  const control = field && controlOf(field);
-  if (!control) return [mistake.sentence];
-  const name = field.querySelector("legend, label")?.textContent?.trim() || mistake.path;
+/** A sentence, with a link to its field. @param {Mistake & {host: HTMLElement | null}} mistake */
+function Entry({ path, sentence, host }) {
+  const control = /** @type {HTMLElement | null} */ (
+    host?.querySelector("[name]") ?? host?.querySelector("select, button") ?? null
+  );
+  if (!host || !control) return sentence;
   const go = (event) => {
     event.preventDefault(); // the fragment of the address holds the case
-    for (let fold = field.closest("details"); fold; fold = fold.parentElement?.closest("details") ?? null)
-      fold.open = true;
+    for (let fold = host.closest("details"); fold; fold = fold.parentElement?.closest("details") ?? null) fold.open = true;
     control.focus();
-    field.scrollIntoView({ block: "nearest" });
+    host.scrollIntoView({ block: "nearest" });
   };
-  return [element("a", { href: `#${control.id}`, click: go }, [name]), ": ", mistake.sentence];
+  const name = host.querySelector("legend, label")?.textContent?.trim() || path;
+  return html`<a href="#${control.id}" onClick=${go}>${name}</a>: ${sentence}`;
 }
 
 /** The field of a mistake, or the innermost group that would contain it; null if there is neither. */
-function fieldOf(path) {
+function hostOf(path) {
   for (let place = path; place; place = outer(place)) {
     const name = CSS.escape(place);
-    const found =
+    const host =
       document.querySelector(`#case .field[data-path="${name}"]`) ??
       document.querySelector(`#case fieldset[data-group="${name}"]`);
-    if (found) return found;
+    if (host) return /** @type {HTMLElement} */ (host);
   }
   return null;
-}
-
-/** The element for the sentence of a field, or of a group itself and not of a field in it. */
-function wordsOf(field) {
-  return field.querySelector(field.matches("fieldset") ? ":scope > .mistake" : ".mistake");
-}
-
-function controlOf(field) {
-  return /** @type {HTMLElement | null} */ (
-    field.querySelector("[name]") ?? field.querySelector("select, button")
-  );
-}
-
-function mark(field, sentence) {
-  const words = wordsOf(field);
-  field.classList.add("wrong");
-  if (field.matches(".field")) controlOf(field)?.setAttribute("aria-invalid", "true");
-  if (words) {
-    words.textContent = words.hidden ? sentence : `${words.textContent} ${sentence}`;
-    words.hidden = false;
-  }
-}
-
-function clear(field) {
-  field.classList.remove("wrong");
-  controlOf(field)?.removeAttribute("aria-invalid");
-  const words = wordsOf(field);
-  if (words) {
-    words.textContent = "";
-    words.hidden = true;
-  }
 }
