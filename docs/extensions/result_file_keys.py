@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from case_file_keys import CaseFileKeys, list_table
 
-from nonhertz.files.results import Key, ListOf
+from nonhertz.files.results import Key, ListOf, MapOf
 from nonhertz.files.schemas import RESULTS
 
 if TYPE_CHECKING:
@@ -57,15 +57,14 @@ def words(holds: Any, *, several: bool = False) -> str:
     match holds:
         case ListOf(entry, count):
             return f"list{'s' * several} of {'' if count is None else f'{count} '}{words(entry, several=True)}"
+        case MapOf(entry):
+            return f"{words('object', several=several)} of {words(entry, several=True)}"
         case {"const": value}:
             return f"``{value}``"
         case list():
             return ", ".join(f'``"{word}"``' for word in holds)
-        case str():
-            return (_SEVERAL if several else _WORDS).get(holds, "numbers" if several else holds)
-        case (Key(), *_):
-            return words("object", several=several)
-    return words("number", several=several)
+    word = holds if isinstance(holds, str) else "object" if isinstance(holds[0], Key) else "number"
+    return (_SEVERAL if several else _WORDS).get(word, "numbers" if several else word)
 
 
 def units(unit: Any) -> Iterator[str]:

@@ -5,6 +5,7 @@ import json
 import re
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 from few_rollers import PAIR, SIX, changed
@@ -20,6 +21,7 @@ from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.changes import changes_in
 from nonhertz.files.documents import as_toml
 from nonhertz.files.results import units_of
+from nonhertz.files.schemas import schema_of
 from nonhertz.result.quantities import Quantity
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))
@@ -233,6 +235,7 @@ def test_a_further_number_of_bearings_is_one_entry(folder, run, monkeypatch):
 def test_strips_are_printed_and_written_beside_slices(folder, run, few):
     assert "inner: strips [kN]" in run("bearing", "few.toml", "--compare").out
     result = run("bearing", "few.toml", "--compare", "--json", "--out", "both").json
+    jsonschema.validate(result, schema_of("bearing-comparison"))
     case, strips = few
     slices = case.solve("slices")
     assert_array_equal(result["strips"]["load"], strips.load)

@@ -3,10 +3,12 @@
 import json
 import re
 
+import jsonschema
 import pytest
 from crowned_roller import CASE
 
 import nonhertz as nh
+from nonhertz.files.schemas import schema_of
 
 PLAN = """
 case = "roller.toml"
@@ -38,6 +40,7 @@ def test_a_plan_is_designed(folder, run):
     names = {path.name for path in (folder / "plan-design").iterdir()}
     assert names == {"case.toml", "profile.csv", "design.json", "design.svg", "design.png"}
     found = json.loads((folder / "plan-design" / "design.json").read_text(encoding="utf-8"))
+    jsonschema.validate(found, schema_of("design"))
     assert found["value"] < found["before"]
     # The case that is written is the one that was found.
     case = nh.read_case(folder / "plan-design" / "case.toml")
@@ -59,7 +62,9 @@ def test_a_front_of_aligned_and_misaligned_loads(folder, run):
     assert head == ["point", "largest pressure without tilt [MPa]", "largest pressure with tilt [MPa]", radius]
     assert (folder / "plan-design" / "front.csv").read_text().startswith(",".join(head))
     files = {path.name for path in (folder / "plan-design").iterdir()}
-    points = json.loads((folder / "plan-design" / "front.json").read_text(encoding="utf-8"))["points"]
+    front = json.loads((folder / "plan-design" / "front.json").read_text(encoding="utf-8"))
+    jsonschema.validate(front, schema_of("front"))
+    points = front["points"]
     assert files == {"front.csv", "front.json", "front.svg", "front.png"} | {
         f"case-{k}.toml" for k in range(1, len(points) + 1)
     }

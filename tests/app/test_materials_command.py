@@ -1,6 +1,9 @@
 """``nonhertz materials``: the library as a table, as JSON, and one material with its source."""
 
+import jsonschema
+
 import nonhertz as nh
+from nonhertz.files.schemas import schema_of
 from nonhertz.model.materials import LIBRARY
 
 
@@ -22,6 +25,7 @@ def test_one_material_says_where_its_numbers_come_from(run):
 
 def test_the_json_holds_every_number_and_source(run):
     found = run("materials", "--json").json
+    jsonschema.validate(found, schema_of("materials"))
     assert list(found["materials"]) == [each.name for each in LIBRARY]
     rail = found["materials"]["R260"]
     assert rail["hardness"] == "260 HBW"

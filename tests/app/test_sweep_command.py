@@ -10,10 +10,12 @@ import sys
 import time
 from pathlib import Path
 
+import jsonschema
 import pytest
 from crowned_roller import CASE
 
 from nonhertz.cli.sweep import of_rows
+from nonhertz.files.schemas import schema_of
 from nonhertz.study.sweeps import Progress, _seconds_per_row
 
 
@@ -42,6 +44,7 @@ def test_a_plan_is_checked_and_swept(folder, run):
     (folder / "plan.toml").write_text(text, encoding="utf-8")
     assert run("check", "plan.toml").out == "plan.toml is fine: 'plan', a sweep of 5 rows over load.load.\n"
     found = run("sweep", "plan.toml", "--json", "--out", "found").json
+    jsonschema.validate(found, schema_of("sweep"))
     assert (found["rows"], found["failed"], found["over"]) == (5, 0, ["load.load"])
     assert found["extremes"]["approach"][0] < found["extremes"]["approach"][1]
     assert (folder / "found" / "sweep.svg").exists()

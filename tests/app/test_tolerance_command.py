@@ -2,10 +2,12 @@
 
 import json
 
+import jsonschema
 import pytest
 from crowned_roller import CASE
 
 from nonhertz.cli import main
+from nonhertz.files.schemas import schema_of
 
 PLAN = """
 case = "roller.toml"
@@ -52,6 +54,7 @@ def test_limits_are_stated_with_their_share_and_cpk(folder, run):
     with (folder / "plan.toml").open("a", encoding="utf-8") as plan:
         plan.write('[limits]\nload = "at most 20 kN"\n')
     found = run("tolerance", "plan.toml", "--workers", "1", "--out", "rows", "--json").json
+    jsonschema.validate(found, schema_of("tolerance"))
     (limit,) = found["limits"]
     assert (limit["quantity"], limit["kind"], limit["limit"], limit["samples"]) == ("load", "at most", 20e3, 40)
     assert abs(limit["beyond"] - 20) <= 4  # half of a normal distribution about its limit

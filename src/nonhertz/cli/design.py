@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -18,15 +18,13 @@ from nonhertz.cli.printing import bar
 from nonhertz.files.documents import as_toml
 from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.planfile import read_design
-from nonhertz.files.results import plain
-from nonhertz.findings import as_warnings
+from nonhertz.files.studies import DESIGN, FRONT, as_text
 from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section, Table, assumed_section
 from nonhertz.show.studies import design_sections
 from nonhertz.study.design import Design, Front, best
 from nonhertz.study.design import front as front_of
 from nonhertz.study.pictures import design_figures, front_figure
-from nonhertz.verdict import given_verdict
 
 #: Of the loads of a front.
 GROUPS = ("without tilt", "with tilt")
@@ -67,7 +65,7 @@ def design(
     with bar("searches") as update, named_as(threads="--workers", starts="--starts"):
         found = best(case, **given, workers=workers, announce=update)
     made = written(directory, lambda: _texts(found, directory), lambda: design_figures(found))
-    text, shown = lambda: _as_json(found, made), [*design_sections(found), assumed_section(case.assumed)]
+    text, shown = partial(as_text, DESIGN, made, design=found), [*design_sections(found), assumed_section(case.assumed)]
     return Answer(found.was.title, shown, text, found.verdict, found.warnings, made)
 
 
@@ -78,32 +76,8 @@ def _texts(found: Design, out: Path) -> dict[str, str]:
     return {
         "case.toml": as_toml(found.case.document_in(out) | {"title": f"{found.was.title}, designed"}),
         "profile.csv": csv_text(["y [mm]", "relief [mm]", "relief before [mm]"], cells),
-        "design.json": _as_json(found, ()) + "\n",
+        "design.json": as_text(DESIGN, design=found) + "\n",
     }
-
-
-def _as_json(found: Design, files: Sequence[Path]) -> str:
-    """Return a design as JSON text."""
-    content: dict[str, Any] = {
-        "title": found.was.title,
-        "goal": found.goal,
-        "values": found.values,
-        "value": plain(found.value),
-        "before": plain(found.before),
-        "worst": found.worst,
-        "verdict": given_verdict(found.verdict),
-        "agreeing_starts": found.agreeing,
-        "starts": [
-            vars(start) | {"value": plain(start.value), "history": plain(start.history)} for start in found.starts
-        ],
-        **as_warnings(found.findings),
-        "assumed": [each.as_object() for each in found.was.assumed],
-        "bands": [vars(band) for band in found.bands],
-        "loads": [vars(load) for load in found.loads],
-        "files": [str(path) for path in files],
-        "units": found.units | {"value": "MPa" if found.goal == "pressure" else ""},
-    }
-    return json.dumps(content, indent=2, allow_nan=False)
 
 
 # A front
@@ -130,29 +104,14 @@ def _front(case: Case, given: dict[str, Any], points: int, workers: int | None, 
             case, first=aligned, second=tilted, vary=given.get("vary"), where=given.get("where"), points=points,
             starts=given.get("starts"), workers=workers,
         )  # fmt: skip
-    texts = {"front.csv": _front_table(found), "front.json": _front_json(found, ()) + "\n"}
+    as_json = partial(as_text, FRONT, front=found)
+    texts = {"front.csv": _front_table(found), "front.json": as_json() + "\n"}
     for number, each in enumerate(found.cases, start=1):
         title = {"title": f"{each.title}, point {number} of a front"}
         texts[f"case-{number}.toml"] = as_toml(each.document_in(out) | title)
     groups = f"loads {GROUPS[0]}", f"loads {GROUPS[1]}"
     made = written(out, lambda: texts, lambda: {"front": front_figure(found, groups)})
-    return Answer("", _front_sections(found), lambda: _front_json(found, made), found.verdict, found.warnings, made)
-
-
-def _front_json(found: Front, files: Sequence[Path]) -> str:
-    """Return the points as JSON text."""
-    points = [
-        {"values": values, "max_pressure_without_tilt": first, "max_pressure_with_tilt": second}
-        for values, first, second in zip(found.values, found.first, found.second, strict=True)
-    ]
-    content: dict[str, Any] = {
-        "points": points,
-        "verdict": given_verdict(found.verdict),
-        **as_warnings(found.findings),
-        "units": found.units,
-        "files": [str(path) for path in files],
-    }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return Answer("", _front_sections(found), partial(as_json, made), found.verdict, found.warnings, made)
 
 
 def _front_sections(found: Front) -> list[Section]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +14,11 @@ from nonhertz.cli.printing import Update, bar
 from nonhertz.errors import InputError, UnknownKeyError
 from nonhertz.files.documents import holds_plan, opened
 from nonhertz.files.planfile import Plan, case_or_bearing_in
+from nonhertz.files.studies import SWEEP, as_text
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import sweep_sections
 from nonhertz.study.pictures import sweep_figures
-from nonhertz.study.sweeps import Progress, Sweep, sweep
-from nonhertz.verdict import given_verdict
+from nonhertz.study.sweeps import Progress, sweep
 
 WORTH_SAYING = 10.0  # s
 
@@ -60,12 +60,8 @@ def sweep_plan(
     with bar("rows") as update, named_as(threads="--workers", over="--over"):
         found = sweep(asked, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))
     made = found.save(directory, drawing(lambda: sweep_figures(found)), excel=excel)
-
-    def json_text() -> str:
-        ends = {quantity.name: found.extremes(quantity.name) for quantity in found.quantities}
-        return as_text(found, made, over=list(found.paths), shape=list(found.shape), extremes=ends)
-
-    return Answer(found.plan.title, sweep_sections(found), json_text, verdict=found.verdict, written=made)
+    text = partial(as_text, SWEEP, made, sweep=found)
+    return Answer(found.plan.title, sweep_sections(found), text, verdict=found.verdict, written=made)
 
 
 def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]) -> Plan:
@@ -126,22 +122,6 @@ def about_time(seconds: float) -> str:
         if seconds < most * size:
             return f"about {float(f'{seconds / size:.1g}'):g} {unit}"
     return f"about {seconds / 3600.0:.2g} hours"
-
-
-def as_text(sweep: Sweep, files: Sequence[Path], **more: Any) -> str:
-    """Return what the rows of a study say as JSON text, and ``more`` that follows from them."""
-    content: dict[str, Any] = {
-        "title": sweep.plan.title,
-        "rows": len(sweep),
-        "failed": sweep.failed,
-        "verdict": given_verdict(sweep.verdict),
-        "assumed": [each.as_object() for each in sweep.assumed],
-        **more,
-        "failures": [{"sentence": why, "rows": times, "first": first} for why, times, first in sweep.reasons()],
-        "files": [str(path) for path in files],
-        "units": {name: sweep.unit(name) for name in (*sweep.paths, *(each.name for each in sweep.quantities))},
-    }
-    return json.dumps(content, indent=2, allow_nan=False)
 
 
 def path_and_value(word: str, example: str = "--over load.load=5kN:40kN:8", option: str = "") -> tuple[str, str]:

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import NONE, Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
 from nonhertz.cli.printing import bar
-from nonhertz.cli.sweep import as_text, of_rows, path_and_value, planned
-from nonhertz.files.results import plain
+from nonhertz.cli.sweep import of_rows, path_and_value, planned
+from nonhertz.files.studies import TOLERANCE, as_text
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import tolerance_sections
 from nonhertz.study.pictures import tolerance_figures
-from nonhertz.study.tolerances import Tolerance, tolerance
-from nonhertz.verdict import given_verdict
+from nonhertz.study.tolerances import tolerance
 
 
 def study_tolerance(
@@ -68,25 +67,12 @@ def study_tolerance(
             announce=of_rows(update),
         )  # fmt: skip
 
+    as_json = partial(as_text, TOLERANCE, tolerance=found, sweep=found.sweep)
+
     def draw(folder: Path) -> None:
-        (folder / "tolerance.json").write_text(_as_json(found, ()) + "\n", encoding="utf-8")
+        (folder / "tolerance.json").write_text(as_json() + "\n", encoding="utf-8")
         drawing(lambda: tolerance_figures(found))(folder)
 
     made = found.sweep.save(directory, draw, excel=excel)
     title, shown = found.sweep.plan.title, tolerance_sections(found)
-    return Answer(title, shown, lambda: _as_json(found, made), verdict=found.verdict, written=made)
-
-
-def _as_json(found: Tolerance, files: Sequence[Path]) -> str:
-    """Return a study as JSON text."""
-    names = [each.name for each in found.sweep.quantities]
-    return as_text(
-        found.sweep,
-        files,
-        verdict=given_verdict(found.verdict),
-        independent_samples=found.independent.size,
-        quantiles={name: [plain(vars(one)) for one in found.quantiles(name)] for name in names},
-        limits=[{**plain(vars(each)), "samples": each.samples, "beyond": each.beyond} for each in found.capabilities],
-        indices={each.name: [vars(one) for one in found.indices(each.name)] for each in found.results},
-        tightened_first={name: list(paths) for name, paths in found.tightened_first.items()},
-    )
+    return Answer(title, shown, partial(as_json, made), verdict=found.verdict, written=made)

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from operator import itemgetter
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
 
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.quantities import QUANTITIES
@@ -225,16 +229,29 @@ def files(solution: BearingSolution, case: BearingCase, life: BearingLife | None
     }
 
 
+def comparison_keys() -> tuple[Key, ...]:
+    """Return the keys of the file of a bearing that was solved by strips and by slices."""
+    angle, *compared = (key for key in keys() if key.name in {"angle", "load", "moment", "displacement", "force"})
+
+    def difference(key: Key) -> Key:
+        return replace(key, get=lambda both: np.subtract(*(key.value(parts(both[by])) for by in ("slices", "strips"))))
+
+    def parts(solution: BearingSolution) -> SimpleNamespace:
+        return SimpleNamespace(solution=solution)
+
+    return (
+        Key("title", "title of the bearing", holds="string"),
+        replace(angle, get="strips.angle"),
+        Key("strips", "by strips", get=lambda file: parts(file.strips), holds=(*compared,)),
+        Key("slices", "by slices", get=lambda file: parts(file.slices), holds=(*compared,)),
+        Key("differences", "of slices from strips", get=vars, holds=(*map(difference, compared),)),
+        results.UNITS,
+    )
+
+
 def comparison_object(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, Any]:
     """Return both methods' loads and motions, and how far slices are from strips, as plain numbers."""
-    names, units = ("load", "moment", "displacement", "force"), results.units_of(keys())
-    return {
-        "title": title,
-        "angle": plain(strips.angle),
-        **{solution.method: {name: plain(getattr(solution, name)) for name in names} for solution in (strips, slices)},
-        "differences": {name: plain(getattr(slices, name) - getattr(strips, name)) for name in names},
-        "units": {name: units[name] for name in ("angle", *names)},
-    }
+    return results.document(comparison_keys(), strips=strips, slices=slices, title=title)
 
 
 def comparison_table(strips: BearingSolution, slices: BearingSolution) -> str:

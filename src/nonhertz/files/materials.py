@@ -2,29 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
-from typing import Any
+from typing import Any, Final
 
-from nonhertz.amounts import read_in
+from nonhertz.files import results
+from nonhertz.files.results import Key, ListOf, MapOf, input_keys
+from nonhertz.model.material import Material
 from nonhertz.model.materials import LIBRARY, Listed
 
-#: Units of the numbers; dimensionless ones are left out.
-UNITS = dict.fromkeys(("modulus", "yield_strength", "core_yield_strength", "pressure_limit"), "MPa")
+#: Keys of what is printed of the library; what is not known is null.
+MATERIALS: Final = (
+    Key(
+        "materials", "the materials, by name", get="entries",
+        holds=MapOf((
+            Key("group", "what kind of material it is", holds="string"),
+            Key("other_names", "other names of the same", get="others", holds=ListOf("string")),
+            *input_keys(Material, "material."),
+            Key("source", "where each number comes from", holds="string"),
+            Key("note", "what limits its use; empty if nothing does", holds="string"),
+        )),
+    ),
+    results.UNITS,
+)  # fmt: skip
 
 
-@read_in("si")
 def as_object(entries: tuple[Listed, ...] = LIBRARY) -> dict[str, Any]:
-    """Return entries of the library by name; what is not known is None."""
-    return {
-        "materials": {
-            each.name: {
-                "group": each.group,
-                "other_names": list(each.others),
-                **asdict(each.material),
-                "source": each.source,
-                "note": each.note,
-            }
-            for each in entries
-        },
-        "units": UNITS,
-    }
+    """Return entries of the library by name."""
+    return results.document(MATERIALS, entries={entry.name: entry for entry in entries})

@@ -18,6 +18,8 @@ import numpy as np
 from nonhertz.amounts import read_in
 from nonhertz.files.bounds import FORMAT
 from nonhertz.findings import Finding, as_warnings
+from nonhertz.inputs import fields
+from nonhertz.inputs.fields import Input
 from nonhertz.result.quantities import Quantity
 from nonhertz.verdict import Verdict, given_verdict
 
@@ -36,6 +38,13 @@ class ListOf:
 
 
 @dataclass(frozen=True)
+class MapOf:
+    """An object in JSON whose names each file chooses: what it has under each, as `Key.holds` says it."""
+
+    entry: Any = NUMBER
+
+
+@dataclass(frozen=True)
 class Key:
     """A key of a JSON object.
 
@@ -50,9 +59,9 @@ class Key:
         of the objects in it have theirs; if empty, they are as in the object around it.
     get : callable or str
         Returns its value in the result; or the dotted path of the attribute that is, by default that of its name.
-    holds : str, tuple of str, list of str, mapping, tuple of Key, or ListOf
+    holds : str, tuple of str, list of str, mapping, tuple of Key, ListOf or MapOf
         The type of its value in JSON, such as ``"string"``; types of which it is one; words of which it is one; its
-        schema; the keys of an object; or a list of any of these.
+        schema; the keys of an object; or a list of any of these, or any of these by name.
     nullable : bool
         Whether it may be null, other than a number, which always may.
     applies : callable or None
@@ -70,8 +79,7 @@ class Key:
     @property
     def keys(self) -> tuple[Key, ...]:
         """The keys of the object, or of the objects, in it."""
-        entry = self.holds.entry if isinstance(self.holds, ListOf) else self.holds
-        return entry if _is_object(entry) else ()
+        return _keys(self.holds)
 
     def value(self, result: Any) -> Any:
         """Return its value in a result."""
@@ -79,12 +87,7 @@ class Key:
 
     def json(self, result: Any) -> Any:
         """Return its value as JSON can represent it."""
-        value = self.value(result)
-        if value is None or not self.keys:
-            return plain(value)
-        if isinstance(self.holds, ListOf):
-            return [object_of(self.keys, entry) for entry in value]
-        return object_of(self.keys, value)
+        return _json(self.holds, self.value(result))
 
     @property
     def schema(self) -> dict[str, Any]:
@@ -109,6 +112,17 @@ def within(get: Get | str, *keys: Key) -> tuple[Key, ...]:
 def quantity_keys(quantities: Iterable[Quantity], holds: Any = NUMBER) -> tuple[Key, ...]:
     """Return the keys of quantities of a solution."""
     return tuple(Key(q.name, q.meaning or q.label, q.unit, q.get, holds) for q in quantities)
+
+
+def input_keys(inputs: type[Input], path: str = "") -> tuple[Key, ...]:
+    """Return the keys of all fields of an input; it is at the path of a result, which ends in a full stop, if any."""
+
+    def key(name: str, described: Any) -> Key:
+        numeric = isinstance(described, fields.Quantity)
+        holds = NUMBER if numeric else ("string", "null")
+        return Key(name, described.meaning, described.unit or None if numeric else None, f"{path}{name}", holds)
+
+    return tuple(key(name, described) for name, described in inputs.descriptions.items())
 
 
 @read_in("si")
@@ -142,12 +156,31 @@ def schema_of(keys: Iterable[Key]) -> dict[str, Any]:
     }
 
 
-def _is_object(holds: Any) -> bool:
-    return isinstance(holds, tuple) and isinstance(holds[0], Key)
+def _keys(holds: Any) -> tuple[Key, ...]:
+    match holds:
+        case ListOf(entry) | MapOf(entry):
+            return _keys(entry)
+        case (Key(), *_):
+            return tuple(holds)
+    return ()
+
+
+def _json(holds: Any, value: Any) -> Any:
+    """Return a value as JSON can represent it."""
+    if value is None or not _keys(holds):
+        return plain(value)
+    match holds:
+        case ListOf(entry):
+            return [_json(entry, part) for part in value]
+        case MapOf(entry):
+            return {name: _json(entry, part) for name, part in value.items()}
+    return object_of(holds, value)
 
 
 def _schema(holds: Any) -> dict[str, Any]:
     match holds:
+        case MapOf(entry):
+            return {"type": "object", "additionalProperties": _schema(entry)}
         case ListOf(entry, count):
             return {"type": "array", "items": _schema(entry)} | (
                 {"minItems": count, "maxItems": count} if count else {}
@@ -156,7 +189,7 @@ def _schema(holds: Any) -> dict[str, Any]:
             return dict(holds)
         case list():
             return {"enum": holds}
-    return schema_of(holds) if _is_object(holds) else {"type": holds if isinstance(holds, str) else [*holds]}
+    return schema_of(holds) if _keys(holds) else {"type": holds if isinstance(holds, str) else [*holds]}
 
 
 # Keys of several files

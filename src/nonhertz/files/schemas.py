@@ -19,6 +19,7 @@ from nonhertz.files.contact_results import CONTACT
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.lives import LIVES
 from nonhertz.files.map_results import MAP
+from nonhertz.files.materials import MATERIALS
 from nonhertz.files.nodes import NODES
 from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.prepared import PROFILE
@@ -27,6 +28,7 @@ from nonhertz.files.results import Key as ResultKey
 from nonhertz.files.results import schema_of as schema_of_keys
 from nonhertz.files.sections import CaseDocument
 from nonhertz.files.stresses import STRESSES
+from nonhertz.files.studies import DESIGN, FRONT, SWEEP, TOLERANCE
 from nonhertz.inputs.fields import Part, Several, text_of
 
 Schema = dict[str, Any]
@@ -111,6 +113,12 @@ RESULTS: dict[str, tuple[str, tuple[ResultKey, ...], Any]] = {
     "profile": ("A prepared measured profile.", PROFILE, None),
     "map": ("A map of a contact: its range, and how far it is off.", MAP, None),
     "comparison": ("Strips beside a plane grid.", COMPARISON, None),
+    "bearing-comparison": ("A bearing by strips and by slices.", bearing_results.comparison_keys(), None),
+    "sweep": ("What the rows of a sweep say.", SWEEP, None),
+    "tolerance": ("How results are distributed, and what to tighten.", TOLERANCE, None),
+    "design": ("The best profile or dimensions.", DESIGN, None),
+    "front": ("The Pareto front of a design.", FRONT, None),
+    "materials": ("The library of materials.", MATERIALS, None),
     "nodes": ("Pressures and forces of a contact at the nodes of a mesh.", NODES, None),
 }
 #: What there are schemas of, and the functions that return them.
