@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from nonhertz.doors import door
 
 if TYPE_CHECKING:
+    from nonhertz.bearing import fits as fits
     from nonhertz.bearing.assessed import BearingLife as BearingLife
     from nonhertz.bearing.assessed import assess as assess
     from nonhertz.bearing.bearings import CylindricalRollerBearing as CylindricalRollerBearing
@@ -79,6 +80,7 @@ __getattr__, __dir__ = door(
         "catalogue": ("CatalogueGuess", "from_catalogue"),
         "clearance": ("Housing", "InterferenceFit", "Mounting", "OperatingClearance", "Shaft"),
         "fatigue": ("VolumeLife", "volume_life"),
+        "fits": (),
         "lubrication": (
             "contamination_factor",
             "life_factor",

@@ -1,0 +1,262 @@
+"""Classes of ISO as limits: of seats (286), of a bearing's bore and outside diameter (492), and of its clearance (5753-1).
+
+A class keeps a size between two limits. Between them sizes are taken as normal, six standard deviations from limit to
+limit, and those of different parts as independent: a sum of them has its mean in the middle of its limits, and its
+three standard deviations are the root of the sum of squares of those of its parts. SKF's tables of fits have that as
+probable interference, which these numbers are, rounded outwards; the manual of MESYS has it as probable clearance.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from bisect import bisect_left
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any, Final
+
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import one_of, positive
+
+_MICROMETRES: Final = 1e-3  # mm
+_OF_KIND: Final = {"tapered": "tapered roller", "radial": "other radial"}
+_CLASS: Final = re.compile(r"([A-Za-z]+?)(\d+)")
+_SHAFTS: Final = ("e", "f", "g", "h", "j", "js", "k", "m", "n", "p", "r", "s")
+_HOLES: Final = ("E", "F", "G", "H", "J", "JS", "K", "M", "N", "P")
+#: Grades of classes that have them only there: ISO 286-1 gives others none, or another deviation.
+_GRADES: Final = {
+    "j": (5, 6, 7), "J": (6, 7, 8), "K": (5, 6, 7, 8), "M": (5, 6, 7, 8), "N": (5, 6, 7, 8),
+}  # fmt: skip
+_EVERY_GRADE: Final = range(5, 11)
+_OF_K: Final = 7  # the finest grades, up to which shafts k lie above their size
+#: Up to this grade the upper deviations of holes lie higher by the step to it from the grade before.
+_STEPPED: Final = {"K": 8, "M": 8, "N": 8, "P": 7}
+_M6: Final = (6, 250.0, 315.0, -9.0)  # ISO 286-1: the one hole that does not follow from its shaft
+TOLERANCE_CLASSES: Final = ("Normal", "6", "6X", "5")
+CLEARANCE_GROUPS: Final = ("C2", "CN", "C3", "C4", "C5")
+#: Table of the clearance groups of each kind of bearing.
+_GROUPED: Final = {"cylindrical": "cylindrical", "needle": "cylindrical", "spherical": "spherical"}
+
+
+@dataclass(frozen=True)
+class Range:
+    """A number that lies between limits.
+
+    Attributes
+    ----------
+    least, greatest : float
+        The limits.
+    likely : float
+        Its mean.
+    spread : float
+        Three standard deviations.
+    """
+
+    least: float
+    likely: float
+    greatest: float
+    spread: float = 0.0
+
+    @classmethod
+    def between(cls, least: float, greatest: float) -> Range:
+        """Return a number that a class keeps between limits."""
+        return cls(least, 0.5 * (least + greatest), greatest, 0.5 * (greatest - least))
+
+    @classmethod
+    def exactly(cls, value: float) -> Range:
+        """Return a number that is known."""
+        return cls(value, value, value)
+
+    @property
+    def probable(self) -> tuple[float, float]:
+        """Three standard deviations below and above the mean: 99.7 % lie there."""
+        return self.likely - self.spread, self.likely + self.spread
+
+    @property
+    def known(self) -> bool:
+        """Whether it is one number."""
+        return self.least == self.greatest
+
+    def __neg__(self) -> Range:
+        return Range(-self.greatest, -self.likely, -self.least, self.spread)
+
+    def __add__(self, other: Range) -> Range:
+        spread = math.hypot(self.spread, other.spread)
+        return Range(self.least + other.least, self.likely + other.likely, self.greatest + other.greatest, spread)
+
+    def __sub__(self, other: Range) -> Range:
+        return self + -other
+
+
+def limits(fit: str, size: float) -> Range:
+    """Return the deviations that a tolerance class of ISO 286 allows a seat.
+
+    Parameters
+    ----------
+    fit : str
+        The class: of shafts ``"k5"``, say, with e to s, of holes ``"H7"``, with E to P; grades 5 to 10.
+    size : float
+        Nominal diameter [mm], up to 500.
+
+    Returns
+    -------
+    Range
+        Lower and upper deviation [mm], and their mean.
+
+    Raises
+    ------
+    InputError
+        If there is no such class, or none for this size.
+
+    Examples
+    --------
+    >>> k5, h7 = limits("k5", 30.0), limits("H7", 62.0)
+    >>> (k5.least, k5.greatest), (h7.least, h7.greatest)
+    ((0.002, 0.011), (0.0, 0.03))
+    """
+    found = _CLASS.fullmatch(fit) if isinstance(fit, str) else None
+    letter, grade = (found[1], int(found[2])) if found else ("", 0)
+    if letter not in (*_SHAFTS, *_HOLES):
+        condition = f"be a tolerance class of ISO 286: one of {', '.join(_SHAFTS)} or {', '.join(_HOLES)} and a grade"
+        raise InputError("fit", fit, condition, "write 'k5' for a shaft or 'H7' for a housing, say")
+    grades = _GRADES.get(letter, _EVERY_GRADE)
+    if grade not in grades:
+        condition = f"have one of the grades {grades[0]} to {grades[-1]}, for which {letter} is tabulated"
+        raise InputError("fit", fit, condition, "choose a grade, or give the interference in its place")
+    width = _at("iso286", f"IT{grade}", size)
+    if letter in ("js", "JS"):
+        return _between(-0.5 * width, 0.5 * width)
+    if letter in "efghEFGH":
+        near = _at("iso286", letter.lower(), size)
+        return _between(near - width, near) if letter.islower() else _between(-near, width - near)
+    if letter.islower():
+        low = _of_shaft(letter, grade, size)
+        return _between(low, low + width)
+    high = _of_hole(letter, grade, size)
+    return _between(high - width, high)
+
+
+def _of_shaft(letter: str, grade: int, size: float) -> float:
+    """Return the lower deviation of a shaft j to s [um]."""
+    if letter == "k" and grade > _OF_K:
+        return 0.0
+    name = {"j": "j7" if grade == 7 else "j5"}.get(letter, letter)
+    return _at("iso286_fine" if letter in "rs" else "iso286", name, size)
+
+
+def _of_hole(letter: str, grade: int, size: float) -> float:
+    """Return the upper deviation of a hole J to P [um]."""
+    if letter == "J":
+        return _at("iso286", f"J{grade}", size)
+    special, over, upto, deviation = _M6
+    if letter == "M" and grade == special and over < size <= upto:
+        return deviation
+    stepped = grade <= _STEPPED[letter] and size > 3.0
+    step = _at("iso286", f"IT{grade}", size) - _at("iso286", f"IT{grade - 1}", size) if stepped else 0.0
+    return step - _at("iso286", letter.lower(), size)
+
+
+def ring_limits(ring: str, size: float, tolerance_class: str = "Normal", *, tapered: bool = False) -> Range:
+    """Return the deviations that ISO 492 allows the mean bore of an inner ring, or outside diameter of an outer one.
+
+    Parameters
+    ----------
+    ring : {"inner", "outer"}
+        Which of both.
+    size : float
+        Nominal bore or outside diameter [mm].
+    tolerance_class : {"Normal", "6", "6X", "5"}
+        Class of the bearing; ``"6"`` is not that of a tapered one, ``"6X"`` only of such.
+    tapered : bool
+        Whether it is a tapered roller bearing.
+
+    Returns
+    -------
+    Range
+        Lower and upper deviation [mm], and their mean.
+
+    Raises
+    ------
+    InputError
+        If there is no such class, or none for this size.
+
+    Examples
+    --------
+    >>> ring_limits("inner", 30.0).least, ring_limits("outer", 62.0, "6").least
+    (-0.01, -0.011)
+    """
+    one_of("ring", ring, ("inner", "outer"), "name one of both")
+    one_of("tolerance_class", tolerance_class, TOLERANCE_CLASSES, "give the class of ISO 492")
+    kind = "tapered" if tapered else "radial"
+    place = f"iso492.{ring}.{kind}"
+    classes = tuple(name for name in TOLERANCE_CLASSES if name in _table(place))
+    if tolerance_class not in classes:
+        condition = f"be one of {', '.join(map(repr, classes))}, which ISO 492 has for {_OF_KIND[kind]} bearings"
+        raise InputError("tolerance_class", tolerance_class, condition, "choose one of these")
+    name = {"inner": "bore", "outer": "outside_diameter"}[ring]
+    return _between(_at(place, tolerance_class, size, name), 0.0)
+
+
+def clearance_limits(group: str, bore: float, kind: str = "cylindrical") -> Range:
+    """Return the radial internal clearance of a group of ISO 5753-1, of an unmounted bearing with a cylindrical bore.
+
+    Parameters
+    ----------
+    group : {"C2", "CN", "C3", "C4", "C5"}
+        The group.
+    bore : float
+        Nominal bore [mm].
+    kind : {"cylindrical", "needle", "spherical"}
+        What rollers it has.
+
+    Returns
+    -------
+    Range
+        Least and greatest clearance [mm], and their mean.
+
+    Raises
+    ------
+    InputError
+        If there is no such group, or none for this kind or size.
+
+    Examples
+    --------
+    >>> c3 = clearance_limits("C3", 30.0)
+    >>> c3.least, round(c3.likely, 4), c3.greatest
+    (0.035, 0.0475, 0.06)
+    """
+    one_of("kind", kind, tuple(_GROUPED), "groups are those of radial roller bearings that are not tapered")
+    one_of("clearance", group, CLEARANCE_GROUPS, "give a group of ISO 5753-1, or the clearance in mm")
+    table = _GROUPED[kind]
+    return _between(*_at(f"iso5753.{table}", group, bore, "bore"))
+
+
+def _between(least: float, greatest: float) -> Range:
+    return Range.between(round(_MICROMETRES * least, 6), round(_MICROMETRES * greatest, 6))
+
+
+def _at(place: str, name: str, size: float, field: str = "size") -> Any:
+    """Return the entry of a table for a size, in um."""
+    table = _table(place)
+    positive(field, size, "give the nominal diameter in mm")
+    entries, at, over = table[name], bisect_left(table["sizes"], size), table.get("over", 0.0)
+    if at >= len(entries) or size <= over:
+        upto = table["sizes"][len(entries) - 1]
+        condition = f"lie above {over:g} and up to {upto:g} mm, for which {name} is tabulated"
+        raise InputError(field, size, condition, "give the number in place of the class")
+    return entries[at]
+
+
+@cache
+def _tables() -> dict[str, Any]:
+    text = files("nonhertz.bearing").joinpath("classes.toml").read_text("utf-8")
+    return tomllib.loads(text)
+
+
+def _table(place: str) -> dict[str, Any]:
+    found = _tables()
+    for name in place.split("."):
+        found = found[name]
+    return found
