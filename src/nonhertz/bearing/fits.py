@@ -1,4 +1,4 @@
-"""Classes of ISO as limits: of seats (286), of a bearing's bore and outside diameter (492), and of its clearance (5753-1).
+"""Classes as limits: of seats by ISO 286, of bores and outside diameters by ISO 492, of clearances by ISO 5753-1.
 
 A class keeps a size between two limits. Between them sizes are taken as normal, six standard deviations from limit to
 limit, and those of different parts as independent: a sum of them has its mean in the middle of its limits, and its
@@ -143,19 +143,19 @@ def _of_shaft(letter: str, grade: int, size: float) -> float:
     if letter == "k" and grade > _OF_K:
         return 0.0
     name = {"j": "j7" if grade == 7 else "j5"}.get(letter, letter)
-    return _at("iso286_fine" if letter in "rs" else "iso286", name, size)
+    return float(_at("iso286_fine" if letter in "rs" else "iso286", name, size))
 
 
 def _of_hole(letter: str, grade: int, size: float) -> float:
     """Return the upper deviation of a hole J to P [um]."""
     if letter == "J":
-        return _at("iso286", f"J{grade}", size)
+        return float(_at("iso286", f"J{grade}", size))
     special, over, upto, deviation = _M6
     if letter == "M" and grade == special and over < size <= upto:
         return deviation
     stepped = grade <= _STEPPED[letter] and size > 3.0
     step = _at("iso286", f"IT{grade}", size) - _at("iso286", f"IT{grade - 1}", size) if stepped else 0.0
-    return step - _at("iso286", letter.lower(), size)
+    return float(step - _at("iso286", letter.lower(), size))
 
 
 def ring_limits(ring: str, size: float, tolerance_class: str = "Normal", *, tapered: bool = False) -> Range:
