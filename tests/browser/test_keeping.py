@@ -4,7 +4,7 @@ import json
 import tomllib
 
 import pytest
-from desk import packed, unpacked
+from desk import Desk, packed, unpacked
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
@@ -15,16 +15,29 @@ pytestmark = pytest.mark.browser
 SAME = 1e-9  # the same solve of the same numbers, through JSON or TOML, which keep all digits
 
 
-def test_a_pinned_case_stays_beside_the_next(desk):
-    pinned = desk.numbers
+def row(desk: Desk, number: int) -> dict[str, str]:
+    """What a row of the table of pinned cases has below its heads; 0 is the first, -1 the case in the form."""
+    heads = desk.page.locator("#pins thead th").all_inner_texts()
+    return dict(
+        zip(heads, desk.page.locator("#pins tbody tr").nth(number).locator("th, td").all_inner_texts(), strict=True)
+    )
+
+
+def pinned(desk: Desk) -> list[str]:
+    """The names of what is pinned."""
+    names: list[str] = desk.page.locator("#pins input").evaluate_all("all => all.map(each => each.value)")
+    return names
+
+
+def test_pinned_cases_stay_beside_the_next(desk):
+    before = desk.numbers
     desk.page.locator("#pin").click()
-    assert desk.page.locator("#pin").get_attribute("aria-pressed") == "true"
-    desk.write("load.load", "26000")
-    words = desk.page.locator('[data-key="Load"] .pinned-number').inner_text()
-    assert "20.00 kN" in words
-    assert "+30.0 %" in words
+    desk.write("load.load", "26 kN")
+    assert row(desk, 0)["Load"] == "20.00 kN"
+    assert desk.page.locator('[data-key="Load"] .pinned-number').text_content().strip() == "+30.0 % from the pinned one"
+    assert row(desk, -1)["Load"] == "26.00 kN\n+30.0 %"
     now = desk.numbers
-    change = 100.0 * (now["Largest pressure"] / pinned["Largest pressure"] - 1.0)
+    change = 100.0 * (now["Largest pressure"] / before["Largest pressure"] - 1.0)
     words = desk.page.locator('[data-key="Largest pressure"] .pinned-number b').inner_text()
     assert_allclose(float(words.removesuffix(" %")), change, atol=0.051)  # written with one decimal, or two
     # It rises with the load, since that of the ideal profile falls faster.
@@ -32,14 +45,33 @@ def test_a_pinned_case_stays_beside_the_next(desk):
     for figure in ("pressure", "half-width", "gap"):
         caption = desk.page.locator(f'[data-figure="{figure}"] figcaption')
         assert "pinned" in caption.inner_text()
+
+    desk.page.locator("#pin").click()
+    desk.write("body.a.length", "19")
+    assert pinned(desk) == [tomllib.loads(starting_case())["title"], "load 26 kN"]
+    assert row(desk, 1)["Load"] == "26.00 kN\n+30.0 %"
     desk.photograph("pinned")
-    desk.page.locator("#pin").click()
+    # Back to the first, by the keyboard; one is taken away, then the other.
+    desk.page.locator("#pins button").first.focus()
+    answers = desk.answers
+    desk.page.keyboard.press("Enter")
+    desk.wait_for_answer(answers)
+    assert desk.numbers == before
+    desk.page.locator("#pins button", has_text="Unpin").first.click()
+    assert pinned(desk) == ["load 26 kN"]
+    assert row(desk, -1)["Load"] == "20.00 kN\n−23.1 %"
+    assert desk.page.evaluate("() => document.activeElement.textContent") == "Go back"
+    desk.page.locator("#pins button", has_text="Unpin").click()
+    assert not desk.page.locator("#pins").is_visible()
     assert desk.page.locator(".pinned-number").count() == 0
+    assert desk.page.evaluate("() => document.activeElement.id") == "pin"
 
 
-def test_a_link_brings_the_case_and_the_pinned_one(desk, open_desk):
+def test_a_link_brings_the_case_and_the_pinned_ones(desk, open_desk):
     desk.page.locator("#pin").click()
+    desk.page.locator("#pins input").fill("As built")
     desk.write("load.load", "31 kN")
+    desk.page.locator("#pin").click()
     desk.write("body.a.profile[1].amplitude", "6 um")
     desk.page.locator("#share").click()
     desk.page.locator("#share", has_not_text="Copy link").wait_for()
@@ -48,7 +80,8 @@ def test_a_link_brings_the_case_and_the_pinned_one(desk, open_desk):
     other.page.locator(".pinned-number").first.wait_for()
     assert other.numbers == desk.numbers
     assert other.shown("body.a.profile[1].amplitude") == "6 um"
-    assert "20.00 kN" in other.page.locator('[data-key="Load"] .pinned-number').inner_text()
+    assert pinned(other) == ["As built", "load 31 kN"]
+    assert [row(other, number) for number in (0, 1, -1)] == [row(desk, number) for number in (0, 1, -1)]
     document = unpacked(fragment.removeprefix("#c=").partition("&")[0])
     assert document["load"]["load"] == "31 kN"
     assert document["body"]["b"] == tomllib.loads(starting_case())["body"]["b"]

@@ -68,6 +68,10 @@ CALLS = {
     "paths pathOf": [
         (["body", "a", "profile", 2, "radius"], "body.a.profile[2].radius"), (["a.b", "c"], '"a.b".c'), ([], ""),
     ],
+    "paths differences": [
+        ({"a": {"b": [1, 2]}, "c": 1}, {"a": {"b": [1, 3]}, "d": 1}, ["a.b[2]", "c", "d"]),
+        ({}, {}, []), ([1], {}, [""]),
+    ],
     "paths outer": [("a.b[2]", "a.b"), ("a.b", "a"), ("a", ""), ('a."x.y"', "a")],
 }  # fmt: skip
 
@@ -90,16 +94,17 @@ def test_values_are_set_and_taken_away_in_a_copy(anywhere):
 
 def test_links_are_deflated_json(anywhere):
     document = {"title": "Käfig µm \u2028 💡", "load": {"load": 20000.0}}
-    fragment = calling(anywhere, "link", "fragment", document, None)
+    fragment = calling(anywhere, "link", "fragment", document)
     assert unpacked(fragment.removeprefix("#c=")) == document
     found = calling(anywhere, "link", "shared", f"#c={packed(document)}&p={packed({'title': 'b'})}")
-    assert found == {"document": document, "pinned": {"title": "b"}, "text": ""}
+    assert found == {"document": document, "pinned": [{"document": {"title": "b"}, "name": ""}], "text": ""}
+    pinned = [{"document": {"title": name}, "name": f"{name} µm"} for name in "bc"]
+    both = calling(anywhere, "link", "fragment", document, pinned)
+    assert calling(anywhere, "link", "shared", both)["pinned"] == pinned
     text = "# of the catalogue\n[load]\nload = 1\n"
-    both = calling(anywhere, "link", "fragment", document, None, text)
-    assert calling(anywhere, "link", "shared", both) == {"document": document, "pinned": None, "text": text}
-    assert calling(anywhere, "link", "fragment", document, None, "a = 1") == fragment, (
-        "without comments it says nothing"
-    )
+    both = calling(anywhere, "link", "fragment", document, [], text)
+    assert calling(anywhere, "link", "shared", both) == {"document": document, "pinned": [], "text": text}
+    assert calling(anywhere, "link", "fragment", document, [], "a = 1") == fragment, "without comments it says nothing"
     assert calling(anywhere, "link", "shared", "#results") is None
 
 

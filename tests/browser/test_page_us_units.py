@@ -67,6 +67,17 @@ def test_all_that_is_read_of_a_contact(desk):
     assert not re.search(r"ksi|lbf|\bin\b(?= |$)", " ".join(tile(desk, name)[1] for name in ("Load", "Half-width")))
 
 
+def test_the_last_good_result_is_read_in_other_units_as_well(desk):
+    desk.write("load.load", "-1")
+    assert OF_SI.search(everything(desk, "#figures"))
+    switch(desk)
+    desk.page.locator("#results.outdated").wait_for()
+    assert OF_SI.search(everything(desk, "#figures")) is None
+    assert OF_SI.search(everything(desk, "#stress-figures")) is None
+    assert desk.page.locator("#state").inner_text() == "last good result"
+    assert len(desk.mistakes) == 1
+
+
 def test_fields_follow_and_the_case_stays(desk):
     before = desk.numbers
     document = desk.download("case.toml")

@@ -1,12 +1,13 @@
 // The page of a bearing: by slices at every edit, by strips when the hand rests.
 
 import { figure, head, whenResized } from "./chart.js";
-import { byId, element } from "./elements.js";
+import { byId } from "./elements.js";
 import { AWAY, Live, post } from "./live.js";
 import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
 import { drawPanels } from "./panel.js";
+import { html, render } from "./preact.js";
 import { Polar, degrees, newtons } from "./polar.js";
 import { entitle, outdate, sayLater, sayMistakes, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
 import { drawRoller } from "./roller.js";
@@ -30,8 +31,8 @@ const page = {
   /** @type {any} the latest good answer, and what was asked */
   answer: null,
   document: null,
-  /** @type {any} that of the pinned bearing */
-  pinned: null,
+  /** @type {import("./types.js").Pin[]} */
+  pins: [],
   /** @type {any} the latest by strips, and whether it is that of the bearing as it is now */
   pressed: null,
   fresh: false,
@@ -129,11 +130,11 @@ function drawPictures() {
   const { answer, pressed } = page;
   if (!answer) return;
   const before = pressedBefore();
-  writeKeyNumbers(keyNumbers(answer, before), page.pinned && keyNumbers(page.pinned));
+  writeKeyNumbers(keyNumbers(answer, before), page.pins.map((pin) => ({ ...pin, numbers: keyNumbers(pin.answer) })));
   const number = roller();
   head(figure("polar"), "Loads of all rollers", POLAR_KEY, `by ${answer.method}`);
   polar.draw(answer, number);
-  drawRoller(answer, before ?? (page.fresh ? pressed : null), number, page.pinned);
+  drawRoller(answer, before ?? (page.fresh ? pressed : null), number, page.pins[0]?.answer ?? null);
   drawMap(before ?? answer, number);
   const stale = figure("pressure");
   stale.classList.toggle("stale", !page.fresh);
@@ -224,14 +225,14 @@ function life({ key, method }) {
 
 function writeRollers({ columns, rollers }, number) {
   const shown = columns.map((_, place) => place).filter((place) => rollers.some((row) => row[place] !== ""));
-  const cells = (row, name) => shown.map((place) => element(name, name === "th" ? { scope: "col" } : {}, [row[place]]));
-  const line = (row, place) => {
-    const attributes = { class: place === number ? "chosen" : "", "data-roller-row": String(place) };
-    return element("tr", { ...attributes, click: () => choose(place) }, cells(row, "td"));
-  };
-  const table = byId("rollers");
-  table.querySelector("thead").replaceChildren(element("tr", {}, cells(columns, "th")));
-  table.querySelector("tbody").replaceChildren(...rollers.map(line));
+  const line = (row, place) =>
+    html`<tr class=${place === number ? "chosen" : ""} data-roller-row=${place} onClick=${() => choose(place)}>
+      ${shown.map((column) => html`<td>${row[column]}</td>`)}</tr>`;
+  render(
+    html`<thead><tr>${shown.map((column) => html`<th scope="col">${columns[column]}</th>`)}</tr></thead>
+      <tbody>${rollers.map(line)}</tbody>`,
+    byId("rollers"),
+  );
 }
 
 function spoken({ key, method }) {
@@ -247,10 +248,11 @@ const work = new Work(JSON.parse(byId("start").textContent), {
   bodies: { roller: "roller", inner: "inner", outer: "outer" },
   want: (document, since) => live.want(document, since),
   latest: () => page.answer && { document: page.document, answer: page.answer },
-  pin(result) {
-    page.pinned = result?.answer ?? null;
+  pin(pins) {
+    page.pins = pins;
     drawPictures();
   },
+  again: ({ document, answer }) => show(answer, document),
   solve: async (document) => (await post("bearing/solve", { document })).json(),
   looked: () => ({ roller: page.chosen }),
   begun() {
@@ -267,8 +269,8 @@ async function openContact(ring) {
     const response = await post("bearing/contact", { document: work.document, roller: roller(), ring });
     const answer = await response.json();
     if (answer.ok) {
-      await work.address.put(work.document, work.pinned?.document ?? null, work.text, { roller: page.chosen }); // to come back to
-      window.location.assign(`contact${await fragment(answer.document, null)}`);
+      await work.address.put(work.document, work.pins, work.text, { roller: page.chosen }); // to come back to
+      window.location.assign(`contact${await fragment(answer.document)}`);
     } else showMistakes(answer.mistakes);
   } catch {
     notice("program", AWAY);

@@ -5,7 +5,7 @@
 
 import { FIRST, INK, MARGINS, NAMED, PLAIN, draw, figure, head, line, reading, uprightAxis } from "./chart.js";
 import { byId, element } from "./elements.js";
-import { ends, factorOf, isLogarithmic, unitOf, valueOf } from "./fields.js";
+import { ends, factorOf, isLogarithmic, nameOf, unitOf, valueOf } from "./fields.js";
 import { AWAY, post } from "./live.js";
 import { digits, rounded } from "./numbers.js";
 import { withValue } from "./paths.js";
@@ -60,7 +60,7 @@ export class Curve {
     this.choices = [...sliders].flatMap((slider) => {
       const control = /** @type {Control | null} */ (document.getElementById(slider.dataset.for ?? ""));
       return control && Number.isFinite(valueOf(slider, control))
-        ? [{ path: control.name, label: labelOf(control), control, slider }]
+        ? [{ path: control.name, label: nameOf(control), control, slider }]
         : [];
     });
     const known = this.choices.some(({ path }) => path === this.path);
@@ -268,17 +268,6 @@ function inwards(count) {
   const order = [0, last, last / 2];
   for (let step = last / 4; step >= 1; step /= 2) for (let at = step; at < last; at += 2 * step) order.push(at);
   return order.map((at) => at / last);
-}
-
-/** What a field is called, with what it belongs to. @param {Control} control */
-function labelOf(control) {
-  const name = control.labels?.[0]?.textContent?.trim() ?? control.name;
-  const groups = [];
-  for (let group = control.closest("fieldset"); group; group = group.parentElement?.closest("fieldset") ?? null)
-    groups.unshift(group.querySelector("legend")?.textContent?.trim() ?? "");
-  // The outermost group says "body" or "load", and a profile's says "profile" again.
-  const told = groups.slice(1).filter((group, place, all) => group !== name && !all[place + 1]?.startsWith(group));
-  return [...told, name].join(", ");
 }
 
 /** @param {string} text */

@@ -207,6 +207,17 @@ export function valueOf(slider, control) {
   return text === "" || !size ? NaN : Number(text) * Number(size);
 }
 
+/** What a field is called, with what it belongs to. @param {Control} control */
+export function nameOf(control) {
+  const name = control.labels?.[0]?.textContent?.trim() ?? control.name;
+  const groups = [];
+  for (let group = control.closest("fieldset"); group; group = group.parentElement?.closest("fieldset") ?? null)
+    groups.unshift(group.querySelector("legend")?.textContent?.trim() ?? "");
+  // The outermost group says "body" or "load", and a profile's says "profile" again.
+  const told = groups.slice(1).filter((group, place, all) => group !== name && !all[place + 1]?.startsWith(group));
+  return [...told, name].join(", ");
+}
+
 /** The unit that a field is in. @param {Control} control */
 export function unitOf(control) {
   return unitsOf(control)?.selectedOptions[0]?.textContent ?? control.dataset.unit ?? "";

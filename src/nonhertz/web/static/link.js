@@ -4,36 +4,43 @@
 const LARGEST = 1_000_000; // characters of an unpacked case, the program's own limit
 const LONGEST = 2_000_000; // characters of a fragment; a longer one is not read
 
-/** @typedef {{document: object, pinned: object | null, text: string}} Shared */
+/** @typedef {{document: object, name: string}} Named a pinned case */
+/** @typedef {{document: object, pinned: Named[], text: string}} Shared */
 
 /**
- * Return the fragment for a case, "#c=..." with "&p=..." for a pinned one and "&t=..." for the text of a file that has
- * comments.
+ * Return the fragment for a case, "#c=..." with "&p=..." and "&n=..." for each pinned one and its name, and "&t=..." for
+ * the text of a file that has comments.
  * @param {object} document
- * @param {object | null} pinned
+ * @param {Named[]} [pinned]
  * @param {string} [text]
  */
-export async function fragment(document, pinned, text = "") {
+export async function fragment(document, pinned = [], text = "") {
   const fields = [`c=${await packed(JSON.stringify(document))}`];
-  if (pinned) fields.push(`p=${await packed(JSON.stringify(pinned))}`);
+  for (const { document: other, name } of pinned)
+    fields.push(`p=${await packed(JSON.stringify(other))}`, `n=${await packed(name)}`);
   if (text.includes("#")) fields.push(`t=${await packed(text)}`);
   return `#${fields.join("&")}`;
 }
 
 /**
- * Return the case and the pinned case in a fragment, null if there is no case.
+ * Return the case and the pinned cases in a fragment, null if there is no case.
  * @param {string} hash
  * @returns {Promise<Shared | null>}
  */
 export async function shared(hash) {
   if (hash.length > LONGEST) throw new Error("The link must hold a case of at most 1 MB: copy it again.");
   const fields = new URLSearchParams(hash.replace(/^#/, ""));
-  const [document, pinned] = [fields.get("c"), fields.get("p")];
+  const document = fields.get("c");
   if (!document) return null;
+  const names = fields.getAll("n");
+  const pinned = fields.getAll("p").map(async (each, place) => ({
+    document: await unpackedCase(each),
+    name: names[place] ? await unpacked(names[place]).catch(() => "") : "",
+  }));
   const text = fields.get("t");
   return {
     document: await unpackedCase(document),
-    pinned: pinned ? await unpackedCase(pinned) : null,
+    pinned: await Promise.all(pinned),
     text: text ? await unpacked(text).catch(() => "") : "",
   };
 }
@@ -89,7 +96,7 @@ export class Address {
   /**
    * Put a case into the address after a pause in editing.
    * @param {object} document
-   * @param {object | null} pinned
+   * @param {Named[]} pinned
    * @param {string} text of its file
    * @param {object | null} [looked] what is looked at, which `history.state` keeps: no part of the case or of its link
    */
@@ -98,7 +105,7 @@ export class Address {
     this.rest = window.setTimeout(() => void this.put(document, pinned, text, looked), REST);
   }
 
-  /** @param {object} document @param {object | null} pinned @param {string} text @param {object | null} [looked] */
+  /** @param {object} document @param {Named[]} pinned @param {string} text @param {object | null} [looked] */
   async put(document, pinned, text, looked = null) {
     window.clearTimeout(this.rest);
     // Replaced, not pushed: a drag would fill the history with a hundred entries.

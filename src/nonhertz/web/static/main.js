@@ -83,12 +83,16 @@ const work = new Work(JSON.parse(byId("start").textContent), {
   bodies: { a: "body.a", b: "body.b" },
   want: (document, since) => live.want(document, since),
   latest: () => view.latest,
-  pin: (result) => view.pin(result),
+  pin: (pins) => view.pin(pins),
   async solve(document) {
     const body = view.shownBody();
     return (await post("solve", { document, stress: body !== null, body: body ?? "a" })).json();
   },
   drawn: () => curve.offer(),
+  again({ document, answer }) {
+    view.show(document, answer);
+    view.stress(answer);
+  },
   renamed: () => curve.reread(),
   begun() {
     view.clear();

@@ -50,6 +50,21 @@ function changed(table, [key, ...rest], value) {
 }
 
 /**
+ * Return the paths of the values that differ between two documents.
+ * @param {any} one
+ * @param {any} other
+ * @param {(string | number)[]} [place] of both
+ * @returns {string[]}
+ */
+export function differences(one, other, place = []) {
+  if (JSON.stringify(one) === JSON.stringify(other)) return [];
+  const isInner = [one, other].every((each) => typeof each === "object" && each !== null);
+  if (!isInner || Array.isArray(one) !== Array.isArray(other)) return [pathOf(place)];
+  const step = (key) => (Array.isArray(one) ? Number(key) + 1 : key);
+  return Object.keys({ ...one, ...other }).flatMap((key) => differences(one[key], other[key], [...place, step(key)]));
+}
+
+/**
  * Return the path one step further out, empty at the top: "body.a.profile" for "body.a.profile[1]".
  * @param {string} path
  */

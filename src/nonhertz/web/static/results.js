@@ -1,10 +1,12 @@
 // Key numbers, warnings and the summary: the text beside the figures.
 
-import { byId, element } from "./elements.js";
+import { byId } from "./elements.js";
 import { difference, digits } from "./numbers.js";
+import { html, render } from "./preact.js";
 import { amount, force, parts, spelled } from "./units.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
+/** @typedef {import("./types.js").Pin} Pin */
 /**
  * @typedef {{name: string, value: string, unit: string, where: string, number: number | null, under?: number, stale?: boolean}} KeyNumber
  *   `under` is the load without which a number does not compare, a `stale` one is that before the last change
@@ -78,33 +80,61 @@ function life(found, load) {
 }
 
 /**
- * Write the key numbers, with those of the pinned case.
+ * Write the key numbers, with their differences from those of the first pinned case, and the table of pinned cases.
  * @param {KeyNumber[]} numbers
- * @param {KeyNumber[] | null} pinned
+ * @param {(Pin & {numbers: KeyNumber[]})[]} pins
  */
-export function writeKeyNumbers(numbers, pinned) {
-  byId("key-numbers").replaceChildren(
-    ...numbers.map((each) => {
-      const before = pinned?.find(({ name }) => name === each.name);
-      return element("div", { class: `key-number${each.stale ? " stale" : ""}`, "data-key": each.name, "data-number": String(each.number) }, [
-        element("dt", {}, [each.name]),
-        element("dd", {}, [
-          element("span", { class: "value" }, [each.value]),
-          element("span", { class: "unit" }, [each.unit]),
-          element("span", { class: "where" }, [each.stale ? `before the change, ${each.where}` : each.where]),
-          ...(before ? [pinnedNumber(each, before)] : []),
-        ]),
-      ]);
-    }),
-  );
+export function writeKeyNumbers(numbers, pins) {
+  const [first] = pins;
+  const number = (each) => html`<${Tile} key=${each.name} now=${each} before=${first && numberOf(first, each)} />`;
+  render(numbers.map(number), byId("key-numbers"));
+  byId("pins").hidden = !first;
+  render(first && html`<${Pins} pins=${pins} numbers=${numbers} />`, byId("pins"));
 }
 
-function pinnedNumber(each, before) {
-  const comparable = each.under === before.under || difference(each.under, before.under) === "same";
-  return element("span", { class: "pinned-number" }, [
-    `pinned ${before.value} ${before.unit} `,
-    element("b", {}, [comparable ? difference(each.number, before.number) : "under another load"]),
-  ]);
+/** @param {{now: KeyNumber, before?: KeyNumber}} props */
+function Tile({ now, before }) {
+  return html`<div class="key-number ${now.stale ? "stale" : ""}" data-key=${now.name} data-number=${String(now.number)}>
+    <dt>${now.name}</dt>
+    <dd><span class="value">${now.value}</span><span class="unit">${now.unit}</span>
+      <span class="where">${now.stale ? "before the change, " : ""}${now.where}</span>
+      ${
+        before &&
+        html`<span class="pinned-number"><span class="swatch pinned"></span> <b>${change(now, before)}</b>
+          <span class="unseen"> from the pinned one</span></span>`
+      }</dd></div>`;
+}
+
+/** A row for each pinned case and one for that in the form, with differences from the first. */
+function Pins({ pins, numbers }) {
+  const cell = (each, row) => {
+    const number = numberOf(row, each);
+    const before = row !== pins[0] && numberOf(pins[0], each);
+    return html`<td key=${each.name}>${number ? `${number.value} ${number.unit}` : "–"}
+      ${number && before && html`<small>${change(number, before)}</small>`}</td>`;
+  };
+  const line = (row) => numbers.map((each) => cell(each, row));
+  const pinned = (pin) => html`<tr key=${pin.id}>
+    <th scope="row"><input type="text" value=${pin.name} aria-label="name of a pinned case" title=${pin.name}
+      autocomplete="off" spellcheck=${false} onInput=${({ target }) => pin.rename(target.value)} />
+      <button type="button" aria-label="go back to ${pin.name}" onClick=${pin.open}>Go back</button>
+      <button type="button" aria-label="unpin ${pin.name}" onClick=${pin.remove}>Unpin</button></th>${line(pin)}</tr>`;
+  return html`<h2 id="pins-title"><span class="swatch pinned"></span> Pinned, with differences from the first</h2>
+    <div class="table" tabindex="0" role="group" aria-labelledby="pins-title"><table>
+      <thead><tr><th scope="col">Name</th>${numbers.map(({ name }) => html`<th scope="col">${name}</th>`)}</tr></thead>
+      <tbody>${pins.map(pinned)}
+        <tr key="now" class="now"><th scope="row">In the form</th>${line({ numbers })}</tr></tbody></table></div>`;
+}
+
+/** @param {{numbers: KeyNumber[]}} row @param {KeyNumber} like */
+function numberOf({ numbers }, like) {
+  return numbers.find(({ name }) => name === like.name);
+}
+
+/** @param {KeyNumber} now @param {KeyNumber} before */
+function change(now, before) {
+  const comparable = now.under === before.under || difference(now.under, before.under) === "same";
+  return comparable ? difference(now.number, before.number) : "under another load";
 }
 
 /**
@@ -124,8 +154,7 @@ export function writeVerdict(verdict, stale = false) {
   tile.classList.toggle("stale", stale);
   tile.dataset.level = verdict?.level ?? "";
   const words = stale ? `Before the change: ${verdict?.words}` : verdict?.words;
-  const parts = verdict ? [element("strong", {}, [words]), ` ${verdict.sentence}`] : [];
-  tile.replaceChildren(...parts);
+  render(verdict && html`<strong>${words}</strong> ${verdict.sentence}`, tile);
 }
 
 /**
@@ -135,15 +164,10 @@ export function writeVerdict(verdict, stale = false) {
  */
 export function writeRows(summary, warnings) {
   byId("warnings").hidden = warnings.length === 0;
-  byId("warnings").replaceChildren(...warnings.map((sentence) => element("li", {}, [sentence])));
-  const rows = summary.map(([name, value, remark]) =>
-    element("tr", {}, [
-      name ? element("th", { scope: "row" }, [name]) : element("td", {}),
-      element("td", {}, [value]),
-      element("td", {}, [remark]),
-    ]),
-  );
-  /** @type {HTMLElement} */ (byId("summary").querySelector("tbody")).replaceChildren(...rows);
+  render(warnings.map((sentence) => html`<li>${sentence}</li>`), byId("warnings"));
+  const row = ([name, value, remark]) =>
+    html`<tr>${name ? html`<th scope="row">${name}</th>` : html`<td></td>`}<td>${value}</td><td>${remark}</td></tr>`;
+  render(summary.map(row), byId("summary"));
 }
 
 function spoken({ key, warnings }) {

@@ -23,7 +23,10 @@
  *   stress?: {body: string, von_mises: {max: number, x: number, y: number, z: number, at_bore: boolean}, searched?: boolean},
  * }} Answer
  * @typedef {{ok: false, mistakes: Mistake[], profiles?: Profiles}} Refusal
- * @typedef {{document: object, answer: Answer}} Pinned
+ * @typedef {{
+ *   id: number, name: string, document: object, answer: any, stressed?: Answer | null,
+ *   rename: (name: string) => void, open: () => void, remove: () => void,
+ * }} Pin
  */
 
 export {};

@@ -1,4 +1,4 @@
-// What the page shows: the latest good result, the pinned one, and what is wrong now.
+// What the page shows: the latest good result, those that are pinned, and what is wrong now.
 
 import { figure, whenResized } from "./chart.js";
 import { byId } from "./elements.js";
@@ -17,8 +17,8 @@ export class View {
     this.drawProfiles = drawProfiles;
     /** @type {Result | null} */
     this.latest = null;
-    /** @type {Result | null} */
-    this.pinned = null;
+    /** @type {import("./types.js").Pin[]} */
+    this.pins = [];
     /** @type {import("./types.js").Profiles | undefined} */
     this.profiles = undefined;
     this.results = byId("results");
@@ -87,16 +87,16 @@ export class View {
     this.writeKeys();
   }
 
-  /** Pin a result, or unpin with null. @param {Result | null} result */
-  pin(result) {
+  /** Show what is pinned. @param {import("./types.js").Pin[]} pins */
+  pin(pins) {
     // What was solved for a link has its stresses in the answer itself.
-    this.pinned = result && { stressed: result.answer.planes ? result.answer : null, ...result };
+    this.pins = pins.map((pin) => ({ stressed: pin.answer.planes ? pin.answer : null, ...pin }));
     this.redraw();
   }
 
   drawResult() {
     if (!this.latest) return;
-    drawFigures(this.latest.answer, this.pinned?.answer ?? null, this.tilt);
+    drawFigures(this.latest.answer, this.pins[0]?.answer ?? null, this.tilt);
     this.drawProfiles(this.profiles);
     this.writeKeys();
   }
@@ -122,6 +122,6 @@ export class View {
   writeKeys() {
     if (!this.latest) return;
     const numbers = ({ answer, stressed }) => keyNumbers(answer, this.shownBody() ? stressed?.stress : undefined);
-    writeKeyNumbers(numbers(this.latest), this.pinned && numbers(this.pinned));
+    writeKeyNumbers(numbers(this.latest), this.pins.map((pin) => ({ ...pin, numbers: numbers(pin) })));
   }
 }

@@ -4,17 +4,19 @@ import { watchHelp, watchKeys } from "./anywhere.js";
 import { watchDrops } from "./drops.js";
 import { Edits } from "./edits.js";
 import { byId } from "./elements.js";
+import { nameOf, unitOf } from "./fields.js";
 import { opened, saved } from "./files.js";
 import { Form } from "./form.js";
 import { Address, shared } from "./link.js";
 import { AWAY, post } from "./live.js";
 import { Measured } from "./measured.js";
 import { showMistakes } from "./mistakes.js";
-import { withValue } from "./paths.js";
+import { differences, withValue } from "./paths.js";
 import { drawProfiles } from "./profiles.js";
 import { notice } from "./status.js";
 import { watchUnits } from "./units.js";
 
+/** @typedef {import("./types.js").Pin} Pin */
 /** @typedef {{document: object, answer: any}} Result a document with what was answered to it */
 /** @typedef {{document: any, text: string, form: any, limits: {document_bytes: number, upload_bytes: number}}} Start */
 /**
@@ -24,18 +26,22 @@ import { watchUnits } from "./units.js";
  *   bodies: Record<string, string>,
  *   want: (document: any, since?: number) => void,
  *   latest: () => Result | null,
- *   pin: (result: Result | null) => void,
+ *   pin: (pins: Pin[]) => void,
  *   solve: (document: object) => Promise<any>,
  *   drawn?: () => void,
  *   looked?: () => object | null,
  *   begun?: () => void,
+ *   again: (result: Result) => void,
  *   renamed?: () => void,
  * }} Page
  * What it is of, where its routes are, and the paths of its bodies by name; how a document is solved, what the latest
- * result is, and how one is pinned (`solve` answers for one that came with a link); what else follows when a form is
- * drawn, what is looked at, which is no part of the document, and what follows when another document is begun or units are
- * changed.
+ * result is, and what follows when others are pinned (`solve` answers for those that came with a link); what else follows
+ * when a form is drawn, what is looked at, which is no part of the document, and what follows when another document is
+ * begun, when the latest good result is read in other units, or units are changed.
  */
+
+const MOST_PINS = 8;
+const CHANGES = 3; // that the name of a pinned document has
 
 export class Work {
   /** @param {Start} start @param {Page} page */
@@ -43,8 +49,9 @@ export class Work {
     this.start = start;
     this.page = page;
     this.text = start.text; // of the file, for its comments
-    /** @type {Result | null} */
-    this.pinned = null;
+    /** @type {Pin[]} */
+    this.pins = [];
+    this.count = 0; // of all that were pinned
     /** @type {any} */
     this.profiles = undefined;
     this.address = new Address();
@@ -86,13 +93,13 @@ export class Work {
 
   /** Keep the document in the address. */
   keep() {
-    this.address.keep(this.document, this.pinned?.document ?? null, this.text, this.page.looked?.());
+    this.address.keep(this.document, this.pins, this.text, this.page.looked?.());
   }
 
   /** Draw the profiles of the bodies, beside the pinned ones. @param {any} profiles */
   drawProfiles(profiles) {
     this.profiles = profiles;
-    drawProfiles(Object.keys(this.page.bodies), profiles, this.pinned?.answer.profiles);
+    drawProfiles(Object.keys(this.page.bodies), profiles, this.pins[0]?.answer.profiles);
   }
 
   /** Ask what the form of a document takes from its geometry; null if there is no answer. @param {object} document */
@@ -123,31 +130,61 @@ export class Work {
     if (found) await this.show(found.document, found.text);
   }
 
-  /** Pin a result, or unpin with null. @param {Result | null} result */
-  pin(result) {
-    this.pinned = result;
-    const button = byId("pin");
-    button.setAttribute("aria-pressed", String(Boolean(result)));
-    button.textContent = result ? "Unpin" : `Pin this ${this.page.what}`;
-    byId("pinned-note").hidden = !result;
-    byId("pinned-title").textContent = result?.answer.title ?? "";
-    this.page.pin(result);
+  /** Show what is pinned. @param {Pin[]} pins */
+  setPins(pins) {
+    this.pins = pins;
+    byId("pin").disabled = pins.length >= MOST_PINS;
+    this.page.pin(pins);
     this.drawProfiles(this.profiles);
+    this.keep();
   }
 
-  /** Solve and pin a document that came with a link. @param {object} document */
-  async pinShared(document) {
-    try {
-      const answer = await this.page.solve(document);
-      if (answer.ok) this.pin({ document, answer });
-      else notice("link", `The pinned ${this.page.what} in the link cannot be shown: ${answer.mistakes[0]?.sentence}`);
-    } catch {
-      notice("link", AWAY);
+  /** @param {Result} result @param {string} name @returns {Pin} */
+  pinOf(result, name) {
+    const pin = {
+      ...result,
+      ...{ id: (this.count += 1), name },
+      rename: (other) => {
+        pin.name = other;
+        this.keep();
+      },
+      open: () => void this.form.open(pin.document),
+      remove: () => {
+        this.setPins(this.pins.filter((each) => each !== pin));
+        /** @type {HTMLElement} */ (document.querySelector("#pins button") ?? byId("pin")).focus();
+      },
+    };
+    return pin;
+  }
+
+  /** What a result is pinned as: its title, or what differs from the one that has that already. @param {Result} result */
+  nameOf({ document, answer: { title } }) {
+    const namesake = this.pins.find(({ answer }) => answer.title === title);
+    const words = (path) => {
+      const control = /** @type {any} */ (this.form.host.elements.namedItem(path));
+      return control ? `${nameOf(control)} ${control.value} ${unitOf(control)}`.trim() : path;
+    };
+    const changes = namesake ? differences(namesake.document, document).slice(0, CHANGES).map(words) : [];
+    return changes.join("; ") || title || this.page.what;
+  }
+
+  /** Solve and pin documents in place of what is pinned. @param {import("./link.js").Named[]} pinned */
+  async pinAll(pinned) {
+    const pins = [];
+    for (const { document, name } of pinned) {
+      try {
+        const answer = await this.page.solve(document);
+        if (answer.ok) pins.push(this.pinOf({ document, answer }, name || answer.title || this.page.what));
+        else notice("link", `A pinned ${this.page.what} in the link cannot be shown: ${answer.mistakes[0]?.sentence}`);
+      } catch {
+        notice("link", AWAY);
+      }
     }
+    this.setPins(pins);
   }
 
   async copyLink() {
-    const link = await this.address.put(this.document, this.pinned?.document ?? null, this.text, this.page.looked?.());
+    const link = await this.address.put(this.document, this.pins, this.text, this.page.looked?.());
     const button = byId("share");
     try {
       await navigator.clipboard.writeText(link);
@@ -195,9 +232,14 @@ export class Work {
 
   /** Show everything in the units that are chosen now. */
   async reread() {
+    const latest = this.page.latest();
+    if (latest && !byId("mistakes").hidden) {
+      const answer = await this.page.solve(latest.document).catch(() => null);
+      if (answer?.ok) this.page.again({ ...latest, answer });
+    }
     await this.form.open(this.document);
     this.page.renamed?.();
-    if (this.pinned) await this.pinShared(this.pinned.document);
+    if (this.pins.length) await this.pinAll(this.pins);
   }
 
   /** Show the document in the address, if it holds one. */
@@ -205,7 +247,7 @@ export class Work {
     try {
       const found = await shared(window.location.hash);
       if (!found) return false;
-      if (found.pinned) void this.pinShared(found.pinned);
+      if (found.pinned.length) void this.pinAll(found.pinned);
       return await this.show(found.document, found.text);
     } catch (error) {
       notice("link", /** @type {Error} */ (error).message);
@@ -225,10 +267,9 @@ export class Work {
     pressed("#undo", () => this.step(-1));
     pressed("#redo", () => this.step(1));
     pressed("#pin", () => {
-      this.pin(this.pinned ? null : this.page.latest());
-      this.keep();
+      const latest = this.page.latest();
+      if (latest) this.setPins([...this.pins, this.pinOf(latest, this.nameOf(latest))]);
     });
-    pressed("#show-pinned", () => this.pinned && this.form.open(this.pinned.document));
     pressed("#share", () => this.copyLink());
     pressed("#open", () => byId("open-file").click());
     byId("open-file").addEventListener("change", ({ target }) => {
