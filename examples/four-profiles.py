@@ -26,7 +26,7 @@ import nonhertz as nh
 from nonhertz import life
 from nonhertz.plot.sheets import WIDTH, save
 from nonhertz.plot.style import FAINT_INK, FIRST, HAIR, INK, LINE, SECOND, SMALL_SIZE, THIN, TITLE_SIZE, sheet_style
-from nonhertz.result.solution import EdgeKind
+from nonhertz.result.edges import EdgeKind
 
 DIAMETER = LENGTH = 12.7  # mm
 DESIGN = 2000.0  # MPa, maximum pressure of Hertz's line contact at the design load

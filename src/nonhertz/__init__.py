@@ -56,12 +56,12 @@ if TYPE_CHECKING:
     from nonhertz.model.corner import Chamfer as Chamfer
     from nonhertz.model.material import Material as Material
     from nonhertz.model.materials import MATERIALS as MATERIALS
-    from nonhertz.result.solution import EdgeKind as EdgeKind
-    from nonhertz.result.solution import EdgePressure as EdgePressure
-    from nonhertz.result.solution import ErrorEstimate as ErrorEstimate
-    from nonhertz.result.solution import SingularEnd as SingularEnd
+    from nonhertz.result.edges import EdgeKind as EdgeKind
+    from nonhertz.result.edges import EdgePressure as EdgePressure
+    from nonhertz.result.edges import SingularEnd as SingularEnd
     from nonhertz.result.solution import Solution as Solution
-    from nonhertz.result.solution import Status as Status
+    from nonhertz.result.status import ErrorEstimate as ErrorEstimate
+    from nonhertz.result.status import Status as Status
     from nonhertz.solver.many import solve_many as solve_many
     from nonhertz.solver.one import solve as solve
     from nonhertz.solver.portions import Portion as Portion
@@ -86,9 +86,9 @@ _HOMES = {
     "Contact": "nonhertz.model.contact",
     "CaseError": "nonhertz.errors",
     "ConvergenceError": "nonhertz.errors",
-    "EdgeKind": "nonhertz.result.solution",
-    "EdgePressure": "nonhertz.result.solution",
-    "ErrorEstimate": "nonhertz.result.solution",
+    "EdgeKind": "nonhertz.result.edges",
+    "EdgePressure": "nonhertz.result.edges",
+    "ErrorEstimate": "nonhertz.result.status",
     "InputError": "nonhertz.errors",
     "Interrupted": "nonhertz.errors",
     "MATERIALS": "nonhertz.model.materials",
@@ -102,10 +102,10 @@ _HOMES = {
     "Ring": "nonhertz.model.body",
     "Roller": "nonhertz.model.body",
     "SEMI_ELLIPTIC": "nonhertz.strip.element",
-    "SingularEnd": "nonhertz.result.solution",
+    "SingularEnd": "nonhertz.result.edges",
     "Solution": "nonhertz.result.solution",
     "Solutions": "nonhertz.solver.solutions",
-    "Status": "nonhertz.result.solution",
+    "Status": "nonhertz.result.status",
     "TabulatedDiameter": "nonhertz.model.body",
     "ContactMap": "nonhertz.maps.value",
     "compare": "nonhertz.comparison",

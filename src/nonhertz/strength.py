@@ -29,8 +29,10 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import one_of
 from nonhertz.model.body import Body, BodyName
 from nonhertz.model.materials import name_of
+from nonhertz.result.edges import EdgeKind
 from nonhertz.result.ends import ends_in_words, outermost
-from nonhertz.result.solution import EdgeKind, ReadOnly, Solution, Solved
+from nonhertz.result.read_only import ReadOnly
+from nonhertz.result.solution import Solution, Solved
 
 if TYPE_CHECKING:
     from nonhertz.subsurface import Extreme, Extremes

@@ -17,8 +17,8 @@ from nonhertz.comparison import ComparedQuantity
 from nonhertz.comparison.value import differences
 from nonhertz.files.comparisons import as_object, as_table
 from nonhertz.files.results import key_by_key
+from nonhertz.result.edges import EdgeKind
 from nonhertz.result.ends import away_from_ends
-from nonhertz.result.solution import EdgeKind
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
 CELLS = (48, 96)

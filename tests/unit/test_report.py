@@ -24,7 +24,7 @@ from nonhertz.report.layout import linked
 from nonhertz.report.method import method
 from nonhertz.report.overview import first_numbers, opening
 from nonhertz.report.page import compose, rendered
-from nonhertz.result.solution import Status
+from nonhertz.result.status import Status
 from nonhertz.show.beside import beside
 from nonhertz.show.lives import compared_section
 from nonhertz.show.sections import Cell

@@ -43,8 +43,8 @@ from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
 from nonhertz.life.spectrum import checked_shares, miner
 from nonhertz.result.brief import plain_text
+from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import ends_in_words
-from nonhertz.result.solution import SingularEnd
 
 #: A loaded bearing, or several loads of one bearing with their shares of the revolutions.
 Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]

@@ -48,8 +48,10 @@ from nonhertz.life.catalogue import MODELS, VolumeModel
 from nonhertz.life.volume import Exposure, even_exposure, exposure, section_exposure
 from nonhertz.model.body import BodyName
 from nonhertz.result.brief import plain_text
+from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import ends_in_words
-from nonhertz.result.solution import ReadOnly, SingularEnd, Solution
+from nonhertz.result.read_only import ReadOnly
+from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 #: What is seen at each roller of a row; nothing where it is not loaded.

@@ -27,7 +27,7 @@ from nonhertz.bearing.ratings import Rating
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of
-from nonhertz.result.solution import SingularEnd
+from nonhertz.result.edges import SingularEnd
 
 Array = NDArray[np.float64]
 

@@ -26,7 +26,8 @@ from nonhertz.life.capacity import is_hollow
 from nonhertz.result.brief import plain_text
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity, attributes
-from nonhertz.result.solution import ReadOnly, Solution
+from nonhertz.result.read_only import ReadOnly
+from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution, loaded_shares
 from nonhertz.errors import ConvergenceError
 from nonhertz.result.data import library
-from nonhertz.result.solution import ReadOnly
+from nonhertz.result.read_only import ReadOnly
 
 if TYPE_CHECKING:
     import pandas as pd

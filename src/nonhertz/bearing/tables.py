@@ -20,7 +20,7 @@ from nonhertz.findings import finding, warn
 from nonhertz.inputs.checks import broadcast, numbers, one_of, whole
 from nonhertz.maps.misses import SAFETY
 from nonhertz.result.brief import plain_text
-from nonhertz.result.solution import ReadOnly, read_only
+from nonhertz.result.read_only import ReadOnly, read_only
 
 Array = NDArray[np.float64]
 Kind = Literal["linear", "cubic"]

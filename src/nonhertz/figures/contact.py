@@ -35,8 +35,10 @@ from nonhertz.result.along import (
 )
 from nonhertz.result.area import element_peak, outlines
 from nonhertz.result.brief import where_largest
+from nonhertz.result.edges import EdgePressure
 from nonhertz.result.maximum import places_of_largest
-from nonhertz.result.solution import EdgePressure, Solution, Status
+from nonhertz.result.solution import Solution
+from nonhertz.result.status import Status
 from nonhertz.strip.element import PARABOLIC
 
 BEYOND = 1.6

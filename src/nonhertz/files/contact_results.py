@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Any, Final
 from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, quantity_keys, within
 from nonhertz.model.body import BODIES
+from nonhertz.result.edges import EdgeKind
 from nonhertz.result.quantities import ALONG, QUANTITIES
-from nonhertz.result.solution import EdgeKind, Solution, Status
+from nonhertz.result.solution import Solution
+from nonhertz.result.status import Status
 from nonhertz.result.tables import csv_text, heading
 from nonhertz.strip.element import ELEMENTS
 from nonhertz.verdict import of_contact

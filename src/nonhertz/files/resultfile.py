@@ -22,8 +22,10 @@ from nonhertz.files.folder import write_files
 from nonhertz.findings import said
 from nonhertz.inputs.assumed import restored
 from nonhertz.inputs.files import content
+from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.outcome import Judgement
-from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status
+from nonhertz.result.solution import Solution
+from nonhertz.result.status import ErrorEstimate, Status
 from nonhertz.strip.element import ELEMENTS
 
 if TYPE_CHECKING:

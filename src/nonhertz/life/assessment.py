@@ -30,8 +30,10 @@ from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.brief import plain_text
+from nonhertz.result.edges import EdgeKind, SingularEnd
 from nonhertz.result.ends import ends_in_words, outermost, step_at
-from nonhertz.result.solution import EdgeKind, ReadOnly, SingularEnd, Solution, Solved
+from nonhertz.result.read_only import ReadOnly
+from nonhertz.result.solution import Solution, Solved
 from nonhertz.subsurface.evaluation import Running, refuse_options
 from nonhertz.subsurface.inside import Inside, checked_body, checked_solution
 

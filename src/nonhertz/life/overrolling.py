@@ -35,7 +35,8 @@ from nonhertz.model.body import BodyName
 from nonhertz.patch.features import Dent
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.solver import solve
-from nonhertz.result.solution import ReadOnly, Solved
+from nonhertz.result.read_only import ReadOnly
+from nonhertz.result.solution import Solved
 from nonhertz.subsurface.evaluation import stress
 from nonhertz.subsurface.field import TAU_XZ, max_shear_of, von_mises_of
 from nonhertz.subsurface.inside import checked_body, checked_solution

@@ -28,7 +28,8 @@ from nonhertz.life.lamina import LEFT_OUT, refuse_rolling_on
 from nonhertz.model.body import BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.solution import ReadOnly, Solved
+from nonhertz.result.read_only import ReadOnly
+from nonhertz.result.solution import Solved
 from nonhertz.subsurface.evaluation import Running, across_at, refuse_options
 from nonhertz.subsurface.inside import Inside
 from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage, revolution

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING
 from nonhertz.maps.spline import cells, roughness, rows, size
 from nonhertz.native import core
-from nonhertz.result.solution import read_only
+from nonhertz.result.read_only import read_only
 
 if TYPE_CHECKING:
     from scipy import sparse

@@ -22,7 +22,7 @@ from nonhertz.maps.misses import SAFETY, SampledErrors
 from nonhertz.native import core
 from nonhertz.result.brief import plain_text
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.solution import ReadOnly
+from nonhertz.result.read_only import ReadOnly
 from nonhertz.result.tables import as_csv
 
 Array = NDArray[np.float64]

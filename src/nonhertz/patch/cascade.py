@@ -25,7 +25,7 @@ from nonhertz.patch.grid import Grid, Span, half_widths, interpolation
 from nonhertz.patch.inverse import Inverse
 from nonhertz.patch.settle import CellState, Task, settle
 from nonhertz.patch.surface import Surface
-from nonhertz.result.solution import Status
+from nonhertz.result.status import Status
 
 Array = NDArray[np.float64]
 

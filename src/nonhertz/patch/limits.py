@@ -20,9 +20,10 @@ from nonhertz.patch.grid import Grid, widest_run
 from nonhertz.patch.nearness import Overlap
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.checks import curved, image_weights, small_strains, thick
+from nonhertz.result.edges import EdgeKind, SingularEnd
 from nonhertz.result.maximum import largest_pressure, singular_y
 from nonhertz.result.penetration import is_noticeable
-from nonhertz.result.solution import EdgeKind, ErrorEstimate, SingularEnd, Status
+from nonhertz.result.status import ErrorEstimate, Status
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -27,7 +27,7 @@ from nonhertz.patch.features import Dent
 from nonhertz.patch.grid import Grid, widest_run
 from nonhertz.patch.nearness import Lowest, Overlap, Window
 from nonhertz.result.checks import LEAST_OF_ALL, refuse_thin_bodies
-from nonhertz.result.solution import Status
+from nonhertz.result.status import Status
 
 Array = NDArray[np.float64]
 

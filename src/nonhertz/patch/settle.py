@@ -32,7 +32,7 @@ from numpy.typing import NDArray
 
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.inverse import Inverse
-from nonhertz.result.solution import Status
+from nonhertz.result.status import Status
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

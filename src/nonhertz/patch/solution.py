@@ -20,8 +20,11 @@ from nonhertz.model.profile.base import SAME_PLACE, at_ends
 from nonhertz.patch.grid import half_widths, interpolation
 from nonhertz.patch.resources import memory
 from nonhertz.result import brief
+from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import corner_ends, ends_in_words, singular_ends
-from nonhertz.result.solution import ErrorEstimate, SingularEnd, Solved, Status, read_only
+from nonhertz.result.read_only import read_only
+from nonhertz.result.solution import Solved
+from nonhertz.result.status import ErrorEstimate, Status
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -36,7 +36,7 @@ from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.surface import Feature, Surface, refuse_no_bodies
 from nonhertz.patch.verdict import complaint
 from nonhertz.result.checks import LEAST_OF_ALL, refuse_thin_bodies
-from nonhertz.result.solution import ErrorEstimate, Status
+from nonhertz.result.status import ErrorEstimate, Status
 
 CELLS = (128, 512)
 WORTH_THREADS = 2**16  # cells: below this, distributing blocks costs more than it saves

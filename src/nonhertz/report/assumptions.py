@@ -25,8 +25,10 @@ from nonhertz.bodies.ends import ends
 from nonhertz.comparison.value import NOTABLE
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.checks import LEAST_DEPTH, ValidityCheck, checks
+from nonhertz.result.edges import EdgeKind
 from nonhertz.result.ends import leaves_stress
-from nonhertz.result.solution import EdgeKind, Solution, Status
+from nonhertz.result.solution import Solution
+from nonhertz.result.status import Status
 from nonhertz.result.validity import ROUND_IT
 from nonhertz.show.bearing import most_loaded
 from nonhertz.strength import Verdict as StrengthVerdict

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.edges import EdgeKind, EdgePressure
+from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 

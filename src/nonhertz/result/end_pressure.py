@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.findings import Finding, finding, said
 from nonhertz.native import core
+from nonhertz.result.edges import EdgeKind, EdgePressure
 from nonhertz.result.end_fit import FIT_REACH, fitted_strength
-from nonhertz.result.solution import EdgeKind, EdgePressure
 from nonhertz.strip.problem import Problem
 
 Array = NDArray[np.float64]

@@ -12,8 +12,9 @@ from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
 from nonhertz.model.profile.base import SAME_PLACE
 from nonhertz.native import core
+from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.maximum import distance_beyond, singular_y
-from nonhertz.result.solution import EdgeKind, EdgePressure, SingularEnd, Solved
+from nonhertz.result.solution import Solved
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -24,9 +24,13 @@ from nonhertz.model.contact import Contact
 from nonhertz.native import core
 from nonhertz.result.measures import Measure, measure_of
 from nonhertz.result.outcome import Judgement
-from nonhertz.result.solution import ReadOnly, Solution, Status
+from nonhertz.result.read_only import ReadOnly
+from nonhertz.result.status import Status
 from nonhertz.strip.adjoint import Linearised, linearised
 from nonhertz.strip.influence import kernel_of
+
+if TYPE_CHECKING:
+    from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
 Family = Callable[[float], Contact]

@@ -14,9 +14,11 @@ from nonhertz.errors import ConvergenceError
 from nonhertz.findings import Finding
 from nonhertz.model.side_faces import SERIES
 from nonhertz.native import core
+from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.end_pressure import edge_pressures, with_strengths
 from nonhertz.result.shortfall import shortfall
-from nonhertz.result.solution import EdgeKind, EdgePressure, ErrorEstimate, SingularEnd, Solution, Status, not_finite
+from nonhertz.result.solution import Solution, not_finite
+from nonhertz.result.status import ErrorEstimate, Status
 from nonhertz.result.validity import is_strained, refuse_wide, refuse_wide_series, singularities, strains
 from nonhertz.strip.problem import Problem, StripModel
 

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import enum
 import math
 import os
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import EndStrength, mm
+from nonhertz.amounts import mm
 from nonhertz.bodies.shape import Shape
-from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.assumed import assumed
 from nonhertz.inputs.checks import broadcast, numbers
@@ -23,8 +21,11 @@ from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile.base import at_ends
 from nonhertz.result import brief
 from nonhertz.result.data import library
+from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
 from nonhertz.result.quantities import ALONG
+from nonhertz.result.read_only import ReadOnly, read_only
+from nonhertz.result.status import ErrorEstimate, Status
 from nonhertz.strip.element import Element
 
 if TYPE_CHECKING:
@@ -42,197 +43,6 @@ Values = TypeVar("Values", bound=NDArray[Any])
 
 # Of the length common to both bodies: less than the first in contact, and within the second of an end of the land.
 _PARTLY, _AT_END = 0.5, 0.05
-
-
-class Status(enum.Enum):
-    """How a solve ended; each member's value is the sentence that the user reads."""
-
-    CONVERGED = "The solution satisfies every contact condition."
-    ITERATION_LIMIT = "The iterations reached their limit before the contact conditions were met."
-    STAGNATED = "The iterations could not reduce the residual any further."
-    REFUTED = "The state in which the iterations ended does not meet what was prescribed."
-
-    @property
-    def label(self) -> str:
-        """The member's name as files and tables write it, such as ``"converged"``."""
-        return self.name.lower().replace("_", "-")
-
-
-@dataclass(frozen=True)
-class ErrorEstimate:
-    """Estimated discretisation errors, relative, from the same solve on about half as many strips.
-
-    Attributes
-    ----------
-    approach : float
-        |error of approach| / penetration, since part of the approach may be made before the bodies touch; zero where
-        the approach is prescribed.
-    load : float
-        |error of load| / load; zero where the load is prescribed.
-    max_pressure : float
-        |error of maximum pressure| / maximum pressure. Infinite where the maximum is at a corner of the profile within
-        the contact: every refinement raises it without limit, so no error is defined.
-    moment : float
-        |error of moment| / (load times half the length of the strips); zero where the moment is prescribed.
-    tilt : float
-        |error of tilt| times half the length of the strips / penetration; zero where the tilt is prescribed.
-    """
-
-    approach: float
-    load: float
-    max_pressure: float
-    moment: float
-    tilt: float
-
-
-class EdgeKind(enum.Enum):
-    """How a contact ends; each member's value is the sentence that the user reads."""
-
-    RUN_OUT = "The contact ends inside the bodies, where the pressure falls to zero."
-    FINITE = "The side faces freed here make up a whole mirror, and the pressure up to the end is finite."
-    SINGULAR = "The contact reaches a sharp end, where the pressure grows without bound."
-    CORNER = "The contact ends at a corner of the profile, where the pressure grows without bound."
-    CUT_OFF = "The strips end here while the contact continues."
-
-    @property
-    def label(self) -> str:
-        """The member's name as files and tables write it, such as ``"run-out"``."""
-        return self.name.lower().replace("_", "-")
-
-
-@dataclass(frozen=True)
-class EdgePressure:
-    """The pressure at one end of a contact, and what kind of number it is.
-
-    Attributes
-    ----------
-    y : float
-        Where the contact ends [mm].
-    kind : EdgeKind
-        Whether the pressure runs out, stays finite up to the end, or has no limit there, at a sharp end or a corner.
-    pressure : float
-        Pressure of the last strip [MPa], zero where the contact runs out. A limit only if ``converges``.
-    strip_width : float
-        Width of that strip [mm], zero where the contact runs out.
-    image_weight : float
-        kappa [-]: image weight times share of the compliance, summed over the bodies with a free face here.
-    exponent : float
-        alpha [-] of p ~ K / s^alpha, s the distance from the end; zero where finite. Where faces are mirrored,
-        cos(pi alpha) = kappa.
-    strength : float or None
-        K [MPa mm^alpha], from the strips within half a half-width of the end. None where nothing is singular, where too
-        few strips or a face of the other body lie that close, and for alpha below 0.1, where the pressure is nearly
-        constant and K alone would mislead.
-    correction : float or None
-        c [mm^-beta] of p = K s^-alpha (1 + c s^beta), within 2 % up to half a half-width; see `at`.
-    correction_exponent : float
-        beta [-]: 2 alpha at a mirrored end, from the eigenvalues of the wedge at a free one; zero where finite.
-    convention : Finding
-        What ends here and what is freed, in words.
-
-    Notes
-    -----
-    On the automatic grid K of semi-elliptic strips is within 0.2 % of solutions whose shape across is free, 0.5 % where
-    the contact is only five half-widths long (docs/explain/end-table.md). That includes the factor 1 / (1 + 0.006 (1 -
-    kappa)) for the true shape across near the end, which those solutions gave. Parabolic strips are within 3 %. At
-    faces that are free of normal stress, too, there is no such factor, and K has been compared with strips only.
-    """
-
-    y: float
-    kind: EdgeKind
-    pressure: float
-    strip_width: float
-    image_weight: float
-    exponent: float
-    strength: float | None
-    correction: float | None
-    correction_exponent: float
-    convention: Finding
-
-    def at(self, distance: ArrayLike) -> Array:
-        """Return the pressure K s^-alpha (1 + c s^beta) [MPa] at a ``distance`` s > 0 from the end [mm].
-
-        Parameters
-        ----------
-        distance : array_like
-            s [mm], positive, at most half a half-width.
-
-        Returns
-        -------
-        ndarray
-            Pressures [MPa]; nan if there is no strength.
-        """
-        remedy = "give distances from the end in mm"
-        s = numbers("distance", distance, remedy)
-        if np.any(s <= 0.0):
-            raise InputError("distance", distance, "be positive", remedy)
-        if self.strength is None or self.correction is None:
-            return np.full(s.shape, np.nan)
-        pressure: Array = self.strength * s**-self.exponent * (1.0 + self.correction * s**self.correction_exponent)
-        return pressure
-
-    @property
-    def converges(self) -> bool:
-        """Whether ``pressure`` converges under refinement."""
-        return self.kind in {EdgeKind.RUN_OUT, EdgeKind.FINITE}
-
-    @property
-    def law(self) -> str:
-        """How the pressure grows towards a sharp end, as text; empty where the contact does not reach one."""
-        return str(self.growth) if self.kind is EdgeKind.SINGULAR else ""
-
-    @property
-    def growth(self) -> Finding:
-        """How the pressure grows towards a sharp end, with exponent and strength."""
-        strength = "unknown" if self.strength is None else EndStrength(self.strength, self.exponent)
-        known = "{strength}" if self.strength is None else "= {strength}"
-        return finding("growth", f"p ~ K / s^{{exponent:.3g}}, K {known}", exponent=self.exponent, strength=strength)
-
-
-@dataclass(frozen=True)
-class SingularEnd:
-    """An end of a contact, or of one of its intervals, towards which pressure and stress have no limit.
-
-    Attributes
-    ----------
-    y : float
-        Where [mm].
-    kind : EdgeKind
-        SINGULAR at a sharp end of a body, CORNER at a corner of the profile.
-    """
-
-    y: float
-    kind: EdgeKind
-
-
-class ReadOnly:
-    """A frozen dataclass whose arrays are read-only too, even after unpickling, which drops the flag; a short repr."""
-
-    def __repr__(self) -> str:
-        return brief.fields(self)
-
-    def __post_init__(self) -> None:
-        _freeze(vars(self))
-
-    def __getstate__(self) -> dict[str, object]:
-        # What is worked out from the fields is worked out again.
-        return {each.name: getattr(self, each.name) for each in fields(self)}  # type: ignore[arg-type]
-
-    def __setstate__(self, state: dict[str, object]) -> None:
-        self.__dict__.update(state)
-        _freeze(state)
-
-
-def _freeze(values: dict[str, object]) -> None:
-    for value in values.values():
-        if isinstance(value, np.ndarray):
-            read_only(value)
-
-
-def read_only(array: Values) -> Values:
-    """Return the array, no longer writeable."""
-    array.flags.writeable = False
-    return array
 
 
 if TYPE_CHECKING:

@@ -17,8 +17,10 @@ from nonhertz.model.contact import sharper_curvature
 from nonhertz.model.side_faces import SERIES
 from nonhertz.native import core
 from nonhertz.result.checks import HEAVIEST, LEAST_OF_ALL, WAY_OUT, checks, holding, refuse_thin_bodies
+from nonhertz.result.edges import EdgeKind
 from nonhertz.result.penetration import is_noticeable
-from nonhertz.result.solution import EdgeKind, Solution, Status
+from nonhertz.result.solution import Solution
+from nonhertz.result.status import Status
 from nonhertz.strip.problem import Problem
 
 Array = NDArray[np.float64]

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 from nonhertz.amounts import digits, error_words, mm, mpa
 from nonhertz.model.body import BODIES
 from nonhertz.result.brief import where_largest
+from nonhertz.result.edges import EdgeKind, EdgePressure
 from nonhertz.result.ends import leaves_stress
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.solution import EdgeKind, EdgePressure, Solution
+from nonhertz.result.solution import Solution
 from nonhertz.show.sections import Row, Section, Table, assumed_rows, summary
 
 if TYPE_CHECKING:

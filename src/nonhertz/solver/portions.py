@@ -19,7 +19,7 @@ from nonhertz.errors import ConvergenceError, Interrupted, NonhertzError
 from nonhertz.findings import Finding
 from nonhertz.native import core
 from nonhertz.result.outcome import has_series, outcome
-from nonhertz.result.solution import read_only
+from nonhertz.result.read_only import read_only
 from nonhertz.solver.blocks import Block
 from nonhertz.solver.refusals import refusal
 from nonhertz.solver.solutions import Solutions

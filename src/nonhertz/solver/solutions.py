@@ -19,7 +19,8 @@ from nonhertz.model.contact import Contact
 from nonhertz.result.brief import plain_text, shortened
 from nonhertz.result.data import dataframe, dataset
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.solution import Solution, read_only
+from nonhertz.result.read_only import read_only
+from nonhertz.result.solution import Solution
 from nonhertz.solver import files
 from nonhertz.solver.blocks import Block
 

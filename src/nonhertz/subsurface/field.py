@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz.findings import Finding, HasFindings
 from nonhertz.model.body import BodyName
-from nonhertz.result.solution import ReadOnly, read_only
+from nonhertz.result.read_only import ReadOnly, read_only
 
 Array = NDArray[np.float64]
 

@@ -18,8 +18,10 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import listed, not_negative, positive
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.edges import EdgeKind
 from nonhertz.result.ends import ends_in_words, outermost
-from nonhertz.result.solution import EdgeKind, ReadOnly, Solved
+from nonhertz.result.read_only import ReadOnly
+from nonhertz.result.solution import Solved
 from nonhertz.subsurface.evaluation import Within, across_at, field_at, one_station, refuse_options
 from nonhertz.subsurface.inside import Inside, checked_solution
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, StressMeasure, passage, sampled_passage

@@ -1,0 +1,43 @@
+"""Results whose arrays cannot be written to."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.result import brief
+
+Values = TypeVar("Values", bound=NDArray[Any])
+
+
+class ReadOnly:
+    """A frozen dataclass whose arrays are read-only too, even after unpickling, which drops the flag; a short repr."""
+
+    def __repr__(self) -> str:
+        return brief.fields(self)
+
+    def __post_init__(self) -> None:
+        _freeze(vars(self))
+
+    def __getstate__(self) -> dict[str, object]:
+        # What is worked out from the fields is worked out again.
+        return {each.name: getattr(self, each.name) for each in fields(self)}  # type: ignore[arg-type]
+
+    def __setstate__(self, state: dict[str, object]) -> None:
+        self.__dict__.update(state)
+        _freeze(state)
+
+
+def _freeze(values: dict[str, object]) -> None:
+    for value in values.values():
+        if isinstance(value, np.ndarray):
+            read_only(value)
+
+
+def read_only(array: Values) -> Values:
+    """Return the array, no longer writeable."""
+    array.flags.writeable = False
+    return array
