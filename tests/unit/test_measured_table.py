@@ -13,6 +13,7 @@ from nonhertz.files.casefile import read_case
 from nonhertz.files.measured import MeasuredProfile, checked
 from nonhertz.files.mistakes import sentence
 from nonhertz.files.profiles import read_profile
+from nonhertz.files.reading import Surroundings
 from nonhertz.files.traces import read_trace
 from nonhertz.measured import prepare
 
@@ -105,13 +106,13 @@ def test_all_mistakes_of_a_table_are_told_at_once(folder):
 
 def test_a_table_without_a_file_says_so():
     with pytest.raises(InputError) as caught:
-        read_profile({"kind": "measured"}, {}, Path())
+        read_profile({"kind": "measured"}, {}, Surroundings(Path()))
     assert [sentence(mistake) for mistake in caught.value.each] == ["file must be given: name it in quotes."]
 
 
 def test_no_file_is_read_where_none_may_be():
     with pytest.raises(InputError) as caught:
-        read_profile({"kind": "measured", "file": "roller.txt"}, {}, None)
+        read_profile({"kind": "measured", "file": "roller.txt"}, {}, Surroundings())
     (mistake,) = caught.value.each
     assert "file = 'roller.txt' must not be read here: give y and relief, or upload" in str(mistake)
 

@@ -7,6 +7,7 @@ second row like the first within it.
 from __future__ import annotations
 
 from dataclasses import fields
+from pathlib import Path
 from typing import Annotated, Any
 
 from nonhertz.bearing.assessed import LifeConditions
@@ -19,6 +20,7 @@ from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import InputError, InputsError
 from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.mistakes import place_of
+from nonhertz.files.profiles import read_profile
 from nonhertz.files.reading import Reading, Surroundings, read, section
 from nonhertz.files.ring_shapes import read_shape, shape_tables
 from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, sampled, title_of
@@ -147,14 +149,15 @@ class BearingFile(Input):
                 raise InputError("life.viscosity", viscosity, condition, "use a thicker oil, or leave it out")
 
 
-def read_document(document: dict[str, Any], file: Surroundings) -> BearingFile:
-    """Return what a document holds.
+def read_document(document: dict[str, Any], folder: Path | None) -> BearingFile:
+    """Return what a document holds; names of files are relative to a folder, without which none may be read.
 
     Raises
     ------
     InputsError
         With all mistakes.
     """
+    file = Surroundings(folder, _radius_across(document), read_profile)
     found = _FileReading(BearingFile, document, file, ()).made()
     assert isinstance(found, BearingFile)
     return found
@@ -202,7 +205,7 @@ class _RowReading(Reading):
         return super().value(name, given)
 
 
-def radius_across(document: dict[str, Any]) -> Any:
+def _radius_across(document: dict[str, Any]) -> Any:
     """Return the combined radius of roller and inner raceway [mm], which profiles for a design load may take.
 
     None where both are cones or barrels: their radii across the contact are not those of the diameters in the file.

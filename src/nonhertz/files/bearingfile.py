@@ -24,14 +24,12 @@ from nonhertz.files.bearing_document import (
     BearingLifeConditions,
     bearing_sections,
     of_fit,
-    radius_across,
     read_document,
 )
 from nonhertz.files.casefile import Case
 from nonhertz.files.documents import OF_BEARINGS, starting_text
 from nonhertz.files.held import HeldCase
 from nonhertz.files.mistakes import case_error
-from nonhertz.files.reading import Surroundings
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import one_of, whole
 from nonhertz.inputs.fields import Input
@@ -94,7 +92,7 @@ class BearingCase(HeldCase):
     @staticmethod
     def contents_of(document: dict[str, Any], folder: Path | None) -> BearingFile:
         """Return what a document holds."""
-        return read_document(document, Surroundings(folder, radius_across(document)))
+        return read_document(document, folder)
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""

@@ -109,7 +109,7 @@ KINDS: Final = {word: _with_changes(cls) for word, cls in {**PARAMETERS, KIND: M
 _OF_FILE: Final = _with_changes(PointsFile)
 
 
-def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
+def read_profile(value: Any, body: Mapping[str, Any], file: Surroundings) -> Profile:
     """Return the sum of the profiles in a list of tables, or the profile of one table.
 
     Parameters
@@ -117,22 +117,23 @@ def read_profile(value: Any, body: Mapping[str, Any], folder: Path | None) -> Pr
     value : object
         What the case file holds.
     body : mapping
-        Its `dimensions`.
-    folder : Path or None
-        Directory that file names are relative to; None where no file may be read.
+        The keys of the body that have been read so far; an invalid one is absent.
+    file : Surroundings
+        Directory that file names are relative to, and the combined radius.
 
     Raises
     ------
     InputError
         All mistakes, with fields relative to ``value``.
     """
+    sizes = _dimensions(body, file.radius)
     if isinstance(value, dict):
-        return _read_table(value, body, folder)
+        return _read_table(value, sizes, file)
     if not isinstance(value, list):
         raise InputError("", value, "be a list of tables", _LIST_REMEDY)
     if len(value) > PROFILES:
         raise InputError("", value, f"have at most {PROFILES} profiles", _FEWER_REMEDY)
-    return sum(one_by_one("", value, lambda _, table: _read_table(table, body, folder)), CATALOGUE["straight"]())
+    return sum(one_by_one("", value, lambda _, table: _read_table(table, sizes, file)), CATALOGUE["straight"]())
 
 
 def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -162,7 +163,7 @@ def meaning_of(kind: str) -> str:
     )
 
 
-def dimensions(body: Mapping[str, Any], radius: Any) -> dict[str, Any]:
+def _dimensions(body: Mapping[str, Any], radius: Any) -> dict[str, Any]:
     """Return the dimensions of a body that its profiles may need: each a number, None where it has none, or `BROKEN`.
 
     Parameters
@@ -212,7 +213,7 @@ def _land_end(body: Mapping[str, Any]) -> Any:
     return 0.5 * whole - taken if 0.5 * whole > taken else BROKEN
 
 
-def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Profile:
+def _read_table(table: Any, body: Mapping[str, Any], file: Surroundings) -> Profile:
     if not isinstance(table, dict):
         raise InputError("", table, "be a table", _LIST_REMEDY)
     if "kind" not in table:
@@ -220,7 +221,7 @@ def _read_table(table: Any, body: Mapping[str, Any], folder: Path | None) -> Pro
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
         raise unknown("kind", kind, "profile", KINDS)
-    return _Table(kind, table, body, Surroundings(folder)).profile()
+    return _Table(kind, table, body, file).profile()
 
 
 class _Table(Reading):

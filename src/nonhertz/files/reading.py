@@ -48,10 +48,13 @@ class Surroundings:
         Directory that the names of files are relative to; None where no file may be read.
     radius : object
         Combined radius of both bodies across the contact [mm], for profiles; None or `BROKEN` where there is none.
+    read_profile : callable, optional
+        Returns the profile of a body: from what stands in the file, the body's fields that are good, and this.
     """
 
     folder: Path | None = None
     radius: Any = None
+    read_profile: Callable[[Any, Mapping[str, Any], Surroundings], Profile] | None = None
 
 
 def read(
@@ -189,11 +192,9 @@ class Reading:
         each, inner = self._described(name), self.fields[name].inputs.get(name)
         if isinstance(each, Several) and each.of is not None:
             return self._several(name, each, each.of, given)
-        if getattr(each, "of", None) is Profile:
-            from nonhertz.files.profiles import dimensions, read_profile  # which reads its tables with this module
-
+        if self.file.read_profile is not None and getattr(each, "of", None) is Profile:
             body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
-            return read_profile(given, dimensions(body, self.file.radius), self.file.folder)
+            return self.file.read_profile(given, body, self.file)
         if isinstance(each, Part) and each.named and not isinstance(given, dict | str):
             raise InputError("", given, "be a name or a table", each.remedy)
         part = isinstance(each, Part) and not (each.named and isinstance(given, str))

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS, MISTAKES
+from nonhertz.files.profiles import read_profile
 from nonhertz.files.reading import BROKEN, Surroundings, read
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.assumed import Assumed
@@ -87,7 +88,7 @@ def surroundings(document: Any, folder: Path | None) -> Surroundings:
     """
     bodies = document.get("body") if isinstance(document, dict) else None
     given = bodies if isinstance(bodies, dict) else {}
-    return Surroundings(folder, combined_radius(given.get("a"), given.get("b")))
+    return Surroundings(folder, combined_radius(given.get("a"), given.get("b")), read_profile)
 
 
 def combined_radius(*bodies: Any) -> Any:

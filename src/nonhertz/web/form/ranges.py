@@ -16,11 +16,11 @@ from typing import Any, Final, Literal
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
-from nonhertz.files.bearing_document import BearingFile, radius_across, read_document
+from nonhertz.files.bearing_document import BearingFile, read_document
 from nonhertz.files.documents import OF_BEARINGS
 from nonhertz.files.keys import Table, table_of
 from nonhertz.files.profiles import profile_tables
-from nonhertz.files.reading import Surroundings, read
+from nonhertz.files.reading import read
 from nonhertz.files.sections import Bodies, surroundings
 from nonhertz.hertz import half_space_line_compression, line_contact
 from nonhertz.inputs.units import in_unit
@@ -171,7 +171,7 @@ def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]
             return RANGES | _of_contact(Contact(bodies.a, bodies.b))
         parts = {name: document[name] for name in OF_BEARINGS if name in document}
         unloaded = {"radial_displacement": 0.0, "axial_displacement": 0.0}
-        found = read_document(parts | {"load": unloaded}, Surroundings(None, radius_across(document)))
+        found = read_document(parts | {"load": unloaded}, None)
         return RANGES | _of_bearing(found.bearing)
     except InputError:
         return RANGES
