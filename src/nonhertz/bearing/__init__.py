@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.clearance import Shaft as Shaft
     from nonhertz.bearing.fatigue import VolumeLife as VolumeLife
     from nonhertz.bearing.fatigue import volume_life as volume_life
+    from nonhertz.bearing.kinematics import Kinematics as Kinematics
     from nonhertz.bearing.lubrication import contamination_factor as contamination_factor
     from nonhertz.bearing.lubrication import life_factor as life_factor
     from nonhertz.bearing.lubrication import oil_viscosity as oil_viscosity
@@ -81,6 +82,7 @@ __getattr__, __dir__ = door(
         "clearance": ("Housing", "InterferenceFit", "Mounting", "OperatingClearance", "Shaft"),
         "fatigue": ("VolumeLife", "volume_life"),
         "fits": (),
+        "kinematics": ("Kinematics",),
         "lubrication": (
             "contamination_factor",
             "life_factor",

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
+from nonhertz.bearing.kinematics import Kinematics, cage_speed, roller_speed
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import RINGS, raceway_motion, ring_motion
 from nonhertz.errors import InputError
@@ -427,6 +428,27 @@ class RollerBearing(Input):
         transverse = np.trapezoid(0.5 * polar + line * (at - middle) ** 2, at)
         return Inertia(float(mass), float(middle), float(np.trapezoid(polar, at)), float(transverse))
 
+    def kinematics(self, *, inner_speed: float = 0.0, outer_speed: float = 0.0) -> Kinematics:
+        """Return the speeds of cage and rollers, and the frequencies of over-rolling.
+
+        Parameters
+        ----------
+        inner_speed, outer_speed : float
+            Speeds of the rings [1/min]; of washers, of the shaft's and of the housing's.
+
+        Raises
+        ------
+        InputError
+            If a speed is not finite, or both are equal.
+
+        Notes
+        -----
+        The contact angle is the mean of those of both rings, which is that of the rollers' axes.
+        """
+        size = self.roller_diameter / self.pitch
+        ratio = size * math.cos(0.5 * sum(self.contact_angles))
+        return Kinematics.of(self.rollers, size, ratio, inner_speed, outer_speed)
+
     def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
         """Return what the speed of a turning ring [rad/s] loads every roller with: along x and r and as moment.
 
@@ -438,10 +460,10 @@ class RollerBearing(Input):
         if speed == 0.0:
             return np.zeros(3)
         roller, inclined = self.inertia, 0.5 * sum(self.contact_angles)
-        ratio = self.roller_diameter * math.cos(self.nominal_angle) / self.pitch
-        sense = -1.0 if turning == "inner" else 1.0
-        cage = 0.5 * speed * (1.0 + sense * ratio)
-        spin = sense * 0.5 * speed * self.pitch / self.roller_diameter * (1.0 - ratio**2)
+        size = self.roller_diameter / self.pitch
+        ratio = size * math.cos(self.nominal_angle)
+        speeds = (speed, 0.0) if turning == "inner" else (0.0, speed)
+        cage, spin = cage_speed(*speeds, ratio), roller_speed(*speeds, ratio, size)
         centrifugal = roller.mass * cage**2 * (0.5 * self.pitch - roller.middle * math.sin(inclined))
         # Of the angular momentum, what is square to the bearing's axis turns with the cage.
         along = roller.polar * (spin + cage * math.cos(inclined))

@@ -55,6 +55,15 @@ _CLEARANCE: Final = (
     Key("expansion", "given by temperatures between two rows", "mm", lambda case: case.fit.expansion(case.bearing)),
     *(Key(ring, f"fit of the {ring} ring", get=f"operating_clearance.{ring}", holds=_FIT) for ring in RINGS),
 )  # fmt: skip
+_KINEMATICS: Final = (
+    Key("inner_speed", "speed of the inner ring", "1/min"),
+    Key("outer_speed", "speed of the outer ring", "1/min"),
+    Key("cage_speed", "speed of the cage", "1/min"),
+    Key("roller_speed", "speed of a roller about its axis, against the cage", "1/min"),
+    Key("inner_frequency", "how often rollers pass a place of the inner ring, BPFI", "Hz"),
+    Key("outer_frequency", "how often rollers pass a place of the outer ring, BPFO", "Hz"),
+    Key("roller_frequency", "how often a place of a roller meets a ring, 2 BSF", "Hz"),
+)
 _RATING: Final = (
     Key("dynamic", "basic dynamic load rating C", "N"),
     Key("static", "basic static load rating C0", "N"),
@@ -150,6 +159,7 @@ def keys() -> tuple[Key, ...]:
             Key("residual", "imbalance relative to the loads"),
         ),
         *quantity_keys(quantity for quantity in QUANTITIES.values() if not quantity.within),
+        Key("kinematics", "speeds, frequencies; null at rest", get="case.kinematics", holds=_KINEMATICS, nullable=True),
         Key("iterations", "Newton steps of the ring", get="solution.iterations", holds="integer"),
         Key("life", "ratings and lives; null where life_reason says why", holds=_LIFE, nullable=True),
         Key("life_reason", "why there is no life; empty if there is one", get="reason", holds="string"),

@@ -38,6 +38,7 @@ from nonhertz.model.prescription import Prescription
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.clearance import OperatingClearance
+    from nonhertz.bearing.kinematics import Kinematics
     from nonhertz.bearing.solution import BearingSolution
 
 
@@ -119,6 +120,15 @@ class BearingCase(HeldCase):
         return tuple(case if case.speed else replace(case, speed=speed) for case in self.life.spectrum)
 
     @property
+    def mean_speed(self) -> float:
+        """Speed at which revolutions become hours [1/min], of a spectrum the mean over the time; zero if unknown."""
+        if not self.spectrum:
+            return self.prescribed.speed
+        if not all(case.speed for case in self.spectrum):
+            return 0.0
+        return sum(case.share for case in self.spectrum) / sum(case.share / case.speed for case in self.spectrum)
+
+    @property
     def operating_clearance(self) -> OperatingClearance | None:
         """What fits, temperatures and speed leave of the clearance of a row, and what each takes; None without fits.
 
@@ -149,6 +159,12 @@ class BearingCase(HeldCase):
             return self.fit.mounted(self.bearing, self._inner_speed)
         except InputError as error:
             raise placed(error, "fit", document=self.document) from None
+
+    @property
+    def kinematics(self) -> Kinematics | None:
+        """Speeds of cage and rollers, and frequencies of over-rolling; None without a speed."""
+        speed = self.prescribed.speed
+        return self.bearing.rows[0].bearing.kinematics(**{f"{self.life.turning}_speed": speed}) if speed else None
 
     @property
     def _inner_speed(self) -> float:

@@ -12,6 +12,7 @@ from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, ne
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD
+from nonhertz.bearing.kinematics import Kinematics
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
@@ -32,14 +33,14 @@ _PLAY = 1e-3  # mm, below which diameters are rounded
 
 def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str) -> list[Section]:
     """Return what is shown of a loaded bearing; nothing of its life if neither that nor a reason is given."""
-    speed = None if case.spectrum else case.prescribed.speed
-    lives = life_rows(life, reason, speed) if life is not None or reason else []
+    lives = life_rows(life, reason, case.mean_speed) if life is not None or reason else []
     if lives and case.spectrum:
         share = f"{given(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
         lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
     return [
         Section("Results", [summary(summary_rows(case, solution))]),
         Section("Ratings and life", [summary([*lives, *assumed_rows(case.assumed)])]),
+        Section("Speeds and frequencies", [summary(kinematic_rows(case.kinematics))]),
         Section("All rollers", [roller_table(solution)]),
     ]
 
@@ -75,9 +76,15 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     """Return name, value and remark of ratings, safety and lives; why there are none, if there are none."""
     if found is None:
         return [("life", "none", reason)]
-    rating, hours = found.rating, ""
-    if speed and math.isfinite(found.rated_life):
-        hours = f"{digits(found.rated_life * 1e6 / (60.0 * speed), 4)} hours at {given(float(speed))} 1/min"
+    rating = found.rating
+
+    def beside(life: float, remark: str = "") -> str:
+        """Return a remark after a life in hours, if there is one."""
+        hours = ""
+        if speed and math.isfinite(life):
+            hours = f"{digits(life * 1e6 / (60.0 * speed), 4)} hours at {given(float(speed), 4)} 1/min"
+        return ", ".join(filter(None, (hours, remark)))
+
     factors, of_oil = found.factors
     safety = "none" if math.isnan(found.static_safety) else "no load"
     if math.isfinite(found.static_safety):
@@ -94,11 +101,38 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
             LEFT_OUT if found.internally_loaded else "",
         ),
         ("static safety", safety, ""),
-        ("life L10", of_life(found.basic_life, _REVOLUTIONS), "ISO 281, of bearing steel"),
-        ("L10r", of_life(found.reference_life, _REVOLUTIONS), found.no_reference or "laminae of ISO/TS 16281"),
-        ("rated life" if found.no_modified else "modified life", of_life(found.rated_life, _REVOLUTIONS), hours),
+        ("life L10", of_life(found.basic_life, _REVOLUTIONS), beside(found.basic_life, "ISO 281, of bearing steel")),
+        (
+            "L10r",
+            of_life(found.reference_life, _REVOLUTIONS),
+            found.no_reference or beside(found.reference_life, "laminae of ISO/TS 16281"),
+        ),
+        (
+            "rated life" if found.no_modified else "modified life",
+            of_life(found.rated_life, _REVOLUTIONS),
+            beside(found.rated_life),
+        ),
         ("", factors, "; ".join(filter(None, (", ".join(of_oil), found.no_modified)))),
     ]
+
+
+def kinematic_rows(found: Kinematics | None) -> list[Row]:
+    """Return name, value and remark of speeds and of frequencies of over-rolling, with their orders; none at rest."""
+    if found is None:
+        return []
+    rows = [
+        ("cage", found.cage_speed / 60.0, f"{digits(found.cage_speed, 5)} 1/min", ""),
+        (
+            "rollers",
+            found.roller_speed / 60.0,
+            f"{digits(found.roller_speed, 5)} 1/min",
+            "about their axes, against the cage, ",
+        ),
+        ("over-rolling", found.inner_frequency, f"{digits(found.inner_frequency, 5)} Hz", "inner ring, BPFI, "),
+        ("", found.outer_frequency, f"{digits(found.outer_frequency, 5)} Hz", "outer ring, BPFO, "),
+        ("", found.roller_frequency, f"{digits(found.roller_frequency, 5)} Hz", "rollers, twice in a turn, 2 BSF, "),
+    ]
+    return [(name, value, f"{what}order {digits(found.order(abs(each)), 4)}") for name, each, value, what in rows]
 
 
 def roller_table(solution: BearingSolution) -> Table:

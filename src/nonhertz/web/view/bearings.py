@@ -85,7 +85,7 @@ def _key_numbers(case: BearingCase, solution: BearingSolution, life: BearingLife
         "max_pressure": None,
         "life": None if life is None else plain(life.rated_life),
         "no_modified": "" if life is None else life.no_modified,
-        "speed": None if case.spectrum else case.prescribed.speed,
+        "speed": case.mean_speed,
         "static_safety": None if life is None else plain(life.static_safety),
         "viscosity_ratio": None if life is None else plain(life.viscosity_ratio),
         "contamination": None if life is None else plain(life.contamination),
