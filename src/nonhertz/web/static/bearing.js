@@ -217,7 +217,8 @@ function life({ key, method }) {
   const name = key.no_modified ? "Rated life" : "Modified life";
   if (number === null) return { name, value: "–", unit: "", where: "", number };
   const revolutions = { value: digits(number, 3), unit: "10⁶ rev" };
-  const where = key.no_modified || `by ${method}`;
+  // That the cleanliness is missing is said beside the viscosity ratio.
+  const where = (key.viscosity_ratio === null && key.no_modified) || `by ${method}`;
   if (!key.speed) return { name, ...revolutions, where, number };
   const hours = (number * 1e6) / (60 * key.speed);
   return { name, value: digits(hours, 4), unit: "hours", where: `${revolutions.value} ${revolutions.unit}, ${where}`, number: hours };

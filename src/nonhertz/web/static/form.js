@@ -200,7 +200,8 @@ function members({ form, table, value, place, others = [] }) {
   const always = [...schema.needed(table), ...(table["x-pairs"] ?? []).flat()];
   const folds = FOLDS.map(([heading, all, only]) => {
     const here = !only || only === lastOf(place) ? all : [];
-    const folded = names.filter((name) => here.includes(name) && !always.includes(name));
+    const some = names.filter((name) => here.includes(name) && !always.includes(name));
+    const folded = some.length < 2 && all.length > 1 ? [] : some; // a heading for a single key would hide it for nothing
     const few = 2 * folded.length < all.length;
     return { folded, heading: few ? folded.map((name) => labelOf([...place, name])).join(", ") : heading };
   });
