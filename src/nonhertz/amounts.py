@@ -418,6 +418,17 @@ def error_words(relative: float) -> str:
     return f"error {about(relative)}" if relative > _ROUNDING else ""
 
 
+def worth_reading(relative: float) -> str:
+    """Return the format of an amount with an estimated relative error, in which that is more than one of its digits.
+
+    Examples
+    --------
+    >>> [f"{mm(0.0322131):{worth_reading(error)}}" for error in (0.0003, 0.001, 0.01, 0.5)]
+    ['0.032213 mm', '0.03221 mm', '0.0322 mm', '0.032 mm']
+    """
+    return str(min(5, max(2, 1 - math.floor(math.log10(relative))))) if 0.0 < relative < math.inf else ""
+
+
 def about(relative: float) -> str:
     """Return an estimated relative error in per cent: of an estimate, one digit is worth reading.
 

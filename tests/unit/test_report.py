@@ -142,8 +142,8 @@ def test_the_files_inside_solve_to_the_same_numbers(page, results_of_case, tmp_p
 
 def test_key_numbers_stand_first(results_of_case):
     shown = {name: float(value.split()[0]) for name, (value, _) in numbers_of(results_of_case).items()}
-    assert shown["maximum pressure"] == pytest.approx(results_of_case.solution.max_pressure, rel=1e-4)
-    assert shown["approach"] == pytest.approx(1e3 * results_of_case.solution.approach, rel=1e-4)
+    assert shown["maximum pressure"] == pytest.approx(results_of_case.solution.max_pressure, rel=5e-4)
+    assert shown["approach"] == pytest.approx(1e3 * results_of_case.solution.approach, rel=5e-4)
     assert results_of_case.stress is not None
     largest = results_of_case.stress[0].von_mises.max
     assert shown["largest von Mises stress in body a"] == pytest.approx(largest, rel=1e-4)
@@ -176,9 +176,7 @@ def test_inputs_have_value_unit_meaning_and_say_what_is_a_default():
 def told_of_steps(case: Case) -> dict[str, str]:
     """Return what a report says of each step of the only measured profile."""
     page = compose([case], stress=False)
-    (part,) = re.findall(
-        r"What was done to roller.txt, body.a.profile\[1\]</h2>.*?<tbody>(.*?)</tbody>", page, re.DOTALL
-    )
+    (part,) = re.findall(r"What was done to roller.txt: body a, profile 1</h2>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)
     return dict(re.findall(r'<th scope="row">(.*?)</th>\s*<td[^>]*>(.*?)</td>', part))
 
 

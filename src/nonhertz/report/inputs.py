@@ -80,12 +80,12 @@ class Entry:
     def name(self) -> str:
         """The last part of the place in words, of fits with what is fitted."""
         key = self.place.removeprefix("fit.") if self.place.startswith("fit.") else self.place.rpartition(".")[2]
-        return _in_words(key)
+        return in_words(key)
 
     @property
     def full_name(self) -> str:
         """The whole place in words, such as "body a, profile 1, drop"."""
-        return _in_words(self.place.replace("body.", "body ").removeprefix("load.").removeprefix("solver."))
+        return in_words(self.place.removeprefix("load.").removeprefix("solver."))
 
     @property
     def shown(self) -> str:
@@ -136,15 +136,16 @@ def inputs(case: Case | BearingCase) -> list[InputGroup]:
     return [group for group in groups if group.entries]
 
 
-def _in_words(place: str) -> str:
-    """Return the path of a key without the marks of a file.
+def in_words(place: str) -> str:
+    """Return the path of a key as people say it, without the marks of a file.
 
     Examples
     --------
-    >>> _in_words("body a.profile[1].end_radius"), _in_words("shaft.outside_diameter")
+    >>> in_words("body.a.profile[1].end_radius"), in_words("shaft.outside_diameter")
     ('body a, profile 1, end radius', 'shaft, outside diameter')
     """
-    return re.sub(r"\[(\d+)\]", r" \1", place).replace(".", ", ").replace("_", " ")
+    place = re.sub(r"\[(\d+)\]", r" \1", place.replace("body.", "body "))
+    return place.replace(".", ", ").replace("_", " ")
 
 
 def _flat(document: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:

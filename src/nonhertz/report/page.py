@@ -17,7 +17,7 @@ from nonhertz.report import figures
 from nonhertz.report.assumptions import NO_INPUT, assumptions
 from nonhertz.report.differences import conclusion, differing_inputs, results, verdicts
 from nonhertz.report.downloads import downloads
-from nonhertz.report.inputs import Entry, InputGroup, inputs
+from nonhertz.report.inputs import Entry, InputGroup, in_words, inputs
 from nonhertz.report.layout import Files, Part, Words, laid_out
 from nonhertz.report.method import method
 from nonhertz.report.overview import first_numbers, geometry, opening
@@ -188,7 +188,8 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
                 rows = measured_shown.rows(measured)
                 caption = f"From the measured points of {file} to the profile, step by step."
                 picture = Picture(measured_figure(measured), caption, " ".join(words for _, words, _ in rows))
-                yield Section(f"What was done to {file}, {place}.profile[{number}]", [summary(rows), picture])
+                title = f"What was done to {file}: {in_words(f'{place}.profile[{number}]')}"
+                yield Section(title, [summary(rows), picture])
 
 
 def _compared(found: Sequence[Results], rows: Sequence[Compared | Cells], words: Words) -> list[Section]:

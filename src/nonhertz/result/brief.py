@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits, error_words, mm
+from nonhertz.amounts import digits, error_words, mm, worth_reading
 from nonhertz.model.body import Body
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.penetration import is_noticeable
@@ -67,7 +67,8 @@ def _pressure(solution: Solved) -> str:
 
 
 def _numbers(solution: Solved, names: tuple[str, ...], error: float = 0.0, where: str = "") -> str:
-    said = ", ".join(f"{QUANTITIES[name].label} {QUANTITIES[name].text(solution)}" for name in names)
+    spec = worth_reading(error)
+    said = ", ".join(f"{QUANTITIES[name].label} {QUANTITIES[name].text(solution, spec)}" for name in names)
     words = error_words(error)
     return said + where + (f", {words}" if words else "")
 

@@ -71,9 +71,9 @@ class Quantity:
         """Return values of the quantity as people read them, all in one unit."""
         return amount(values, self.unit, self.shown_unit, between)
 
-    def text(self, solution: Solved) -> str:
-        """Return the value as people read it, with its unit."""
-        return str(self.amount(float(self.clean(solution))))
+    def text(self, solution: Solved, spec: str = "") -> str:
+        """Return the value as people read it, with its unit; ``spec`` is the format of an `Amount`."""
+        return format(self.amount(float(self.clean(solution))), spec)
 
 
 def _own(name: str, label: str, symbol: str, unit: str, shown: str = "", **options: Any) -> Quantity:

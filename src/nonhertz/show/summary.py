@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from nonhertz.amounts import digits, error_words, mm, mpa
+from nonhertz.amounts import digits, error_words, mm, mpa, worth_reading
 from nonhertz.model.body import BODIES
 from nonhertz.result.brief import where_largest
 from nonhertz.result.edges import EdgeKind, EdgePressure
@@ -37,18 +37,18 @@ def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
     """
     estimate, told = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
     # The error is that of the penetration, which is nearly the approach where it is not told.
-    remarks = {
-        "penetration" if told else "approach": error_words(estimate.approach),
-        "load": error_words(estimate.load),
-        "max_half_width": "away from singular ends" if solution.singular_ends else "",
-    } | dict.fromkeys(case.prescribed.keywords if case else (), "given")
+    errors = {"penetration" if told else "approach": estimate.approach, "load": estimate.load}
+    given = dict.fromkeys(case.prescribed.keywords if case else (), ("given", "g"))
+    remarks = {name: (error_words(error), worth_reading(error)) for name, error in errors.items()} | given
+    remarks |= {"max_half_width": ("away from singular ends", "")} if solution.singular_ends else {}
     rows = [("status", solution.status.label, "")]
     for name in (*_FIRST, *(name for name in QUANTITIES if name not in _FIRST)):
         quantity = QUANTITIES[name]
         if name in _ROWS:
             rows += _ROWS[name](solution)
         elif told or name != "penetration":
-            rows.append((quantity.label, quantity.text(solution), remarks.get(name, "")))
+            remark, spec = remarks.get(name, ("", ""))
+            rows.append((quantity.label, quantity.text(solution, spec), remark))
     for name, body in zip(BODIES, (solution.contact.a, solution.contact.b), strict=True):
         rows.append((f"body {name}", type(body).__name__.lower(), body.model))
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
@@ -91,7 +91,8 @@ def _pressure_rows(solution: Solution) -> list[Row]:
     """Return the maximum pressure and where it is."""
     if not solution.contact_y:
         return []
-    remark = error_words(solution.error_estimate.max_pressure)
+    error = solution.error_estimate.max_pressure
+    remark, spec = error_words(error), worth_reading(error)
     if solution.peaks_at_corner:
         remark = "no limit, at a corner of the profile"
     elif any(
@@ -101,7 +102,7 @@ def _pressure_rows(solution: Solution) -> list[Row]:
         remark = "cut off by the strips"
     where, _, away = where_largest(solution).partition(", ")
     quantity = QUANTITIES["max_pressure"]
-    return [(quantity.label, quantity.text(solution), remark), ("", where, away)]
+    return [(quantity.label, quantity.text(solution, spec), remark), ("", where, away)]
 
 
 def end_words(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
