@@ -96,7 +96,7 @@ INSTANCES = {
     ],
     "bearing.": [
         ROW, BARRELS, bearing.Rib(100.0, 4.0), THRUST, FORCES, LOADED,
-        MOUNTING, MOUNTING.operating(ROW), bearing.fourier_shape({2: 0.005}),
+        MOUNTING, MOUNTING.operating(ROW), ROW.kinematics(inner_speed=1e3), bearing.fourier_shape({2: 0.005}),
         bearing.solve_many(ROW, radial=[1e3], method="slices"),
     ],
     "hertz.": [POINT, LINE],
@@ -114,7 +114,8 @@ INSTANCES = {
 #: What is taken by arguments of these names, in place of any default, so that nothing takes long.
 GOOD: dict[str, Any] = {
     "a": ROLLER, "amplitude": 0.01, "angle": 0.01, "approach": 1e-3, "arrangement": "O", "at": 9.5, "b": RING,
-    "bearing": ROW, "by": 1.0, "cases": CASES, "compliance": 2.8e-6, "contact": CONTACT, "contact_angle": 0.2,
+    "bearing": ROW, "by": 1.0, "inner_speed": 1e3, "outer_speed": 0.0,
+    "cases": CASES, "compliance": 2.8e-6, "contact": CONTACT, "contact_angle": 0.2,
     "contacts": CONTACT, "deviation": [0.0, 0.01, 0.0], "dent": DENT, "depth_exponent": 0.0, "diameter": 20.0,
     "dimensions": 2, "distance": 0.5, "drop": 0.02, "edge_stress": "none", "end_radius": 100.0, "exponent": 9.0,
     "fatigue_limit": 0.0, "height": 4.0, "housing": MOUNTING.housing, "inner": ROW.inner, "inner_groove": 31.0,

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.bearing.kinematics import Kinematics, cage_speed, roller_speed
+from nonhertz.bearing.kinematics import Kinematics, cage_speed, roller_speed, rolling
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import RINGS, raceway_motion, ring_motion
 from nonhertz.errors import InputError
@@ -447,7 +447,7 @@ class RollerBearing(Input):
         """
         size = self.roller_diameter / self.pitch
         ratio = size * math.cos(0.5 * sum(self.contact_angles))
-        return Kinematics.of(self.rollers, size, ratio, inner_speed, outer_speed)
+        return rolling(self.rollers, size, ratio, inner_speed, outer_speed)
 
     def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
         """Return what the speed of a turning ring [rad/s] loads every roller with: along x and r and as moment.

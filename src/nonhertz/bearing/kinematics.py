@@ -57,28 +57,6 @@ class Kinematics:
     roller_speed: float
     rollers: int
 
-    @classmethod
-    def of(cls, rollers: int, size: float, ratio: float, inner_speed: float, outer_speed: float) -> Kinematics:
-        """Return those of a number of rollers, of D / d, g, and the speeds of the rings [1/min].
-
-        Raises
-        ------
-        InputError
-            If a speed is not finite, or both are equal, so that nothing rolls.
-
-        Examples
-        --------
-        >>> found = Kinematics.of(16, 0.331 / 2.815, 0.331 / 2.815 * 0.96515, 2000.0, 0.0)  # Rexnord ZA-2115
-        >>> round(found.outer_frequency, 1), round(found.inner_frequency, 1), round(found.roller_frequency, 1)
-        (236.4, 296.9, 279.8)
-        """
-        for name, speed in (("inner_speed", inner_speed), ("outer_speed", outer_speed)):
-            finite(name, speed, _SPEED)
-        if inner_speed == outer_speed:
-            raise InputError("inner_speed", inner_speed, "differ from that of the outer ring", _SPEED)
-        speeds = float(inner_speed), float(outer_speed)
-        return cls(*speeds, cage_speed(*speeds, ratio), roller_speed(*speeds, ratio, size), rollers)
-
     @property
     def inner_frequency(self) -> float:
         """How often rollers pass a place of the inner ring [Hz]; BPFI."""
@@ -94,6 +72,29 @@ class Kinematics:
         """How often a place of a roller meets a ring [Hz]: twice in a turn, which is 2 BSF."""
         return abs(self.roller_speed) / 30.0
 
-    def order(self, frequency: float) -> float:
-        """Return a frequency [Hz] over that of the inner ring, or of the outer one if the inner ring is at rest."""
-        return 60.0 * frequency / abs(self.inner_speed or self.outer_speed)
+    @property
+    def shaft_frequency(self) -> float:
+        """Revolutions in a second of the inner ring, or of the outer one if it turns alone [Hz]; orders are over it."""
+        return abs(self.inner_speed or self.outer_speed) / 60.0
+
+
+def rolling(rollers: int, size: float, ratio: float, inner_speed: float, outer_speed: float) -> Kinematics:
+    """Return the kinematics of a number of rollers, of D / d, g, and the speeds of the rings [1/min].
+
+    Raises
+    ------
+    InputError
+        If a speed is not finite, or both are equal, so that nothing rolls.
+
+    Examples
+    --------
+    >>> found = rolling(16, 0.331 / 2.815, 0.331 / 2.815 * 0.96515, 2000.0, 0.0)  # Rexnord ZA-2115
+    >>> round(found.outer_frequency, 1), round(found.inner_frequency, 1), round(found.roller_frequency, 1)
+    (236.4, 296.9, 279.8)
+    """
+    for name, speed in (("inner_speed", inner_speed), ("outer_speed", outer_speed)):
+        finite(name, speed, _SPEED)
+    if inner_speed == outer_speed:
+        raise InputError("inner_speed", inner_speed, "differ from that of the outer ring", _SPEED)
+    speeds = float(inner_speed), float(outer_speed)
+    return Kinematics(*speeds, cage_speed(*speeds, ratio), roller_speed(*speeds, ratio, size), rollers)

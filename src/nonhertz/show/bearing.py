@@ -132,7 +132,9 @@ def kinematic_rows(found: Kinematics | None) -> list[Row]:
         ("", found.outer_frequency, f"{digits(found.outer_frequency, 5)} Hz", "outer ring, BPFO, "),
         ("", found.roller_frequency, f"{digits(found.roller_frequency, 5)} Hz", "rollers, twice in a turn, 2 BSF, "),
     ]
-    return [(name, value, f"{what}order {digits(found.order(abs(each)), 4)}") for name, each, value, what in rows]
+    return [
+        (name, value, f"{what}order {digits(abs(each) / found.shaft_frequency, 4)}") for name, each, value, what in rows
+    ]
 
 
 def roller_table(solution: BearingSolution) -> Table:
