@@ -141,7 +141,7 @@ def test_no_output_assumes_a_cleanliness(folder, run):
 def test_a_cleanliness_has_the_life_of_its_class(folder, run, cleanliness, hours):
     # Found with the modulus of 207 GPa in place of 210 of 100Cr6, in a review of the example.
     steel = [each for part in ("roller", "inner", "outer") for each in ("--set", f"{part}.material=steel")]
-    printed = run("bearing", str(EXAMPLE), *steel, "--set", f"life.cleanliness={cleanliness}").out
+    printed = run("bearing", str(EXAMPLE), *steel, "--set", f"lubrication.cleanliness={cleanliness}").out
     (found,) = re.findall(r"modified life +[\d.]+ million revolutions +([\d.]+) hours", printed)
     assert float(found) == pytest.approx(hours, abs=0.5)
 

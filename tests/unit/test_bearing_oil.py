@@ -6,7 +6,6 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bearing import contamination_factor, oil_viscosity
-from nonhertz.bearing.assessed import LifeConditions
 
 
 def test_the_viscosities_given_are_met_in_either_order():
@@ -87,4 +86,4 @@ def test_without_a_cleanliness_the_reference_life_stands(oil, reliability):
 def test_a_cleanliness_is_that_of_an_oil(given):
     (name,) = given
     with pytest.raises(nh.InputError, match=f"^{name} = .* must be given with a viscosity"):
-        LifeConditions(**given)
+        nh.bearing.Lubrication(**given)

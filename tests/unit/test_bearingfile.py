@@ -80,10 +80,10 @@ def mistakes(text: str) -> list[str]:
 def test_the_starting_file_is_the_bearing_of_the_how_to():
     case = read(starting_bearing())
     assert case.bearing == OF_100CR6
-    assert (case.life.cleanliness, case.assumed[0].kind) == ("-/17/14", "assumed")
+    assert (case.lubrication.cleanliness, case.assumed[0].kind) == ("-/17/14", "assumed")
     assert case.prescribed.keywords == {"radial": 10e3, "tilt": 3e-4, "speed": 3000.0}
     assert case.solver.method == "strips"
-    assert case.life.viscosity == 20.0
+    assert case.lubrication.viscosity == 20.0
     assert case.title == "NU 206"
 
 
@@ -160,13 +160,16 @@ def test_every_kind_of_bearing_has_a_word(kind):
 def test_the_file_says_how_it_is_solved_and_assessed():
     text = (
         PLAIN
-        + 'speed = 1000\n[solver]\nmethod = "slices"\nlaminae = 35\n[life]\nviscosity = "20 cSt"\nstatic = "30 kN"\n'
+        + 'speed = 1000\n[solver]\nmethod = "slices"\nlaminae = 35\n[lubrication]\nviscosity = "20 cSt"\n'
+        + '[life]\nstatic = "30 kN"\n'
     )
     case = read(text)
     found = case.solve()
     direct = nh.bearing.solve(case.bearing, radial=10e3, speed=1000, method="slices", laminae=35)
     assert_array_equal(found.load, direct.load)
-    assert case.assess(found) == nh.bearing.assess(direct, speed=1000, viscosity=case.life.viscosity, static=30e3)
+    assert case.assess(found) == nh.bearing.assess(
+        direct, speed=1000, viscosity=case.lubrication.viscosity, static=30e3
+    )
     assert case.assess(found).static_safety == pytest.approx(3.0, rel=1e-9)
 
 
@@ -294,8 +297,19 @@ MISTAKE = [
     (TAPERED, "11.859 deg", "60 deg", "bearing.contact_angle = '60 deg' must not exceed 0.7854 rad, 45 degrees"),
     (SPHERICAL, "inner_groove = 61.5", "inner_groove = 59", "bearing.inner_groove = 59.0 must exceed the radius of"),
     (SPHERICAL, '"X"', '"Y"', "bearing.pair.arrangement = 'Y' must be one of 'X', 'O', 'tandem'"),
-    (PLAIN, "[load]", "[life]\nviscosity = 20\n[load]", "life.viscosity = 20.0 must be given with a speed above zero"),
-    (PLAIN, "[load]", "[life]\ncontamination = 0.5\n[load]", "life.contamination = 0.5 must be given with a viscosity"),
+    (
+        PLAIN,
+        "[load]",
+        "[lubrication]\nviscosity = 20\n[load]",
+        "lubrication.viscosity = 20.0 must be given with a speed above zero",
+    ),
+    (
+        PLAIN,
+        "[load]",
+        "[lubrication]\ncontamination = 0.5\n[load]",
+        "lubrication.contamination = 0.5 must be given with a viscosity",
+    ),
+    (PLAIN, "[load]", "[life]\nviscosity = 20\n[load]", "life.viscosity = 20 must stand in [lubrication]: move it"),
     (PLAIN, "[load]", "[life]\nreliability = 0.5\n[load]", "life.reliability = 0.5 must lie between 0.9 and 0.9995"),
     (PLAIN, "[bearing]", "format = 7\n[bearing]", "format = 7 must be 1, the newest format this release reads"),
     (PLAIN, RING, RING + "length = 5\nposition = 100\n", "inner.position = 100.0 must let the bodies overlap along y"),
@@ -366,11 +380,11 @@ def test_what_the_solver_refuses_names_the_key():
     with pytest.raises(nh.CaseError, match=r"^load\.axial = 5\.0 must be zero"):
         dataclasses.replace(case, prescribed={"radial": 1e3, "axial": 5}).solve()
     with pytest.raises(nh.CaseError, match=r"^load\.speed must be given with a viscosity"):
-        dataclasses.replace(case, life={"viscosity": 20.0}).assess(case.solve("slices"))
+        dataclasses.replace(case, lubrication={"viscosity": 20.0}).assess(case.solve("slices"))
     with pytest.raises(nh.CaseError, match=r"^solver\.method = 'maps' must be one of"):
         case.solve("maps")
-    with pytest.raises(nh.CaseError, match=r"^life\.viscosity = 0\.0\d+ must be at least 0\.1"):
-        dataclasses.replace(case, prescribed={"speed": 1e3}, life={"viscosity": 0.1, "contamination": 1}).assess(
+    with pytest.raises(nh.CaseError, match=r"^lubrication\.viscosity = 0\.0\d+ must be at least 0\.1"):
+        dataclasses.replace(case, prescribed={"speed": 1e3}, lubrication={"viscosity": 0.1, "contamination": 1}).assess(
             case.solve("slices")
         )
 
@@ -388,7 +402,8 @@ tilt = "0.2 mrad"
 
 
 def test_a_spectrum_is_assessed_in_place_of_the_load(tmp_path):
-    text = f'{PLAIN}speed = 1000\n[solver]\nmethod = "slices"\n[life]\nviscosity = 60\nturning = "outer"\n{SPECTRUM}'
+    text = f'{PLAIN}speed = 1000\n[solver]\nmethod = "slices"\n[lubrication]\nviscosity = 60\n'
+    text += f'[life]\nturning = "outer"\n{SPECTRUM}'
     case = read(text)
     cases = [
         nh.bearing.LoadCase(share=0.1, radial=20e3, speed=500.0),
@@ -562,10 +577,10 @@ def test_a_case_with_half_a_fit_is_refused():
 
 def test_what_is_prescribed_may_be_text_with_units():
     case = BearingCase(
-        NU206, {"radial": "10 kN", "speed": "1500 rpm"}, {"method": "slices"}, {"viscosity": "20 mm^2/s"}
+        NU206, {"radial": "10 kN", "speed": "1500 rpm"}, {"method": "slices"}, lubrication={"viscosity": "20 mm^2/s"}
     )
     assert case.prescribed.keywords == {"radial": 10e3, "speed": 1500.0}
-    assert case.life.viscosity == 20.0
+    assert case.lubrication.viscosity == 20.0
     assert case.own_document["load"] == case.prescribed.keywords
     with pytest.raises(nh.InputError, match="radial = '10 mm' must have a unit of force"):
         BearingCase(NU206, {"radial": "10 mm"})

@@ -24,12 +24,12 @@ from nonhertz.amounts import digits, newton
 from nonhertz.bearing.bearings import CylindricalThrustBearing
 from nonhertz.bearing.laminae import lamina_life, lamina_means, life_factors, singular_ends
 from nonhertz.bearing.lubrication import (
-    CLEANLINESS,
     MOST_FACTOR,
     contamination_factor,
     reference_viscosity,
     reliability_factor,
 )
+from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.ratings import Rating, axial_on_ribs, equivalent_loads, rating
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
@@ -37,8 +37,8 @@ from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.assumed import Assumed, assumed
-from nonhertz.inputs.checks import number_that, numbers, positive
-from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, taking, together
+from nonhertz.inputs.checks import numbers, positive
+from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, taking
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
 from nonhertz.life.spectrum import checked_shares, miner
@@ -218,13 +218,12 @@ def _reliability(name: str, value: float, remedy: str) -> None:
     reliability_factor(value)
 
 
-_contamination = number_that(lambda value: value <= 1.0, "not exceed 1", positive)
 _RATING = "give the load rating in N"
 
 
 @described(kw_only=True)
 class LifeConditions(Input):
-    """Under which conditions a bearing is assessed, beside its speed.
+    """Under which conditions a bearing is assessed, beside its speed and its oil.
 
     Raises
     ------
@@ -232,32 +231,6 @@ class LifeConditions(Input):
         If one of them is out of range.
     """
 
-    viscosity: Annotated[
-        float | None,
-        Quantity(
-            "mm^2/s",
-            "viscosity of the oil at its temperature in the bearing, for a_ISO",
-            positive,
-            "give that of the oil in the bearing in mm^2/s",
-        ),
-    ] = None
-    contamination: Annotated[
-        float | None,
-        Quantity(
-            "",
-            "the factor e_C, above 0 and at most 1; if left out, that of the cleanliness",
-            _contamination,
-            "give e_C, above 0 and at most 1",
-        ),
-    ] = None
-    cleanliness: Annotated[
-        str | None,
-        Word(
-            "class of cleanliness for a_ISO: an ISO 4406 code with circulating oil, or 'high'; none is assumed",
-            "choose one, or give contamination as a number",
-            tuple(CLEANLINESS),
-        ),
-    ] = None
     reliability: Annotated[
         float,
         Quantity("", "share of bearings that last longer, from 0.9 to 0.9995", _reliability, "give 0.9, or more"),
@@ -294,21 +267,18 @@ class LifeConditions(Input):
     ] = None
     required: Annotated[float | str | None, REQUIRED] = None
 
-    @together("viscosity", "contamination", "cleanliness")
-    def _check_oil(self) -> None:
-        for name in ("contamination", "cleanliness"):
-            value = getattr(self, name)
-            if value is not None and self.viscosity is None:
-                condition, remedy = "be given with a viscosity", "give the viscosity too, or leave it out"
-                raise InputError(name, value, condition, remedy)
-
     @property
     def reliability_factor(self) -> float:
         """a_1 [-]."""
         return reliability_factor(self.reliability)
 
 
-@taking(LifeConditions)
+@described(kw_only=True)
+class _Conditions(LifeConditions, Lubrication):
+    """The same with the oil."""
+
+
+@taking(Lubrication, LifeConditions)
 def assess(
     solution: Loaded,
     *,
@@ -334,6 +304,7 @@ def assess(
         loaded for the rest.
     speed : float or sequence of float, optional
         [1/min], beside a viscosity or a life required in hours; of a spectrum one for all loads, or one for each.
+    {Lubrication}
     {LifeConditions}
 
     Raises
@@ -352,7 +323,7 @@ def assess(
     pressures.
     """
     pairs = _pairs(solution)
-    asked = LifeConditions(
+    asked = _Conditions(
         viscosity=viscosity,
         contamination=contamination,
         cleanliness=cleanliness,
@@ -388,7 +359,7 @@ def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
     return checked_shares(solution, check, "bearing", condition, remedy)
 
 
-def _check_oil(asked: LifeConditions, speed: object, solution: BearingSolution) -> None:
+def _check_oil(asked: _Conditions, speed: object, solution: BearingSolution) -> None:
     if asked.viscosity is None:
         if speed is not None and not isinstance(asked.required, str):
             raise InputError("speed", speed, "be given with a viscosity", "give the viscosity too, or leave it out")
@@ -412,7 +383,7 @@ def _speeds(speed: ArrayLike | None, count: int) -> list[float | None]:
     return np.broadcast_to(found, count).tolist()  # type: ignore[no-any-return]
 
 
-def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None) -> BearingLife:
+def _life(solution: BearingSolution, asked: _Conditions, speed: float | None) -> BearingLife:
     by_strips = solution.method == "strips"
     stress = asked.edge_stress
     if stress is None:
@@ -449,7 +420,7 @@ def _life(solution: BearingSolution, asked: LifeConditions, speed: float | None)
     )
 
 
-def _together(parts: tuple[tuple[BearingLife, float], ...], asked: LifeConditions) -> BearingLife:
+def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Conditions) -> BearingLife:
     lives, shares = [life for life, _ in parts], [share for _, share in parts]
     reference, rated = (
         miner([getattr(each, name) for each in lives], shares) for name in ("reference_life", "rated_life")

@@ -14,6 +14,7 @@ from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import InnerRing, OuterRing, Pair, Paired, RollerBearing, Rollers, paired
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.lubrication import LEAST_RATIO, reference_viscosity
+from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
@@ -31,6 +32,7 @@ from nonhertz.life.spectrum import at_most_whole
 
 PARTS = ("roller", "inner", "outer")
 SHAPES = ("inner_shape", "outer_shape")
+OF_OIL = Lubrication.descriptions.keys()
 PAIR = "a second row like the first, and how it lies"
 
 
@@ -82,6 +84,7 @@ class BearingFile(Input):
         ),
     ] = None
     solver: Annotated[BearingSolver, Part("how it is solved", BearingSolver, "")] = BearingSolver()
+    lubrication: Annotated[Lubrication, Part("the oil in the bearing", Lubrication, "")] = Lubrication()
     life: Annotated[BearingLifeConditions, Part("how long the bearing lasts", BearingLifeConditions, "")] = (
         BearingLifeConditions()
     )
@@ -131,22 +134,22 @@ class BearingFile(Input):
         if mistakes:
             raise InputsError(mistakes)
 
-    @together("load", "life")
+    @together("load", "life", "lubrication")
     def _check_oil(self) -> None:
         speeds = {case.speed or self.load.speed for case in self.life.spectrum} or {self.load.speed}
-        if self.life.viscosity is not None and not all(speeds):
+        if self.lubrication.viscosity is not None and not all(speeds):
             condition, remedy = "be given with a speed above zero", "give load.speed too, in 1/min"
-            raise InputError("life.viscosity", self.life.viscosity, condition, remedy)
+            raise InputError("lubrication.viscosity", self.lubrication.viscosity, condition, remedy)
 
-    @together("bearing", "load", "life")
+    @together("bearing", "load", "life", "lubrication")
     def _check_viscosity(self) -> None:
-        viscosity, pitch = self.life.viscosity, self.bearing.rows[0].bearing.pitch
+        viscosity, pitch = self.lubrication.viscosity, self.bearing.rows[0].bearing.pitch
         speeds = {case.speed or self.load.speed for case in self.life.spectrum} or {self.load.speed}
         for speed in sorted(speeds):
             least = LEAST_RATIO * reference_viscosity(speed, pitch) if speed else 0.0
             if viscosity is not None and viscosity < least:
                 condition = f"be at least {least:.3g} mm^2/s at this speed, below which ISO 281 has no factor"
-                raise InputError("life.viscosity", viscosity, condition, "use a thicker oil, or leave it out")
+                raise InputError("lubrication.viscosity", viscosity, condition, "use a thicker oil, or leave it out")
 
 
 def read_document(document: dict[str, Any], folder: Path | None) -> BearingFile:
@@ -172,6 +175,8 @@ class _FileReading(Reading):
 
     def value(self, name: str, given: Any) -> Any:
         """Return the value of a section."""
+        if name == "life" and isinstance(given, dict):
+            _refuse_oil(given)
         if name != "bearing":
             return super().value(name, given)
         table, pair = dict(section(given, (name,))), None
@@ -193,6 +198,15 @@ class _FileReading(Reading):
         if mistakes:
             raise InputsError(mistakes)
         return made if pair is None else paired(made, pair.arrangement, pair.distance, clearance=pair.clearance)
+
+
+def _refuse_oil(life: dict[str, Any]) -> None:
+    """Refuse what ``[lubrication]`` holds where it is in ``[life]``."""
+    elsewhere = [
+        InputError(name, life[name], "stand in [lubrication]", "move it there") for name in OF_OIL & life.keys()
+    ]
+    if elsewhere:
+        raise InputsError(sorted(elsewhere, key=lambda error: error.field))
 
 
 class _RowReading(Reading):

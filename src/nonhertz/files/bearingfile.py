@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import Paired, RollerBearing, parts_of
 from nonhertz.bearing.clearance import Mounting
+from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.ratings import rating
 from nonhertz.bearing.spectrum import LoadCase
@@ -55,10 +56,12 @@ class BearingCase(HeldCase):
     solver : BearingSolver
         Method and number of slices; strips where left out.
     life : BearingLifeConditions
-        Viscosity, contamination, reliability and so on, and a spectrum of loads in place of what is prescribed.
+        Reliability, ratings and so on, and a spectrum of loads in place of what is prescribed.
     fit : Mounting or None
         Seats and temperatures; the speed is that of ``prescribed``. The clearance of ``bearing`` is then the one
         before it is mounted.
+    lubrication : Lubrication
+        Viscosity and cleanliness of the oil.
     title, path, title_block, origin
         As of `HeldCase`.
 
@@ -86,6 +89,7 @@ class BearingCase(HeldCase):
     life: BearingLifeConditions = field(default_factory=BearingLifeConditions)
     path: Path = field(default=Path("bearing.toml"), compare=False, kw_only=True)
     fit: Mounting | None = field(default=None, kw_only=True)
+    lubrication: Lubrication = field(default_factory=Lubrication, kw_only=True)
 
     contents: ClassVar = BearingFile
     kind: ClassVar = "bearing"
@@ -98,7 +102,9 @@ class BearingCase(HeldCase):
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""
         given = {"load": self.prescribed, "fit": self.fit, "report": self.title_block}
-        found = document_of(given, defaults=False) | document_of({"solver": self.solver, "life": self.life})
+        found = document_of(given, defaults=False) | document_of(
+            {"solver": self.solver, "lubrication": self.lubrication, "life": self.life}
+        )
         return bearing_sections(self.bearing) | {name: each for name, each in found.items() if each or name == "load"}
 
     @property
@@ -210,15 +216,16 @@ class BearingCase(HeldCase):
         from nonhertz.bearing.spectrum import solve_spectrum
 
         try:
-            conditions = {name: value for name, value in self.life.keywords.items() if name != "spectrum"}
-            turning = self.life.viscosity is not None or isinstance(self.life.required, str)
+            conditions = self.lubrication.keywords | self.life.keywords
+            conditions.pop("spectrum")
+            turning = self.lubrication.viscosity is not None or isinstance(self.life.required, str)
             if not self.spectrum:
                 return assess(solution, **conditions, speed=self.prescribed.speed or None if turning else None)
             speeds = [case.speed for case in self.spectrum] if turning else None
             pairs = solve_spectrum(self.mounted, self.spectrum, turning=self.life.turning, **self.solver.keywords)
             return assess(pairs, **conditions, speed=speeds)
         except InputError as error:
-            if error.field in {*LifeConditions.descriptions, "speed", "viscosity_ratio"}:
+            if error.field in {*LifeConditions.descriptions, *Lubrication.descriptions, "speed", "viscosity_ratio"}:
                 raise placed(error, "life", document=self.document) from None
             raise
 
@@ -354,10 +361,12 @@ def placed(error: InputError, *sections: str, document: Mapping[str, Any] = Mapp
     field = error.field.partition(".")[0]
     if sections == ("fit",):
         error = of_fit(error)
-    elif within := [each for each in (*sections, "load", "solver") if field in BearingFile.inputs[each].descriptions]:
+    elif within := [
+        each for each in (*sections, "lubrication", "load", "solver") if field in BearingFile.inputs[each].descriptions
+    ]:
         error = error.within(within[0])
     elif field == "viscosity_ratio":
-        error = error.about("life.viscosity", error.value)
+        error = error.about("lubrication.viscosity", error.value)
     elif field not in OF_BEARINGS:
         if not any(field in kind.descriptions for kind in RollerBearing.kinds.values()) and field != "pair":
             sentence = f"load must leave every contact of the rollers within the model: {error}"

@@ -16,7 +16,7 @@ from nonhertz.show.sections import Cell
 from nonhertz.show.summary import end_words
 
 # What is not the shape of a body: sections of files, and keys of bodies.
-_CONDITIONS = {"load", "solver", "life", "fit"}
+_CONDITIONS = {"load", "solver", "lubrication", "life", "fit"}
 _BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_length", "clearance"}
 
 

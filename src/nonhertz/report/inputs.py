@@ -34,10 +34,10 @@ LONGEST_LIST = 8  # entries; a longer list is summarised
 _TITLES = {
     **{f"body.{name}": f"Body {name}" for name in BODIES},
     **{"bearing": "Bearing", "roller": "Rollers", "inner": "Inner ring", "outer": "Outer ring", "load": "Load"},
-    **{"fit": "Fits and temperatures", "solver": "Solver", "life": "Life"},
+    **{"fit": "Fits and temperatures", "solver": "Solver", "lubrication": "Oil", "life": "Life"},
 }
 #: Of these only what a file gives is shown, and what is said here.
-_AS_GIVEN = ("load", "fit", "life")
+_AS_GIVEN = ("load", "fit", "lubrication", "life")
 _WITHIN = ("shaft", "housing", "pair")  # tables whose keys are entries of their own
 # What the body has where a key is left out that has no value then; nothing, if not here.
 _ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "the whole length"}

@@ -24,7 +24,7 @@ const NO_GEOMETRY = /^(title|load|solver|life|report)\b/;
 const NUMERIC = ["quantity", "integer-or-word"];
 const MOSTLY_NUMBERS = ["bore"]; // a number in the form, unless a file has a table in its place
 const RINGS = ["inner", "outer"]; // whose diameter is that of a raceway, one number
-const OPEN = ["fit", "life", "pair", "viscosity", "cleanliness", "spectrum"]; // unfolded at first where a file has them
+const OPEN = ["fit", "life", "pair", "lubrication", "spectrum"]; // unfolded at first where a file has them
 const LONG = { numbers: 24, letters: 1000, tables: 40 }; // beyond which they are not shown
 
 export class Form {

@@ -18,9 +18,9 @@ const LABELS = {
   kind: "type",
   life: "Life",
   line_loads: "line loads from",
+  lubrication: "Oil and cleanliness",
   "load.axial": "axial load",
   "load.radial": "radial load",
-  "life.contamination": "contamination",
   "life.dynamic": "dynamic rating C",
   "life.required": "required life",
   "life.static": "static rating C0",
@@ -46,7 +46,7 @@ export const FOLDS = [
   ],
   ["Fits and temperatures", ["fit"]],
   ["Second row and its preload", ["pair"]],
-  ["Oil and cleanliness", ["viscosity", "cleanliness", "contamination"]],
+  ["Oil and cleanliness", ["lubrication"]],
   ["Reliability and ratings", ["reliability", "required", "turning", "dynamic", "static"]],
   ["Load spectrum", ["spectrum"], "life"],
   ["Edges and laminae", ["edge_stress", "line_loads", "laminae"], "life"],
@@ -55,7 +55,7 @@ export const FOLDS = [
   ["Report", ["report"]],
 ];
 /** Of these, each is a heading of the form. */
-export const SECTIONS = ["fit", "life", "solver", "report"];
+export const SECTIONS = ["fit", "lubrication", "life", "solver", "report"];
 /** The most frequently changed keys come first; the rest in the order of the schema. */
 export const FIRST = ["title", "kind", "load", "body", "bearing", "diameter", "length", "profile", "material"];
 
