@@ -59,7 +59,7 @@ def test_numbers_are_those_of_the_solver():
     found, solution = answer(STARTING), solution_of(STARTING)
     assert found["ok"]
     assert found["title"] == STARTING["title"]
-    assert (found["status"], found["complaint"]) == ("converged", "")
+    assert (found["status"], found["complaint"], found["singular"]) == ("converged", "", False)
     # The same solver on the same machine: all digits.
     assert found["key"]["approach"] == solution.approach
     assert found["key"]["max_pressure"] == solution.max_pressure
@@ -68,8 +68,6 @@ def test_numbers_are_those_of_the_solver():
     assert pressure["y"][1:-1] == solution.centre_pressure[pressed].tolist()
     assert half_width["y"][1:-1] == solution.half_width[pressed].tolist()
     assert pressure["x"][1:-1] == half_width["x"][1:-1] == solution.y[pressed].tolist()
-    assert found["interval"] == [-10.0, 10.0]
-    assert found["contact"] == [list(each) for each in solution.contact_y]
     assert "planes" not in found
 
 
@@ -159,7 +157,7 @@ def test_stress_that_takes_too_long_is_left_out_with_a_sentence():
 
 def test_singular_ends_are_told_and_scale_without_them():
     found = answer(changed(body__a__profile=[], body__a__side_faces="none", load__tilt=0.0))
-    assert [end["y"] for end in found["singular"]] == [-10.0, 10.0]
+    assert found["singular"]
     assert 0.0 < found["key"]["max_pressure"] < 0.5 * max(lines_of(found)[0]["y"])
     assert "away from singular ends" in found["key"]["largest"]
 

@@ -111,7 +111,7 @@ class Desk:
 
     def download(self, name: str) -> bytes:
         """Return a file of the download menu."""
-        self.page.locator("#downloads summary").click()
+        self.page.locator('[popovertarget="downloads"]').click()
         return self.saved(self.page.locator(f'[data-download="{name}"]'))[1]
 
     def saved(self, button: Any) -> tuple[str, bytes]:

@@ -122,7 +122,7 @@ def test_a_finger_tilts_a_body(open_desk):
 
 
 def test_a_template_is_where_to_start_from(desk):
-    desk.page.locator("#templates summary").click()
+    desk.page.locator('[popovertarget="templates"]').click()
     desk.press('[data-template="needle"]')
     assert desk.page.locator("h1").inner_text() == "Needle 3 x 15.8 on a shaft of 25"
     assert desk.shown("body.a.diameter") == "3 mm"
@@ -138,7 +138,7 @@ def test_what_was_drawn_goes_when_another_case_is_begun_and_comes_with_its_answe
         held.append(route)
 
     desk.page.route("**/solve", hold, times=1)
-    desk.page.locator("#templates summary").click()
+    desk.page.locator('[popovertarget="templates"]').click()
     with desk.page.expect_request("**/solve"):
         desk.page.locator('[data-template="needle"]').click()
     desk.page.locator(".results.empty").wait_for()
@@ -165,7 +165,7 @@ def test_a_sketch_shows_what_is_pressed_on_what_and_marks_what_is_changed(desk):
     assert_allclose(width / height, 20.0 / 30.0, rtol=1e-3)
     desk.write("load.load", "10 kN")
     assert marked.get_attribute("class") == "load changed"
-    desk.page.locator("#templates summary").click()
+    desk.page.locator('[popovertarget="templates"]').click()
     desk.press('[data-template="spherical"]')
     assert "hollow, diameter" in sketch.get_attribute("aria-label")
     assert marked.count() == 0

@@ -36,7 +36,7 @@ def test_by_keyboard_alone(desk):
     keys.press("Enter")
     desk.page.wait_for_url("**/bearing*")
     desk.settle(within=STARTING)
-    tab_to(desk, "#templates summary")
+    tab_to(desk, '[popovertarget="templates"]')
     keys.press("Enter")
     tab_to(desk, '[data-template="cylindrical"]')
     before = desk.answers

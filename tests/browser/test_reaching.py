@@ -36,11 +36,12 @@ def test_everything_is_reached_with_tab_in_the_order_of_the_page(desk):
     assert all(each["outlined"] for each in walked)
 
 
-# Whether the control in focus lies under the strip at the foot of the form, or the numbers above the results.
+# Whether the control in focus lies under its meaning at the foot of the form, or the numbers above the results.
 COVERED = """() => {
   const active = document.activeElement;
   const box = active.getBoundingClientRect();
-  const strips = [...document.querySelectorAll(".help-strip, .above")].filter(each => !each.contains(active));
+  const strips = [...document.querySelectorAll(".help, .above")]
+    .filter(each => !each.contains(active) && each.offsetHeight > 1);
   const under = strips.filter(each => active.closest(".editor, .results")?.contains(each))
     .map(each => each.getBoundingClientRect())
     .filter(each => box.bottom > each.top + 0.5 && box.top < each.bottom - 0.5);
@@ -66,7 +67,7 @@ def test_the_first_link_skips_to_the_results_and_menus_and_dialogs_are_left_with
     desk.page.keyboard.press("Enter")
     assert desk.page.evaluate("() => document.activeElement.id") == "results"
     assert_allclose(desk.numbers["Load"], 20000.0, rtol=SAME)
-    desk.page.locator("#downloads summary").focus()
+    desk.page.locator('[popovertarget="downloads"]').focus()
     desk.page.keyboard.press("Enter")
     assert desk.page.locator('[data-download="case.toml"]').is_visible()
     desk.page.keyboard.press("Escape")

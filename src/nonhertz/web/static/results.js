@@ -46,7 +46,7 @@ export function keyNumbers(answer, stress) {
     {
       name: "Half-width",
       ...parts(key.max_half_width, "mm"),
-      where: answer.singular.length ? "largest, away from singular ends" : "largest",
+      where: answer.singular ? "largest, away from singular ends" : "largest",
       number: key.max_half_width,
     },
     stress

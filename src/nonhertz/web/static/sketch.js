@@ -1,9 +1,9 @@
 // Both bodies at scale, across the contact and along it, with their dimensions, so that one sees what is pressed on
 // what; what is changed is marked. Profiles and tilt are so small that they are drawn many times as large.
 
-import { byId, drawn } from "./elements.js";
+import { byId } from "./elements.js";
 import { digits } from "./numbers.js";
-import { text } from "./polar.js";
+import { html, render } from "./preact.js";
 import { amount } from "./units.js";
 
 const [WIDTH, HEIGHT, ACROSS] = [330, 150, 120]; // pixels, the last of the view across the contact
@@ -29,41 +29,40 @@ export class Sketch {
   /** Another case is begun. */
   clear() {
     this.changed = "";
-    this.host.replaceChildren();
+    render(null, this.host);
   }
 
   /** @param {import("./types.js").Answer} answer */
-  draw({ bodies, profiles, key }) {
-    const pairs = /** @type {["a" | "b", Seen][]} */ (Object.entries(bodies));
-    const sizes = pairs.filter(([, { curvature }]) => curvature).map(([, { curvature }]) => 2 / Math.abs(curvature));
-    const lengths = pairs.map(([, { interval: [low, high] }]) => (low === null || high === null ? Infinity : high - low));
-    const size = Math.min(...sizes, 1e4);
-    const length = Math.min(...lengths, 1e4);
-    const room = HEIGHT - TOP - 4;
-    const scale = Math.min(room / ((ABOVE + BELOW) * size), (WIDTH - ACROSS - 28) / length);
-    const ground = TOP + Math.max(ABOVE * size * scale, room - BELOW * size * scale); // pixels down to the contact
-    const svg = drawn("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": words(pairs) });
-    const middle = [ACROSS / 2, (ACROSS + WIDTH) / 2];
-    for (const [name, body] of pairs) {
-      const turned = name === "a" && key.tilt ? ` rotate(${Math.sign(key.tilt) * TILT})` : "";
-      const shapes = [across(name, body, scale), alongside(name, body, profiles[name], scale)].map((shape, view) => {
-        const window = drawn("svg", { x: view ? ACROSS : 0, y: 0, width: view ? WIDTH - ACROSS : ACROSS, height: HEIGHT });
-        const at = `translate(${middle[view] - (view ? ACROSS : 0)} ${ground})`;
-        shape.setAttribute("transform", view ? at + turned : at);
-        window.append(shape);
-        return window;
-      });
-      const label = text(ACROSS - 2, name === "a" ? ground - 8 : ground + 14, name, "name");
-      const group = drawn("g", { class: this.changed.startsWith(`body.${name}`) ? `body ${name} changed` : `body ${name}` });
-      group.append(...shapes, label, ...dimensions(name, body, scale, middle, ground));
-      svg.append(group);
-    }
-    const tip = ground - Math.min(sizeOf(bodies.a, size) * scale, ground - 18) - 2;
-    const arrow = `M${middle[1]} ${Math.max(0, tip - 16)}V${tip}m-4 -6l4 6l4 -6`;
-    svg.append(drawn("path", { d: arrow, class: this.changed.startsWith("load") ? "load changed" : "load" }));
-    if (key.tilt) svg.append(text(WIDTH - 4, HEIGHT - 6, `tilt ${digits(1e3 * key.tilt, 3)} mrad, enlarged`, "aside"));
-    this.host.replaceChildren(svg);
+  draw(answer) {
+    render(html`<${Picture} answer=${answer} changed=${this.changed} />`, this.host);
   }
+}
+
+/** @param {{answer: import("./types.js").Answer, changed: string}} props with the path of what was changed last */
+function Picture({ answer: { bodies, profiles, key }, changed }) {
+  const pairs = /** @type {["a" | "b", Seen][]} */ (Object.entries(bodies));
+  const sizes = pairs.filter(([, { curvature }]) => curvature).map(([, { curvature }]) => 2 / Math.abs(curvature));
+  const lengths = pairs.map(([, { interval: [low, high] }]) => (low === null || high === null ? Infinity : high - low));
+  const size = Math.min(...sizes, 1e4);
+  const length = Math.min(...lengths, 1e4);
+  const room = HEIGHT - TOP - 4;
+  const scale = Math.min(room / ((ABOVE + BELOW) * size), (WIDTH - ACROSS - 28) / length);
+  const ground = TOP + Math.max(ABOVE * size * scale, room - BELOW * size * scale); // pixels down to the contact
+  const middle = (WIDTH - ACROSS) / 2;
+  const tip = ground - Math.min(sizeOf(bodies.a, size) * scale, ground - 18) - 2;
+  const marked = (path) => (changed.startsWith(path) ? "changed" : "");
+  const body = ([name, seen]) => html`<g class="body ${name} ${marked(`body.${name}`)}">
+    <svg width=${ACROSS} height=${HEIGHT}>
+      <path fill-rule="evenodd" d=${across(name, seen, scale)} transform="translate(${ACROSS / 2} ${ground})" /></svg>
+    <svg x=${ACROSS} width=${2 * middle} height=${HEIGHT}>
+      <path d=${alongside(name, seen, profiles[name], scale)} transform="translate(${middle} ${ground}) rotate(${
+        name === "a" ? Math.sign(key.tilt) * TILT : 0
+      })" /></svg>
+    <text x=${ACROSS - 2} y=${name === "a" ? ground - 8 : ground + 14}>${name}</text></g>`;
+  return html`<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label=${words(pairs)}>
+    ${pairs.map(body)}<${Dimensions} ...${{ seen: bodies.a, scale, ground }} />
+    <path class="load ${marked("load")}" d="M${ACROSS + middle} ${Math.max(0, tip - 16)}V${tip}m-4 -6l4 6l4 -6" />
+    ${key.tilt !== 0 && html`<text x=${WIDTH - 4} y=${HEIGHT - 6}>tilt ${digits(1e3 * key.tilt, 3)} mrad, enlarged</text>`}</svg>`;
 }
 
 /** How high a body is seen [mm]: all of a convex one. @param {Seen} body @param {number} size */
@@ -71,16 +70,15 @@ function sizeOf({ curvature }, size) {
   return curvature > 0 ? 2 / curvature : 0.3 * size;
 }
 
-/** A body in the plane across the contact, whose point is the origin. @param {"a" | "b"} name @param {Seen} body */
+/** The path of a body in the plane across the contact, whose point is the origin. @param {"a" | "b"} name @param {Seen} body */
 function across(name, { curvature }, scale) {
   const up = name === "a" ? -1 : 1; // pixels go down
-  if (!curvature) return drawn("path", { d: `M${-FAR} 0H${FAR}V${up * FAR}H${-FAR}Z` });
+  if (!curvature) return `M${-FAR} 0H${FAR}V${up * FAR}H${-FAR}Z`;
   const radius = scale / Math.abs(curvature);
   const side = curvature > 0 ? up : -up;
   const circle = `M0 0A${radius} ${radius} 0 0 1 0 ${side * 2 * radius}A${radius} ${radius} 0 0 1 0 0Z`;
   // Around a hollow there is material everywhere else on this side.
-  const around = curvature > 0 ? "" : `M${-FAR} ${-up * FAR}H${FAR}V${up * FAR}H${-FAR}Z`;
-  return drawn("path", { d: around + circle, "fill-rule": "evenodd" });
+  return `${curvature > 0 ? "" : `M${-FAR} ${-up * FAR}H${FAR}V${up * FAR}H${-FAR}Z`}${circle}`;
 }
 
 /**
@@ -100,19 +98,18 @@ function alongside(name, { curvature, interval }, profile, scale) {
     return `L${(y * scale).toFixed(1)} ${((up * RELIEF * relief) / deepest).toFixed(1)}`;
   });
   const flat = interval.includes(null) || !profile?.relief_um.some((relief) => relief !== 0);
-  return drawn("path", { d: `M${low} ${depth}V0${flat ? "" : surface.join("")}${flat ? `H${high}` : ""}L${high} ${depth}Z` });
+  return `M${low} ${depth}V0${flat ? `H${high}` : surface.join("")}L${high} ${depth}Z`;
 }
 
 /** The diameter in the round view and the length over the other, of body a; the other's in words. */
-function dimensions(name, { curvature, interval: [low, high] }, scale, middle, ground) {
-  if (name !== "a") return [];
-  const round = curvature > 0 ? [text(middle[0], ground - scale / curvature, `⌀ ${short(2 / curvature)}`, "size")] : [];
-  if (low === null || high === null) return round;
-  const [from, to, at] = [middle[1] + low * scale, middle[1] + high * scale, 9];
+function Dimensions({ seen: { curvature, interval: [low, high] }, scale, ground }) {
+  const [from, to] = [low, high].map((end) => (WIDTH + ACROSS) / 2 + end * scale);
   const wide = to - from > WIDE;
-  const length = text(wide ? from + 0.22 * (to - from) : to + 6, at, short(high - low), wide ? "size halo" : "size beside");
-  const line = `M${from} ${at}H${to}M${from} ${at - 4}V${at + 4}M${to} ${at - 4}V${at + 4}`;
-  return [...round, drawn("path", { d: line, class: "dimension" }), length];
+  const length = low !== null && high !== null && html`
+    <path class="dimension" d="M${from} 9H${to}M${from} 5V13M${to} 5V13" />
+    <text class="size ${wide ? "halo" : "beside"}" x=${wide ? from + 0.22 * (to - from) : to + 6} y="9">${short(high - low)}</text>`;
+  const round = curvature > 0 && html`<text class="size" x=${ACROSS / 2} y=${ground - scale / curvature}>⌀ ${short(2 / curvature)}</text>`;
+  return html`<g class="a">${round}${length}</g>`;
 }
 
 /** A length as on a drawing. @param {number} length mm */

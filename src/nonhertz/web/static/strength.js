@@ -2,8 +2,9 @@
 //
 // The search for the largest stresses of the whole body takes seconds. An edit meanwhile ends it.
 
-import { byId, element } from "./elements.js";
+import { byId } from "./elements.js";
 import { AWAY, post } from "./live.js";
+import { html, render } from "./preact.js";
 
 const REST = 700; // ms without an edit before the search begins
 
@@ -61,10 +62,13 @@ export class Strength {
 
   /** @param {"a" | "b"} body @param {Check[]} checks @param {string} note */
   show(body, checks, note) {
-    const items = checks.map(({ verdict, sentence }) => element("li", { "data-verdict": verdict }, [sentence]));
-    byId("strength-title").textContent = `Strength of body ${body}`;
-    byId("strength-list").replaceChildren(...items);
-    byId("strength-note").textContent = note;
+    render(
+      html`<h3 id="strength-title">Strength of body ${body}</h3>
+        <ul id="strength-list" aria-labelledby="strength-title">
+          ${checks.map(({ verdict, sentence }) => html`<li data-verdict=${verdict}>${sentence}</li>`)}</ul>
+        <p class="hint" role="status">${note}</p>`,
+      this.section,
+    );
     this.section.classList.remove("stale");
     this.section.hidden = !checks.length && !note;
   }

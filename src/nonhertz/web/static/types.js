@@ -1,7 +1,6 @@
 // Types of the program's answers, for editors and the type checker; there is no code here.
 
 /**
- * @typedef {{y: number, strength: number | null, exponent: number, corner: boolean}} Singular
  * @typedef {{path: string, sentence: string}} Mistake
  * @typedef {{y: number[], relief_um: (number | null)[], range_um: [number, number]}} Relief
  * @typedef {{a?: Relief, b?: Relief}} Profiles
@@ -12,11 +11,11 @@
  * @typedef {{
  *   ok: true, title: string, ms: number, status: string, complaint: string, warnings: string[],
  *   verdict: {level: string, words: string, sentence: string} | null,
- *   summary: [string, string, string][], key: Key, profiles: Profiles, interval: [number | null, number | null],
+ *   summary: [string, string, string][], key: Key, profiles: Profiles,
  *   figures: Record<"pressure" | "footprint" | "distance", import("./panel.js").Figure>,
  *   bodies: Record<"a" | "b", import("./sketch.js").Seen>,
  *   life: {relative: number | null, million_revolutions: number | null, body: string, ends_counted: boolean} | null,
- *   contact: [number, number][], singular: Singular[],
+ *   singular: boolean,
  *   stress_note?: string,
  *   body?: "a" | "b",
  *   planes?: Record<"axial" | "section", import("./panel.js").Figure>,

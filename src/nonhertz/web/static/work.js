@@ -1,6 +1,5 @@
 // What both pages have: a document with its form and its file, undo, links, a pinned one, and what is dropped on the page.
 
-import { watchHelp, watchKeys } from "./anywhere.js";
 import { watchDrops } from "./drops.js";
 import { Edits } from "./edits.js";
 import { byId } from "./elements.js";
@@ -40,6 +39,7 @@ import { watchUnits } from "./units.js";
  * begun, when the latest good result is read in other units, or units are changed.
  */
 
+const WRITTEN_IN = "textarea, input:not([type=range], [type=checkbox], [type=radio])";
 const MOST_PINS = 8;
 const CHANGES = 3; // that the name of a pinned document has
 
@@ -130,6 +130,15 @@ export class Work {
     if (found) await this.show(found.document, found.text);
   }
 
+  /** Undo and redo, except in text fields, which have their own undo. @param {KeyboardEvent} event */
+  pressed(event) {
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || (key !== "z" && key !== "y")) return;
+    if (/** @type {HTMLElement} */ (event.target).matches(WRITTEN_IN)) return;
+    event.preventDefault();
+    void this.step(key === "y" || event.shiftKey ? 1 : -1);
+  }
+
   /** Show what is pinned. @param {Pin[]} pins */
   setPins(pins) {
     this.pins = pins;
@@ -197,7 +206,7 @@ export class Work {
 
   /** @param {string} name */
   async download(name) {
-    byId("downloads").open = false;
+    byId("downloads").hidePopover();
     notice("download", `${name} is being written …`);
     try {
       const mistakes = await saved(`${this.page.at}download/${name}`, { document: this.document, text: this.text });
@@ -221,7 +230,7 @@ export class Work {
 
   /** Start from a template. @param {string} name */
   async startFrom(name) {
-    byId("templates").open = false;
+    byId("templates").hidePopover();
     try {
       const { document, text } = await (await fetch(`${this.page.at}template/${name}`)).json();
       await this.another(document, text);
@@ -278,7 +287,7 @@ export class Work {
     });
     pressed("[data-download]", (button) => this.download(button.dataset.download));
     pressed("[data-template]", (button) => this.startFrom(button.dataset.template));
-    watchKeys((by) => void this.step(by));
+    document.addEventListener("keydown", (event) => this.pressed(event));
     watchUnits(() => void this.reread());
     watchDrops({
       what: this.page.what,
@@ -290,7 +299,6 @@ export class Work {
       refuse: (mistake) => showMistakes([mistake]),
     });
     window.addEventListener("hashchange", () => void this.fromLink());
-    watchHelp();
     if (window.matchMedia("(max-width: 900px)").matches) byId("editor").open = false;
   }
 }

@@ -70,12 +70,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "life": None if complaint or not solution.contact_y else _life(case, solution),
         "profiles": {"a": relief_of(case.contact.a), "b": relief_of(case.contact.b)},
         "bodies": {"a": _seen(case.contact.a), "b": _seen(case.contact.b)},
-        "interval": plain(case.contact.interval),
-        "contact": plain(solution.contact_y),
-        "singular": [
-            {"y": edge.y, "exponent": edge.exponent, "strength": plain(edge.strength), "corner": not edge.law}
-            for edge in unlimited_ends(solution)
-        ],
+        "singular": bool(unlimited_ends(solution)),
     }
 
 
