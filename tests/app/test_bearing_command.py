@@ -360,3 +360,30 @@ def test_a_contact_is_printed_as_a_case_file(folder, run, few):
     case = nh.read_case("contact.toml")
     assert case.title == "six, roller 2 on the outer ring"
     assert_allclose(case.solve().max_pressure, loaded.max_pressure[1, 1], rtol=1e-9)  # a file holds all digits
+
+
+def test_a_diagram_is_of_the_values_that_single_solves_have(folder, run):
+    """Each value is solved again alone; the longest life is the longest of these."""
+    found = run("bearing", "few.toml", "--over", "clearance=0:60um:4", "--set", "solver.method=slices", "--json").json
+    jsonschema.validate(found, schema_of("diagram"))
+    assert found["over"] == "bearing.clearance"
+    assert_allclose(found["values"], [0.0, 0.02, 0.04, 0.06], atol=1e-12)
+    lives = []
+    numbers = found["numbers"]
+    for value, load, life in zip(found["values"], numbers["max_load"], numbers["reference_life"], strict=True):
+        case = read_bearing("few.toml", {"solver.method": "slices", "bearing.clearance": value})
+        solution = case.solve()
+        assert solution.load.max() == pytest.approx(load, rel=1e-9)
+        lives.append(case.assess(solution).reference_life)
+        assert lives[-1] == pytest.approx(life, rel=1e-9)
+    best = int(np.argmax(lives))
+    assert found["longest_life"] == {"value": found["values"][best], "life": pytest.approx(lives[best])}
+
+
+def test_a_diagram_is_written_as_rows_json_and_figure(folder, run):
+    words = ("--over", "load=5kN:10kN:3", "--set", "solver.method=slices", "--out", "over")
+    out = run("bearing", "few.toml", *words).out
+    assert "longest life" in out
+    assert {path.name for path in Path("over").iterdir()} >= {"diagram.json", "diagram.png", "diagram.svg", "rows.csv"}
+    assert "Radial" in Path("over/diagram.svg").read_text(encoding="utf-8")
+    assert json.loads(Path("over/diagram.json").read_text(encoding="utf-8"))["over"] == "load.radial"

@@ -90,7 +90,14 @@ REFUSED = [
     ("report", "Give CASE, as in 'nonhertz report roller.toml'"),
     ("bearing six.toml --contact 0 inner", "--contact = 0 must be a whole number from 1 to 6"),
     ("bearing six.toml --contact 4 inner", "--contact = 4 must be a roller that the inner ring loads"),
-    ("bearing six.toml --contact 1 inner --json", "must be given without --compare, --json and --out"),
+    ("bearing six.toml --contact 1 inner --json", "must be given without --json and --out"),
+    (
+        "bearing six.toml --compare --over clearance=0:9um",
+        "--over = 'clearance=0:9um' must not be given with --compare",
+    ),
+    ("bearing six.toml --over clearence=0:9um", "Unknown key clearence. Did you mean bearing.clearance?"),
+    ("bearing six.toml --over clearance=9um:5um", "--over bearing.clearance = '9um:5um' must ascend"),
+    ("bearing six.toml --over clearance", "--over = 'clearance' must have an equals sign"),
     ("materials unobtainium", "NAME = 'unobtainium' must be a known material: run 'nonhertz materials' for the list."),
     *(
         (

@@ -8,7 +8,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, AsJson, Changes, refuse_unwritable_out, saved, written
+from nonhertz.cli.options import NONE, AsJson, Changes, Workers, refuse_unwritable_out, saved, written
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
@@ -26,6 +26,8 @@ def bearing(
     changes: Changes = NONE,
     compare: Annotated[bool, Parameter(negative="")] = False,
     contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
+    over: str = "",
+    workers: Workers = None,
     out: Path | None = None,
     as_json: AsJson = False,
 ) -> Answer | None:
@@ -40,17 +42,29 @@ def bearing(
     contact : tuple of int and str
         ROLLER, counted from 1, and RING, inner or outer: print a case file of this contact alone, with its load and its
         tilt in the bearing, for the commands that take a case.
+    over : str
+        An input and a range, such as clearance=0:60um, load=5kN:20kN:16 or tilt=0:1mrad: life, pressure and stiffness
+        over it, as a table and, with --out, as one figure.
     out : Path
         Directory for result.json, rollers.csv, lines.csv and the figures, with --compare for comparison.json and
-        comparison.csv; created if it does not exist.
+        comparison.csv, with --over for diagram.json, rows.csv and the figure; created if it does not exist.
     """
-    if contact is not None and (compare or as_json or out is not None):
+    chosen = [
+        (name, value) for name, value in (("--compare", compare), ("--contact", contact), ("--over", over)) if value
+    ]
+    if len(chosen) > 1:
+        raise InputError(*chosen[1], f"not be given with {chosen[0][0]}", "give one of them")
+    if contact is not None and (as_json or out is not None):
         remedy = "send the case file that it prints to a file with >"
-        raise InputError("--contact", contact, "be given without --compare, --json and --out", remedy)
+        raise InputError("--contact", contact, "be given without --json and --out", remedy)
     case = read_bearing(file, changes)
     refuse_unwritable_out(out)
     if compare:
         return _compared(case, out)
+    if over:
+        from nonhertz.cli.diagram import diagram_over  # studies are loaded for it alone
+
+        return diagram_over(case, over, workers, out)
     with without_accuracy_warnings():  # which are printed with the results
         solution = case.solve()
     if contact is not None:

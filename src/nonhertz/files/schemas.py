@@ -28,7 +28,7 @@ from nonhertz.files.results import Key as ResultKey
 from nonhertz.files.results import schema_of as schema_of_keys
 from nonhertz.files.sections import CaseDocument
 from nonhertz.files.stresses import STRESSES
-from nonhertz.files.studies import DESIGN, FRONT, SWEEP, TOLERANCE
+from nonhertz.files.studies import DESIGN, DIAGRAM, FRONT, SWEEP, TOLERANCE
 from nonhertz.inputs.fields import Part, Several, text_of
 
 Schema = dict[str, Any]
@@ -115,6 +115,7 @@ RESULTS: dict[str, tuple[str, tuple[ResultKey, ...], Any]] = {
     "comparison": ("Strips beside a plane grid.", COMPARISON, None),
     "bearing-comparison": ("A bearing by strips and by slices.", bearing_results.comparison_keys(), None),
     "sweep": ("What the rows of a sweep say.", SWEEP, None),
+    "diagram": ("Numbers of a bearing over one of its inputs.", DIAGRAM, None),
     "tolerance": ("How results are distributed, and what to tighten.", TOLERANCE, None),
     "design": ("The best profile or dimensions.", DESIGN, None),
     "front": ("The Pareto front of a design.", FRONT, None),

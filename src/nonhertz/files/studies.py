@@ -66,6 +66,31 @@ SWEEP: Final = (
     _UNITS_OF_ROWS,
 )  # fmt: skip
 
+_BEST: Final = (
+    Key("value", "value of the input", get=itemgetter(0)),
+    Key("life", "the life", "10^6 revolutions", itemgetter(1)),
+)
+#: Keys of a diagram of a bearing.
+DIAGRAM: Final = (
+    *_ROWS,
+    results.verdict_key(attrgetter("sweep.verdict")),
+    _ASSUMED,
+    *within(
+        "diagram",
+        Key("over", "the input that is varied", get="path", holds="string"),
+        Key("present", "its value in the file; null if it has none there"),
+        Key("values", "its values", holds=ListOf()),
+        Key("longest_life", "the value with the longest life; null without a life", "", holds=_BEST, nullable=True),
+        Key(
+            "numbers", "numbers over the values, by quantity", holds=MapOf(ListOf()),
+            get=lambda diagram: {quantity.name: diagram.sweep[quantity.name] for quantity in diagram.quantities},
+        ),
+    ),
+    _REASONS,
+    _FILES,
+    _UNITS_OF_ROWS,
+)  # fmt: skip
+
 _CERTAIN: Final = "with 95 % certainty"
 _QUANTILE: Final = (
     Key("share", "share of all results below it"),

@@ -7,17 +7,22 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from nonhertz.amounts import amount, digits, error_words, given, mpa, of_dimension, um
+from nonhertz.amounts import Amount, amount, digits, error_words, given, mpa, of_dimension, um
 from nonhertz.bearing.assessed import NO_OIL
+from nonhertz.bearing.quantities import LIVES
 from nonhertz.files.spreads import Distribution, Spread
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.sections import Block, Row, Said, Section, Table, assumed_rows, summary
 from nonhertz.study.design import Design
+from nonhertz.study.diagrams import Diagram
+from nonhertz.study.pictures import in_words
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance, is_operating_load
 
 MOST_LISTED = 12  # rows of a sweep that are listed one by one
+STEPS_LISTED = 10  # from row to row of a diagram
 
 
 def sweep_sections(sweep: Sweep) -> list[Section]:
@@ -59,6 +64,36 @@ def _each_row(sweep: Sweep) -> Table:
         )
     heads = ("row", *map(str, range(len(sweep))), "")
     return Table(rows, heads, (0, len(heads) - 1))
+
+
+def diagram_sections(diagram: Diagram) -> list[Section]:
+    """Return what is shown of a diagram: where the life is longest, and some of its rows."""
+    sweep, unit = diagram.sweep, diagram.sweep.unit(diagram.path)
+    rows: list[Row] = [(diagram.path, f"{of_dimension(diagram.values[[0, -1]].tolist(), unit):g}", _counted(sweep))]
+    if diagram.present is not None:
+        rows.append(("in the file", f"{of_dimension([diagram.present], unit):g}", ""))
+    if diagram.longest_life is not None:
+        value, life = diagram.longest_life
+        end = ", at the end of the range" if value in diagram.values[[0, -1]] else ""
+        rows.append(("longest life", f"{of_dimension([value], unit):.3g}", f"{amount(life, *LIVES):4}{end}"))
+    some = np.unique([*range(0, len(sweep), max(1, round((len(sweep) - 1) / STEPS_LISTED))), len(sweep) - 1])
+    numbers = [of_dimension(diagram.values.tolist(), unit)]
+    numbers += [quantity.amount(*sweep[quantity.name].tolist()) for quantity in diagram.quantities]
+    heads = [in_words(diagram.path).lower(), *(quantity.label for quantity in diagram.quantities)]
+    columns = [_column(each, some) for each in numbers]
+    units = [each.scale[1] for each in numbers]
+    titles = [f"{head} [{read}]" if read else head for head, read in zip(heads, units, strict=True)]
+    table = Table([*zip(*columns, strict=True)], titles, ())
+    return [
+        Section("", [summary([*rows, *assumed_rows(sweep.assumed)])]),
+        Section("", [table, Said(_failures(sweep), "warning")]),
+    ]
+
+
+def _column(numbers: Amount, rows: NDArray[np.intp]) -> list[str]:
+    """Return some of many numbers, in the unit that suits all of them; blank where there is none."""
+    chosen = np.asarray(numbers.values)[rows] * numbers.scale[0]
+    return ["" if math.isnan(value) else given(value, 4) for value in chosen.tolist()]
 
 
 def tolerance_sections(found: Tolerance) -> list[Section]:

@@ -15,6 +15,8 @@ from nonhertz.result.measures import Partials as Partials
 from nonhertz.result.measures import PowerIntegral as PowerIntegral
 from nonhertz.result.measures import PressureAt as PressureAt
 from nonhertz.result.measures import PressureNorm as PressureNorm
+from nonhertz.study.diagrams import Diagram as Diagram
+from nonhertz.study.diagrams import diagram as diagram
 from nonhertz.study.limits import Capability as Capability
 from nonhertz.study.lives import damage as damage
 from nonhertz.study.sweeps import Progress as Progress
@@ -24,6 +26,6 @@ from nonhertz.study.tolerances import Quantile as Quantile
 from nonhertz.study.tolerances import Tolerance as Tolerance
 
 __all__ = [
-    "Capability", "Distribution", "Gradient", "HalfWidthAt", "Index", "Measure", "Partials", "PowerIntegral",
-    "PressureAt", "PressureNorm", "Progress", "Quantile", "Sampling", "Sweep", "Tolerance", "damage",
+    "Capability", "Diagram", "Distribution", "Gradient", "HalfWidthAt", "Index", "Measure", "Partials", "PowerIntegral",
+    "PressureAt", "PressureNorm", "Progress", "Quantile", "Sampling", "Sweep", "Tolerance", "damage", "diagram",
 ]  # fmt: skip

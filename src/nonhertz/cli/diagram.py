@@ -1,0 +1,35 @@
+"""``nonhertz bearing --over``: numbers of a bearing over one of its inputs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nonhertz.cli.answer import Answer
+from nonhertz.cli.options import named_as
+from nonhertz.cli.printing import bar
+from nonhertz.cli.sweep import of_rows, path_and_value
+from nonhertz.errors import InputError, UnknownKeyError
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.show.studies import diagram_sections
+from nonhertz.study.diagrams import diagram
+
+
+def diagram_over(case: BearingCase, over: str, workers: int | None, out: Path | None) -> Answer:
+    """Return life, pressure and stiffness of a bearing over one of its inputs, and write them into a directory, if any.
+
+    Raises
+    ------
+    InputError
+        If the input or its range is refused, named as on the command line.
+    """
+    path, values = path_and_value(over, "--over clearance=0:60um", "--over")
+    with bar("rows") as update, named_as(threads="--workers", over="--over"):
+        try:
+            found = diagram(case, path, values, workers=workers, announce=of_rows(update))
+        except UnknownKeyError:
+            raise
+        except InputError as error:
+            raise error.about(f"--over {error.field}", values) from None
+    with named_as(folder="--out"):
+        made = () if out is None else found.save(out)
+    return Answer(case.title, diagram_sections(found), lambda: found.to_json(made), found.sweep.verdict, written=made)
