@@ -51,7 +51,6 @@ DASHES: Final[dict[str, Any]] = {
 LOWEST: Final = 0.5  # inch, of a panel in true proportions
 HEADS: Final = 0.24, 0.6  # inch, above such a panel and the stretched one below it
 SYMBOLS: Final = {"circle": ("o", 4.0), "diamond": ("D", 5.0), "triangle": ("^", 4.0), "dot": (".", 4.0)}
-MARKERS: Final = {marker for marker, _ in SYMBOLS.values()}
 TITLE_ABOVE, ROW_OF_KEY, SAMPLE = 7.0, 11.5, 7  # points above a legend, and of a row of it; letters that a sample takes
 DOTS: Final = 100.0  # of a screen, in an inch
 ACROSS: Final = 65  # points across an area: equally spaced in the angle whose sine is the share of the way to its edge
@@ -71,7 +70,7 @@ def sheet_of(figure: Figure, title: str = "", conditions: Sequence[str] = ()) ->
     sheet, axes = stacked([HEAD] * len(heights), heights, title, conditions or [typeset(words)])
     for ax, panel in zip(axes, figure.panels, strict=True):
         draw_panel(panel, figure, ax, last=ax is axes[-1])
-        draw_key(ax)
+        draw_key([panel], ax)
     return sheet
 
 
@@ -94,23 +93,17 @@ def _proportional_sheet(figure: Figure, title: str) -> Sheet:
     area = any(isinstance(mark, Area) for mark in panel.marks)
     if area and stretch >= 2.0:
         heights = {1.0: max(natural, LOWEST)} | heights
-    rows = _rows_of_key(panel)
+    rows = max(map(len, _columns_of_key([panel], width)), default=0)
     heads = HEADS[: len(heights)] if area else [(TITLE_ABOVE + ROW_OF_KEY * (rows + 1.5)) / 72.0]
     right = WIDTH - LEFT - width
     sheet, several = stacked(heads, [*heights.values()], title, [typeset(figure.conditions)], right=right)
     for ax, times in zip(several, heights, strict=True):
         draw_panel(panel, figure, ax, last=ax is several[-1], stretch=times)
-        draw_key(ax)
+        draw_key([panel], ax)
         words = proportions(panel, times, "" if area else panel.heading)
         ax.set_title(words, loc="left", fontsize=style.SMALL_SIZE, pad=TITLE_ABOVE + ROW_OF_KEY * rows)
     draw_colour_bar(panel, several[-1], cax=bar_beside(several[-1]))
     return sheet
-
-
-def _rows_of_key(panel: Panel) -> int:
-    """Return the rows of a legend in two columns, of points and of all else."""
-    points = {mark.name: isinstance(mark, Points) for mark in panel.marks if mark.name}.values()
-    return max(sum(points), len(points) - sum(points))
 
 
 def draw_on(figure: Figure, ax: Axes) -> Axes:
@@ -127,7 +120,7 @@ def draw_on(figure: Figure, ax: Axes) -> Axes:
         for axes, of in ((ax, first), (twin, panel)):
             axes.yaxis.label.set_color(COLOURS[next(mark.colour for mark in of.marks if isinstance(mark, Line))])
         several.append(twin)
-    draw_key(*several)
+    draw_key(figure.panels, *several)
     words = typeset(figure.conditions)
     ax.set_title(f"{words}; {first.remark}" if first.remark else words, loc="left", pad=18.0)
     return ax
@@ -137,9 +130,9 @@ def draw_proportional(figure: Figure, ax: Axes, *, stretch: float = 1.0, bar: Ax
     """Draw the only panel of a figure on axes, which are made smaller to fit its shape, with its colour bar."""
     (panel,) = figure.panels
     draw_panel(panel, figure, ax, stretch=stretch)
-    draw_key(ax)
+    rows = draw_key([panel], ax)
     words = f"{typeset(figure.conditions)}; {proportions(panel, stretch, panel.heading[0].lower() + panel.heading[1:])}"
-    ax.set_title(words, loc="left", pad=TITLE_ABOVE + ROW_OF_KEY * _rows_of_key(panel))
+    ax.set_title(words, loc="left", pad=TITLE_ABOVE + ROW_OF_KEY * rows)
     draw_colour_bar(panel, ax, **({"ax": ax} if bar is None else {"cax": bar}))
     return ax
 
@@ -224,32 +217,33 @@ class _Pen:
         return self.across * x, self.up * y
 
 
-def draw_key(ax: Axes, *others: Axes) -> None:
-    """Write the legend of all marks with a name, on these axes and on others, above the first."""
-    entries: dict[str, Any] = {}
-    for axes in (ax, *others):
-        entries |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
-    if not entries:
-        return
-    if LETTER * sum(len(words) + SAMPLE for words in entries) <= ax.bbox.width / ax.figure.dpi:
-        key_above(ax, [*entries.values()], [*entries], columns=len(entries), handlelength=2.2)
-    else:
-        samples, words = _in_two_columns(entries)
-        spacing = {"borderaxespad": 0.4, "handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.4}
-        key_above(ax, samples, words, columns=2, **spacing)
-
-
-def _in_two_columns(entries: dict[str, Any]) -> tuple[list[Any], list[str]]:
-    """Return samples and words of a legend with those of points in its first column, all others in its second."""
+def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
+    """Write the legend of panels, drawn on these axes, above the first of them; return its rows."""
     from matplotlib.lines import Line2D
 
-    points = {words: sample for words, sample in entries.items() if getattr(sample, "get_marker", str)() in MARKERS}
-    others = {words: sample for words, sample in entries.items() if words not in points}
-    # A legend is filled column by column: blanks make both equally long.
-    rows, blank = max(len(points), len(others)), Line2D([], [], linestyle="none")
-    columns = [[*column.items(), *[("", blank)] * (rows - len(column))] for column in (points, others)]
-    words, samples = zip(*columns[0], *columns[1], strict=True)
-    return list(samples), list(words)
+    ax, drawn = several[0], dict[str, Any]()
+    for axes in several:
+        drawn |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+    columns = _columns_of_key(panels, ax.bbox.width / ax.figure.dpi)
+    rows = max(map(len, columns), default=0)
+    if not rows:
+        return 0
+    # A legend is filled column by column: blanks make all equally long.
+    words = [entry for column in columns for entry in (*column, *[""] * (rows - len(column)))]
+    samples = [drawn.get(entry) or Line2D([], [], linestyle="none") for entry in words]
+    narrow = {"borderaxespad": 0.4, "handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.4}
+    key_above(ax, samples, words, columns=len(columns), **({"handlelength": 2.2} if rows == 1 else narrow))
+    return rows
+
+
+def _columns_of_key(panels: Sequence[Panel], width: float) -> list[list[str]]:
+    """Return the entries of a legend: side by side if they fit into a width [inch], else points beside all else."""
+    named = [mark for panel in panels for mark in panel.marks if mark.name]
+    points = {typeset(mark.name): isinstance(mark, Points) for mark in named}
+    if LETTER * sum(len(words) + SAMPLE for words in points) <= width:
+        return [[words] for words in points]
+    columns = [[words for words, point in points.items() if point is first] for first in (True, False)]
+    return [column for column in columns if column]
 
 
 def _normalised(colours: Axis) -> Any:
@@ -283,7 +277,9 @@ def _(mark: Steps, pen: _Pen) -> None:
 @_draw.register
 def _(mark: Band, pen: _Pen) -> None:
     edges = pen.along(mark.x), pen.upright(mark.low), pen.upright(mark.high)
-    pen.ax.fill_between(*edges, facecolor=COLOURS[mark.colour], alpha=0.16, linewidth=0.0, label=mark.name or None)
+    pen.ax.fill_between(
+        *edges, facecolor=COLOURS[mark.colour], alpha=0.16, linewidth=0.0, label=typeset(mark.name) or None
+    )
 
 
 @_draw.register
@@ -335,7 +331,7 @@ def _(mark: Points, pen: _Pen) -> None:
 @_draw.register
 def _(mark: Span, pen: _Pen) -> None:
     ends = pen.along([mark.low, mark.high])
-    pen.ax.axvspan(*ends, facecolor=style.PALE, edgecolor="none", zorder=0.5, label=mark.name or None)
+    pen.ax.axvspan(*ends, facecolor=style.PALE, edgecolor="none", zorder=0.5, label=_look(mark)["label"])
 
 
 @_draw.register

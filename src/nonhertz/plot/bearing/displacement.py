@@ -36,5 +36,5 @@ def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps
     """
     figure = displacement.displacement_against_load(solution, maps)
     draw_panel(figure.panels[0], figure, ax)
-    draw_key(ax)
+    draw_key(figure.panels, ax)
     return ax
