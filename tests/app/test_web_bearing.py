@@ -12,7 +12,7 @@ import few_rollers
 import httpx
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 from serving import post, running
 
 import nonhertz as nh
@@ -25,6 +25,7 @@ from nonhertz.web.form.schema import form_schema
 from nonhertz.web.server import workers
 from nonhertz.web.view import jobs
 
+RINGS = ("inner", "outer")
 STARTING = tomllib.loads(starting_bearing())
 FEW_TEXT = few_rollers.changed(few_rollers.SIX, ('"six"', '"six & <seven>"'))
 FEW = tomllib.loads(FEW_TEXT)
@@ -45,9 +46,20 @@ THRUST = tomllib.loads(
 )
 
 
-def answer(given: Any, method: Any = "slices") -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(jobs.load(given, method))
+def answer(given: Any, method: Any = "slices", roller: Any = None) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(jobs.load(given, method, roller))
     return found
+
+
+def drawn(found: dict[str, Any]) -> dict[str, Any]:
+    """Return the panels of the roller that is shown, by their names."""
+    return {panel["name"]: panel for panel in found["lines"]["panels"]}
+
+
+def of_rings(found: dict[str, Any], panel: str) -> dict[str, tuple[Any, Any]]:
+    """Return the lines of a panel by the rings that they are of."""
+    lines = [mark for mark in drawn(found)[panel]["marks"] if mark["kind"] == "line"]
+    return {line["name"].split()[0]: (np.array(line["x"], float), np.array(line["y"], float)) for line in lines}
 
 
 def changed(document: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
@@ -87,19 +99,17 @@ def test_numbers_are_those_of_the_solver(method):
         assert solution.max_pressure[roller, ["inner", "outer"].index(ring)] == solution.max_pressure.max()
     else:
         assert found["key"]["max_pressure"] is None
-        assert "pressure" not in found["contacts"][0][0]
+    assert ("pressure" in drawn(found)) == (method == "strips")
 
 
 @pytest.mark.parametrize("method", ["slices", "strips"])
 @pytest.mark.parametrize("document", [FEW, PAIR], ids=["few", "pair"])
 def test_line_loads_add_up_to_the_loads(document, method):
-    found = answer(document, method)
-    for loads, pair in zip(found["load"], found["contacts"], strict=True):
-        for load, lines in zip(loads, pair, strict=True):
-            if load == 0.0:
-                assert lines is None
-                continue
-            y, q = (np.array(lines[name], float) for name in ("y", "line_load"))
+    for roller, loads in enumerate(answer(document, method)["load"]):
+        lines = of_rings(json.loads(jobs.lines(document, method, roller)), "line")
+        assert set(lines) == {ring for ring, load in zip(RINGS, loads, strict=True) if load > 0.0}
+        for ring, (y, q) in lines.items():
+            load = loads[RINGS.index(ring)]
             total = float(np.sum(0.5 * (q[1:] + q[:-1]) * np.diff(y)))
             # Steps are integrated exactly; through the centres of strips, to the curvature over a strip.
             assert_allclose(total, load, rtol=1e-9 if method == "slices" else 0.02)
@@ -108,20 +118,28 @@ def test_line_loads_add_up_to_the_loads(document, method):
 def test_lines_end_where_the_contact_ends():
     # So much of a crown that the ends of the rollers do not touch, where the pressure would have no limit.
     crowned = changed(FEW, "roller.profile", {"kind": "crown", "drop": "80 um"})
-    for pair in answer(crowned, "strips")["contacts"]:
-        for lines in filter(None, pair):
-            assert [lines["y"][0], lines["y"][-1]] == [lines["touching"][0][0], lines["touching"][-1][1]]
-            assert [lines["pressure"][0], lines["pressure"][-1]] == [0.0, 0.0]
-            assert max(filter(None, lines["pressure"])) == pytest.approx(lines["max_pressure"], rel=0.02)
+    contacts = solved(crowned, "strips")
+    for roller in range(6):
+        found = json.loads(jobs.lines(crowned, "strips", roller))
+        assert found["shown"] == roller
+        for ring, (y, pressure) in of_rings(found, "pressure").items():
+            contact = contacts.contact(roller, ring)
+            assert_array_equal(y[[0, -1]], np.ravel(contact.contact_y)[[0, -1]])
+            assert_array_equal(pressure[[0, -1]], 0.0)
+            assert np.nanmax(pressure) == pytest.approx(contact.max_pressure, rel=0.02)
 
 
-def test_relief_is_in_um():
-    (row,) = answer(FEW)["rows"]
-    for ring in ("inner", "outer"):
-        y, um = (np.array(row["relief"][ring][name]) for name in ("y", "relief_um"))
-        assert_allclose(
-            um, 1e3 * y**2 / 2400.0, rtol=1e-5, atol=1e-12
-        )  # a circle of 1200 mm: y^2 / 2 R to (y / R)^2 / 4
+def test_relief_is_read_in_um():
+    found = answer(FEW)
+    assert drawn(found)["relief"]["upright"]["title"] == "Joint relief [µm]"
+    for y, relief in of_rings(found, "relief").values():
+        # A circle of 1200 mm: y^2 / 2 R to (y / R)^2 / 4.
+        assert_allclose(relief, y**2 / 2400.0, rtol=1e-5, atol=1e-15)
+
+
+def test_a_roller_that_is_not_there_is_the_most_loaded():
+    assert answer(FEW, roller=17)["shown"] == answer(FEW, roller=-1)["shown"] == answer(FEW)["most"]
+    assert answer(FEW, roller=2)["shown"] == 2
 
 
 def test_the_file_says_the_method():
@@ -166,7 +184,7 @@ def test_what_a_bearing_does_not_bear_has_no_slider():
 def test_a_load_at_the_end_of_its_slider_is_what_steel_bears():
     high = sliders(STARTING)["radial"]["high"]
     found = answer(changed(changed(STARTING, "load.radial", high), "load.tilt", 0.0), "strips")
-    middle = [max(filter(None, lines["pressure"][20:-20])) for lines in filter(None, found["contacts"][found["most"]])]
+    middle = [np.nanmax(pressure[20:-20]) for _, pressure in of_rings(found, "pressure").values()]
     assert 2500.0 < max(middle) < 4000.0
 
 

@@ -92,22 +92,25 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing):
     assert bearing.round_trips()
 
 
+def wait_for_lines(desk: Desk, words: str) -> None:
+    desk.page.locator("#roller-name").get_by_text(words, exact=True).wait_for()
+
+
 def test_a_clicked_roller_is_drawn(bearing):
-    name = bearing.page.locator("#roller-name")
-    assert name.inner_text() == "Roller 1 at 0.0°, the most loaded"
+    wait_for_lines(bearing, "Roller 1 at 0.0 degrees, the most loaded")
     pressure = bearing.page.locator('[data-figure="pressure"] svg').first
     before = pressure.get_attribute("aria-label")
     bearing.page.locator('[data-roller="1"] .mark').click()
-    assert name.inner_text() == "Roller 2 at 60.0°"
+    wait_for_lines(bearing, "Roller 2 at 60.0 degrees")
     assert pressure.get_attribute("aria-label") != before
     assert bearing.page.locator("#rollers tr.chosen td").first.inner_text() == "2"
     bearing.page.keyboard.press("ArrowRight")
-    assert name.inner_text() == "Roller 3 at 120.0°"
+    wait_for_lines(bearing, "Roller 3 at 120.0 degrees")
     assert "no load" in bearing.page.locator('[data-figure="pressure"] .drawing').inner_text()
     bearing.page.locator('[data-roller-row="5"]').click()
-    assert name.inner_text() == "Roller 6 at 300.0°"
+    wait_for_lines(bearing, "Roller 6 at 300.0 degrees")
     bearing.page.locator("#most").click()
-    assert name.inner_text() == "Roller 1 at 0.0°, the most loaded"
+    wait_for_lines(bearing, "Roller 1 at 0.0 degrees, the most loaded")
 
 
 def opened(desk: Desk, text: str) -> None:
@@ -167,6 +170,6 @@ def test_a_contact_is_opened_on_the_page_of_contacts(bearing):
     bearing.page.go_back()
     bearing.settle()
     assert bearing.page.locator('[data-roller="1"]').get_attribute("aria-label") == loads
-    assert bearing.page.locator("#roller-name").inner_text() == "Roller 2 at 60.0°"
+    wait_for_lines(bearing, "Roller 2 at 60.0 degrees")
     bearing.page.locator('[data-roller="3"]').click()
     assert bearing.page.locator("[data-contact]:disabled").count() == 2  # it bears no load

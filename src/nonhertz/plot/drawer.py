@@ -37,7 +37,7 @@ from nonhertz.plot.axes import ROUND, Array, Axes, key_above, note
 from nonhertz.plot.axes import Figure as Sheet
 from nonhertz.plot.axial import LETTER, alignment, number
 from nonhertz.plot.contours import draw_contours, label_contours
-from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, LEFT, WIDTH, bar_beside, stacked, stretch_of
+from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, LEFT, MARGIN, WIDTH, bar_beside, stacked, stretch_of
 
 if TYPE_CHECKING:
     from matplotlib.contour import ContourSet
@@ -62,12 +62,14 @@ OVER_LINES: Final[dict[str, Any]] = {"va": "bottom", "color": style.INK, "bbox":
 
 
 def sheet_of(figure: Figure, title: str = "", conditions: Sequence[str] = ()) -> Sheet:
-    """Return a sheet with the panels of a figure one below the other."""
+    """Return a sheet with the panels of a figure one below the other, and what was solved, below further conditions."""
     if figure.panels[0].proportional:
         return _proportional_sheet(figure, title)
     heights = [panel.height / DOTS for panel in figure.panels]
     words = "; ".join([figure.conditions, *(panel.remark for panel in figure.panels if panel.remark)])
-    sheet, axes = stacked([HEAD] * len(heights), heights, title, conditions or [typeset(words)])
+    sheet, axes = stacked(
+        [HEAD] * len(heights), heights, title, [*conditions, typeset(words)], words=MARGIN if conditions else LEFT
+    )
     for ax, panel in zip(axes, figure.panels, strict=True):
         draw_panel(panel, figure, ax, last=ax is axes[-1])
         draw_key([panel], ax)
@@ -277,9 +279,7 @@ def _(mark: Steps, pen: _Pen) -> None:
 @_draw.register
 def _(mark: Band, pen: _Pen) -> None:
     edges = pen.along(mark.x), pen.upright(mark.low), pen.upright(mark.high)
-    pen.ax.fill_between(
-        *edges, facecolor=COLOURS[mark.colour], alpha=0.16, linewidth=0.0, label=typeset(mark.name) or None
-    )
+    pen.ax.fill_between(*edges, facecolor=COLOURS[mark.colour], alpha=0.16, linewidth=0.0, label=_look(mark)["label"])
 
 
 @_draw.register

@@ -18,7 +18,7 @@ from nonhertz.plot.axial import written
 from nonhertz.plot.bearing.displacement import displacement_against_load
 from nonhertz.plot.bearing.loads import bearing_loads
 from nonhertz.plot.bearing.pressure import bearing_pressure, draw_titled
-from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
+from nonhertz.plot.bearing.roller import loaded_roller, most_loaded_roller, roller_relief
 from nonhertz.plot.centre_line import pressure, profile
 from nonhertz.plot.contact_area import footprint
 from nonhertz.plot.drawer import draw_colour_bar, sheet_of
@@ -53,9 +53,7 @@ ALONE, BESIDE, AROUND, HEAD_OF_POLAR, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
 PER_LINE = 2
 PANEL, PANEL_HEAD = 1.25, 0.3
 CURVE, CURVE_HEAD, SECOND_WAY = 2.6, 0.4, 0.22
-ROLLER_PANELS, ROLLER_HEADS = (2.2, 1.4), (0.5, 0.45)
 CONDITION_LETTERS = 104  # that fit in a line
-LEFT_OF_TWO = 0.85  # beside a label of two lines
 
 
 def draw(result: Solution | BearingSolution, what: str, ax: Axes | None = None) -> Axes:
@@ -117,11 +115,7 @@ def bearing_figures(
         found = {"loads": _loads(solution, *head)}
         if solution.method == "strips" and solution.load.any():
             found["pressure"] = _pressure(solution, *head)
-            found["roller"], (upper, lower) = stacked(
-                ROLLER_HEADS, ROLLER_PANELS, *head, left=LEFT_OF_TWO, words=MARGIN
-            )
-            most_loaded_roller(solution, upper).tick_params(labelbottom=False)
-            roller_relief(solution, lower)
+            found["roller"] = sheet_of(loaded_roller(solution), *head)
         if ways := directions(solution):
             above = CURVE_HEAD + (len(ways) - 1) * SECOND_WAY
             found["displacement"], (axes,) = stacked([above], [CURVE], *head, words=MARGIN)

@@ -112,7 +112,7 @@ class Page:
 
         async def answer(request: Request) -> Response:
             document, *wishes = question.read(await _asked(request))
-            whom = "quick" if tuple(wishes) == question.at_once else question.whom
+            whom = "quick" if question.at_once and wishes[0] == question.at_once else question.whom
             run, seconds = {
                 "quick": (self.quick.run, ANSWER_SECONDS),
                 "patient": (self.patient.run, ANSWER_SECONDS),

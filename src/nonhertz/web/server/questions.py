@@ -49,7 +49,7 @@ WISHES: Final[Mapping[str, Wish]] = {
     "method": Wish(
         lambda given: given in (None, "slices", "strips"), "method must be 'slices' or 'strips', or be left out."
     ),
-    "roller": Wish(lambda given: type(given) is int, "roller must be a whole number."),
+    "roller": Wish(lambda given: given is None or type(given) is int, "roller must be a whole number, or be left out."),
     "ring": Wish(lambda given: given in RINGS, "ring must be 'inner' or 'outer'."),
 }
 
@@ -68,15 +68,15 @@ class Question:
         The processes that answer at once, the one that may take long, or one started for it.
     command : str
         That to use where it takes longer than the page waits.
-    at_once : tuple or None
-        Wishes that are quick to answer all the same.
+    at_once : str
+        A first wish that is quick to answer all the same; empty if there is none.
     """
 
     job: Job
     wishes: tuple[str, ...] = ()
     whom: Literal["quick", "patient", "apart"] = "quick"
     command: str = "solve"
-    at_once: tuple[Any, ...] | None = None
+    at_once: str = ""
 
     def read(self, asked: dict[str, Any]) -> tuple[Any, ...]:
         """Return the document and the wishes of a request.
@@ -147,8 +147,9 @@ BEARING: Final = Kind(
     BEARING_TEMPLATES,
     starting_bearing,
     {
-        "solve": Question(jobs.load, ("method",), "patient", "bearing", at_once=("slices",)),
+        "solve": Question(jobs.load, ("method", "roller"), "patient", "bearing", at_once="slices"),
         # By the process that has solved it by strips already.
+        "roller": Question(jobs.lines, ("method", "roller"), "patient", "bearing"),
         "contact": Question(jobs.contact, ("roller", "ring"), "patient", "bearing"),
         "download/bearing.toml": Question(jobs.file, ("text",)),
         "download/report.html": Question(partial(jobs.report, kind=BearingCase), (), "apart", "report"),

@@ -2,7 +2,7 @@
 
 import { figure, head, whenResized } from "./chart.js";
 import { byId } from "./elements.js";
-import { AWAY, Live, post } from "./live.js";
+import { AWAY, Live, asked, post } from "./live.js";
 import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { digits } from "./numbers.js";
@@ -10,7 +10,6 @@ import { drawPanels } from "./panel.js";
 import { html, render } from "./preact.js";
 import { Polar, degrees, newtons } from "./polar.js";
 import { entitle, outdate, sayLater, sayMistakes, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
-import { drawRoller } from "./roller.js";
 import { notice, timed } from "./status.js";
 import { amount, parts } from "./units.js";
 import { Work } from "./work.js";
@@ -33,8 +32,9 @@ const page = {
   document: null,
   /** @type {import("./types.js").Pin[]} */
   pins: [],
-  /** @type {any} the latest by strips, and whether it is that of the bearing as it is now */
+  /** @type {any} the latest by strips, its document, and whether it is that of the bearing as it is now */
   pressed: null,
+  pressedOf: null,
   fresh: false,
   /** @type {number | null} the roller that was chosen; null for the most loaded one */
   chosen: history.state?.roller ?? null,
@@ -43,7 +43,7 @@ const page = {
 
 /** Slices at every edit, strips when the hand rests. */
 const live = new Live({
-  request: (document, more) => ["bearing/solve", { document, method: more ? "strips" : "slices" }],
+  request: (document, more) => ["bearing/solve", { document, method: more ? "strips" : "slices", roller: page.chosen }],
   wish: () => (page.answer?.file_method === "strips" ? "strips" : null),
   together: false,
   rest: REST,
@@ -60,6 +60,7 @@ const live = new Live({
   more(answer, { document }) {
     if (answer.ok) {
       page.pressed = answer;
+      page.pressedOf = document;
       page.fresh = true;
       show(answer, document);
       byId("state").textContent = "solved by strips";
@@ -127,14 +128,14 @@ function pressedBefore() {
 }
 
 function drawPictures() {
-  const { answer, pressed } = page;
+  const { answer } = page;
   if (!answer) return;
   const before = pressedBefore();
   writeKeyNumbers(keyNumbers(answer, before), page.pins.map((pin) => ({ ...pin, numbers: keyNumbers(pin.answer) })));
   const number = roller();
   head(figure("polar"), "Loads of all rollers", POLAR_KEY, `by ${answer.method}`);
   polar.draw(answer, number);
-  drawRoller(answer, before ?? (page.fresh ? pressed : null), number, page.pins[0]?.answer ?? null);
+  drawRoller(answer, before, number);
   drawMap(before ?? answer, number);
   const stale = figure("pressure");
   stale.classList.toggle("stale", !page.fresh);
@@ -142,6 +143,37 @@ function drawPictures() {
   byId("most").hidden = page.chosen === null || number === answer.most;
   writeRollers(answer, number);
   offerContacts(number);
+}
+
+/**
+ * Draw what a roller bears along its length, with pressures by strips, those before the last change if need be.
+ * @param {any} answer
+ * @param {any} before
+ * @param {number} number
+ */
+function drawRoller({ lines }, before, number) {
+  const [pin] = page.pins;
+  const isPressure = ({ name }) => name === "pressure";
+  const pressures = (before ?? page.answer).lines.panels.filter(isPressure);
+  byId("roller-name").textContent = lines.conditions;
+  figure("pressure").hidden = !pressures.length;
+  const drawn = { ...lines, panels: [...pressures, ...lines.panels.filter((panel) => !isPressure(panel))] };
+  drawPanels(drawn, pin?.answer.shown === number ? pin.answer.lines : undefined, { last: "relief" });
+  void askLines(page.answer, page.document, number);
+  void askLines(page.pressed, page.pressedOf, number);
+  if (pin) void askLines(pin.answer, pin.document, number);
+}
+
+/** Ask for the lines of a roller where an answer has those of another. */
+async function askLines(answer, document, number) {
+  if (!answer || answer.shown === number || answer.wanted === number || number >= answer.angle.length) return;
+  answer.wanted = number;
+  const more = await asked("bearing/roller", { document, method: answer.method, roller: number });
+  if (answer.wanted !== number) return; // another one is wanted by now
+  answer.wanted = null;
+  if (!more?.ok) return;
+  [answer.shown, answer.lines] = [more.shown, more.lines];
+  if (roller() === number) drawPictures();
 }
 
 /** Draw the pressure of all rollers in the row of the one that is shown, by strips. @param {any} answer @param {number} number */

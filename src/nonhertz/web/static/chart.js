@@ -12,8 +12,6 @@ export const FAINT = "var(--faint)";
 
 // The same side margins for all figures along y, so that the same y lines up.
 export const MARGINS = { marginLeft: 58, marginRight: 16, marginTop: 14, marginBottom: 24 };
-// Where the pressure has no limit, the axis ends at this multiple of the largest pressure away from sharp ends.
-const BEYOND = 1.6;
 export const NAMED = 38; // the bottom margin where the axis has a label
 
 /** 2000, not 2,000, which half the world reads as 2. @param {number} value */
@@ -108,11 +106,6 @@ function saversOf(host) {
   return element("span", { class: "savers" }, buttons);
 }
 
-/** The axis along the contact. @param {[number, number]} span @param {boolean} [named] */
-export function alongAxis(span, labelled = true) {
-  return { ...axis("y", "mm", span), ...(labelled ? {} : { label: null }) };
-}
-
 /**
  * The vertical axis.
  * @param {[number, number] | undefined} domain
@@ -164,25 +157,6 @@ export function extent(values) {
     if (value > high) high = value;
   }
   return /** @type {[number, number]} */ (low <= high ? [low, high] : [0, 1]);
-}
-
-/** From zero to a little above the largest of several rows of numbers. @param {(number|null)[][]} rows */
-export function fromZero(rows, room = 1.12) {
-  const top = Math.max(...rows.filter((row) => row.length).map((row) => extent(row)[1]), 0);
-  return /** @type {[number, number]} */ ([0, top > 0 ? room * top : 1]);
-}
-
-/**
- * The vertical axis of pressures, and what keeps curves within reach of it: cut where they have no limit.
- * @param {number} largest away from sharp ends
- * @param {boolean} cut
- * @param {(number|null)[][]} rows
- * @returns {{top: [number, number], clamped: (values: (number|null)[]) => (number|null)[], remark: string}}
- */
-export function ofPressure(largest, cut, rows) {
-  const top = cut ? /** @type {[number, number]} */ ([0, BEYOND * largest]) : fromZero(rows, 1.18);
-  const clamped = (values) => values.map((value) => (value === null ? null : Math.min(value, 2 * top[1])));
-  return { top, clamped, remark: cut ? "axis cut: no limit at an end" : "" };
 }
 
 /** The legend entry of a pinned case. @param {object | null} pinned @returns {[string, string][]} */

@@ -121,9 +121,8 @@ function gradient(id, x, values, { range }) {
  * @returns {import("./tilt.js").Axes[]} where places are in the drawings
  */
 export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE } = {}) {
-  return drawn.panels.map((panel, place) =>
-    drawPanel(panel, drawn.along, pinned?.panels[place], limits, panel.name === last, net),
-  );
+  const before = (name) => pinned?.panels.find((panel) => panel.name === name);
+  return drawn.panels.map((panel) => drawPanel(panel, drawn.along, before(panel.name), limits, panel.name === last, net));
 }
 
 /**
@@ -240,10 +239,12 @@ function short({ symbol, label, unit }) {
   return unit ? `${symbol || label} [${unit}]` : symbol || label;
 }
 
-/** What is at a place of all lines that share their places. @param {Mark[]} lines @param {number} place @param {Axis} along @param {Axis} upright */
+/** What is at a place of the first line, and near it on the others. @param {Mark[]} lines @param {number} place @param {Axis} along @param {Axis} upright */
 function read(lines, place, along, upright) {
-  const named = (name, y) => `${lines.length > 1 ? name : upright.symbol} ${value(upright, y[place])}`;
-  return [amount(along, lines[0].x[place]), ...lines.map(({ name, y }) => named(name, y))].join("\n");
+  const at = lines[0].x[place];
+  const near = ({ x, y }) => y[x === lines[0].x ? place : d3.minIndex(x, (other) => (other === null ? Infinity : Math.abs(other - at)))];
+  const named = (line) => `${lines.length > 1 ? line.name : upright.symbol} ${value(upright, near(line))}`;
+  return [amount(along, at), ...lines.map(named)].join("\n");
 }
 
 /** What is at a place of an area: how wide it is and the value in its middle. */

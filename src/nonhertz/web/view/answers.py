@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
-from collections.abc import Callable
 from typing import Any, Final
 
 import numpy as np
@@ -12,13 +10,14 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError, NonhertzError
 from nonhertz.figures import contact
+from nonhertz.figures.roller import relief_between
 from nonhertz.files.casefile import Case
 from nonhertz.files.reading import read
 from nonhertz.files.results import plain
 from nonhertz.files.sections import surroundings
 from nonhertz.life.capacity import of_rolling_bearing
 from nonhertz.model.body import Body
-from nonhertz.result.along import contact_lines, unlimited_ends
+from nonhertz.result.along import unlimited_ends
 from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
@@ -29,7 +28,6 @@ from nonhertz.web.view.replies import verdict_seen
 
 Array = NDArray[np.float64]
 
-RELIEF_POINTS: Final = 161
 INNER: Final = 0.96
 STEEP: Final = 6.0
 ROOM: Final = 0.12
@@ -96,27 +94,9 @@ def relief_of(body: Body) -> dict[str, Any]:
     low, high = body.interval
     low = low if math.isfinite(low) else min(body.position, high) - FAR
     high = high if math.isfinite(high) else max(body.position, low) + FAR
-    y, relief = _relief_at(low, high, body.relief)
-    land = body.land
-    return _sent(y, relief) | {"range_um": _range_of(1e3 * relief[(land[0] <= y) & (y <= land[1])])}
-
-
-def relief_between(low: float, high: float, relief: Callable[[Array], Array]) -> dict[str, Any]:
-    """Return a relief from one position to another."""
-    return _sent(*_relief_at(low, high, relief))
-
-
-def _relief_at(low: float, high: float, relief: Callable[[Array], Array]) -> tuple[Array, Array]:
-    """Return places from one position to another, denser at the ends, and the relief there."""
-    spread = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, RELIEF_POINTS))
-    y = np.clip(0.5 * (low + high) + 0.5 * (high - low) * spread, low, high)
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore")
-        return y, relief(y)
-
-
-def _sent(y: Array, relief: Array) -> dict[str, Any]:
-    return {"y": plain(y), "relief_um": plain(1e3 * relief)}
+    y, relief = relief_between(low, high, body.relief)
+    on_land = (body.land[0] <= y) & (y <= body.land[1])
+    return {"y": plain(y), "relief_um": plain(1e3 * relief), "range_um": _range_of(1e3 * relief[on_land])}
 
 
 def _range_of(relief: Array) -> list[float]:
@@ -128,11 +108,6 @@ def _range_of(relief: Array) -> list[float]:
     top = 2.0 * inner if high > STEEP * inner > 0.0 else high
     room = ROOM * (top - low) or 1.0
     return [low - room, top + room]
-
-
-def lines(solution: Solution) -> dict[str, list[float | None]]:
-    """Return the lines along a contact as plain numbers; a null separates pieces."""
-    return {name: plain(values) for name, values in vars(contact_lines(solution)).items()}
 
 
 def _seen(body: Body) -> dict[str, Any]:

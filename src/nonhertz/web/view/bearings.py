@@ -10,17 +10,17 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution, slice_loads
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.figures.bearing import pressure_maps
+from nonhertz.figures.roller import roller_lines
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
 from nonhertz.findings import sentences
-from nonhertz.result.solution import Solution
 from nonhertz.show.bearing import most_loaded, sections
 from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import findings_of, of_bearing
-from nonhertz.web.view.answers import lines, relief_between, relief_of
+from nonhertz.web.view.answers import relief_of
 from nonhertz.web.view.replies import verdict_seen
 
 Array = NDArray[np.float64]
@@ -29,7 +29,7 @@ MAP_POINTS = 41
 """Places along a roller, of which a map of the page has cells."""
 
 
-def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, Any]:
+def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | None = None) -> dict[str, Any]:
     """Return what the page shows of a loaded bearing.
 
     Parameters
@@ -38,6 +38,8 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         What was solved.
     solution : BearingSolution
         By slices or by strips; only strips have pressures.
+    roller : int, optional
+        That whose lines are drawn; the most loaded one if there is no such roller.
 
     Raises
     ------
@@ -45,10 +47,6 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         If something that the case says about life is refused.
     """
     life, reason = case.rated(solution)
-    if solution.method == "strips":
-        contacts = [[_lines(solution.contact(j, ring)) for ring in RINGS] for j in range(solution.angle.size)]
-    else:
-        contacts = _by_slices(solution, case.solver.laminae)
     *shown, (_, (rollers,)) = sections(case, solution, life, reason)
     assert isinstance(rollers, Table)
     return {
@@ -62,14 +60,19 @@ def bearing_answer(case: BearingCase, solution: BearingSolution) -> dict[str, An
         "load": plain(solution.load),
         "force": plain(solution.force),
         "most": most_loaded(solution),
-        "contacts": contacts,
         "maps": _maps(solution),
         "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
         "summary": rows_of_summaries(shown),
         "columns": rollers.heads,
         "rollers": rollers.rows,
         "warnings": sentences(findings_of(solution, life, case.operating_clearance)),
-    }
+    } | roller_answer(case, solution, roller)
+
+
+def roller_answer(case: BearingCase, solution: BearingSolution, roller: int | None) -> dict[str, Any]:
+    """Return the lines of a roller; of the most loaded one if there is no such roller."""
+    shown = roller if roller is not None and 0 <= roller < solution.angle.size else most_loaded(solution)
+    return {"shown": shown, "lines": roller_lines(solution, shown, case.solver.laminae).to_json()}
 
 
 def _key_numbers(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> dict[str, Any]:
@@ -97,29 +100,9 @@ def _key_numbers(case: BearingCase, solution: BearingSolution, life: BearingLife
 
 
 def _rows(solution: BearingSolution) -> list[dict[str, Any]]:
-    """Return for every row which rollers are its own, how long they are, and the relief that they have with a ring."""
-    found = []
-    for row in solution.bearing.rows:
-        length, count = row.bearing.roller_length, row.rollers.stop - row.rollers.start
-        relief = {}
-        for ring, contact in zip(RINGS, row.bearing.contacts, strict=True):
-            ends = max(-0.5 * length, contact.interval[0]), min(0.5 * length, contact.interval[1])
-            relief[ring] = relief_between(*ends, contact.separation_at)
-        found.append({"first": row.rollers.start, "count": count, "length": length, "relief": relief})
-    return found
-
-
-def _lines(contact: Solution | None) -> dict[str, Any] | None:
-    """Return the lines along a contact by strips; None where there is no load."""
-    if contact is None:
-        return None
-    return lines(contact) | {
-        "max_pressure": plain(contact.max_pressure),
-        "max_pressure_y": plain(contact.max_pressure_y),
-        "touching": [list(pair) for pair in contact.contact_y],
-        "penetration_um": 1e3 * contact.penetration,
-        "unlimited": bool(contact.singular_ends),
-    }
+    """Return for every row which rollers are its own."""
+    rows = [row.rollers for row in solution.bearing.rows]
+    return [{"first": these.start, "count": these.stop - these.start} for these in rows]
 
 
 def _maps(solution: BearingSolution) -> list[dict[str, Any]]:
@@ -127,26 +110,6 @@ def _maps(solution: BearingSolution) -> list[dict[str, Any]]:
     if solution.method == "slices" or not solution.load.any():
         return []
     return [figure.to_json() for figure in pressure_maps(solution, MAP_POINTS)]
-
-
-def _by_slices(solution: BearingSolution, laminae: int) -> list[list[dict[str, Any] | None]]:
-    """Return for every roller and ring the steps of line load, without pressure; None where there is no load."""
-    found: list[list[dict[str, Any] | None]] = []
-    for slices, loads in slice_loads(solution, laminae):
-        width = float(slices.y[1] - slices.y[0])
-        edges = np.append(slices.y - 0.5 * width, slices.y[-1] + 0.5 * width)
-        found += [[_steps(edges, each / width) if each.any() else None for each in of_roller] for of_roller in loads]
-    return found
-
-
-def _steps(edges: Array, loads: Array) -> dict[str, Any]:
-    pressed = np.concatenate([[False], loads > 0.0, [False]])
-    starts, stops = (np.flatnonzero(found) for found in (pressed[1:] & ~pressed[:-1], pressed[:-1] & ~pressed[1:]))
-    return {
-        "y": plain(np.repeat(edges, 2)),
-        "line_load": [0.0, *plain(np.repeat(loads, 2)), 0.0],
-        "touching": [[float(edges[low]), float(edges[high])] for low, high in zip(starts, stops, strict=True)],
-    }
 
 
 def nothing_drawn(name: str, solution: BearingSolution) -> str:

@@ -21,15 +21,17 @@ from nonhertz.model.body import BodyName
 from nonhertz.show.solving import attempted
 from nonhertz.web.limits import is_number, refuse, too_long, too_slow, unfit
 from nonhertz.web.view.answers import answer, drawable
-from nonhertz.web.view.bearings import bearing_answer, nothing_drawn
+from nonhertz.web.view.bearings import bearing_answer, nothing_drawn, roller_answer
 from nonhertz.web.view.replies import broken, job, misfit
 from nonhertz.web.view.stresses import strength_answer, stress_answer
 
 Method = Literal["strips", "slices"]
 Held = TypeVar("Held", bound=HeldCase)
 
-#: The bearing that this process solved last: whoever opens one of its contacts need not wait for strips again.
+#: The bearings that this process solved last, the one on the page and what is pinned: whoever chooses a roller or opens
+#: a contact need not wait for strips again.
 _LATEST: Final[dict[str, tuple[BearingCase, BearingSolution]]] = {}
+_KEPT: Final = 3
 
 
 def sound(document: dict[str, Any], kind: type[Held]) -> Held:
@@ -68,16 +70,22 @@ def strength(document: dict[str, Any], body: BodyName) -> dict[str, Any]:
 
 
 @job
-def load(document: dict[str, Any], method: Method | None) -> dict[str, Any]:
-    """Answer with what the page shows of a bearing, by a method in place of that of the file."""
+def load(document: dict[str, Any], method: Method | None, roller: int | None = None) -> dict[str, Any]:
+    """Answer with what the page shows of a bearing and a roller, by a method in place of that of the file."""
     case = sound(document, BearingCase)
-    return {"file_method": case.solver.method} | bearing_answer(*_loaded(case, method))
+    return {"file_method": case.solver.method} | bearing_answer(*_loaded(case, method), roller)
+
+
+@job
+def lines(document: dict[str, Any], method: Method | None, roller: int | None) -> dict[str, Any]:
+    """Answer with what one roller of a bearing bears along its length."""
+    return {"ok": True} | roller_answer(*_loaded(sound(document, BearingCase), method), roller)
 
 
 @job
 def contact(document: dict[str, Any], roller: int, ring: str) -> dict[str, Any]:
     """Answer with the case of one contact of a bearing: of a roller, by its number from 0, with a ring."""
-    case, solution = _loaded(sound(document, BearingCase), None)
+    case, solution = _loaded(sound(document, BearingCase))
     return {"ok": True, "document": as_json_has_it(case.contact_case(solution, roller, ring).document)}
 
 
@@ -99,7 +107,8 @@ def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCas
         if solution.method == "slices" and case.life.edge_stress == "pressure":
             # They have no pressures: without the word, life is that of the standard's edges.
             case = replace(case, life=replace(case.life, edge_stress=None))
-        _LATEST.clear()
+        while len(_LATEST) >= _KEPT:
+            del _LATEST[next(iter(_LATEST))]
         _LATEST[key] = case, solution
     return _LATEST[key]
 
