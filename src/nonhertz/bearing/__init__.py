@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.mapped import BearingMaps as BearingMaps
     from nonhertz.bearing.mapped import maps as maps
     from nonhertz.bearing.oil import Lubrication as Lubrication
+    from nonhertz.bearing.oil import OilInPlace as OilInPlace
     from nonhertz.bearing.ratings import Rating as Rating
     from nonhertz.bearing.ratings import rating as rating
     from nonhertz.bearing.ribs import Rib as Rib
@@ -92,7 +93,7 @@ __getattr__, __dir__ = door(
             "reliability_factor",
         ),
         "mapped": ("BearingMaps", "maps"),
-        "oil": ("Lubrication",),
+        "oil": ("Lubrication", "OilInPlace"),
         "ratings": ("Rating", "rating"),
         "ribs": ("Rib",),
         "shapes": ("RingShape", "fourier_shape", "tabulated_shape"),

@@ -29,7 +29,7 @@ from nonhertz.bearing.lubrication import (
     reference_viscosity,
     reliability_factor,
 )
-from nonhertz.bearing.oil import Lubrication
+from nonhertz.bearing.oil import OilInPlace
 from nonhertz.bearing.ratings import Rating, axial_on_ribs, equivalent_loads, rating
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
@@ -274,11 +274,11 @@ class LifeConditions(Input):
 
 
 @described(kw_only=True)
-class _Conditions(LifeConditions, Lubrication):
+class _Conditions(LifeConditions, OilInPlace):
     """The same with the oil."""
 
 
-@taking(Lubrication, LifeConditions)
+@taking(OilInPlace, LifeConditions)
 def assess(
     solution: Loaded,
     *,
@@ -304,7 +304,7 @@ def assess(
         loaded for the rest.
     speed : float or sequence of float, optional
         [1/min], beside a viscosity or a life required in hours; of a spectrum one for all loads, or one for each.
-    {Lubrication}
+    {OilInPlace}
     {LifeConditions}
 
     Raises

@@ -34,6 +34,8 @@ CLEANLINESS = {
     "-/17/14": (0.0288, 1.6329),
     "-/19/16": (0.0216, 2.3362),
 }
+#: The least e_C of the levels of the guide of ISO 281, below a pitch diameter of 100 mm and above.
+GUIDE = {"normal": (0.5, 0.6), "slight": (0.3, 0.4), "typical": (0.1, 0.2), "severe": (0.0, 0.0)}
 _ABSOLUTE = 273.15
 _THINNEST = 2.0  # mm^2/s
 
@@ -173,14 +175,14 @@ def contamination_factor(viscosity_ratio: float, pitch_diameter: float, cleanlin
         kappa.
     pitch_diameter : float
         [mm].
-    cleanliness : {"high", "-/15/12", "-/17/14", "-/19/16"}
+    cleanliness : {"high", "-/15/12", "-/17/14", "-/19/16", "normal", "slight", "typical", "severe"}
         ``"high"``: oil through a very fine filter, or bearings that were greased for life in a clean room and sealed;
         0.6 to 0.8 on pitch diameters below 100 mm. Otherwise circulating oil with a filter in the circuit that keeps
-        to this code of ISO 4406.
+        to this code of ISO 4406, or a level of the guide, of which the lower end counts.
 
     Notes
     -----
-    For other cases give e_C as a number. The guide values of ISO 281 (three programs and manuals agree), below a pitch
+    The guide values of ISO 281 (three programs and manuals agree), below a pitch
     diameter of 100 mm and above: normal cleanliness 0.5 to 0.6 and 0.6 to 0.8, slight contamination 0.3 to 0.5 and 0.4
     to 0.6, typical contamination 0.1 to 0.3 and 0.2 to 0.4, severe contamination 0 to 0.1.
 
@@ -191,7 +193,9 @@ def contamination_factor(viscosity_ratio: float, pitch_diameter: float, cleanlin
     """
     positive("viscosity_ratio", viscosity_ratio, "give the viscosity over the reference viscosity")
     positive("pitch_diameter", pitch_diameter, "give that of the rollers' middles in mm")
-    one_of("cleanliness", cleanliness, tuple(CLEANLINESS), "choose one, or give e_C as a number")
+    one_of("cleanliness", cleanliness, (*CLEANLINESS, *GUIDE), "choose one, or give e_C as a number")
+    if cleanliness in GUIDE:
+        return GUIDE[cleanliness][pitch_diameter >= 100.0]
     c1, c2 = CLEANLINESS[cleanliness]
     by_film = min(c1 * min(viscosity_ratio, MOST_RATIO) ** 0.68 * pitch_diameter**0.55, 1.0)
     return float(by_film * max(0.0, 1.0 - c2 / pitch_diameter ** (1.0 / 3.0)))

@@ -14,7 +14,7 @@ from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import InnerRing, OuterRing, Pair, Paired, RollerBearing, Rollers, paired
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.lubrication import LEAST_RATIO, reference_viscosity
-from nonhertz.bearing.oil import Lubrication
+from nonhertz.bearing.oil import Lubrication, OilInPlace
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
@@ -32,7 +32,7 @@ from nonhertz.life.spectrum import at_most_whole
 
 PARTS = ("roller", "inner", "outer")
 SHAPES = ("inner_shape", "outer_shape")
-OF_OIL = Lubrication.descriptions.keys()
+OF_OIL = OilInPlace.descriptions.keys()
 PAIR = "a second row like the first, and how it lies"
 
 
@@ -137,13 +137,13 @@ class BearingFile(Input):
     @together("load", "life", "lubrication")
     def _check_oil(self) -> None:
         speeds = {case.speed or self.load.speed for case in self.life.spectrum} or {self.load.speed}
-        if self.lubrication.viscosity is not None and not all(speeds):
+        if self.lubrication.in_place.viscosity is not None and not all(speeds):
             condition, remedy = "be given with a speed above zero", "give load.speed too, in 1/min"
-            raise InputError("lubrication.viscosity", self.lubrication.viscosity, condition, remedy)
+            raise InputError("lubrication.viscosity", self.lubrication.in_place.viscosity, condition, remedy)
 
     @together("bearing", "load", "life", "lubrication")
     def _check_viscosity(self) -> None:
-        viscosity, pitch = self.lubrication.viscosity, self.bearing.rows[0].bearing.pitch
+        viscosity, pitch = self.lubrication.in_place.viscosity, self.bearing.rows[0].bearing.pitch
         speeds = {case.speed or self.load.speed for case in self.life.spectrum} or {self.load.speed}
         for speed in sorted(speeds):
             least = LEAST_RATIO * reference_viscosity(speed, pitch) if speed else 0.0

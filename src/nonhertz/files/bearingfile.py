@@ -117,7 +117,7 @@ class BearingCase(HeldCase):
             _ = rating(self.bearing)
         except InputError:  # there is no life that could rest on anything
             return parts_of(self.bearing) | seats
-        return parts_of(self.bearing) | seats | {"life": self.life}
+        return parts_of(self.bearing) | seats | {"lubrication": self.lubrication, "life": self.life}
 
     @property
     def spectrum(self) -> tuple[LoadCase, ...]:
@@ -216,9 +216,9 @@ class BearingCase(HeldCase):
         from nonhertz.bearing.spectrum import solve_spectrum
 
         try:
-            conditions = self.lubrication.keywords | self.life.keywords
+            conditions = self.lubrication.in_place.keywords | self.life.keywords
             conditions.pop("spectrum")
-            turning = self.lubrication.viscosity is not None or isinstance(self.life.required, str)
+            turning = self.lubrication.in_place.viscosity is not None or isinstance(self.life.required, str)
             if not self.spectrum:
                 return assess(solution, **conditions, speed=self.prescribed.speed or None if turning else None)
             speeds = [case.speed for case in self.spectrum] if turning else None
