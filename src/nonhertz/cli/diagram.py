@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import named_as
+from nonhertz.cli.options import named_as, path_and_value
 from nonhertz.cli.printing import bar
-from nonhertz.cli.sweep import of_rows, path_and_value
+from nonhertz.cli.sweep import of_rows
 from nonhertz.errors import InputError, UnknownKeyError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.show.studies import diagram_sections

@@ -7,10 +7,11 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from nonhertz.cli.options import named_as
+from nonhertz.cli.options import Words, named_as, path_and_value
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import starting_case
+from nonhertz.files.catalogue import bearing_of_catalogue
 from nonhertz.files.documents import write_new
 from nonhertz.files.planfile import read_any, starting_plan
 
@@ -23,6 +24,7 @@ def new(
     bearing: Annotated[bool, Parameter(negative="")] = False,
     plan: Annotated[bool, Parameter(negative="")] = False,
     case: Path | None = None,
+    catalogue: Words = (),
 ) -> None:
     """Write a commented case file, bearing file or plan to start from.
 
@@ -40,7 +42,14 @@ def new(
         Write a plan instead, for sweep, tolerance and design.
     case : Path
         With --plan, the case file or bearing file that the plan is for; by default case.toml.
+    catalogue : tuple of str
+        With --bearing, numbers of a catalogue, from which the rollers are guessed: d=30 D=62 B=16 C=44kN C0=36.5kN,
+        for other kinds kind=needle or kind=tapered with e, Y or alpha, and if known raceways F and E, and clearance.
     """
+    if catalogue and (plan or template is not None or not bearing):
+        option = "--plan" if plan else "--template"
+        condition = "be given with --bearing" if not bearing and not plan else f"not be given with {option}"
+        raise InputError("--catalogue", " ".join(catalogue), condition, "write one file")
     if plan and template is not None:
         raise InputError("--template", template, "not be given with --plan", "leave one out")
     if bearing and plan:
@@ -50,7 +59,9 @@ def new(
     folder = Path() if path is None else path.parent
     file = folder / "case.toml" if case is None else case
     with named_as(template="--template"):
-        if case is not None:
+        if catalogue:
+            text = bearing_of_catalogue(dict(path_and_value(word, "d=30", "--catalogue") for word in catalogue))
+        elif case is not None:
             text = starting_plan(read_any(case), folder)
         else:
             text = starting_bearing(template) if bearing else starting_plan() if plan else starting_case(template)

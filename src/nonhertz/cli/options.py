@@ -120,3 +120,17 @@ def drawing(figures: Figures) -> Callable[[Path], None]:
         save_all(figures(), folder)
 
     return draw
+
+
+def path_and_value(word: str, example: str = "--over load.load=5kN:40kN:8", option: str = "") -> tuple[str, str]:
+    """Return what stands before and behind the equals sign of a word of an option.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    path, equals, values = word.partition("=")
+    if not equals or not path.strip():
+        raise InputError(option, word, "have an equals sign between name and values", f"write both, such as {example}")
+    return path.strip(), values.strip()

@@ -9,7 +9,18 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
+from nonhertz.cli.options import (
+    NONE,
+    Changes,
+    Excel,
+    Scheduler,
+    Words,
+    Workers,
+    drawing,
+    named_after,
+    named_as,
+    path_and_value,
+)
 from nonhertz.cli.printing import Update, bar
 from nonhertz.errors import InputError, UnknownKeyError
 from nonhertz.files.documents import holds_plan, opened
@@ -122,17 +133,3 @@ def about_time(seconds: float) -> str:
         if seconds < most * size:
             return f"about {float(f'{seconds / size:.1g}'):g} {unit}"
     return f"about {seconds / 3600.0:.2g} hours"
-
-
-def path_and_value(word: str, example: str = "--over load.load=5kN:40kN:8", option: str = "") -> tuple[str, str]:
-    """Return what stands before and behind the equals sign of a word of an option.
-
-    Raises
-    ------
-    InputError
-        If there is none.
-    """
-    path, equals, values = word.partition("=")
-    if not equals or not path.strip():
-        raise InputError(option, word, "have an equals sign between name and values", f"write both, such as {example}")
-    return path.strip(), values.strip()

@@ -6,9 +6,20 @@ from functools import partial
 from pathlib import Path
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, Excel, Scheduler, Words, Workers, drawing, named_after, named_as
+from nonhertz.cli.options import (
+    NONE,
+    Changes,
+    Excel,
+    Scheduler,
+    Words,
+    Workers,
+    drawing,
+    named_after,
+    named_as,
+    path_and_value,
+)
 from nonhertz.cli.printing import bar
-from nonhertz.cli.sweep import of_rows, path_and_value, planned
+from nonhertz.cli.sweep import of_rows, planned
 from nonhertz.files.studies import TOLERANCE, as_text
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import tolerance_sections

@@ -1,0 +1,119 @@
+"""A bearing file from what stands in a catalogue, with what is guessed as comments."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Mapping
+from typing import Any, Final
+
+from nonhertz.bearing.bearings import TaperedRollerBearing
+from nonhertz.bearing.catalogue import CatalogueGuess, from_catalogue
+from nonhertz.bearing.prescribed import BearingLoad
+from nonhertz.errors import InputError, joined
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.documents import as_toml
+from nonhertz.files.spreads import number_in
+from nonhertz.inputs.fields import unknown
+
+#: Symbols of catalogues: what they are called in `from_catalogue`, and the unit of a plain number.
+SYMBOLS: Final = {
+    "d": ("bore", "mm"),
+    "D": ("outside_diameter", "mm"),
+    "B": ("width", "mm"),
+    "C": ("dynamic", "N"),
+    "C0": ("static", "N"),
+    "F": ("inner_raceway", "mm"),
+    "E": ("outer_raceway", "mm"),
+    "alpha": ("contact_angle", "rad"),
+    "e": ("limiting_ratio", ""),
+    "Y": ("axial_factor", ""),
+    "clearance": ("clearance", "mm"),
+}
+NEEDED: Final = ("d", "D", "B", "C", "C0")
+_ALIKE: Final = {"T": "B"}  # the width of a tapered bearing
+_KEPT: Final = ("material", "diameter", "length", "profile", "depth")  # of bodies; the others are usual
+_EXAMPLE: Final = "d=30 D=62 B=16 C=44kN C0=36.5kN"
+_STEEL, _OF_LOAD, _SPEED, _DIGITS, _COLUMNS = "100Cr6", 0.1, 1000.0, 6, 100
+
+
+def bearing_of_catalogue(given: Mapping[str, str]) -> str:
+    """Return the text of a bearing file whose inside is guessed.
+
+    Parameters
+    ----------
+    given : mapping of str to str
+        Values by their `SYMBOLS`, with units or in mm, N and rad: d, D, B (of a tapered bearing T), C and C0 are
+        needed. ``kind`` is ``"cylindrical"``, unless it says ``"needle"`` or ``"tapered"``.
+
+    Raises
+    ------
+    InputError
+        If a symbol is unknown, missing or out of range, or no rollers that fit have such ratings.
+    """
+    given = {_ALIKE.get(symbol, symbol): value for symbol, value in given.items()}
+    values: dict[str, Any] = {}
+    for symbol, value in given.items():
+        if symbol == "kind":
+            values["kind"] = value
+        elif symbol not in SYMBOLS:
+            raise unknown("--catalogue", symbol, "symbol", (*SYMBOLS, "kind"))
+        else:
+            name, unit = SYMBOLS[symbol]
+            values[name] = _number(symbol, value, unit)
+    absent = [symbol for symbol in NEEDED if symbol not in given]
+    if absent:
+        shown = " ".join(f"{symbol}={value}" for symbol, value in given.items())
+        raise InputError("--catalogue", shown, f"have {joined(absent)}, too", f"add them, such as {_EXAMPLE}")
+    try:
+        guess = from_catalogue(**values)
+    except InputError as error:
+        symbols = {name: symbol for symbol, (name, _) in SYMBOLS.items()}
+        raise error.about(symbols.get(error.field, error.field), error.value) from None
+    return _text(guess)
+
+
+def _number(symbol: str, text: str, unit: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return number_in(symbol, text, unit)
+
+
+def _text(guess: CatalogueGuess) -> str:
+    first, *others = guess.sentences
+    words = [f"For 'nonhertz bearing': {first}. Replace what you know.", *(f"- {sentence}" for sentence in others)]
+    words.append(f"- load ({100.0 * _OF_LOAD:g} % of C) and speed are examples: put yours in their place")
+    words.append("Numbers are in mm, N, rad and 1/min.")
+    wrapped = (
+        line for each in words for line in textwrap.wrap(each, _COLUMNS, subsequent_indent="  " * (each[0] == "-"))
+    )
+    return "".join(f"# {line}\n" for line in wrapped) + "\n" + as_toml(_document(guess))
+
+
+def _document(guess: CatalogueGuess) -> dict[str, Any]:
+    """Return what the file holds: what is not usual, in digits that a drawing has."""
+    load = {"radial": _OF_LOAD * guess.dynamic, "speed": _SPEED}
+    if isinstance(guess.bearing, TaperedRollerBearing):
+        # Twice what keeps the row together.
+        load["axial"] = 2.0 * math.tan(guess.bearing.nominal_angle) * load["radial"]
+    document = BearingCase(
+        guess.bearing, BearingLoad(**load), title=guess.sentences[0].partition(" of a ")[2]
+    ).own_document
+    for name in ("roller", "inner", "outer"):
+        body = {key: document[name][key] for key in _KEPT if key in document[name]} | {"material": _STEEL}
+        if "profile" in body:
+            # Its diameter and length are those of the roller.
+            body["profile"] = [{"kind": profile["kind"]} for profile in body["profile"]]
+        document[name] = body
+    kept = {name: document[name] for name in ("title", "bearing", "roller", "inner", "outer", "load")}
+    rounded: dict[str, Any] = _rounded(kept | {"life": {"dynamic": guess.dynamic, "static": guess.static}})
+    return rounded
+
+
+def _rounded(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {name: _rounded(entry) for name, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [_rounded(entry) for entry in value]
+    return float(f"{value:.{_DIGITS}g}") if isinstance(value, float) else value
