@@ -47,7 +47,7 @@ ROW = np.array([40e3, 20e3, 8e3, 1e-4, 2e-4])  # N along x, y, z, tilts about y,
 STEP = 1e-5  # mm: of the difference quotient
 
 _STANDARD = "ISO/TS 16281, recomputed independently"
-_MASTA = "MASTA, as quoted"
+_MASTA = "MASTA, by a public program"
 _RECOMPUTED = "slices, recomputed independently"
 
 

@@ -6,7 +6,7 @@ in millions of revolutions, L10r being that of `nonhertz.bearing.laminae`. Under
 revolutions under each load, 1 / L = sum u / L (Palmgren, Miner). The static safety is C_0 over P_0.
 
 ISO 281 leaves it to the maker of a bearing whether the life equation holds for P above C / 2, where contacts may yield.
-Preload and moments are not in P, but in the load that has L10r, P_ref = C L10r^(-3/10) of ISO/TS 16281 (both recalled).
+Preload and moments are not in P, but in the load that has L10r, P_ref = C L10r^(-3/10) of ISO/TS 16281.
 """
 
 from __future__ import annotations

@@ -42,7 +42,7 @@ class Slices:
 
     References
     ----------
-    ISO/TS 16281:2008, as quoted by others; see `nonhertz.life.lamina`.
+    ISO/TS 16281:2008; see `nonhertz.life.lamina`.
     """
 
     y: Array

@@ -66,8 +66,8 @@ class Rating:
     rows : int
         Number of equal rows, i.
     material_factor : float
-        b_m, with which C was found, if it isn't a catalogue's: 1.1; 1.15 for spherical roller bearings (one public
-        program, as it had been recalled) and 1 for thrust bearings (recalled, without a second source).
+        b_m, with which C was found, if it isn't a catalogue's: 1.1; 1.15 for spherical roller bearings and 1 for
+        thrust bearings, see docs/explain/standards.md.
     reduction : float
         lambda nu, the reduction of C for loads that are not even along the rollers, which the capacities of contacts
         are free of: 0.83, or 0.73 for thrust bearings.

@@ -2,8 +2,8 @@
 
 A roller between two raceways is cut into slices, whose loads are those of `nonhertz.life.lamina`. Of two equal contacts
 in series each has half of the deflection, and half of the relief of both: where rings are of different materials, half
-of the deflection of both, which is as the power 0.9 of their compliances. Rollers are solid ones. The standard is
-quoted from public programs that agree with each other.
+of the deflection of both, which is as the power 0.9 of their compliances. Rollers are solid ones
+(docs/explain/standards.md says what of it was compared with what).
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ METAL = 40e3  # MPa, the modulus above which bodies are metals
 BEYOND_METALS = 5000.0  # MPa
 DEEP = 0.01  # of the diameter
 # mm/min, the speed times the pitch diameter. Test rigs have turned bearings of 120 mm bore at 25,000 1/min (NASA TN
-# D-7870, 1975), which is 3e6 by the bore; catalogues end below a third of that (recalled).
+# D-7870, 1975), which is 3e6 by the bore.
 FAST = 3e6
 
 

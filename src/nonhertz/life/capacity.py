@@ -12,7 +12,7 @@ In a bearing of i equal rows, i L stands for L in C_r, and the capacities are th
 i^(7/9) as well. 0.83 is lambda nu, the reduction of the load rating for line loads that are not even, which is taken
 out of the capacities again: laminae know of uneven loads themselves. 1.1 is b_m, for cylindrical and tapered roller
 bearings and needle rollers in machined rings; the standard has 1.0 for drawn cups and 1.15 for spherical roller
-bearings (one public program, as they had been recalled).
+bearings.
 
 For a thrust bearing whose rollers lie square to the axis, gamma = D / D_pw and
 
@@ -20,8 +20,7 @@ For a thrust bearing whose rollers lie square to the axis, gamma = D / D_pw and
 
 where 0.73 is lambda, and 0.85 is eta = 1 - 0.15 sin(alpha).
 
-Both standards are quoted from public programs that agree with each other; their text itself was not available. Of the
-thrust bearings' formulas there is one program; its factors give the standard's table of f_c as it is recalled.
+docs/explain/standards.md says which of these formulas were found in how many sources.
 """
 
 from __future__ import annotations
@@ -175,7 +174,7 @@ def _checked_rows(rows: int) -> int:
 def thrust_rating(roller_diameter: float, length: float, pitch_diameter: float, rollers: int) -> float:
     """Return the basic dynamic axial load rating C_a [N] of cylindrical rollers between flat washers, ISO 281.
 
-    b_m is 1 for them (recalled, without a second source).
+    b_m is 1 for them.
 
     Examples
     --------

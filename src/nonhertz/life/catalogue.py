@@ -119,8 +119,7 @@ def ioannides_harris(
     References
     ----------
     E. Ioannides, T. A. Harris, A new fatigue life model for rolling bearings, Journal of Tribology 107 (1985) 367-378,
-    doi:10.1115/1.3261081. The limit: G. E. Morales-Espejel, J. Felix-Quinonez, Tribology International 2023, Table 3,
-    as quoted by others.
+    doi:10.1115/1.3261081. The limit: G. E. Morales-Espejel, J. Felix-Quinonez, Tribology International 2023, Table 3.
     """
     source = "Ioannides & Harris 1985"
     return VolumeModel("ioannides-harris", stress, exponent, depth_exponent, slope, fatigue_limit, source)

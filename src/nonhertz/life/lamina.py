@@ -109,7 +109,7 @@ def iso_16281(*, laminae: int = 60, edge_stress: str = "pressure", line_loads: s
     References
     ----------
     ISO/TS 16281:2008, Rolling bearings - Methods for calculating the modified reference rating life for universally
-    loaded bearings, Eqs. (47), (48), (56) to (65), as quoted by others.
+    loaded bearings, Eqs. (47), (48), (56) to (65).
     """
     return LaminaModel("iso-16281", laminae, edge_stress, line_loads, "ISO/TS 16281:2008")
 

@@ -163,9 +163,9 @@ def iso_logarithmic(
 
     Notes
     -----
-    The text of the standard was not available. The formulas agree with two independent programs that implement
-    ISO/TS 16281:2008 (AxisForge, and minzhun/ISO16281 for the short form) and one that implements
-    DIN 26281 (moritzploss/tribology, short form).
+    Two independent programs that implement ISO/TS 16281:2008 (AxisForge, and minzhun/ISO16281 for the short form) and
+    one that implements DIN 26281 (moritzploss/tribology, short form) have the same formulas; see
+    docs/explain/standards.md.
 
     References
     ----------
@@ -200,8 +200,8 @@ def iso_tapered(
 
     Notes
     -----
-    The text of the standard was not available. Formula and coefficient agree with minzhun/ISO16281 and with
-    what users of the MASTA software read back from its profile of that name.
+    Formula and coefficient agree with minzhun/ISO16281 and with what users of the MASTA software read back from its
+    profile of that name.
 
     References
     ----------
@@ -227,8 +227,8 @@ def iso_thrust(
 
     Notes
     -----
-    That thrust rollers share the functions of radial ones was taken from minzhun/ISO16281, a program that
-    implements ISO/TS 16281:2008; the text of the standard was not available.
+    That thrust rollers share the functions of radial ones was taken from minzhun/ISO16281, a program that implements
+    ISO/TS 16281:2008.
 
     References
     ----------
@@ -262,8 +262,8 @@ def johns_gohar(
 
     References
     ----------
-    P. M. Johns and R. Gohar, Roller bearings under radial and eccentric loads, Tribology International 14
-    (1981) 131-136; as quoted by H. Fujiwara and T. Kawase, NTN Technical Review 75 (2007) 140-148.
+    P. M. Johns and R. Gohar, Roller bearings under radial and eccentric loads, Tribology International 14 (1981)
+    131-136, in the form of H. Fujiwara and T. Kawase, NTN Technical Review 75 (2007) 140-148.
 
     Examples
     --------
