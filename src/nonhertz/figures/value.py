@@ -152,6 +152,23 @@ class Dimension(Mark):
 
 
 @dataclass(frozen=True, eq=False)
+class Bars(Mark):
+    """Bars from zero up to values, shape (n,), around places, shape (n,); hatched or pale unless solid."""
+
+    x: Array
+    y: Array
+    width: float
+
+
+@dataclass(frozen=True, eq=False)
+class Arrow(Mark):
+    """An arrow through the middle of a round panel towards a place along, with words; these alone at nan."""
+
+    x: float
+    words: str
+
+
+@dataclass(frozen=True, eq=False)
 class Words(Mark):
     """Words above a point; they begin there if their side is ``"left"``, and end there if it is ``"right"``."""
 
@@ -233,6 +250,9 @@ class Panel:
     proportional : bool
         Whether both axes are to have one scale; where there is no room for it, the drawing says by how much one is
         stretched.
+    round : bool
+        Whether places along are angles [rad] around a circle, from the bottom counter-clockwise, and values rise from
+        that circle outwards.
     """
 
     name: str
@@ -244,6 +264,7 @@ class Panel:
     height: int = 240
     colours: Axis | None = None
     proportional: bool = False
+    round: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -273,12 +294,12 @@ class Figure:
         return " ".join(panel.description for panel in self.panels)
 
     def to_csv(self) -> str:
-        """Return the numbers of all lines as CSV, in units of the program: one row for each point of each line."""
+        """Return the numbers of all lines and bars as CSV, in units of the program: one row for each point of each."""
         rows = (
             [panel.name, mark.name or panel.upright.symbol, x, y, panel.upright.unit]
             for panel in self.panels
             for mark in panel.marks
-            if isinstance(mark, Line)
+            if isinstance(mark, Line | Bars)
             for x, y in zip(mark.x.tolist(), mark.y.tolist(), strict=True)
         )
         return csv_text(["panel", "line", f"{self.along.symbol} [{self.along.unit}]", "value", "unit"], rows)

@@ -38,13 +38,11 @@ from nonhertz.plot.axes import Figure as Sheet
 from nonhertz.plot.axial import LETTER, alignment, number
 from nonhertz.plot.contours import draw_contours, label_contours
 from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, LEFT, MARGIN, WIDTH, bar_beside, stacked, stretch_of
+from nonhertz.plot.style import COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.contour import ContourSet
 
-COLOURS: Final = {
-    "first": style.FIRST, "second": style.SECOND, "ink": style.INK, "faint": style.FAINT_INK, "paper": "white",
-}  # fmt: skip
 DASHES: Final[dict[str, Any]] = {
     "solid": "-", "dashed": "--", "dotted": style.HINT_DASHES, "ends": style.END_DASHES,
 }  # fmt: skip

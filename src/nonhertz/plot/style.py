@@ -15,6 +15,9 @@ FIRST, SECOND = "#0072B2", "#D55E00"
 INK, FAINT_INK, PALE = "#222222", "#777777", "#E9EEF2"
 COLOUR_MAP = "viridis"
 
+#: By the names that figures give them.
+COLOURS = {"first": FIRST, "second": SECOND, "ink": INK, "faint": FAINT_INK, "paper": "white"}
+
 # Of several lines beside each other, each with dashes of its own.
 PALETTE: tuple[tuple[str, Any], ...] = (
     (FIRST, "-"), (SECOND, (0, (5, 1.5))), ("#009E73", (0, (6, 1.5, 1.2, 1.5))), ("#CC79A7", (0, (1.2, 1.2))),

@@ -1,21 +1,15 @@
 // The loads of all rollers around the bearing's axis, one picture for each row; a roller can be chosen.
 
 import { drawn } from "./elements.js";
-import { force, read } from "./units.js";
+import { digits } from "./numbers.js";
+import { force } from "./units.js";
 
 // Of the picture; radii of the rollers' circle, of the largest load, of the angles.
 const [SIZE, HOLE, RIM, OUTSIDE] = [420, 64, 168, 188];
 const FLAT = 0.5; // a bar less high than this is not drawn
-const TOPS = [1, 1.5, 2, 3, 4, 5, 6, 8, 10];
-const WIDEST = 9; // degrees, of a bar
-const SPOKES = 8;
-const NO_FORCE = 1e-6; // of the sum of the loads: rounding
 
-/**
- * @typedef {{y: number[], relief_um: (number | null)[]}} Relief
- * @typedef {{first: number, count: number, length: number, relief: {inner: Relief, outer: Relief}}} Row
- * @typedef {{rows: Row[], angle: number[], load: [number, number][], force: number[], most: number}} Loads
- */
+/** @typedef {{first: number, count: number}} Row */
+/** @typedef {import("./panel.js").Figure} Figure round */
 
 export class Polar {
   /**
@@ -30,18 +24,16 @@ export class Polar {
     this.pictures = [];
   }
 
-  /** @param {Loads} answer @param {number} chosen */
-  draw(answer, chosen) {
-    const shape = answer.rows.map((row) => row.count).join();
+  /** @param {{rows: Row[], loads: Figure[]}} answer @param {number} chosen */
+  draw({ rows, loads }, chosen) {
+    const shape = rows.map((row) => row.count).join();
     if (shape !== this.shape) {
       this.shape = shape;
-      this.pictures = answer.rows.map((row, number) => this.build(row, number, answer.rows.length));
+      this.pictures = rows.map((row, number) => this.build(row, number, rows.length));
       this.host.replaceChildren(...this.pictures.map(({ svg }) => svg));
-      this.host.classList.toggle("several", answer.rows.length > 1);
+      this.host.classList.toggle("several", rows.length > 1);
     }
-    const factor = read("N")[1];
-    const top = topOf(factor * Math.max(...answer.load.flat())) / factor;
-    for (const [number, row] of answer.rows.entries()) this.update(this.pictures[number], row, answer, chosen, top);
+    for (const [number, row] of rows.entries()) this.update(this.pictures[number], row, loads[number], chosen);
   }
 
   build(row, number, rows) {
@@ -76,90 +68,63 @@ export class Polar {
     return { group, ...parts };
   }
 
-  update(picture, row, answer, chosen, top) {
+  update(picture, row, { along, panels: [{ upright, marks }] }, chosen) {
+    const [inner, outer] = marks.filter(({ kind }) => kind === "bars");
     const step = (2 * Math.PI) / row.count;
-    const bar = Math.min(0.4 * step, (WIDEST * Math.PI) / 180);
-    const size = Math.min(8, (0.42 * 2 * Math.PI * HOLE) / row.count);
-    const radius = (load) => HOLE + size + ((RIM - HOLE - size) * load) / top;
+    const size = Math.min(8, 0.42 * HOLE * step);
+    const radius = (load) => HOLE + size + ((RIM - HOLE - size) * load) / upright.range[1];
     const within = chosen >= row.first && chosen < row.first + row.count;
+    const bar = ({ x, y, width }, j) => barOf(x[j] - width / 2, x[j] + width / 2, HOLE + size, radius(y[j]));
+    const said = (load) => `${digits(upright.factor * load)} ${upright.unit}`;
     for (const [j, parts] of picture.rollers.entries()) {
       const number = row.first + j;
-      const [at, [inner, outer]] = [answer.angle[number], answer.load[number]];
+      const at = (inner.x[j] + outer.x[j]) / 2;
       const here = number === chosen;
       set(parts.band, "d", sector(at - step / 2, at + step / 2, HOLE - size - 3, RIM + 5));
-      set(parts.inner, "d", barOf(at - bar, at, HOLE + size, radius(inner)));
-      set(parts.outer, "d", barOf(at, at + bar, HOLE + size, radius(outer)));
+      set(parts.inner, "d", bar(inner, j));
+      set(parts.outer, "d", bar(outer, j));
       for (const [name, value] of [["cx", HOLE * Math.sin(at)], ["cy", HOLE * Math.cos(at)], ["r", size]])
         set(parts.mark, name, String(value));
-      parts.mark.classList.toggle("loaded", inner > 0);
+      parts.mark.classList.toggle("loaded", inner.y[j] > 0);
       parts.group.classList.toggle("chosen", here);
       set(parts.group, "aria-pressed", String(here));
       // One of the rollers is reached by the tab key, the others from there by arrow keys.
       set(parts.group, "tabindex", here || (!within && j === 0) ? "0" : "-1");
-      const loads = `${newtons(inner)} inner, ${newtons(outer)} outer ring`;
-      const words = `roller ${number + 1} at ${degrees(at)} degrees: ${loads}`;
-      set(parts.group, "aria-label", words);
+      const loads = `${said(inner.y[j])} inner, ${said(outer.y[j])} outer ring`;
+      set(parts.group, "aria-label", `roller ${number + 1} at ${degrees(at)} degrees: ${loads}`);
     }
-    drawGrid(picture.grid, row, answer, top, radius);
-    drawForce(picture.force, answer);
+    drawGrid(picture.grid, along.ticks, marks.filter(({ kind }) => kind === "words"), radius);
+    drawForce(picture.force, marks.find(({ kind }) => kind === "arrow"));
   }
 }
 
-/** The round number up to which loads are drawn: the same over much of a drag, so that bars grow. @param {number} load */
-export function topOf(load) {
-  if (!(load > 0)) return 1;
-  const power = 10 ** Math.floor(Math.log10(load));
-  return (TOPS.find((each) => each * power >= load) ?? 10) * power;
-}
-
-function drawGrid(grid, row, answer, top, radius) {
-  const parts = [];
-  for (let spoke = 0; spoke < SPOKES; spoke += 1) {
-    const [degrees, at] = [(360 * spoke) / SPOKES, (2 * Math.PI * spoke) / SPOKES];
+/** Spokes with their angles, and rings with their loads. */
+function drawGrid(grid, spokes, rings, radius) {
+  const parts = spokes.flatMap(([at, words]) => {
     const [x, y] = [Math.sin(at), Math.cos(at)];
-    parts.push(drawn("line", { class: "spoke", x1: HOLE * x, y1: HOLE * y, x2: RIM * x, y2: RIM * y }));
-    parts.push(text(OUTSIDE * x, OUTSIDE * y, `${degrees}°`, "angle"));
-    const axis = { 0: "+y", 90: "+z" }[degrees];
-    if (axis) parts.push(text(OUTSIDE * x, OUTSIDE * y + 14, axis, "angle"));
-  }
-  const at = emptiest(row, answer);
-  const factor = read("N")[1];
-  const rings = d3.ticks(0, factor * top, 3).slice(1).map((load) => load / factor);
-  for (const load of rings) parts.push(drawn("circle", { class: "ring", r: radius(load) }));
+    const lines = words.split(" ").map((part, k) => text(OUTSIDE * x, OUTSIDE * y + 14 * k, part, "angle"));
+    return [drawn("line", { class: "spoke", x1: HOLE * x, y1: HOLE * y, x2: RIM * x, y2: RIM * y }), ...lines];
+  });
+  for (const { y: load } of rings) parts.push(drawn("circle", { class: "ring", r: radius(load) }));
   parts.push(drawn("circle", { class: "circle", r: HOLE }));
-  for (const load of rings)
-    parts.push(text(radius(load) * Math.sin(at), radius(load) * Math.cos(at), newtons(load), "of-ring"));
+  for (const { x: at, y: load, words } of rings)
+    parts.push(text(radius(load) * Math.sin(at), radius(load) * Math.cos(at), words, "of-ring"));
   grid.replaceChildren(...parts);
 }
 
-/** The angle between the two neighbours that bear least, the uppermost of such places. */
-function emptiest(row, { angle, load }) {
-  const sum = (j) => load[row.first + (j % row.count)].reduce((a, b) => a + b, 0);
-  // What speed alone presses is nothing beside the largest load, and the same all round but for rounding.
-  const slight = 1e-3 * Math.max(1e-6, ...load.flat());
-  let [best, least] = [Math.PI, Infinity];
-  for (let j = 0; j < row.count; j += 1) {
-    const at = angle[row.first + j] + Math.PI / row.count;
-    const pair = sum(j) + sum(j + 1) + slight * (Math.cos(at) + 1);
-    if (pair < least) [best, least] = [at, pair];
-  }
-  return best;
-}
-
-function drawForce(host, { force, load }) {
-  const radial = Math.hypot(force[1], force[2]);
-  const sum = load.flat().reduce((a, b) => a + b, 0);
-  if (!(radial > NO_FORCE * sum)) {
-    host.replaceChildren(text(0, -7, "no radial", "force"), text(0, 7, "force", "force"));
+/** An arrow through the middle, or words alone where it has no direction. */
+function drawForce(host, { x: at, words }) {
+  if (at === null) {
+    host.replaceChildren(...words.split("\n").map((line, k) => text(0, 14 * k - 7, line, "force")));
     return;
   }
-  const [x, y] = [force[2] / radial, force[1] / radial];
+  const [x, y] = [Math.sin(at), Math.cos(at)];
   const [tail, tip, wing] = [-6, 40, 7];
   const side = (sign) => `${(tip - 12) * x - sign * wing * y} ${(tip - 12) * y + sign * wing * x}`;
   host.replaceChildren(
     drawn("path", { class: "arrow", d: `M${tail * x} ${tail * y}L${(tip - 12) * x} ${(tip - 12) * y}` }),
     drawn("path", { class: "arrow-head", d: `M${tip * x} ${tip * y}L${side(1)}L${side(-1)}Z` }),
-    text(-24 * x, -24 * y, newtons(radial), "force"),
+    text(-24 * x, -24 * y, words, "force"),
   );
 }
 
@@ -176,7 +141,7 @@ function sector(from, to, low, high) {
   return `M${point(from, low)}L${point(from, high)}${out}L${point(to, low)}${back}Z`;
 }
 
-export function text(x, y, words, style) {
+function text(x, y, words, style) {
   return drawn("text", { x: x.toFixed(1), y: y.toFixed(1), class: style }, [words]);
 }
 

@@ -12,6 +12,7 @@ from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.figures.bearing import pressure_maps
+from nonhertz.figures.loads import roller_loads
 from nonhertz.figures.roller import roller_lines
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
@@ -60,6 +61,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "load": plain(solution.load),
         "force": plain(solution.force),
         "most": most_loaded(solution),
+        "loads": [roller_loads(solution, row).to_json() for row in range(len(solution.bearing.rows))],
         "maps": _maps(solution),
         "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
         "summary": rows_of_summaries(shown),
