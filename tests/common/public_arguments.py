@@ -96,7 +96,8 @@ INSTANCES = {
     ],
     "bearing.": [
         ROW, BARRELS, bearing.Rib(100.0, 4.0), THRUST, FORCES, LOADED,
-        MOUNTING, MOUNTING.operating(ROW), ROW.kinematics(inner_speed=1e3), bearing.fourier_shape({2: 0.005}),
+        MOUNTING, MOUNTING.operating(ROW), bearing.paired(ROW, "X", 20.0), bearing.seat_limits("k5", 30.0),
+        ROW.kinematics(inner_speed=1e3), bearing.fourier_shape({2: 0.005}),
         bearing.solve_many(ROW, radial=[1e3], method="slices"),
     ],
     "hertz.": [POINT, LINE],
@@ -172,6 +173,10 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "bearing.TaperedRollerBearing": {
         "roller": CONE, "inner": nh.Ring(diameter=37.3), "outer": nh.Ring(diameter=-55.7)
     },
+    "BearingCase.tolerances": {"solution": LOADED, "life": None},
+    "bearing.clearance_limits": {"group": "C3", "bore": 30.0, "kind": "cylindrical"},
+    "bearing.ring_limits": {"ring": "inner", "size": 30.0, "tolerance_class": "Normal"},
+    "bearing.seat_limits": {"fit": "k5", "size": 30.0},
     "bearing.assess": {"solution": LOADED, "viscosity": 20.0, "cleanliness": "high", "edge_stress": None},
     "bearing.from_catalogue": {
         "kind": "cylindrical", "bore": 30.0, "outside_diameter": 62.0, "width": 16.0, "dynamic": 44e3, "static": 36.5e3,

@@ -167,8 +167,8 @@ BY_THEMSELVES = {"life.model", "measured.fit", "profile.with_drop"}
 WRITING = {"load", "read", "write", "save"}
 #: Asked by the package, of positions that it has checked, of documents and bearings that it has read or solved.
 ASKED = {
-    "apply", "called", "contents_of", "curvature_at", "document_in", "drawn", "drop_at", "likely", "moved", "of",
-    "partials", "rated", "relief_at", "separation_at", "unchecked",
+    "apply", "between", "called", "contents_of", "curvature_at", "document_in", "drawn", "drop_at", "exactly",
+    "likely", "moved", "of", "partials", "rated", "relief_at", "scaled", "separation_at", "unchecked",
 }  # fmt: skip
 #: Made by the package and not by its users, who only read them.
 RESULTS = {
@@ -180,7 +180,7 @@ RESULTS = {
     "hertz.LineContact", "hertz.PointContact",
     "bearing.BearingLife", "bearing.BearingMaps", "bearing.BearingSolution",
     "bearing.BearingSolutions", "bearing.CatalogueGuess", "bearing.InterferenceFit", "bearing.Kinematics",
-    "bearing.OperatingClearance",
+    "bearing.ClearanceRanges", "bearing.OperatingClearance", "bearing.Range", "bearing.Tolerances",
     "bearing.Rating", "bearing.RingShape", "bearing.Row",
     "bearing.ForceTable", "bearing.UnrolledPressure",
     "bearing.VolumeLife",

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING
 from nonhertz.doors import door
 
 if TYPE_CHECKING:
-    from nonhertz.bearing import fits as fits
     from nonhertz.bearing.assessed import BearingLife as BearingLife
     from nonhertz.bearing.assessed import assess as assess
     from nonhertz.bearing.bearings import CylindricalRollerBearing as CylindricalRollerBearing
@@ -30,6 +29,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.bearings import paired as paired
     from nonhertz.bearing.catalogue import CatalogueGuess as CatalogueGuess
     from nonhertz.bearing.catalogue import from_catalogue as from_catalogue
+    from nonhertz.bearing.clearance import ClearanceRanges as ClearanceRanges
     from nonhertz.bearing.clearance import Housing as Housing
     from nonhertz.bearing.clearance import InterferenceFit as InterferenceFit
     from nonhertz.bearing.clearance import Mounting as Mounting
@@ -37,6 +37,10 @@ if TYPE_CHECKING:
     from nonhertz.bearing.clearance import Shaft as Shaft
     from nonhertz.bearing.fatigue import VolumeLife as VolumeLife
     from nonhertz.bearing.fatigue import volume_life as volume_life
+    from nonhertz.bearing.fits import Range as Range
+    from nonhertz.bearing.fits import clearance_limits as clearance_limits
+    from nonhertz.bearing.fits import ring_limits as ring_limits
+    from nonhertz.bearing.fits import seat_limits as seat_limits
     from nonhertz.bearing.kinematics import Kinematics as Kinematics
     from nonhertz.bearing.lubrication import contamination_factor as contamination_factor
     from nonhertz.bearing.lubrication import life_factor as life_factor
@@ -62,6 +66,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.static import pressure_safety as pressure_safety
     from nonhertz.bearing.tables import ForceTable as ForceTable
     from nonhertz.bearing.tables import table as table
+    from nonhertz.bearing.toleranced import Tolerances as Tolerances
     from nonhertz.bearing.verb import solve as solve
     from nonhertz.bearing.verb import solve_many as solve_many
 
@@ -81,9 +86,9 @@ __getattr__, __dir__ = door(
             "paired",
         ),
         "catalogue": ("CatalogueGuess", "from_catalogue"),
-        "clearance": ("Housing", "InterferenceFit", "Mounting", "OperatingClearance", "Shaft"),
+        "clearance": ("ClearanceRanges", "Housing", "InterferenceFit", "Mounting", "OperatingClearance", "Shaft"),
         "fatigue": ("VolumeLife", "volume_life"),
-        "fits": (),
+        "fits": ("Range", "clearance_limits", "ring_limits", "seat_limits"),
         "kinematics": ("Kinematics",),
         "lubrication": (
             "contamination_factor",
@@ -102,6 +107,7 @@ __getattr__, __dir__ = door(
         "states": ("BearingSolutions",),
         "static": ("pressure_safety",),
         "tables": ("ForceTable", "table"),
+        "toleranced": ("Tolerances",),
         "verb": ("solve", "solve_many"),
     },
 )

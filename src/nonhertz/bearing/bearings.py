@@ -7,12 +7,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate
-from typing import Annotated, Any, ClassVar, NamedTuple
+from typing import Annotated, Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm
+from nonhertz.bearing.fits import CLEARANCE_GROUPS, TOLERANCE_CLASSES, Range, check_class, clearance_limits
 from nonhertz.bearing.kinematics import Kinematics, cage_speed, roller_speed, rolling
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import RINGS, raceway_motion, ring_motion
@@ -103,9 +104,12 @@ _CLEARANCE = Quantity(
     "internal clearance of a row: from one side to the other the inner ring moves by so much, along the axis for "
     "tapered bearings, up to where a second row like this would hold it, and across it for others; negative: preload",
     finite,
-    "give the internal clearance in mm",
+    "give the internal clearance in mm, or its group",
+    dict.fromkeys(CLEARANCE_GROUPS, "group of ISO 5753-1"),
 )
 _NO_CLEARANCE = Assumed("no clearance", "loads of rollers, displacements, pressures and L10r")
+_BORE = "give the nominal bore in mm"
+_OUTSIDE = "give the nominal outside diameter in mm"
 _ANGLE = Quantity(
     "rad",
     "the angle between the normal of the outer raceway and the radial plane, of tapered and spherical bearings",
@@ -132,6 +136,7 @@ class RollerBearing(Input):
         If the parts do not make a bearing.
     """
 
+    clearance_table: ClassVar[str] = "cylindrical"
     meaning_of_kind: ClassVar[str] = (
         "'cylindrical' (NU and N), 'needle', 'tapered', 'spherical' (a row of barrels) or 'thrust' (cylindrical "
         "rollers between flat washers)"
@@ -144,6 +149,19 @@ class RollerBearing(Input):
         int, Count("the number of rollers in a row", 1, MOST_ROLLERS, "give the number of rollers of the row")
     ]
     pitch_diameter: Annotated[float | None, _PITCH] = None
+    bore: Annotated[float | None, Quantity("mm", "nominal bore, for classes and seats", positive, _BORE)] = None
+    outside_diameter: Annotated[
+        float | None,
+        Quantity("mm", "nominal outside diameter, for classes and seats", positive, _OUTSIDE),
+    ] = None
+    tolerance_class: Annotated[
+        str,
+        Word(
+            "tolerance class of bore and outside diameter by ISO 492: 'Normal', '6' (of tapered bearings '6X') or '5'",
+            "give the class of ISO 492",
+            TOLERANCE_CLASSES,
+        ),
+    ] = "Normal"
     inner_shape: Annotated[
         Shape | None,
         Quantity(
@@ -193,6 +211,27 @@ class RollerBearing(Input):
             one = "one number, " if callable(diameter) else ""
             raise InputError(name, diameter, f"be {one}{sign}", "give that of the raceway in mm")
 
+    @together("bore", "inner")
+    def _check_bore(self) -> None:
+        raceway = float(self.inner.diameter or math.inf)  # type: ignore[arg-type]
+        if self.bore is not None and self.bore >= raceway:
+            raise InputError("bore", self.bore, f"be less than the raceway's {mm(raceway):g}", _BORE)
+
+    @together("outside_diameter", "outer")
+    def _check_outside(self) -> None:
+        raceway = -float(self.outer.diameter or 0.0)  # type: ignore[arg-type]
+        if self.outside_diameter is not None and self.outside_diameter <= raceway:
+            condition = f"exceed the raceway's {mm(raceway):g}"
+            raise InputError("outside_diameter", self.outside_diameter, condition, _OUTSIDE)
+
+    @together("tolerance_class")
+    def _check_class(self) -> None:
+        check_class(self.tolerance_class, tapered=isinstance(self, TaperedRollerBearing))
+
+    @together("clearance", "bore")
+    def _check_group(self) -> None:
+        _ = self.clearance_range
+
     @together("inner_shape", "rollers", "roller", "inner", "outer", "pitch_diameter")
     def _check_inner_shape(self) -> None:
         _ = self._deviation("inner_shape")
@@ -201,15 +240,15 @@ class RollerBearing(Input):
     def _check_outer_shape(self) -> None:
         _ = self._deviation("outer_shape")
 
-    @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle")
+    @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance", "bore")
     def _check_room(self) -> None:
         self._refuse_no_room()
 
-    @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance")
+    @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance", "bore")
     def _check_clearance(self) -> None:
         radial = abs(self.radial_clearance or 0.0)
         if radial > MOST_CLEARANCE * self.pitch:
-            clearance: float = self.clearance  # type: ignore[attr-defined]  # in the way in which it is given
+            clearance = self.clearance_range.likely  # in the way in which it is given
             most = abs(clearance) / radial * MOST_CLEARANCE * self.pitch
             condition = f"lie between {-most:.3g} and {mm(most):.3g}, for displacements that are small in this bearing"
             raise InputError("clearance", clearance, condition, "give it in mm: 20 um are 0.02")
@@ -322,9 +361,33 @@ class RollerBearing(Input):
         return self.nominal_angle <= _MOST_ANGLE
 
     @property
+    def clearance_range(self) -> Range:
+        """The clearance [mm]: of a group between its limits, axial of tapered bearings; zero of thrust bearings.
+
+        Raises
+        ------
+        InputError
+            If there is no such group for this bearing.
+        """
+        clearance = getattr(self, "clearance", 0.0)
+        if not isinstance(clearance, str):
+            return Range.exactly(clearance)
+        if self.bore is None:
+            raise InputError("bore", None, f"be given with the clearance group {clearance}", _BORE)
+        return clearance_limits(clearance, self.bore, self.clearance_table)
+
+    def at(self, clearance: str = "likely") -> Self:
+        """Return the bearing with the least, likely or greatest clearance of its group in place of that."""
+        found = self.clearance_range.at(clearance)
+        return replace(self, clearance=found) if hasattr(self, "clearance") else self  # type: ignore[call-arg]
+
+    @property
     def radial_clearance(self) -> float | None:
-        """From one side to the other the inner ring moves by so much across the axis [mm]; None of thrust bearings."""
-        return getattr(self, "clearance", None)
+        """From one side to the other the inner ring moves by so much across the axis [mm]; None of thrust bearings.
+
+        Of a group the mean of its limits.
+        """
+        return self.clearance_range.likely if hasattr(self, "clearance") else None
 
     @property
     def gap(self) -> float:
@@ -487,7 +550,7 @@ class CylindricalRollerBearing(RollerBearing):
     46.5
     """
 
-    clearance: Annotated[float, _CLEARANCE, _NO_CLEARANCE] = 0.0
+    clearance: Annotated[float | str, _CLEARANCE, _NO_CLEARANCE] = 0.0
     design: Annotated[
         str,
         Word(
@@ -556,7 +619,7 @@ class TaperedRollerBearing(RollerBearing):
     """
 
     contact_angle: Annotated[float, _ANGLE]
-    clearance: Annotated[float, _CLEARANCE, _NO_CLEARANCE] = 0.0
+    clearance: Annotated[float | str, _CLEARANCE, _NO_CLEARANCE] = 0.0
     rib: Annotated[Rib | None, _RIB] = None
 
     @together("roller", "contact_angle")
@@ -590,9 +653,17 @@ class TaperedRollerBearing(RollerBearing):
         return self.contact_angle - 2.0 * self.half_cone_angle, self.contact_angle
 
     @property
+    def clearance_range(self) -> Range:
+        """The axial clearance [mm]."""
+        if isinstance(self.clearance, str):
+            condition, remedy = "be axial for a tapered bearing", "give it in mm, or the preload of a pair"
+            raise InputError("clearance", self.clearance, condition, remedy)
+        return super().clearance_range
+
+    @property
     def radial_clearance(self) -> float:
         """From one side to the other the inner ring moves by so much across the axis [mm], up to this row alone."""
-        return 2.0 * math.tan(self.contact_angle) * self.clearance
+        return 2.0 * math.tan(self.contact_angle) * self.clearance_range.likely
 
     @cached_property
     def contacts(self) -> tuple[Contact, Contact]:
@@ -639,6 +710,8 @@ class SphericalRollerBearing(RollerBearing):
     line through the rollers' middles. The contact angle is that of both raceways.
     """
 
+    clearance_table: ClassVar[str] = "spherical"
+
     contact_angle: Annotated[float, _ANGLE]
     profile_radius: Annotated[
         float,
@@ -651,7 +724,7 @@ class SphericalRollerBearing(RollerBearing):
     ]
     inner_groove: Annotated[float, _of_groove("inner")]
     outer_groove: Annotated[float, _of_groove("outer")]
-    clearance: Annotated[float, _CLEARANCE, _NO_CLEARANCE] = 0.0
+    clearance: Annotated[float | str, _CLEARANCE, _NO_CLEARANCE] = 0.0
 
     @together("inner_groove", "profile_radius")
     def _check_inner_groove(self) -> None:
@@ -852,6 +925,10 @@ class Paired(Input):
         if self.clearance and not any(any(each.bears_axially) for each in self.bearings):
             condition = "be zero for rows that do not hold the inner ring along the axis"
             raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
+
+    def at(self, clearance: str = "likely") -> Paired:
+        """Return the rows with the least, likely or greatest clearance of their groups in place of these."""
+        return replace(self, bearings=tuple(row.at(clearance) for row in self.bearings))
 
     @property
     def rows(self) -> tuple[Row, ...]:

@@ -16,8 +16,9 @@ the rings are neglected, and so is how far they slip. The clearance is
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from nonhertz.amounts import digits, given, mm, mpa, um
 from nonhertz.bearing.bearings import (
@@ -25,12 +26,13 @@ from nonhertz.bearing.bearings import (
     RollerBearing,
     TaperedRollerBearing,
 )
+from nonhertz.bearing.fits import HOUSINGS, SHAFTS, Range, ring_limits, seat_limits
 from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import finite, not_negative, number_that, positive
-from nonhertz.inputs.fields import Input, Part, Quantity, described, together
+from nonhertz.inputs.fields import Input, Part, Quantity, Word, described, together
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.materials import STEEL_DENSITY, NamedMaterial, density_of
 from nonhertz.result.brief import plain_text
@@ -76,30 +78,40 @@ def _of_density(part: str) -> Quantity:
     return Quantity("t/mm^3", f"density of the {part}; that of its material if left out", positive, _IN_TONNES)
 
 
+def _of_class(part: str, classes: tuple[str, ...], example: str) -> Word:
+    return Word(
+        f"tolerance class of the {part} by ISO 286, such as '{example}', which with that of the bearing leaves the "
+        "interference between limits",
+        f"give a class such as '{example}', or the interference in mm",
+        classes,
+    )
+
+
 @described(kw_only=True)
 class _Seat(Input):
     """What shaft and housing have in common."""
 
     diameter: Annotated[
-        float,
+        float | None,
         Quantity(
             "mm",
-            "the diameter of the seat: the bearing's bore d, or its outside diameter D",
+            "the diameter of the seat; the bearing's bore d, or its outside diameter D, if left out",
             positive,
             "give that of the seat in mm",
         ),
-    ]
+    ] = None
+    fit: Annotated[str | None, _of_class("seat", (*SHAFTS, *HOUSINGS), "k5")] = None
     interference: Annotated[
-        float,
+        float | None,
         Quantity(
             "mm",
             "by how much the part that is inside is larger than the one around it, on the diameter, both at 20 degrees "
-            "Celsius and unmounted; negative for a loose fit",
+            "Celsius and unmounted, in place of what the class leaves open; negative for a loose fit",
             finite,
             _IN_MM,
         ),
-        Assumed("no interference", _IN_OPERATION),
-    ] = 0.0
+        Assumed("no interference", _IN_OPERATION, lambda seat: seat.fit is None),
+    ] = None
     smoothing: Annotated[
         float,
         Quantity(
@@ -111,21 +123,63 @@ class _Seat(Input):
     ] = 0.0
     material: Annotated[
         NamedMaterial,
-        Assumed("steel of no grade", _IN_OPERATION, lambda seat: seat.effective_interference > 0.0),
+        Assumed("steel of no grade", _IN_OPERATION, lambda seat: seat.may_press),
     ] = STEEL
     expansion: Annotated[float | None, _of_expansion("part")] = None
     temperature: Annotated[float | None, _of_temperature("part", "that of its ring")] = None
 
+    ring: ClassVar[str]
+
     @together("diameter", "interference")
     def _check_interference(self) -> None:
-        if abs(self.interference) > MOST_INTERFERENCE * self.diameter:
-            condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {mm(self.diameter):g}"
-            raise InputError("interference", self.interference, condition, _IN_MM)
+        diameter, interference = self.diameter or math.inf, self.interference or 0.0
+        if abs(interference) > MOST_INTERFERENCE * diameter:
+            condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {mm(diameter):g}"
+            raise InputError("interference", interference, condition, _IN_MM)
+
+    @property
+    def may_press(self) -> bool:
+        """Whether the parts may press on each other; not by a loose fit that is measured."""
+        return self.effective_interference > 0.0 or (self.interference is None and self.fit is not None)
 
     @property
     def effective_interference(self) -> float:
         """What is left of the interference when the roughness is flattened; a loose fit flattens nothing."""
-        return max(self.interference - self.smoothing, min(self.interference, 0.0))
+        interference = self.interference or 0.0
+        return max(interference - self.smoothing, min(interference, 0.0))
+
+    def _given(self, name: str) -> str:
+        """Return the field from which the interference comes, of a seat of a name."""
+        return f"{name}.{'interference' if self.fit is None or self.interference is not None else 'fit'}"
+
+    def _diameter_on(self, bearing: RollerBearing) -> float:
+        """Return the diameter [mm]: that of the bearing, if it has none of its own."""
+        name = "bore" if self.ring == "inner" else "outside_diameter"
+        diameter: float | None = getattr(bearing, name) if self.diameter is None else self.diameter
+        if diameter is None:
+            raise InputError(
+                "diameter", None, f"be given where the bearing has no {name}", "give that of the seat in mm"
+            )
+        return diameter
+
+    def _interferences(self, bearing: RollerBearing) -> Range:
+        """Return the interference that the class leaves, or the one that is measured [mm].
+
+        Raises
+        ------
+        InputError
+            If there is no such class for this size, or neither seat nor bearing has a diameter.
+        """
+        diameter = self._diameter_on(bearing)
+        if self.interference is not None or self.fit is None:
+            return Range.exactly(self.interference or 0.0)
+        tapered = isinstance(bearing, TaperedRollerBearing)
+        try:
+            seat = seat_limits(self.fit, diameter)
+            ring = ring_limits(self.ring, diameter, bearing.tolerance_class, tapered=tapered)
+        except InputError as error:
+            raise error.about("diameter", error.value) from None
+        return seat - ring if self.ring == "inner" else ring - seat
 
 
 @described(kw_only=True)
@@ -143,6 +197,9 @@ class Shaft(_Seat):
     in mm; both are recalled.
     """
 
+    ring: ClassVar[str] = "inner"
+
+    fit: Annotated[str | None, _of_class("shaft", SHAFTS, "k5")] = None
     bore: Annotated[
         float, Quantity("mm", "the diameter of the bore of a hollow shaft; 0: solid", not_negative, _BORE)
     ] = 0.0
@@ -150,7 +207,7 @@ class Shaft(_Seat):
 
     @together("diameter", "bore")
     def _check_bore(self) -> None:
-        if self.bore >= self.diameter:
+        if self.diameter is not None and self.bore >= self.diameter:
             condition = f"be less than the diameter of the shaft of {mm(self.diameter):g}"
             raise InputError("bore", self.bore, condition, _BORE)
 
@@ -165,17 +222,26 @@ class Housing(_Seat):
         If the housing cannot be.
     """
 
+    ring: ClassVar[str] = "outer"
+
+    fit: Annotated[str | None, _of_class("housing", HOUSINGS, "H7")] = None
     outside_diameter: Annotated[
         float,
         Quantity("mm", "the diameter of the housing as a ring; endless if left out", _outside, _OUTSIDE),
-        Assumed("endless housing", _IN_OPERATION, lambda seat: seat.effective_interference > 0.0),
+        Assumed("endless housing", _IN_OPERATION, lambda seat: seat.may_press),
     ] = math.inf
 
     @together("diameter", "outside_diameter")
     def _check_outside(self) -> None:
-        if self.outside_diameter <= self.diameter:
+        if self.diameter is not None and self.outside_diameter <= self.diameter:
             condition = f"exceed that of the seat of {mm(self.diameter):g}"
             raise InputError("outside_diameter", self.outside_diameter, condition, _OUTSIDE)
+
+
+def _of_seat(ring: str, of: type[_Seat], classes: Iterable[str], example: str) -> Part:
+    remedy = f"give a class such as '{example}', or make one with nonhertz.bearing.{of.__name__}"
+    meaning = f"the seat of the {ring} ring: its class alone, or a table"
+    return Part(meaning, of, remedy, {name: of(fit=name) for name in classes})
 
 
 @described(kw_only=True)
@@ -211,8 +277,8 @@ class Mounting(Input):
     True
     """
 
-    shaft: Annotated[Shaft, Part("the seat of the inner ring", Shaft, "make one with nonhertz.bearing.Shaft")]
-    housing: Annotated[Housing, Part("the seat of the outer ring", Housing, "make one with nonhertz.bearing.Housing")]
+    shaft: Annotated[Shaft, _of_seat("inner", Shaft, SHAFTS, "k5")]
+    housing: Annotated[Housing, _of_seat("outer", Housing, HOUSINGS, "H7")]
     inner_temperature: Annotated[float, _of_temperature("inner ring"), _COLD] = REFERENCE
     roller_temperature: Annotated[float | None, _of_temperature("rollers", "the mean of both rings")] = None
     outer_temperature: Annotated[float, _of_temperature("outer ring"), _COLD] = REFERENCE
@@ -232,7 +298,47 @@ class Mounting(Input):
             "housing.temperature": outer if self.housing.temperature is None else self.housing.temperature,
         }
 
-    def operating(self, bearing: RollerBearing, speed: float = 0.0) -> OperatingClearance:
+    def at(self, bearing: RollerBearing, clearance: str = "likely") -> tuple[Mounting, RollerBearing]:
+        """Return fits and bearing with numbers in place of classes.
+
+        Parameters
+        ----------
+        bearing : RollerBearing
+            The bearing.
+        clearance : {"likely", "least", "greatest"}
+            At the mean of all limits, or at those limits of all that leave the least or the greatest clearance.
+
+        Raises
+        ------
+        InputError
+            If a class is none for its size, or a diameter is missing.
+        """
+        if not isinstance(bearing, RollerBearing) or bearing.radial_clearance is None:
+            remedy = "give a cylindrical, needle, tapered or spherical one of one row"
+            raise InputError("bearing", bearing, "be a radial roller bearing", remedy)
+        interferences = self._interferences(bearing)
+        shaft, housing = (0.0 - (-each).at(clearance) for each in interferences)  # not -0.0
+        return self._with(bearing, shaft, housing), bearing.at(clearance)
+
+    def _with(self, row: RollerBearing, shaft: float, housing: float) -> Mounting:
+        """Return fits with diameters and interferences [mm]."""
+        return replace(
+            self,
+            shaft=replace(self.shaft, diameter=self.shaft._diameter_on(row), interference=shaft, fit=None),
+            housing=replace(self.housing, diameter=self.housing._diameter_on(row), interference=housing, fit=None),
+        )
+
+    def _interferences(self, row: RollerBearing) -> tuple[Range, Range]:
+        """Return the interferences of both seats."""
+        name = "shaft"
+        try:
+            on_shaft = self.shaft._interferences(row)
+            name = "housing"
+            return on_shaft, self.housing._interferences(row)
+        except InputError as error:
+            raise error.within(name) from None
+
+    def operating(self, bearing: RollerBearing, speed: float = 0.0, clearance: str = "likely") -> OperatingClearance:
         """Return what is left of the clearance of a bearing in operation, and what took how much of it.
 
         Parameters
@@ -242,17 +348,53 @@ class Mounting(Input):
             radial one of 2 tan(alpha) times as much.
         speed : float
             Of inner ring and shaft [1/min]; outer ring and housing are at rest.
+        clearance : {"likely", "least", "greatest"}
+            Which of what classes allow, as in `at`.
 
         Raises
         ------
         InputError
-            If the speed is out of range, a seat does not fit the rings, or a warm part's expansion or a turning part's
-            density is neither given nor known.
+            If the speed is out of range, a seat does not fit the rings, a class is none for its size, or a warm part's
+            expansion or a turning part's density is neither given nor known.
         """
-        unmounted = bearing.radial_clearance if isinstance(bearing, RollerBearing) else None
-        if unmounted is None:
-            remedy = "give a cylindrical, needle, tapered or spherical one of one row"
-            raise InputError("bearing", bearing, "be a radial roller bearing", remedy)
+        mounting, row = self.at(bearing, clearance)
+        return mounting._operating(row, speed)
+
+    def ranges(self, bearing: RollerBearing, speed: float = 0.0) -> ClearanceRanges:
+        """Return between which limits classes leave interferences and clearance of a row.
+
+        Parameters
+        ----------
+        bearing, speed
+            As in `operating`.
+
+        Raises
+        ------
+        InputError
+            As `operating`.
+        """
+        least, likely, greatest = (self.operating(bearing, speed, each) for each in Range.AT)
+        shaft, housing = self._interferences(bearing)
+        unmounted = bearing.clearance_range.scaled(_radial(bearing))
+        spreads = [(unmounted.spread, unmounted.spread)]
+        for ends in (
+            [(each, housing.likely) for each in shaft.probable],
+            [(shaft.likely, each) for each in housing.probable],
+        ):
+            low, high = (self._with(bearing, *each).operating(bearing, speed) for each in ends)
+            spreads.append((0.5 * (high.mounted - low.mounted), 0.5 * (high.clearance - low.clearance)))
+        mounted, operating = (math.hypot(*each) for each in zip(*spreads, strict=True))
+        return ClearanceRanges(
+            shaft=shaft,
+            housing=housing,
+            unmounted=unmounted,
+            mounted=Range(least.mounted, likely.mounted, greatest.mounted, mounted),
+            operating=Range(least.clearance, likely.clearance, greatest.clearance, operating),
+        )
+
+    def _operating(self, bearing: RollerBearing, speed: float) -> OperatingClearance:
+        """Return what is left of a clearance that is a number by fits that are."""
+        unmounted = bearing.clearance_range.likely * _radial(bearing)
         not_negative("speed", speed, "give that of the inner ring in 1/min")
         of_shaft = _density("shaft.density", self.shaft.density, self.shaft.material, speed)
         of_ring = _density("ring_density", self.ring_density, bearing.inner.material, speed)
@@ -311,14 +453,16 @@ class Mounting(Input):
             inner - _strain("ring_expansion", self.ring_expansion, row.outer.material, self.outer_temperature)
         ) * apart
 
-    def mounted(self, bearing: RollerBearing | Paired, speed: float = 0.0) -> RollerBearing | Paired:
+    def mounted(
+        self, bearing: RollerBearing | Paired, speed: float = 0.0, clearance: str = "likely"
+    ) -> RollerBearing | Paired:
         """Return a bearing with what is left of its clearance; rows of a pair have the same seats, and move apart warm.
 
         Parameters
         ----------
         bearing : RollerBearing or Paired
             The bearing, unmounted.
-        speed : float
+        speed, clearance
             As in `operating`.
 
         Raises
@@ -327,12 +471,12 @@ class Mounting(Input):
             As `operating`, or if what is left is not a clearance that a bearing can have.
         """
         if isinstance(bearing, Paired):
-            rows = tuple(self._row(row, speed) for row in bearing.bearings)
+            rows = tuple(self._row(row, speed, clearance) for row in bearing.bearings)
             return replace(bearing, bearings=rows, clearance=bearing.clearance + self.expansion(bearing))
-        return self._row(bearing, speed)
+        return self._row(bearing, speed, clearance)
 
-    def _row(self, row: RollerBearing, speed: float) -> RollerBearing:
-        found = self.operating(row, speed)
+    def _row(self, row: RollerBearing, speed: float, clearance: str) -> RollerBearing:
+        found = self.operating(row, speed, clearance)
         left = found.axial(row.nominal_angle) if isinstance(row, TaperedRollerBearing) else found.clearance
         try:
             return replace(row, clearance=left)  # type: ignore[call-arg]
@@ -345,8 +489,12 @@ class Mounting(Input):
         warmth = self.temperatures
         furthest = max(warmth, key=lambda each: abs(warmth[each] - REFERENCE))
         takers = {
-            "shaft.interference": (found.lost_to_inner_fit, self.shaft.interference, _IN_MM),
-            "housing.interference": (found.lost_to_outer_fit, self.housing.interference, _IN_MM),
+            self.shaft._given("shaft"): (found.lost_to_inner_fit, self.shaft.interference or self.shaft.fit, _IN_MM),
+            self.housing._given("housing"): (
+                found.lost_to_outer_fit,
+                self.housing.interference or self.housing.fit,
+                _IN_MM,
+            ),
             furthest: (found.lost_to_temperatures, warmth[furthest], "check temperatures and thermal expansions"),
             "speed": (found.lost_to_speed, speed, "give that of the inner ring in 1/min"),
         }
@@ -375,6 +523,44 @@ def _density(name: str, density: float | None, material: Material, speed: float)
         condition = f"be given for a turning part of {mpa(material.modulus):g}, which is not steel"
         raise InputError(name, None, condition, _IN_TONNES)
     return found or 0.0
+
+
+def clearance_ranges(fit: Mounting | None, bearing: RollerBearing, speed: float = 0.0) -> ClearanceRanges:
+    """Return what `Mounting.ranges` does, or without fits the clearance of a bearing that keeps it."""
+    if fit is not None:
+        return fit.ranges(bearing, speed)
+    found = bearing.clearance_range.scaled(_radial(bearing))
+    return ClearanceRanges(shaft=None, housing=None, unmounted=found, mounted=found, operating=found)
+
+
+def _radial(bearing: RollerBearing) -> float:
+    """Return how much larger the radial clearance of a row is than the one in its own way."""
+    return 2.0 * math.tan(bearing.nominal_angle) if isinstance(bearing, TaperedRollerBearing) else 1.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class ClearanceRanges:
+    """Between which limits classes leave interferences and radial clearance of a row [mm].
+
+    Attributes
+    ----------
+    shaft, housing : Range or None
+        Interference on shaft and in housing; None without seats.
+    unmounted, mounted, operating : Range
+        Radial clearance unmounted, mounted at 20 degC and at rest, and in operation. Its least is where interferences
+        are greatest.
+    """
+
+    shaft: Range | None
+    housing: Range | None
+    unmounted: Range
+    mounted: Range
+    operating: Range
+
+    @property
+    def known(self) -> bool:
+        """Whether nothing is left open."""
+        return all(each is None or each.known for each in (self.shaft, self.housing, self.unmounted))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -466,10 +652,14 @@ class OperatingClearance(HasFindings):
         )
 
     @property
+    def mounted(self) -> float:
+        """Radial clearance mounted, at 20 degC and at rest [mm]."""
+        return self.unmounted - (self.lost_to_inner_fit + self.lost_to_outer_fit)
+
+    @property
     def clearance(self) -> float:
         """Radial clearance in operation [mm]; negative: preload."""
-        of_fits = self.lost_to_inner_fit + self.lost_to_outer_fit
-        return self.unmounted - of_fits - self.lost_to_temperatures - self.lost_to_speed
+        return self.mounted - self.lost_to_temperatures - self.lost_to_speed
 
     def axial(self, contact_angle: float) -> float:
         """Return the axial clearance of one tapered row that has this radial clearance [mm].
@@ -582,6 +772,8 @@ def _fits(
     bearing: RollerBearing, shaft: Shaft, housing: Housing, densities: tuple[float, float]
 ) -> tuple[_Joint, _Joint]:
     inner, outer = (abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
+    assert shaft.diameter is not None
+    assert housing.diameter is not None
     if shaft.diameter >= inner:
         condition = f"be less than that of the inner raceway of {mm(inner):g}"
         raise InputError("shaft.diameter", shaft.diameter, condition, "give the bore of the inner ring in mm")

@@ -15,13 +15,12 @@ from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from typing import Any, Final
+from typing import Any, ClassVar, Final
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import one_of, positive
+from nonhertz.inputs.checks import flag, one_of, positive
 
 _MICROMETRES: Final = 1e-3  # mm
-_OF_KIND: Final = {"tapered": "tapered roller", "radial": "other radial"}
 _CLASS: Final = re.compile(r"([A-Za-z]+?)(\d+)")
 _SHAFTS: Final = ("e", "f", "g", "h", "j", "js", "k", "m", "n", "p", "r", "s")
 _HOLES: Final = ("E", "F", "G", "H", "J", "JS", "K", "M", "N", "P")
@@ -34,6 +33,9 @@ _OF_K: Final = 7  # the finest grades, up to which shafts k lie above their size
 #: Up to this grade the upper deviations of holes lie higher by the step to it from the grade before.
 _STEPPED: Final = {"K": 8, "M": 8, "N": 8, "P": 7}
 _M6: Final = (6, 250.0, 315.0, -9.0)  # ISO 286-1: the one hole that does not follow from its shaft
+#: All classes of shafts and of housings that have limits.
+SHAFTS: Final = tuple(f"{letter}{grade}" for letter in _SHAFTS for grade in _GRADES.get(letter, _EVERY_GRADE))
+HOUSINGS: Final = tuple(f"{letter}{grade}" for letter in _HOLES for grade in _GRADES.get(letter, _EVERY_GRADE))
 TOLERANCE_CLASSES: Final = ("Normal", "6", "6X", "5")
 CLEARANCE_GROUPS: Final = ("C2", "CN", "C3", "C4", "C5")
 #: Table of the clearance groups of each kind of bearing.
@@ -53,6 +55,8 @@ class Range:
     spread : float
         Three standard deviations.
     """
+
+    AT: ClassVar = ("least", "likely", "greatest")
 
     least: float
     likely: float
@@ -79,6 +83,15 @@ class Range:
         """Whether it is one number."""
         return self.least == self.greatest
 
+    def at(self, clearance: str = "likely") -> float:
+        """Return the ``"least"``, ``"likely"`` or ``"greatest"``."""
+        one_of("clearance", clearance, self.AT, "name one of the three")
+        return float(getattr(self, clearance))
+
+    def scaled(self, factor: float) -> Range:
+        """Return the range of a number that is ``factor`` times as large, above zero."""
+        return Range(*(factor * each for each in (self.least, self.likely, self.greatest, self.spread)))
+
     def __neg__(self) -> Range:
         return Range(-self.greatest, -self.likely, -self.least, self.spread)
 
@@ -90,7 +103,7 @@ class Range:
         return self + -other
 
 
-def limits(fit: str, size: float) -> Range:
+def seat_limits(fit: str, size: float) -> Range:
     """Return the deviations that a tolerance class of ISO 286 allows a seat.
 
     Parameters
@@ -112,7 +125,7 @@ def limits(fit: str, size: float) -> Range:
 
     Examples
     --------
-    >>> k5, h7 = limits("k5", 30.0), limits("H7", 62.0)
+    >>> k5, h7 = seat_limits("k5", 30.0), seat_limits("H7", 62.0)
     >>> (k5.least, k5.greatest), (h7.least, h7.greatest)
     ((0.002, 0.011), (0.0, 0.03))
     """
@@ -188,15 +201,18 @@ def ring_limits(ring: str, size: float, tolerance_class: str = "Normal", *, tape
     (-0.01, -0.011)
     """
     one_of("ring", ring, ("inner", "outer"), "name one of both")
-    one_of("tolerance_class", tolerance_class, TOLERANCE_CLASSES, "give the class of ISO 492")
-    kind = "tapered" if tapered else "radial"
-    place = f"iso492.{ring}.{kind}"
-    classes = tuple(name for name in TOLERANCE_CLASSES if name in _table(place))
-    if tolerance_class not in classes:
-        condition = f"be one of {', '.join(map(repr, classes))}, which ISO 492 has for {_OF_KIND[kind]} bearings"
-        raise InputError("tolerance_class", tolerance_class, condition, "choose one of these")
+    flag("tapered", tapered, "give True or False")
+    check_class(tolerance_class, tapered=tapered)
+    place = f"iso492.{ring}.{'tapered' if tapered else 'radial'}"
     name = {"inner": "bore", "outer": "outside_diameter"}[ring]
     return _between(_at(place, tolerance_class, size, name), 0.0)
+
+
+def check_class(tolerance_class: str, *, tapered: bool) -> None:
+    """Refuse a tolerance class that ISO 492 has not, or not of tapered bearings, or of these alone."""
+    classes = tuple(name for name in TOLERANCE_CLASSES if name != ("6" if tapered else "6X"))
+    kind = "tapered" if tapered else "other"
+    one_of("tolerance_class", tolerance_class, classes, f"these are the classes of {kind} bearings in ISO 492")
 
 
 def clearance_limits(group: str, bore: float, kind: str = "cylindrical") -> Range:

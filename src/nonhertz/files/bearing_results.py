@@ -14,6 +14,7 @@ from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.bearing.section import FORCES, MOTIONS, RINGS
 from nonhertz.bearing.solution import CONTACT_QUANTITIES, PRESSURES, BearingSolution, slice_loads
+from nonhertz.bearing.toleranced import AT_LIMITS
 from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, plain, quantity_keys, within
 from nonhertz.result.quantities import ALONG, Quantity
@@ -64,6 +65,35 @@ _KINEMATICS: Final = (
     Key("outer_frequency", "how often rollers pass a place of the outer ring, BPFO", "Hz"),
     Key("roller_frequency", "how often a place of a roller meets a ring, 2 BSF", "Hz"),
 )
+
+
+def _range(name: str, meaning: str, unit: str, *further: Key, get: Any = "") -> Key:
+    holds = tuple(Key(each, words) for each, words in _AT.items())
+    return Key(name, meaning, unit, get, (*holds, *further), nullable=True)
+
+
+_AT: Final = {"least": "the least", "likely": "at the mean of all limits", "greatest": "the greatest"}
+_PROBABLE: Final = Key("probable", "three standard deviations below and above the likely one", holds=ListOf(count=2))
+_TOLERANCES: Final = (
+    *within(
+        "clearance",
+        _range("shaft", "interference on the shaft; null without a seat", "mm", _PROBABLE),
+        _range("housing", "interference in the housing; null without a seat", "mm", _PROBABLE),
+        _range("unmounted", "radial clearance unmounted", "mm", _PROBABLE),
+        _range("mounted", "radial clearance mounted, at 20 °C and at rest", "mm", _PROBABLE),
+        _range("operating", "radial clearance in operation", "mm", _PROBABLE),
+    ),
+    *within(
+        "results",
+        *(
+            _range(
+                name, f"{QUANTITIES[name].label} at the least, the likely and the greatest clearance",
+                QUANTITIES[name].unit, get=itemgetter(name),
+            )
+            for name in AT_LIMITS
+        ),
+    ),
+)  # fmt: skip
 _RATING: Final = (
     Key("dynamic", "basic dynamic load rating C", "N"),
     Key("static", "basic static load rating C0", "N"),
@@ -161,6 +191,10 @@ def keys() -> tuple[Key, ...]:
         *quantity_keys(quantity for quantity in QUANTITIES.values() if not quantity.within),
         Key("kinematics", "speeds, frequencies; null at rest", get="case.kinematics", holds=_KINEMATICS, nullable=True),
         Key("iterations", "Newton steps of the ring", get="solution.iterations", holds="integer"),
+        Key(
+            "tolerances", "between which limits classes leave clearance and results; null without classes",
+            get=lambda rated: rated.case.tolerances(rated.solution, rated.life), holds=_TOLERANCES, nullable=True,
+        ),
         Key("life", "ratings and lives; null where life_reason says why", holds=_LIFE, nullable=True),
         Key("life_reason", "why there is no life; empty if there is one", get="reason", holds="string"),
         results.assumed_key("case.assumed"),

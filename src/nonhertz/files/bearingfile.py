@@ -7,19 +7,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import Paired, RollerBearing, parts_of
-from nonhertz.bearing.clearance import Mounting
+from nonhertz.bearing.clearance import Mounting, clearance_ranges
 from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.ratings import rating
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
-from nonhertz.errors import CaseError, InputError
+from nonhertz.errors import CaseError, InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.bearing_document import (
     BearingFile,
     BearingLifeConditions,
@@ -41,6 +42,10 @@ if TYPE_CHECKING:
     from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.kinematics import Kinematics
     from nonhertz.bearing.solution import BearingSolution
+    from nonhertz.bearing.toleranced import Numbers, Tolerances
+
+
+_SOLVED = "give what BearingCase.solve returns"
 
 
 @dataclass(frozen=True, repr=False)
@@ -177,6 +182,76 @@ class BearingCase(HeldCase):
         """The speed at which the inner ring and the shaft widen [1/min]."""
         return self.prescribed.speed if self.life.turning == "inner" else 0.0
 
+    def at(self, clearance: str = "likely") -> BearingCase:
+        """Return the case with numbers in place of classes, by which it leaves no tolerances.
+
+        Parameters
+        ----------
+        clearance : {"least", "likely", "greatest"}
+            Which of the clearances that the classes allow it has.
+
+        Raises
+        ------
+        CaseError
+            As `operating_clearance`.
+        """
+        if self.fit is None:
+            return replace(self, bearing=self.bearing.at(clearance))
+        try:
+            fit, _ = self.fit.at(self.bearing.rows[0].bearing, clearance)
+        except InputError as error:
+            raise placed(error, "fit", document=self.document) from None
+        return replace(self, bearing=self.bearing.at(clearance), fit=fit)
+
+    def tolerances(self, solution: BearingSolution, life: BearingLife | None = None) -> Tolerances | None:
+        """Return what its classes leave open, and what that does to pressure and life; None if it has none.
+
+        Parameters
+        ----------
+        solution : BearingSolution
+            What `solve` returned: at the likely clearance. At the least and the greatest it is solved here.
+        life : BearingLife or None
+            That of the solution, if it has one.
+
+        Raises
+        ------
+        CaseError
+            As `operating_clearance`.
+        """
+        from nonhertz.bearing.assessed import BearingLife
+        from nonhertz.bearing.solution import BearingSolution
+        from nonhertz.bearing.toleranced import Tolerances, numbers_of
+
+        if not isinstance(solution, BearingSolution):
+            raise InputError("solution", solution, "be a solved bearing", _SOLVED)
+        if not isinstance(life, BearingLife | None):
+            raise InputError("life", life, "be a life", "give what BearingCase.assess returns, or leave it out")
+        try:
+            ranges = clearance_ranges(self.fit, self.bearing.rows[0].bearing, self._inner_speed)
+        except InputError as error:
+            raise placed(error, "fit", document=self.document) from None
+        if ranges.known:
+            return None
+        if solution.method not in self.at_limits:
+            ends = (self.at(each)._attempted(solution.method) for each in ("least", "greatest"))
+            self.at_limits[solution.method] = [numbers_of(*each) for each in ends]
+        least, greatest = self.at_limits[solution.method]
+        return Tolerances.of(ranges, least, numbers_of(solution, life), greatest)
+
+    @cached_property
+    def at_limits(self) -> dict[str, list[Numbers]]:
+        """Numbers at the least and the greatest clearance, by the method by which they have been found so far."""
+        return {}
+
+    def _attempted(self, method: str) -> tuple[BearingSolution | None, BearingLife | None]:
+        """Return the loaded bearing and its life, as far as there are any."""
+        with without_accuracy_warnings():
+            try:
+                solution = self.solve(method)
+                return solution, self.rated(solution)[0]
+            except NonhertzError:
+                return None, None
+
     def solve(self, method: str | None = None) -> BearingSolution:
         """Return the loaded bearing, as `nonhertz.bearing.solve` does.
 
@@ -280,8 +355,7 @@ class BearingCase(HeldCase):
         from nonhertz.bearing.solution import BearingSolution
 
         if not isinstance(solution, BearingSolution):
-            remedy = "give what BearingCase.solve returns"
-            raise InputError("solution", solution, "be a solved bearing", remedy)
+            raise InputError("solution", solution, "be a solved bearing", _SOLVED)
         roller = whole("roller", roller, 0, solution.angle.size - 1, "count from 0")
         one_of("ring", ring, RINGS, "name one of both")
         side = RINGS.index(ring)

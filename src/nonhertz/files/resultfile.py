@@ -177,6 +177,8 @@ def read_result(path: str | Path) -> Result:
             from nonhertz.files.bearingfile import BearingCase
 
             bearing = _with_assumptions(BearingCase.of(found["case"], path, files=False), found)
+            if found.get("tolerances"):
+                bearing.at_limits[str(found["method"])] = _at_limits(found["tolerances"])
             return Result(bearing, _bearing_solution(found, bearing))
         case = _with_assumptions(Case.of(found["case"], path, files=False), found)
         return Result(case, _solution(found, case))
@@ -240,6 +242,12 @@ def _bearing_solution(content: dict[str, Any], case: BearingCase) -> BearingSolu
     return BearingSolution(bearing=bearing, method=str(content["method"]), **arrays | numbers)
 
 
+def _at_limits(tolerances: dict[str, Any]) -> list[Mapping[str, float]]:
+    from nonhertz.bearing.toleranced import AT_LIMITS
+
+    return [{name: _nan(tolerances[name][end]) for name in AT_LIMITS} for end in ("least", "greatest")]
+
+
 def _edge(found: dict[str, Any]) -> EdgePressure:
     kept = {name: value for name, value in found.items() if name not in {"kind", "converges"}}
     return EdgePressure(kind=EdgeKind[_member(found["kind"])], **kept | {"convention": said(str(found["convention"]))})
@@ -252,6 +260,10 @@ def _member(label: str) -> str:
 def _number(value: float | None) -> float:
     """Return a number, infinite where null was written: JSON has no infinity."""
     return math.inf if value is None else float(value)
+
+
+def _nan(value: float | None) -> float:
+    return math.nan if value is None else float(value)
 
 
 def _array(values: list[float | None]) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, um
+from nonhertz.amounts import Amount, amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD
+from nonhertz.bearing.fits import Range
 from nonhertz.bearing.kinematics import Kinematics
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding
+from nonhertz.bearing.toleranced import Tolerances
 from nonhertz.files.bearing_results import LOSSES
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
-from nonhertz.show.beside import beside, changes, compared
+from nonhertz.show.beside import ABSENT, beside, changes, compared
 from nonhertz.show.lives import of_life
 from nonhertz.show.sections import Cell, Row, Said, Section, Table, assumed_rows, summary
 from nonhertz.study.quantities import number_of
@@ -27,6 +29,11 @@ from nonhertz.study.quantities import number_of
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
 #: What has the numbers that strips and slices have alike.
 _COMPARED = ("displacement", "force", "load")
+_OF_TOLERANCES = (
+    "At the least and the greatest clearance all parts are at their limits; the last column is three standard "
+    "deviations wide to either side, for parts that are normal and independent."
+)
+TOLERANCES = "Tolerances"
 _REVOLUTIONS = " million revolutions"
 _PLAY = 1e-3  # mm, below which diameters are rounded
 
@@ -37,8 +44,10 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
     if lives and case.spectrum:
         share = f"{given(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
         lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
+    tolerances = case.tolerances(solution, life)
     return [
         Section("Results", [summary(summary_rows(case, solution))]),
+        *([] if tolerances is None else [tolerance_section(case, tolerances)]),
         Section("Ratings and life", [summary([*lives, *assumed_rows(case.assumed)])]),
         Section("Speeds and frequencies", [summary(kinematic_rows(case.kinematics))]),
         Section("All rollers", [roller_table(solution)]),
@@ -137,6 +146,39 @@ def kinematic_rows(found: Kinematics | None) -> list[Row]:
     ]
 
 
+def tolerance_section(case: BearingCase, found: Tolerances) -> Section:
+    """Return interferences, clearance and results at the least, the likely and the greatest clearance."""
+    row, ranges = case.bearing.rows[0].bearing, found.clearance
+    # Radial and axial clearances of a tapered row are proportional.
+    tapered = isinstance(row, TaperedRollerBearing)
+    factor, way = (0.5 / math.tan(row.nominal_angle), "axial") if tapered else (1.0, "radial")
+    clearances = {"unmounted": ranges.unmounted, "mounted": ranges.mounted, "in operation": ranges.operating}
+    interferences = {"on shaft": ranges.shaft, "in housing": ranges.housing}
+    lengths = {f"interference {where}": each for where, each in interferences.items() if each is not None}
+    # The greatest interference leaves the least clearance.
+    rows = [_range_row(name, each, Range.AT[::-1]) for name, each in lengths.items()]
+    rows += [_range_row(f"{way} clearance {when}", each.scaled(factor)) for when, each in clearances.items()]
+    for name, each in found.results.items():
+        values = QUANTITIES[name].amount(*(each.at(which) for which in Range.AT))
+        if any(map(math.isfinite, values.values)):
+            rows.append(_row_of(QUANTITIES[name].label, values))
+    heads = ("", "least clearance", "likely", "greatest clearance", "99.7 % within")
+    return Section(TOLERANCES, [Table(rows, heads, (0, 4)), Said([_OF_TOLERANCES])])
+
+
+def _range_row(name: str, found: Range, order: Sequence[str] = Range.AT) -> tuple[str, ...]:
+    """Return a row of a length at the limits."""
+    probable = "" if found.known else " to ".join(um(*found.probable).apart("4")[0])
+    return _row_of(name, um(*(found.at(which) for which in order)), probable)
+
+
+def _row_of(name: str, values: Amount, probable: str = "") -> tuple[str, ...]:
+    """Return a row of three values in the unit of the largest."""
+    factor, unit = values.scale
+    texts = (digits(factor * each, 4) if math.isfinite(each) else ABSENT for each in values.values)
+    return f"{name} [{unit}]", *texts, probable
+
+
 def roller_table(solution: BearingSolution) -> Table:
     """Return what every roller bears, in units that suit the largest; blank where there is nothing of the sort."""
     ribbed, ribs = solution.each_rib_load.size > 0, solution.rib_load.max(axis=1, initial=0.0)
@@ -213,11 +255,12 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
         ("bearing", f"{row.kind}{f', {rows} rows' if rows > 1 else ''}", ""),
         ("rollers", size, f"{'in each row, ' if rows > 1 else ''}pitch circle {mm(row.pitch):g}"),
     ]
-    clearance = getattr(row, "clearance", None)
-    if clearance is not None:
+    if hasattr(row, "clearance"):
+        clearance, group = row.clearance_range.likely, row.clearance if isinstance(row.clearance, str) else ""
         way = "axial" if isinstance(row, TaperedRollerBearing) else "radial"
         when, shown = (", in operation", f"{um(clearance):4}") if fitted else ("", f"{um(clearance):g}")
-        found.append(("clearance", shown, f"{way}{when}{', of each row' if rows > 1 else ''}"))
+        of_group = f", the mean of {group}" if group else ""
+        found.append(("clearance", shown, f"{way}{when}{', of each row' if rows > 1 else ''}{of_group}"))
         if row.nominal_angle == 0.0 and min(abs(row.play), abs(row.play - clearance)) > _PLAY:
             found.append(("", f"{um(row.play):4}", "left by the raceways' diameters: not counted"))
     if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):

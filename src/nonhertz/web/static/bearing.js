@@ -98,6 +98,7 @@ function show(answer, shown) {
   entitle(answer.title);
   writeVerdict((pressedBefore() ?? answer).verdict, Boolean(pressedBefore()));
   writeRows(answer.summary, answer.warnings);
+  writeTolerances(answer);
   work.drawProfiles(answer.profiles);
   drawPictures();
   sayLater(spoken(answer));
@@ -254,6 +255,17 @@ function life({ key, method }) {
   if (!key.speed) return { name, ...revolutions, where, number };
   const hours = (number * 1e6) / (60 * key.speed);
   return { name, value: digits(hours, 4), unit: "hours", where: `${revolutions.value} ${revolutions.unit}, ${where}`, number: hours };
+}
+
+function writeTolerances({ tolerances }) {
+  const section = byId("tolerances");
+  section.hidden = !tolerances;
+  const cells = (row, kind) => row.map((text) => (kind ? html`<th scope="col">${text}</th>` : html`<td>${text}</td>`));
+  render(
+    html`<thead><tr>${cells(tolerances?.columns ?? [], "th")}</tr></thead>
+      <tbody>${(tolerances?.rows ?? []).map((row) => html`<tr>${cells(row)}</tr>`)}</tbody>`,
+    section.querySelector("table"),
+  );
 }
 
 function writeRollers({ columns, rollers }, number) {

@@ -18,7 +18,7 @@ from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
 from nonhertz.findings import sentences
-from nonhertz.show.bearing import most_loaded, sections
+from nonhertz.show.bearing import TOLERANCES, most_loaded, sections
 from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import findings_of, of_bearing
 from nonhertz.web.view.answers import relief_of
@@ -50,6 +50,8 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
     life, reason = case.rated(solution)
     *shown, (_, (rollers,)) = sections(case, solution, life, reason)
     assert isinstance(rollers, Table)
+    tolerances = next((table for title, (table, *_) in shown if title == TOLERANCES), None)
+    assert tolerances is None or isinstance(tolerances, Table)
     return {
         "ok": True,
         "title": case.title,
@@ -65,6 +67,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "maps": _maps(solution),
         "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
         "summary": rows_of_summaries(shown),
+        "tolerances": tolerances and {"columns": tolerances.heads, "rows": tolerances.rows},
         "columns": rollers.heads,
         "rollers": rollers.rows,
         "warnings": sentences(findings_of(solution, life, case.operating_clearance)),
