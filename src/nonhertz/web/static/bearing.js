@@ -5,13 +5,11 @@ import { byId } from "./elements.js";
 import { AWAY, Live, asked, post } from "./live.js";
 import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
-import { digits } from "./numbers.js";
 import { drawPanels } from "./panel.js";
 import { html, render } from "./preact.js";
-import { Polar, degrees, newtons } from "./polar.js";
-import { entitle, outdate, sayLater, sayMistakes, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
+import { Polar } from "./polar.js";
+import { entitle, outdate, sayLater, sayMistakes, spoken, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
 import { notice, timed } from "./status.js";
-import { amount, parts } from "./units.js";
 import { Work } from "./work.js";
 
 const REST = 250; // ms without a change before strips are asked for
@@ -22,7 +20,6 @@ const POLAR_KEY = [
   ["bar-outer", "outer ring"],
 ];
 const SLICED = "solved by slices of ISO/TS 16281";
-const NO_MOTION = 1e-9; // mm: rounding
 const root = document.documentElement;
 
 /** What is on the page. */
@@ -101,7 +98,7 @@ function show(answer, shown) {
   writeTolerances(answer);
   work.drawProfiles(answer.profiles);
   drawPictures();
-  sayLater(spoken(answer));
+  sayLater(`By ${answer.method}: ${spoken(answer.numbers)}`);
 }
 
 function refuse({ mistakes }) {
@@ -132,7 +129,7 @@ function drawPictures() {
   const { answer } = page;
   if (!answer) return;
   const before = pressedBefore();
-  writeKeyNumbers(keyNumbers(answer, before), page.pins.map((pin) => ({ ...pin, numbers: keyNumbers(pin.answer) })));
+  writeKeyNumbers(keyNumbers(answer, before), page.pins.map((pin) => ({ ...pin, numbers: pin.answer.numbers })));
   const number = roller();
   head(figure("polar"), "Loads of all rollers", POLAR_KEY, `by ${answer.method}`);
   polar.draw(answer, number);
@@ -192,69 +189,9 @@ function choose(number) {
   work.keep();
 }
 
-/** @param {any} answer @param {any} [before] that by strips of the bearing before the last change, in place of none */
-function keyNumbers(answer, before = null) {
-  const pressed = before ? { ...pressure(before), stale: true } : pressure(answer);
-  const shown = [pressed, life(answer), safety(answer), oil(answer), clearance(answer)];
-  return [...shown, mostLoad(answer), loaded(answer), displacement(answer)].filter((number) => number);
-}
-
-/** Static safety by the load ratings. */
-function safety({ key }) {
-  const { static_safety: number } = key;
-  return number === null ? null : { name: "Static safety", value: digits(number, 3), unit: "S₀", where: "C₀ / P₀", number };
-}
-
-/** How well the film parts the surfaces, and how clean it is. */
-function oil({ key }) {
-  const { viscosity_ratio: number, contamination } = key;
-  if (number === null) return null;
-  const where = contamination === null ? "cleanliness not given" : `cleanliness e_C = ${digits(contamination, 3)}`;
-  return { name: "Viscosity ratio", value: digits(number, 3), unit: "κ", where, number };
-}
-
-/** What fits, temperatures and speed leave of the clearance. */
-function clearance({ key }) {
-  const { clearance: number } = key;
-  return number === null ? null : { name: "Clearance in operation", ...parts(1e3 * number, "µm"), where: "radial", number };
-}
-
-function mostLoad({ key, angle, most }) {
-  const [value, unit] = newtons(key.load).split(" ");
-  const where = key.load > 0 ? `roller ${most + 1} at ${degrees(angle[most])}°` : "";
-  return { name: "Largest roller load", value, unit, where, number: key.load };
-}
-
-function displacement({ key }) {
-  const [along, ...across] = key.displacement.slice(0, 3);
-  const number = Math.hypot(...across);
-  const where =
-    Math.abs(along) > NO_MOTION ? `radial; axial ${amount(1e3 * along, "µm", 3)}` : "radial, of the inner ring";
-  return { name: "Displacement", ...parts(1e3 * number, "µm"), where, number };
-}
-
-function loaded({ key }) {
-  const { loaded: number, rollers } = key;
-  return { name: "Loaded rollers", value: String(number), unit: `of ${rollers}`, where: "", number };
-}
-
-function pressure({ key, method }) {
-  const { max_pressure: number, at } = key;
-  const name = "Largest pressure";
-  if (number === null) return { name, value: "–", unit: "", where: method === "slices" ? "by strips only" : "", number };
-  return { name, ...parts(number, "MPa"), where: `roller ${at[0] + 1}, ${at[1]} ring`, number };
-}
-
-function life({ key, method }) {
-  const { life: number } = key;
-  const name = key.no_modified ? "Rated life" : "Modified life";
-  if (number === null) return { name, value: "–", unit: "", where: "", number };
-  const revolutions = { value: digits(number, 3), unit: "10⁶ rev" };
-  // That the cleanliness is missing is said beside the viscosity ratio.
-  const where = (key.viscosity_ratio === null && key.no_modified) || `by ${method}`;
-  if (!key.speed) return { name, ...revolutions, where, number };
-  const hours = (number * 1e6) / (60 * key.speed);
-  return { name, value: digits(hours, 4), unit: "hours", where: `${revolutions.value} ${revolutions.unit}, ${where}`, number: hours };
+/** The numbers on top, with the pressure of the bearing before the last change where it is that of strips. */
+function keyNumbers({ numbers: [pressure, ...others] }, before) {
+  return [before ? { ...before.numbers[0], stale: true } : pressure, ...others];
 }
 
 function writeTolerances({ tolerances }) {
@@ -278,12 +215,6 @@ function writeRollers({ columns, rollers }, number) {
       <tbody>${rollers.map(line)}</tbody>`,
     byId("rollers"),
   );
-}
-
-function spoken({ key, method }) {
-  const largest = key.max_pressure === null ? "" : `, largest pressure ${amount(key.max_pressure, "MPa")}`;
-  const few = `${key.loaded} of ${key.rollers} rollers loaded`;
-  return `By ${method}: largest load of a roller ${newtons(key.load)}, ${few}${largest}`;
 }
 
 const polar = new Polar(byId("polar"), choose);

@@ -1,82 +1,30 @@
 // Key numbers, warnings and the summary: the text beside the figures.
 
 import { byId } from "./elements.js";
-import { difference, digits } from "./numbers.js";
+import { difference } from "./numbers.js";
 import { html, render } from "./preact.js";
-import { amount, force, parts, spelled } from "./units.js";
+import { inFull } from "./units.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
 /** @typedef {import("./types.js").Pin} Pin */
 /**
- * @typedef {{name: string, value: string, unit: string, where: string, number: number | null, under?: number, stale?: boolean}} KeyNumber
- *   `under` is the load without which a number does not compare, a `stale` one is that before the last change
+ * @typedef {{name: string, value: string, unit: string, where: string, number: number | null, under: number | null, stale?: boolean}} KeyNumber
+ *   as the program writes it; `under` is the load without which it does not compare, a `stale` one is that before the last
+ *   change
  */
 
+const SPOKEN = 4;
 let speaking = 0;
-
-/** The approach beyond first touch where it differs from the approach, in words. @param {Answer["key"]} key */
-function penetration(key) {
-  const noticeable = Math.abs(key.approach - key.penetration) > 0.05 * Math.abs(key.penetration);
-  return noticeable ? `, ${amount(1e3 * key.penetration, "µm")} after first touch` : "";
-}
 
 /**
  * The numbers at the top.
  * @param {Answer} answer
- * @param {Answer["stress"]} stress the largest where the pressure is largest, or of the whole body; missing if stresses
- *   are not shown
+ * @param {KeyNumber | undefined} stress the largest where the pressure is largest, or of the whole body; missing if
+ *   stresses are not shown
  * @returns {KeyNumber[]}
  */
-export function keyNumbers(answer, stress) {
-  const { key } = answer;
-  return [
-    {
-      name: "Largest pressure",
-      ...parts(key.max_pressure, "MPa"),
-      where: key.largest,
-      number: key.max_pressure,
-    },
-    {
-      name: "Approach",
-      ...parts(1e3 * key.approach, "µm"),
-      where: `tilt ${digits(1e3 * key.tilt, 3)} mrad${penetration(key)}`,
-      number: key.approach,
-    },
-    { name: "Load", ...force(key.load), where: `moment ${amount(key.moment / 1e3, "N m", 3)}`, number: key.load },
-    {
-      name: "Half-width",
-      ...parts(key.max_half_width, "mm"),
-      where: answer.singular ? "largest, away from singular ends" : "largest",
-      number: key.max_half_width,
-    },
-    stress
-      ? {
-          name: "von Mises stress",
-          ...parts(stress.von_mises.max, "MPa"),
-          where: `body ${stress.body}, ${place(stress)}`,
-          number: stress.von_mises.max,
-        }
-      : { name: "von Mises stress", value: "–", unit: "", where: "not shown", number: null },
-    ...(answer.life ? [life(answer.life, key.load)] : []),
-  ];
-}
-
-/** Where the largest von Mises stress is; while a slider moves, only the plane of the largest pressure is looked at. */
-function place({ von_mises: { y, z, at_bore }, searched }) {
-  return searched ? `${at_bore ? "at the bore, " : ""}y = ${amount(y, "mm", 3)}, ${amount(z, "mm", 3)} deep` : "below the largest pressure";
-}
-
-/**
- * The life by laminae: in revolutions where there is a rating, else over that of an even pressure under the same load,
- * which rises where the load does and so compares under the same load alone. There is none but of a rolling bearing.
- */
-function life(found, load) {
-  if (found.relative_life === null) return { name: "Life", value: "–", unit: "", where: "not known", number: null };
-  const model = `ISO/TS 16281, body ${found.body}${found.ends_counted ? "" : ", sharp ends not counted"}`;
-  if (found.million_revolutions === null)
-    return { name: "Life", value: digits(found.relative_life, 3), unit: "× ideal profile", where: model, number: found.relative_life, under: load };
-  const number = found.million_revolutions;
-  return { name: "Life", value: digits(number, 4), unit: "10⁶ rev.", where: `L₁₀, ${model}`, number };
+export function keyNumbers({ numbers }, stress) {
+  return [...numbers, stress ?? { name: "von Mises stress", value: "–", unit: "", where: "not shown", number: null, under: null }];
 }
 
 /**
@@ -144,7 +92,8 @@ function change(now, before) {
 export function writeWords(answer) {
   writeVerdict(answer.verdict);
   writeRows(answer.summary, [...(answer.complaint ? [answer.complaint] : []), ...answer.warnings]);
-  sayLater(spoken(answer));
+  const { length } = answer.warnings;
+  sayLater(`${spoken(answer.numbers)}${length ? `, ${length} warning${length > 1 ? "s" : ""}` : ""}`);
 }
 
 /** Write whether limits are met: a coloured tile. @param {Answer["verdict"]} verdict @param {boolean} [stale] */
@@ -170,10 +119,9 @@ export function writeRows(summary, warnings) {
   render(summary.map(row), byId("summary"));
 }
 
-function spoken({ key, warnings }) {
-  const pressure = `largest pressure ${amount(key.max_pressure, "MPa")}`;
-  const warned = warnings.length ? `, ${warnings.length} warning${warnings.length > 1 ? "s" : ""}` : "";
-  return `${pressure}, approach ${spelled(1e3 * key.approach, "µm")}, half-width ${amount(key.max_half_width, "mm")}${warned}`;
+/** The first numbers in words. @param {KeyNumber[]} numbers */
+export function spoken(numbers) {
+  return numbers.slice(0, SPOKEN).map(({ name, value, unit }) => `${name.toLowerCase()} ${value} ${inFull(unit)}`).join(", ");
 }
 
 /**

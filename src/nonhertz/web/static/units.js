@@ -8,7 +8,7 @@ const KEPT = "nonhertz-units";
 const [SI, US] = ["si", "us"];
 const LEAST_KSI = 1; // below which a pressure is in psi
 const LEAST_KN = 1e3; // N, from which on a force is in kN
-/** @type {Record<string, string>} as screen readers can say them */
+/** @type {Record<string, string>} */
 const SPELLED = { "µm": "micrometres", "µin": "microinches" };
 
 /** @type {Record<string, [string, number]>} by unit of the program: the one in its place, and how many make one of that */
@@ -91,7 +91,12 @@ export function amount(number, unit, significant = 4) {
 /** The same for screen readers. @param {number} number @param {string} unit @param {number} [significant] */
 export function spelled(number, unit, significant = 4) {
   const { value, unit: word } = parts(number, unit, significant);
-  return `${value} ${SPELLED[word] ?? word}`;
+  return `${value} ${inFull(word)}`;
+}
+
+/** A unit as screen readers can say it. @param {string} word */
+export function inFull(word) {
+  return SPELLED[word] ?? word;
 }
 
 /** A force, by its size. @param {number} newtons */

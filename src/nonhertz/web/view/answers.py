@@ -8,23 +8,20 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.errors import InputError, NonhertzError
+from nonhertz.errors import InputError
 from nonhertz.figures import contact
 from nonhertz.figures.roller import relief_between
 from nonhertz.files.casefile import Case
 from nonhertz.files.reading import read
 from nonhertz.files.results import plain
 from nonhertz.files.sections import surroundings
-from nonhertz.life.capacity import of_rolling_bearing
 from nonhertz.model.body import Body
-from nonhertz.result.along import unlimited_ends
-from nonhertz.result.brief import where_largest
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.show.summary import summary_rows
-from nonhertz.study.quantities import LIFE_MODEL, life_of
 from nonhertz.verdict import of_contact
 from nonhertz.web.view.replies import verdict_seen
+from nonhertz.web.view.tiles import contact_tiles
 
 Array = NDArray[np.float64]
 
@@ -53,9 +50,9 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "title": case.title,
         "status": solution.status.label,
         "complaint": complaint,
-        # The numbers by which cases are compared, all their digits but those of rounding alone.
-        "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()}
-        | {"largest": where_largest(solution, 3)},
+        "numbers": contact_tiles(case, solution, rated=not complaint and bool(solution.contact_y)),
+        # All digits but those of rounding alone.
+        "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()},
         # Where the pressure does not decide, the search when the slider rests does: it takes seconds.
         "verdict": verdict_seen(None if complaint else of_contact(solution, search=False)),
         "summary": summary_rows(solution, case),
@@ -65,28 +62,9 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
             "footprint": contact.footprint(solution).to_json(),
             "distance": contact.distance(solution).to_json(),
         },
-        "life": None if complaint or not solution.contact_y else _life(case, solution),
         "profiles": {"a": relief_of(case.contact.a), "b": relief_of(case.contact.b)},
         "bodies": {"a": _seen(case.contact.a), "b": _seen(case.contact.b)},
-        "singular": bool(unlimited_ends(solution)),
     }
-
-
-def _life(case: Case, solution: Solution) -> dict[str, Any] | None:
-    """Return how long the contact lasts under its load by laminae, which take half a millisecond; None if unknown.
-
-    Of the body that has a raceway, else of body a. None, too, where the bodies are not parts of a rolling bearing.
-    """
-    if not of_rolling_bearing(case.contact):
-        return None
-    try:
-        life = life_of(case, solution, LIFE_MODEL)
-    except NonhertzError:
-        return None
-    found = {"relative_life": life.relative_life, "million_revolutions": life.million_revolutions}
-    # What a life adds to the warnings of its solution is that the damage grows without limit towards sharp ends.
-    counted = set(life.warnings) <= set(solution.warnings)
-    return {name: plain(value) for name, value in found.items()} | {"body": life.body, "ends_counted": counted}
 
 
 def relief_of(body: Body) -> dict[str, Any]:

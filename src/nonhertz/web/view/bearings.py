@@ -8,8 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.figures.bearing import pressure_maps
 from nonhertz.figures.loads import roller_loads
@@ -23,6 +21,7 @@ from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import findings_of, of_bearing
 from nonhertz.web.view.answers import relief_of
 from nonhertz.web.view.replies import verdict_seen
+from nonhertz.web.view.tiles import bearing_tiles
 
 Array = NDArray[np.float64]
 
@@ -56,7 +55,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "ok": True,
         "title": case.title,
         "method": solution.method,
-        "key": _key_numbers(case, solution, life),
+        "numbers": bearing_tiles(case, solution, life),
         "rows": _rows(solution),
         "profiles": {part: relief_of(getattr(solution.bearing.rows[0].bearing, part)) for part in PARTS},
         "angle": plain(solution.angle),
@@ -78,30 +77,6 @@ def roller_answer(case: BearingCase, solution: BearingSolution, roller: int | No
     """Return the lines of a roller; of the most loaded one if there is no such roller."""
     shown = roller if roller is not None and 0 <= roller < solution.angle.size else most_loaded(solution)
     return {"shown": shown, "lines": roller_lines(solution, shown, case.solver.laminae).to_json()}
-
-
-def _key_numbers(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> dict[str, Any]:
-    """Return the numbers on top of the page, unrounded."""
-    most = most_loaded(solution)
-    found: dict[str, Any] = {
-        "load": float(solution.load[most].max()),
-        "displacement": plain(solution.displacement),
-        "loaded": int(np.count_nonzero(solution.load.min(axis=1) > 0.0)),
-        "rollers": int(solution.angle.size),
-        "max_pressure": None,
-        "life": None if life is None else plain(life.rated_life),
-        "no_modified": "" if life is None else life.no_modified,
-        "speed": case.mean_speed,
-        "static_safety": None if life is None else plain(life.static_safety),
-        "viscosity_ratio": None if life is None else plain(life.viscosity_ratio),
-        "contamination": None if life is None else plain(life.contamination),
-        "clearance": None if case.operating_clearance is None else plain(case.operating_clearance.clearance),
-    }
-    if solution.method == "strips" and solution.load.any():
-        roller, ring = np.unravel_index(int(np.argmax(solution.max_pressure)), solution.load.shape)
-        found["max_pressure"] = plain(solution.max_pressure[roller, ring])
-        found["at"] = [int(roller), RINGS[ring]]
-    return found
 
 
 def _rows(solution: BearingSolution) -> list[dict[str, Any]]:

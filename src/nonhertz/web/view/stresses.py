@@ -19,6 +19,7 @@ from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_ran
 from nonhertz.subsurface.inside import Inside
 from nonhertz.verdict import of_contact
 from nonhertz.web.view.replies import verdict_seen
+from nonhertz.web.view.tiles import stress_tile
 
 Array = NDArray[np.float64]
 
@@ -56,8 +57,8 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
         with ThreadPoolExecutor(1) as beside:
             axial = beside.submit(_axial, solution, body)
             section, largest = _section(solution, solution.max_pressure_y, body)
-            worst = {"body": body, "von_mises": vars(largest)}
-            return {"planes": _planes(solution, axial.result(), section, largest), "stress": worst}
+            shown = stress_tile(body, largest, searched=False)
+            return {"planes": _planes(solution, axial.result(), section, largest), "stress": shown}
     except (InputError, ArithmeticError):
         return {"stress_note": _NO_NUMBERS}
 
@@ -85,9 +86,9 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     if not np.isfinite(worst.max):
         return {"checks": []}
     checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
-    largest = {"body": body, "von_mises": vars(worst), "searched": True}
+    shown = stress_tile(body, worst, searched=True)
     verdict = verdict_seen(of_contact(solution, (found,)))
-    return {"checks": checks, "stress": largest, "planes": planes, "verdict": verdict}
+    return {"checks": checks, "stress": shown, "planes": planes, "verdict": verdict}
 
 
 def _planes(solution: Solution, axial: Field, section: Field, largest: Extreme) -> dict[str, Any]:

@@ -1,0 +1,147 @@
+"""The numbers on top of a page, as they are read: name, number, unit, and where or how it is found."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from nonhertz.amounts import Amount, amount, digits, mm, mpa, newton, um
+from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.section import RINGS
+from nonhertz.bearing.solution import BearingSolution, without_rounding
+from nonhertz.errors import NonhertzError
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.results import plain
+from nonhertz.life.capacity import of_rolling_bearing
+from nonhertz.result.along import unlimited_ends
+from nonhertz.result.brief import where_largest
+from nonhertz.result.penetration import is_noticeable
+from nonhertz.result.quantities import QUANTITIES
+from nonhertz.result.solution import Solution
+from nonhertz.show.bearing import most_loaded
+from nonhertz.study.quantities import LIFE_MODEL, life_of
+from nonhertz.subsurface import Extreme
+
+Tile = dict[str, Any]
+
+
+def tile(name: str, shown: Amount, where: str = "", spec: str = "4", under: float | None = None) -> Tile:
+    """Return a number as it is shown.
+
+    Parameters
+    ----------
+    name : str
+        What it is.
+    shown : Amount
+        One value, which is sent in its own unit as well, for differences.
+    where : str
+        What stands below it.
+    spec : str
+        Its digits, as an `Amount` takes them.
+    under : float or None
+        The load without which it compares with no other.
+    """
+    number = plain(shown.values[0])
+    ([value], unit) = shown.apart(spec)
+    read = ("–", "") if number is None else (value, unit)
+    return {"name": name, "value": read[0], "unit": read[1], "where": where, "number": number, "under": under}
+
+
+def contact_tiles(case: Case, solution: Solution, *, rated: bool) -> list[Tile]:
+    """Return the numbers of a contact; its life if that is rated, which takes half a millisecond."""
+    names = ("max_pressure", "approach", "penetration", "load", "tilt", "moment", "max_half_width")
+    pressure, approach, penetration, load, tilt, moment, half_width = (
+        QUANTITIES[name].amount(float(QUANTITIES[name].clean(solution))) for name in names
+    )
+    tilted = f"tilt {tilt:3}"
+    if is_noticeable(solution.approach, solution.penetration):
+        tilted += f", {penetration:4} after first touch"
+    away = "largest, away from singular ends" if unlimited_ends(solution) else "largest"
+    return [
+        tile("Largest pressure", pressure, where_largest(solution, 3)),
+        tile("Approach", approach, tilted),
+        tile("Load", load, f"moment {moment:3}"),
+        tile("Half-width", half_width, away),
+        *(_life(case, solution) if rated else ()),
+    ]
+
+
+def _life(case: Case, solution: Solution) -> list[Tile]:
+    """Return how long a contact lasts under its load by laminae, of the body that has a raceway, else of body a.
+
+    In revolutions where there is a rating, else over that of an even pressure under the same load, which rises where
+    the load does. There is none but of the parts of a rolling bearing.
+    """
+    if not of_rolling_bearing(case.contact):
+        return []
+    try:
+        life = life_of(case, solution, LIFE_MODEL)
+    except NonhertzError:
+        return []
+    # What a life adds to the warnings of its solution is that the damage grows without limit towards sharp ends.
+    left_out = "" if set(life.warnings) <= set(solution.warnings) else ", sharp ends not counted"
+    model = f"ISO/TS 16281, body {life.body}{left_out}"
+    if life.million_revolutions is not None:
+        return [tile("Life", amount(life.million_revolutions, "10⁶ rev."), f"L₁₀, {model}")]
+    return [tile("Life", amount(life.relative_life, "× ideal profile"), model, "3", under=solution.load)]
+
+
+def stress_tile(body: str, largest: Extreme, *, searched: bool) -> Tile:
+    """Return the largest von Mises stress of a body, of all of it or of the plane below the largest pressure alone."""
+    bore = "at the bore, " if largest.at_bore else ""
+    place = f"{bore}y = {mm(largest.y):3}, {mm(largest.z):3} deep" if searched else "below the largest pressure"
+    return tile("von Mises stress", mpa(largest.max), f"body {body}, {place}")
+
+
+def bearing_tiles(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> list[Tile]:
+    """Return the numbers of a loaded bearing; without a pressure by slices."""
+    most = most_loaded(solution)
+    load = float(solution.load[most].max())
+    angle = f"roller {most + 1} at {math.degrees(solution.angle[most]):.1f}°" if load > 0.0 else ""
+    along, *across = without_rounding(solution.displacement[:3], np.ones(3))
+    moved = f"radial; axial {um(along):3}" if along else "radial, of the inner ring"
+    loaded = amount(float(np.count_nonzero(solution.load.min(axis=1) > 0.0)), f"of {solution.angle.size}")
+    clearance = case.operating_clearance
+    return [
+        _pressure(solution),
+        *(() if life is None else _ratings(case, life, solution.method)),
+        *(() if clearance is None else (tile("Clearance in operation", um(clearance.clearance), "radial"),)),
+        tile("Largest roller load", newton(load), angle, "4g"),
+        tile("Loaded rollers", loaded, spec="4g"),
+        tile("Displacement", um(math.hypot(*across)), moved),
+    ]
+
+
+def _pressure(solution: BearingSolution) -> Tile:
+    if solution.method == "slices" or not solution.load.any():
+        return tile("Largest pressure", mpa(math.nan), "by strips only" if solution.method == "slices" else "")
+    roller, ring = np.unravel_index(int(np.argmax(solution.max_pressure)), solution.load.shape)
+    where = f"roller {roller + 1}, {RINGS[ring]} ring"
+    return tile("Largest pressure", mpa(float(solution.max_pressure[roller, ring])), where)
+
+
+def _ratings(case: BearingCase, life: BearingLife, method: str) -> list[Tile]:
+    """Return life, in hours where there is one speed, static safety, and the viscosity ratio with the cleanliness."""
+    kappa, speed = life.viscosity_ratio, None if case.spectrum else case.prescribed.speed
+    # That the cleanliness is missing is said beside the viscosity ratio.
+    how = life.no_modified if life.no_modified and kappa is None else f"by {method}"
+    revolutions, name = life.rated_life, "Rated life" if life.no_modified else "Modified life"
+    shown = tile(name, amount(revolutions, "10⁶ rev"), how, "3")
+    if speed:
+        hours = amount(revolutions * 1e6 / (60.0 * speed), "hours")
+        shown = tile(name, hours, f"{digits(revolutions, 3)} 10⁶ rev, {how}")
+    clean = "cleanliness not given"
+    if life.contamination is not None:
+        clean = f"cleanliness e_C = {digits(life.contamination, 3)}"
+    return [
+        shown,
+        *(
+            [tile("Static safety", amount(life.static_safety, "S₀"), "C₀ / P₀", "3")]
+            if plain(life.static_safety)
+            else []
+        ),
+        *([] if kappa is None else [tile("Viscosity ratio", amount(kappa, "κ"), clean, "3")]),
+    ]
