@@ -37,6 +37,8 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     COARSELY |= {"cell": 0.04, "reach": 0.5}
     OVERROLLED = life.overrolled(**COARSELY)
 SWEPT = nh.sweep(nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": [6e3]})
+SLICED_CASE = nh.read_bearing(BEARING, {"solver.method": "slices"})
+DIAGRAM = nh.study.diagram(SLICED_CASE, "clearance", "0 : 20 um : 2")
 TOLERANCE = nh.tolerance(
     nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": "uniform(6 kN, 7 kN)"}, samples=3
 )
@@ -108,7 +110,7 @@ INSTANCES = {
         TABLE.shifted(1.0) + TABLE.scaled(2.0),
     ],
     "study.": [
-        SWEPT, TOLERANCE, SOLUTION.gradient("load"), nh.study.Sampling(30, "saltelli"),
+        SWEPT, TOLERANCE, DIAGRAM, SOLUTION.gradient("load"), nh.study.Sampling(30, "saltelli"),
         nh.study.Distribution("uniform", (0.0, 1.0)),
     ],
 }  # fmt: skip
@@ -230,6 +232,7 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "subsurface.cross_section": GRID,
     "subsurface.memory": {"points": 10},
     "subsurface.volume": GRID | {"y": [0.0]},
+    "study.diagram": {"case": SLICED_CASE, "over": "clearance", "values": "0 : 20 um : 2"},
     "sweep": {"plan": nh.Plan(UPRIGHT, over={"load.load": [1e3]}), "samples": None},
     "tolerance": {"plan": UPRIGHT, "over": {"load.load": "uniform(1 kN, 2 kN)"}},
 }  # fmt: skip

@@ -157,7 +157,7 @@ MODULES = {
 SLOW = {
     "bearing.from_catalogue", "bearing.maps", "bearing.volume_life", "compare", "contact_map", "life.assess",
     "life.exposure", "life.overrolled", "measured.fit", "measured.fit_best", "measured.prepare", "strength.assess",
-    "subsurface.extremes", "sweep", "tolerance",
+    "study.diagram", "subsurface.extremes", "sweep", "tolerance",
 }  # fmt: skip
 #: Of these not even what is taken; other tests solve them.
 SLOWEST = {"bearing.maps", "bearing.volume_life", "life.exposure", "life.overrolled", "strength.assess"}
@@ -173,7 +173,7 @@ ASKED = {
 #: Made by the package and not by its users, who only read them.
 RESULTS = {
     "strength.Check", "strength.Strength", "strength.Verdict", "study.Measure",
-    "Comparison", "ContactMap", "Portion", "study.Progress", "study.Sweep", "study.Tolerance",
+    "Comparison", "ContactMap", "Portion", "study.Progress", "study.Sweep", "study.Tolerance", "study.Diagram",
     "study.Index", "study.Quantile", "study.Capability", "study.Gradient", "study.Partials",
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
     "Status",

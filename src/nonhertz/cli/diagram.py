@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from nonhertz.cli.answer import Answer
@@ -10,6 +11,7 @@ from nonhertz.cli.printing import bar
 from nonhertz.cli.sweep import of_rows
 from nonhertz.errors import InputError, UnknownKeyError
 from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.studies import DIAGRAM, as_text
 from nonhertz.show.studies import diagram_sections
 from nonhertz.study.diagrams import diagram
 
@@ -32,4 +34,5 @@ def diagram_over(case: BearingCase, over: str, workers: int | None, out: Path | 
             raise error.about(f"--over {error.field}", values) from None
     with named_as(folder="--out"):
         made = () if out is None else found.save(out)
-    return Answer(case.title, diagram_sections(found), lambda: found.to_json(made), found.sweep.verdict, written=made)
+    as_json = partial(as_text, DIAGRAM, made, diagram=found, sweep=found.sweep)
+    return Answer(case.title, diagram_sections(found), as_json, found.sweep.verdict, written=made)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -133,9 +133,9 @@ class Diagram:
 
         return self.sweep.save(folder, draw)
 
-    def to_json(self, files: Iterable[Path] = ()) -> str:
-        """Return all numbers as JSON text, with the files that were written."""
-        return as_text(DIAGRAM, files, diagram=self, sweep=self.sweep)
+    def to_json(self) -> str:
+        """Return all numbers as JSON text."""
+        return as_text(DIAGRAM, diagram=self, sweep=self.sweep)
 
     def _panel(self, quantity: Quantity, along: Axis, *, first: bool) -> Panel:
         numbers = np.asarray(self.sweep[quantity.name], dtype=float)
