@@ -388,3 +388,14 @@ def test_a_diagram_is_written_as_rows_json_and_figure(folder, run):
     assert {path.name for path in Path("over").iterdir()} >= {"diagram.json", "diagram.png", "diagram.svg", "rows.csv"}
     assert "Radial" in Path("over/diagram.svg").read_text(encoding="utf-8")
     assert json.loads(Path("over/diagram.json").read_text(encoding="utf-8"))["over"] == "load.radial"
+
+
+def test_a_diagram_shades_the_group_of_the_clearance(folder, run):
+    changes = {"solver.method": "slices", "bearing.clearance": "C3", "bearing.bore": 30.0}
+    case = read_bearing("few.toml", changes)
+    made = nh.study.diagram(case, "clearance", "0 : 60 um : 3")
+    assert made.present is None
+    assert made.class_limits is not None
+    assert_allclose([made.class_limits.least, made.class_limits.greatest], [0.035, 0.060])
+    (span,) = (mark for mark in made.figure().panels[0].marks if type(mark).__name__ == "Span")
+    assert (span.low, span.high, span.name) == (0.035, 0.060, "C3")

@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import of_dimension
+from nonhertz.bearing.fits import Range
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.errors import InputError
-from nonhertz.figures.value import Across, Axis, Figure, Line, Mark, Panel, Points
+from nonhertz.figures.value import Across, Axis, Figure, Line, Mark, Panel, Points, Span
 from nonhertz.files.bearingfile import BearingCase, read_bearing
 from nonhertz.files.paths import Parameter, parameter
 from nonhertz.files.planfile import Plan
@@ -91,6 +92,16 @@ class Diagram:
         return _value(plan.template.known[self.path], plan.template.document)
 
     @property
+    def class_limits(self) -> Range | None:
+        """Between which values the class in the file keeps it: a group of clearance; None if it has none."""
+        case = self.sweep.plan.case
+        assert isinstance(case, BearingCase)
+        if self.path != "bearing.clearance":
+            return None
+        limits = case.bearing.rows[0].bearing.clearance_range
+        return None if limits.known else limits
+
+    @property
     def longest_life(self) -> tuple[float, float] | None:
         """The value with the longest life, and that life [10^6 revolutions]; None without a life."""
         for quantity in self.quantities:
@@ -140,6 +151,9 @@ class Diagram:
     def _panel(self, quantity: Quantity, along: Axis, *, first: bool) -> Panel:
         numbers = np.asarray(self.sweep[quantity.name], dtype=float)
         marks: list[Mark] = [Line(self.values, numbers)]
+        if self.class_limits is not None:
+            group = str(self.sweep.plan.template.document["bearing"]["clearance"])
+            marks.insert(0, Span(self.class_limits.least, self.class_limits.greatest, name=group * first))
         if self.present is not None and along.range is not None and along.range[0] <= self.present <= along.range[1]:
             marks.insert(0, Across(self.present, "in the file" * first, colour="faint", dash="dashed"))
         if quantity.name in LIFE and self.longest_life is not None:
@@ -180,7 +194,7 @@ def diagram(
         Its values: a range such as ``"0 : 60 um"``, with 41 values if the number is left out (``"0 : 60 um : 21"``), or
         numbers in the base unit.
     workers, announce
-        As of `nonhertz.sweep`.
+        As of `nonhertz.sweep`; by slices one process if left out.
 
     Returns
     -------
@@ -209,7 +223,10 @@ def diagram(
     >>> round(1e3 * clearance), round(life)
     (0, 107)
     """
-    plan = Plan(case if isinstance(case, BearingCase) else read_bearing(case))
+    case = case if isinstance(case, BearingCase) else read_bearing(case)
+    plan = Plan(case)
+    if workers is None and case.solver.method == "slices":
+        workers = 1  # slices take less time than a process to begin
     names = tuple(name for names in SHOWN for name in names if name in QUANTITIES)
     if isinstance(values, str) and values.count(":") == 1:
         values = f"{values} : {POINTS}"
