@@ -873,6 +873,15 @@ class Row:
         return tuple(np.full(self.bearing.rollers, rib.gap + more * abs(rib.motion[0, 0])) for rib in ribs)
 
 
+_PRELOAD = Quantity(
+    "N",
+    "axial force between two equal tapered rows in X or O, mounted, cold and without load, in place of the clearance "
+    "between them",
+    positive,
+    "give the axial force in N, or the clearance in its place",
+)
+
+
 def _ways(name: str, value: Any, remedy: str) -> tuple[bool, ...]:
     found = listed(name, value, "be True or False for each row", remedy)
     for way in found:
@@ -909,8 +918,12 @@ class Paired(Input):
             finite,
             "give the axial clearance in mm",
         ),
-        replace(_NO_CLEARANCE, where=lambda pair: not any(row.radial_clearance for row in pair.bearings)),
+        replace(
+            _NO_CLEARANCE,
+            where=lambda pair: pair.preload is None and not any(row.radial_clearance for row in pair.bearings),
+        ),
     ] = 0.0
+    preload: Annotated[float | None, _PRELOAD] = None
 
     @together("bearings", "x", "turned")
     def _check_rows(self) -> None:
@@ -925,6 +938,17 @@ class Paired(Input):
         if self.clearance and not any(any(each.bears_axially) for each in self.bearings):
             condition = "be zero for rows that do not hold the inner ring along the axis"
             raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
+
+    @together("bearings", "x", "turned", "clearance", "preload")
+    def _check_preload(self) -> None:
+        if self.preload is None:
+            return
+        if self.clearance:
+            raise InputError("pair.preload", self.preload, "not be given together with clearance", "leave one out")
+        equal = all(isinstance(row, TaperedRollerBearing) and row == self.bearings[0] for row in self.bearings)
+        if not equal or sorted(self.turned) != [False, True]:
+            condition = "be left out but for two equal tapered rows in X or O"
+            raise InputError("pair.preload", self.preload, condition, "give the clearance of the rows")
 
     def at(self, clearance: str = "likely") -> Paired:
         """Return the rows with the least, likely or greatest clearance of their groups in place of these."""
@@ -969,6 +993,7 @@ class Pair(Input):
             "give the axial clearance in mm",
         ),
     ] = 0.0
+    preload: Annotated[float | None, _PRELOAD] = None
 
     @classmethod
     def of(cls, rows: Paired) -> Pair:
@@ -981,13 +1006,20 @@ class Pair(Input):
         """
         first, distance = rows.bearings[0], rows.x[-1] - rows.x[0]
         for arrangement in ARRANGEMENTS if distance > 0.0 else ():
-            if rows == paired(first, arrangement, distance, clearance=rows.clearance):
-                return cls(arrangement, distance, rows.clearance)
+            if rows == _paired(first, pair := cls(arrangement, distance, rows.clearance, rows.preload)):
+                return pair
         condition = "be two equal rows in X, O or tandem to go into a file"
         raise InputError("bearings", len(rows.bearings), condition, "solve such a bearing in Python")
 
 
-def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearance: float = 0.0) -> Paired:
+def paired(
+    bearing: RollerBearing,
+    arrangement: str,
+    distance: float,
+    *,
+    clearance: float = 0.0,
+    preload: float | None = None,
+) -> Paired:
     """Return two equal rows.
 
     Parameters
@@ -999,7 +1031,7 @@ def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearan
         ``"tandem"``: both rows bear axial loads along +x.
     distance : float
         Between the middles of their rollers along the axis [mm].
-    clearance : float
+    clearance, preload : float
         As in `Paired`.
 
     Examples
@@ -1011,10 +1043,15 @@ def paired(bearing: RollerBearing, arrangement: str, distance: float, *, clearan
     >>> paired(row, "O", 20.0).turned
     (False, True)
     """
-    pair = Pair(arrangement, distance, clearance)
+    return _paired(bearing, Pair(arrangement, distance, clearance, preload))
+
+
+def _paired(bearing: RollerBearing, pair: Pair) -> Paired:
     turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[pair.arrangement]
     half = 0.5 * pair.distance
-    return Paired(bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=pair.clearance)
+    return Paired(
+        bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=pair.clearance, preload=pair.preload
+    )
 
 
 def parts_of(bearing: RollerBearing | Paired) -> dict[str, Input]:

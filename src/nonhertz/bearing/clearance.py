@@ -18,7 +18,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Literal
 
 from nonhertz.amounts import digits, given, mm, mpa, um
 from nonhertz.bearing.bearings import (
@@ -454,7 +454,12 @@ class Mounting(Input):
         ) * apart
 
     def mounted(
-        self, bearing: RollerBearing | Paired, speed: float = 0.0, clearance: str = "likely"
+        self,
+        bearing: RollerBearing | Paired,
+        speed: float = 0.0,
+        clearance: str = "likely",
+        *,
+        method: Literal["strips", "slices"] = "strips",
     ) -> RollerBearing | Paired:
         """Return a bearing with what is left of its clearance; rows of a pair have the same seats, and move apart warm.
 
@@ -464,6 +469,8 @@ class Mounting(Input):
             The bearing, unmounted.
         speed, clearance
             As in `operating`.
+        method : {"strips", "slices"}
+            By which the clearance for a preload is found, with rows mounted, at 20 degC and at rest.
 
         Raises
         ------
@@ -471,9 +478,19 @@ class Mounting(Input):
             As `operating`, or if what is left is not a clearance that a bearing can have.
         """
         if isinstance(bearing, Paired):
+            if bearing.preload is not None:
+                from nonhertz.bearing.verb import adjusted
+
+                cold = tuple(self._cold(row, clearance) for row in bearing.bearings)
+                between = adjusted(replace(bearing, bearings=cold), method).clearance  # type: ignore[union-attr]
+                bearing = replace(bearing, clearance=between, preload=None)
             rows = tuple(self._row(row, speed, clearance) for row in bearing.bearings)
             return replace(bearing, bearings=rows, clearance=bearing.clearance + self.expansion(bearing))
         return self._row(bearing, speed, clearance)
+
+    def _cold(self, row: RollerBearing, clearance: str) -> RollerBearing:
+        """Return a row that is mounted, at 20 degC and at rest."""
+        return replace(row, clearance=self.operating(row, 0.0, clearance).mounted / _radial(row))  # type: ignore[call-arg]
 
     def _row(self, row: RollerBearing, speed: float, clearance: str) -> RollerBearing:
         found = self.operating(row, speed, clearance)

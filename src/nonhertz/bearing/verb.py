@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
@@ -20,7 +21,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.strips import stripped
-from nonhertz.errors import ConvergenceError, InputError
+from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.findings import said, warn
 from nonhertz.inputs.checks import thread_count
 from nonhertz.inputs.fields import Count, Input, Word, described, taking
@@ -35,6 +36,8 @@ Method = Literal["strips", "slices"]
 GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
 # What slices leave of the balance, over the loads, where there is none. They leave 1e-9 where there is one.
 UNBALANCED = 1e-6
+# Of the preload of two rows: how near their clearance brings it, and in how many steps at most.
+_PRELOAD_WITHIN, _MOST_ADJUSTMENTS = 1e-5, 12
 _UNIT_OF_SPEED = math.pi / 30.0
 # Of the pitch circle [mm/s]. At half of it the hoop stress of a free ring of steel, rho v^2, is 1960 MPa.
 _MOST_RIM_SPEED = 1e6
@@ -126,6 +129,7 @@ def solve(
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
+    bearing = adjusted(bearing, method, laminae)
     system, found = _solved(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**given)))
     if not found.settled(TOLERANCE)[0]:
         words = f"No equilibrium of rollers and rings was found in {found.steps[0]} steps"
@@ -186,9 +190,46 @@ def solve_many(
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
+    bearing = adjusted(bearing, method, laminae)
     acting, shape = many_states(bearing, given) if displacement is None else motions(displacement, given)
     _, states = _solved(bearing, loaded, solver, maps, acting, thread_count(threads))
     return BearingSolutions.of(bearing, method, states, loaded, shape)
+
+
+def adjusted(
+    bearing: RollerBearing | Paired, method: Method = "strips", laminae: int = LAMINAE
+) -> RollerBearing | Paired:
+    """Return two rows with the clearance between them that gives their preload; others as they are.
+
+    Raises
+    ------
+    InputError
+        If the preload is more than the rows bear.
+    ConvergenceError
+        If no such clearance is found.
+    """
+    if not isinstance(bearing, Paired) or bearing.preload is None:
+        return bearing
+    row, preload = bearing.bearings[0], bearing.preload
+
+    def pressed(clearance: float) -> BearingSolution:
+        """Return one of the rows, held in the middle between both: the other is its mirror image."""
+        half = Paired(bearings=(row,), x=(0.0,), turned=(False,), clearance=clearance)
+        return solve(half, axial_displacement=0.0, method=method, laminae=laminae)
+
+    with without_accuracy_warnings():
+        try:
+            # Alone a row moves by half of the clearance; ribs and different angles at both rings leave a little.
+            between = -2.0 * float(solve(row, axial=preload, method=method, laminae=laminae).displacement[0])
+            for _ in range(_MOST_ADJUSTMENTS):
+                solution = pressed(between)
+                missing = preload - float(solution.force[0])
+                if abs(missing) <= _PRELOAD_WITHIN * preload:
+                    return replace(bearing, clearance=between, preload=None)
+                between -= 2.0 * missing / float(solution.stiffness[0, 0])
+        except InputError as error:
+            raise InputError("pair.preload", preload, "be borne by the rows", str(error)) from None
+    raise ConvergenceError(f"No clearance was found that gives the rows a preload of {newton(preload):.4g}.", None)
 
 
 def _checked(

@@ -6,7 +6,7 @@ second row like the first within it.
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -113,7 +113,8 @@ class BearingFile(Input):
     def _check_fit(self) -> None:
         if self.fit is not None:
             try:
-                self.fit.mounted(self.bearing, self.load.speed)
+                rows = self.bearing
+                self.fit.mounted(replace(rows, preload=None) if isinstance(rows, Paired) else rows, self.load.speed)
             except InputError as error:
                 raise of_fit(error) from None
 
@@ -197,7 +198,7 @@ class _FileReading(Reading):
             raise InputsError(mistakes) from None
         if mistakes:
             raise InputsError(mistakes)
-        return made if pair is None else paired(made, pair.arrangement, pair.distance, clearance=pair.clearance)
+        return made if pair is None else paired(made, **pair.keywords)
 
 
 def _refuse_oil(life: dict[str, Any]) -> None:

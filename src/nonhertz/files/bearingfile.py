@@ -155,7 +155,7 @@ class BearingCase(HeldCase):
         except InputError as error:
             raise placed(error, "fit", document=self.document) from None
 
-    @property
+    @cached_property
     def mounted(self) -> RollerBearing | Paired:
         """The bearing with the clearance that it is solved with.
 
@@ -163,11 +163,15 @@ class BearingCase(HeldCase):
         ------
         CaseError
             As `nonhertz.bearing.Mounting.operating` does, or if what is left is no clearance that a bearing can have.
+        ConvergenceError
+            If rows do not bear their preload.
         """
+        from nonhertz.bearing.verb import adjusted
+
         if self.fit is None:
-            return self.bearing
+            return adjusted(self.bearing, **self.solver.keywords)
         try:
-            return self.fit.mounted(self.bearing, self._inner_speed)
+            return self.fit.mounted(self.bearing, self._inner_speed, method=self.solver.method)
         except InputError as error:
             raise placed(error, "fit", document=self.document) from None
 

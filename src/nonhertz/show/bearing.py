@@ -69,6 +69,7 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     speed = case.prescribed.speed
     return [
         *_bearing_rows(solution.bearing, fitted=case.fit is not None),
+        *_preload_rows(case.bearing),
         *_fit_rows(case),
         *_load_rows(solution),
         *([("speed", f"{given(float(speed))} 1/min", "")] if speed else []),
@@ -268,6 +269,13 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
     if isinstance(bearing, Paired):
         found.append(("clearance of the rows", f"{um(bearing.clearance):g}", "axial"))
     return found
+
+
+def _preload_rows(bearing: RollerBearing | Paired) -> list[Row]:
+    """Return the preload that the clearance of rows comes from."""
+    if not isinstance(bearing, Paired) or bearing.preload is None:
+        return []
+    return [("preload", f"{newton(bearing.preload):g}", "axial, of the rows as they are mounted, without load")]
 
 
 def _fit_rows(case: BearingCase) -> list[Row]:
