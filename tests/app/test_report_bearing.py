@@ -285,3 +285,12 @@ def test_several_bearings_are_compared_with_the_first():
     for k, ring in enumerate(("inner", "outer")):
         shown = [float(cell.text) for cell in rows[f"maximum pressure at the {ring} ring [MPa]"]]
         assert shown == pytest.approx([each.solution.max_pressure[:, k].max() for each in found], rel=1e-4)
+
+
+def test_classes_in_place_of_numbers_are_among_the_inputs():
+    classes = changed(PLAIN, ('kind = "cylindrical"', 'kind = "cylindrical"\nbore = 30\noutside_diameter = 62'))
+    case = case_of(classes + '[fit]\nshaft = "k5"\nhousing = { fit = "J7", temperature = 40 }\n')
+    entries = {entry.place: entry for group in inputs(case) for entry in group.entries}
+    assert (entries["fit.shaft.fit"].shown, entries["fit.shaft.fit"].written) == ("k5", "")
+    assert entries["fit.housing.fit"].shown == "J7"
+    assert entries["fit.housing.temperature"].shown.startswith("40")

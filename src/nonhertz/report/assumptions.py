@@ -40,6 +40,7 @@ NO_ERROR = 1e-12  # relative: rounding
 MOST_TILT = NOTABLE
 COUNTS = 0.1  # of the largest load: of contacts that bear less the errors are relative to little
 NO_INPUT = "not an input"
+_NO_TILT = 1e-12  # rad: rounding
 _PARTS = {"Body a is thick": "Rollers are thick", "Body b is thick": "Rings are thick"}
 
 
@@ -293,7 +294,8 @@ def _whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
     if solution.bearing.rows[0].bearing.roller.behind.shown != "finite":
         return
     j = most_loaded(solution)
-    loads, tilts = newton(*solution.load[j], between=" and "), mrad(*solution.tilt[j], between=" and ")
+    tilt = np.where(np.abs(solution.tilt[j]) > _NO_TILT, solution.tilt[j], 0.0)
+    loads, tilts = newton(*solution.load[j], between=" and "), mrad(*tilt, between=" and ")
     number = f"{loads:4}, tilted by {tilts:4}, at inner and outer ring"
     remark = "The whole roller is elastic. Where its contacts differ, the odd part of its deformation is neglected."
     yield Assumption("Rollers are pressed alike from both sides", "same load and tilt", number, remark=remark)

@@ -161,7 +161,9 @@ def _entries(
     for name, key in table.of_kind(made.get("kind")).keys.items():
         value = said.get(name, made.get(name, own.get(name, key.usual)))
         if name in _WITHIN and name in own:
-            yield from _entries(f"{place}.{name}", key.tables[0], own[name], made[name], {})
+            # One word may stand for the table, as a class for a seat.
+            table_given = own[name] if isinstance(own[name], Mapping) else made[name]
+            yield from _entries(f"{place}.{name}", key.tables[0], table_given, made[name], {})
         elif name == "profile" or name in _WITHIN or (place.startswith(_AS_GIVEN) and not {name} & {*own, *said}):
             continue
         elif isinstance(value, list) and key.several:
@@ -177,7 +179,7 @@ def _entry(place: str, value: Any, key: Key, own: Mapping[str, Any], more: str =
     written = str(own.get(name)) if isinstance(own.get(name), str) and re.search(r"\d", own[name]) else ""
     text, unit = _with_unit(value, key, small=name in MICROMETRES or "um" in written)
     # What a file says, unless that is what is shown.
-    unlike = "" if written.replace("um", "µm") == f"{text} {unit}" else written
+    unlike = "" if f"{text} {unit}".startswith(written.replace("um", "µm")) else written
     return Entry(place, text, unit, _meaning_of(key) + more, name not in own and not more, unlike)
 
 

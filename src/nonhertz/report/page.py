@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from nonhertz.amounts import read_in
 from nonhertz.errors import InputError, joined
@@ -14,7 +15,7 @@ from nonhertz.files.profiles import profile_tables
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.plot import measured_figure
 from nonhertz.report import figures
-from nonhertz.report.assumptions import NO_INPUT, assumptions
+from nonhertz.report.assumptions import NO_INPUT, Assumption, Verdict, assumptions
 from nonhertz.report.differences import conclusion, differing_inputs, results, verdicts
 from nonhertz.report.downloads import downloads
 from nonhertz.report.inputs import Entry, InputGroup, in_words, inputs
@@ -140,25 +141,39 @@ def _shown(found: Results) -> list[Section]:
 def _given(found: Results, words: Words) -> list[Section]:
     """Return what results rest on: inputs, assumptions, method, references and files."""
     every = assumptions(found)
-    rows = [
-        row
-        for each in every
-        if each.number != NO_INPUT
-        for row in ((each.name, each.criterion, each.number, each.verdict.value), (Cell("", each.remark),))
-        if any(map(any, row))
-    ]
-    judged = Table(rows, ("Assumption", "Holds where", f"This {words.one}", "Verdict"), layout="assumptions")
     beyond = [f"{each.name}: {each.criterion}. {each.remark}".strip() for each in every if each.number == NO_INPUT]
+    judged = [each for each in every if each.number != NO_INPUT]
+    holding = [each for each in judged if each.verdict is Verdict.HOLDS]
+    others = _judged([each for each in judged if each not in holding], words)
+    names = "; ".join(each.name for each in holding)
+    held = [
+        Said([f"These hold: {names[:1].lower()}{names[1:]}."] if holding else []),
+        replace(_judged(holding, words), folded="What these are, and the numbers"),
+    ]
     paragraphs, references = method(found)
     derived = Table(geometry(found), layout="inputs follows", title="Derived quantities")
     return [
         Section("Inputs", [*(table for group in inputs(found.case) for table in _tables(group)), derived]),
         *_measured(found.case),
-        Section("Assumptions and whether they hold", [judged, Said(["No input shows whether these hold.", *beyond])]),
+        Section(
+            "Assumptions and whether they hold",
+            [others, *held, Said(["No input shows whether these hold.", *beyond])],
+        ),
         Section("Method", [Said(paragraphs, "paragraphs")]),
         Section("References", [Said(references, "references")]),
         Section("Files", [Files(found.case, downloads(found))]),
     ]
+
+
+def _judged(found: Sequence[Assumption], words: Words) -> Table:
+    """Return assumptions with their criteria, numbers and verdicts, each with its remark below."""
+    rows = [
+        row
+        for each in found
+        for row in ((each.name, each.criterion, each.number, each.verdict.value), (Cell("", each.remark),))
+        if any(map(any, row))
+    ]
+    return Table(rows, ("Assumption", "Holds where", f"This {words.one}", "Verdict"), layout="assumptions")
 
 
 def _tables(group: InputGroup) -> Iterator[Table]:
