@@ -31,7 +31,7 @@ from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.assumed import Assumed
-from nonhertz.inputs.checks import finite, not_negative, number_that, positive
+from nonhertz.inputs.checks import finite, not_negative, number_that, one_of, positive
 from nonhertz.inputs.fields import Input, Part, Quantity, Word, described, together
 from nonhertz.model.material import STEEL, Material
 from nonhertz.model.materials import STEEL_DENSITY, NamedMaterial, density_of
@@ -477,6 +477,7 @@ class Mounting(Input):
         InputError
             As `operating`, or if what is left is not a clearance that a bearing can have.
         """
+        one_of("method", method, ("strips", "slices"), "name one of both")
         if isinstance(bearing, Paired):
             if bearing.preload is not None:
                 from nonhertz.bearing.verb import adjusted
