@@ -155,7 +155,7 @@ def test_a_map_has_the_pressure_of_every_roller_and_is_pale_without_load():
     loaded = nh.bearing.solve(
         nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184), radial=5e3
     )
-    (figure,) = bearing.pressure_maps(loaded, points=21)
+    figure = bearing.pressure_maps(loaded, points=21)
     assert [panel.name for panel in figure.panels] == ["map-inner", "map-outer"]
     for panel, ring in zip(figure.panels, ("inner", "outer"), strict=True):
         (cells,) = (mark for mark in panel.marks if isinstance(mark, Cells))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,14 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm, mpa
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, UnrolledPressure
+from nonhertz.figures.displacement import displacement_against_load
+from nonhertz.figures.forces import conditions, directions
+from nonhertz.figures.loads import roller_loads
+from nonhertz.figures.roller import roller_lines
 from nonhertz.figures.value import Across, Axis, Cells, Figure, Panel, Points, Span
+
+if TYPE_CHECKING:
+    from nonhertz.bearing import BearingMaps
 
 Array = NDArray[np.float64]
 
@@ -20,8 +28,18 @@ ON_A_GRID = 1.01
 """Over the largest pressure: interpolation on another grid than that of the strips is not beyond it, a sharp end is."""
 
 
-def pressure_maps(solution: BearingSolution, points: int = 401) -> list[Figure]:
-    """Return the pressure of all rollers at both rings, which `nonhertz.plot.bearing_pressure` draws, of every row.
+def figures_of(solution: BearingSolution, maps: BearingMaps | None = None) -> dict[str, Figure]:
+    """Return all figures of a loaded bearing by the names of their files; those that `bearing_figures` has."""
+    found = {"loads": roller_loads(solution)}
+    if solution.method == "strips" and solution.load.any():
+        found |= {"pressure": pressure_maps(solution), "roller": roller_lines(solution)}
+    if directions(solution):
+        found["displacement"] = displacement_against_load(solution, maps)
+    return found
+
+
+def pressure_maps(solution: BearingSolution, points: int = 401) -> Figure:
+    """Return the pressure of all rollers, a panel for each row and ring, which `nonhertz.plot.bearing_pressure` draws.
 
     Parameters
     ----------
@@ -48,7 +66,9 @@ def pressure_maps(solution: BearingSolution, points: int = 401) -> list[Figure]:
     rows = [[_unrolled(solution, ring, row, points) for ring in RINGS] for row in range(len(solution.bearing.rows))]
     largest = max(float(unrolled.pressure.max()) for both in rows for unrolled in both)
     colours = Axis("Centre-line pressure p₀", "p₀", "MPa", range=(0.0, limit), cut=largest > ON_A_GRID * limit)
-    return [Figure(turn, [_panel(solution, unrolled, middle, colours) for unrolled in both]) for both in rows]
+    panels = [_panel(solution, unrolled, middle, colours) for both in rows for unrolled in both]
+    caption = "Pressure of all rollers on the centre lines of their contacts, over the angle and along the roller."
+    return Figure(turn, panels, conditions(solution), caption)
 
 
 def _unrolled(solution: BearingSolution, ring: str, row: int, points: int) -> UnrolledPressure:
@@ -90,7 +110,7 @@ def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float,
         ],
         f"{heading}, of all rollers over angle and y: {words}.",
         words,
-        110,
+        118,
         colours=colours,
     )
 

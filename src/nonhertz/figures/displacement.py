@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nonhertz import bearing
 from nonhertz.amounts import um
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
+from nonhertz.figures.forces import NO_FORCE, conditions, directions
 from nonhertz.figures.value import Axis, Figure, Line, Mark, Panel, Points
 
 if TYPE_CHECKING:
@@ -21,7 +22,6 @@ Array = NDArray[np.float64]
 # Multiples of the load: close together where clearance makes the curve steep.
 MULTIPLES = 1.5 * (np.arange(1, 7) / 6.0) ** 2
 POINTS = 201
-NO_FORCE = 1e-9  # of the sum of the rollers' loads
 NO_TILT = 1e-12  # rad
 TANGENT = 0.5  # of the load, to both sides
 ROOM = 1.08  # upper end of the axis over the largest displacement
@@ -68,22 +68,11 @@ def displacement_against_load(solution: BearingSolution, maps: BearingMaps | Non
         Axis("Displacement of the inner ring", "displacement", "mm", "um", (ROOM * lowest, ROOM * highest)),
         marks,
         f"Displacement of the inner ring under up to 1.5 times the load: {' and '.join(words)} under the load itself.",
+        height=260,
     )
     along = Axis("Force on the inner ring", "force", "N", range=(0.0, 1.04 * float(MULTIPLES[-1]) * load))
-    return Figure(along, (panel,))
-
-
-def directions(solution: BearingSolution) -> dict[str, Array]:
-    """Return the unit vectors of the radial and of the axial force on the ring, of those that act."""
-    force = solution.force[:3]
-    least = NO_FORCE * float(solution.load.sum())
-    found = {}
-    radial = math.hypot(force[1], force[2])
-    if radial > least:
-        found["radial"] = np.array([0.0, force[1] / radial, force[2] / radial])
-    if abs(force[0]) > least:
-        found["axial"] = np.array([math.copysign(1.0, force[0]), 0.0, 0.0])
-    return found
+    caption = "Displacement of the inner ring along the force under up to 1.5 times the load."
+    return Figure(along, (panel,), conditions(solution), caption)
 
 
 def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, Array]:

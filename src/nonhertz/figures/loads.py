@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import newton
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.figures.forces import NO_FORCE, conditions
 from nonhertz.figures.value import Arrow, Axis, Bars, Colour, Dash, Figure, Mark, Panel, Points, Words
 
 Array = NDArray[np.float64]
@@ -19,25 +20,19 @@ TOPS = {1.0: 0.2, 1.5: 0.5, 2.0: 0.5, 3.0: 1.0, 4.0: 1.0, 5.0: 1.0, 6.0: 2.0, 8.
 """Round numbers up to which loads are drawn, the same over much of a drag so that bars grow; and between rings."""
 RINGS: tuple[tuple[str, Colour, Dash], ...] = (("inner", "first", "solid"), ("outer", "second", "dashed"))
 SPOKES = 8
-NO_FORCE = 1e-9  # of the sum of all loads
 SLIGHT = 1e-3  # of the largest load, below which loads of neighbours do not decide where numbers are written
 
 
-def roller_loads(solution: BearingSolution, row: int = 0) -> Figure:
-    """Return the loads of a row's rollers at both rings, around the axis, as `nonhertz.plot.bearing_loads` draws them.
+def roller_loads(solution: BearingSolution) -> Figure:
+    """Return the loads of all rollers at both rings, a round panel for each row, to the same scale."""
+    spokes = [(2.0 * math.pi * k / SPOKES, f"{360 * k // SPOKES}°") for k in range(SPOKES)]
+    spokes[0], spokes[SPOKES // 4] = (0.0, "0° (+y)"), (0.5 * math.pi, "90° (+z)")
+    along = Axis("Angle of the roller, from +y towards +z", "angle", "rad", ticks=tuple(spokes))
+    panels = [_panel(solution, row) for row in range(len(solution.bearing.rows))]
+    return Figure(along, panels, conditions(solution), "Loads of all rollers around the bearing's axis.")
 
-    Parameters
-    ----------
-    solution : BearingSolution
-        A loaded bearing.
-    row : int
-        Which row of rollers, from 0.
 
-    Raises
-    ------
-    InputError
-        If there is no such row.
-    """
+def _panel(solution: BearingSolution, row: int) -> Panel:
     these = solution.rollers_of(row)
     angle, load = solution.angle[these], solution.load[these]
     largest = float(solution.load.max()) or 1.0
@@ -67,9 +62,7 @@ def roller_loads(solution: BearingSolution, row: int = 0) -> Figure:
         most = int(load.max(axis=1).argmax())
         words += f"; largest {newton(float(load[most].max())):.4g} at {math.degrees(angle[most]):.4g}°"
     circles = tuple((ring, "") for ring in rings.tolist())
-    spokes = [(2.0 * math.pi * k / SPOKES, f"{360 * k // SPOKES}°") for k in range(SPOKES)]
-    spokes[0], spokes[SPOKES // 4] = (0.0, "0° (+y)"), (0.5 * math.pi, "90° (+z)")
-    panel = Panel(
+    return Panel(
         f"loads{row + 1}",
         f"Loads of all rollers{several}",
         Axis("Load", "load", "N", range=(0.0, top * power / factor), ticks=circles),
@@ -78,7 +71,6 @@ def roller_loads(solution: BearingSolution, row: int = 0) -> Figure:
         words,
         round=True,
     )
-    return Figure(Axis("Angle of the roller, from +y towards +z", "angle", "rad", ticks=tuple(spokes)), (panel,))
 
 
 def _emptiest(angle: Array, load: Array) -> float:

@@ -14,6 +14,7 @@ from nonhertz.amounts import mm, mpa, mrad, newton, per_mm, um
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.bearing.standard import LAMINAE
+from nonhertz.figures.forces import conditions
 from nonhertz.figures.value import Across, Axis, Bar, Figure, Level, Line, Mark, Panel, Points, Range, Words
 from nonhertz.result.along import contact_lines, land_end_peaks
 from nonhertz.result.maximum import places_of_largest
@@ -80,7 +81,8 @@ def roller_lines(solution: BearingSolution, roller: int | None = None, laminae: 
     reach = half * (1.0 + 2.0 * MARGIN)
     what = place[0].upper() + place[1:] + (", the most loaded" if number == most and loaded else "")
     along = Axis("Axial position y", "y", "mm", range=(-reach, reach))
-    return Figure(along, panels, what, f"{what}: what it bears along its length, and its relief with each ring.")
+    caption = f"{what}: what it bears along its length on both rings, and the relief that it starts from."
+    return Figure(along, panels, f"{what}; {conditions(solution)}", caption)
 
 
 def _loaded(solution: BearingSolution, roller: int, ring: str, laminae: int) -> _Loaded | None:

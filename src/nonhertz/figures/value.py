@@ -278,7 +278,7 @@ class Figure:
     panels : sequence of Panel
         From the top.
     conditions : str
-        What was solved.
+        What was solved, in parts with a semicolon between.
     caption : str
         What is shown, in a sentence to stand under it.
     """

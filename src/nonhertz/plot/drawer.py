@@ -37,6 +37,7 @@ from nonhertz.plot.axes import ROUND, Array, Axes, key_above, note
 from nonhertz.plot.axes import Figure as Sheet
 from nonhertz.plot.axial import LETTER, alignment, number
 from nonhertz.plot.contours import draw_contours, label_contours
+from nonhertz.plot.round import round_sheet
 from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, LEFT, MARGIN, WIDTH, bar_beside, stacked, stretch_of
 from nonhertz.plot.style import COLOURS
 
@@ -53,25 +54,50 @@ TITLE_ABOVE, ROW_OF_KEY, SAMPLE = 7.0, 11.5, 7  # points above a legend, and of 
 DOTS: Final = 100.0  # of a screen, in an inch
 ACROSS: Final = 65  # points across an area: equally spaced in the angle whose sine is the share of the way to its edge
 HEAD: Final = 0.36  # inch, above each panel, for its legend
+LETTERS: Final = 96  # of the conditions, that fit in a line
 APART: Final = 1.7  # by which a second panel on the same axes is drawn lower
 ARROW: Final[dict[str, Any]] = {"arrowstyle": "<->,head_length=0.25,head_width=0.12", "shrinkA": 0.0, "shrinkB": 0.0}
 OVER_LINES: Final[dict[str, Any]] = {"va": "bottom", "color": style.INK, "bbox": style.BACKING}
 """Of words above a point, on a background that hides thin lines."""
 
 
-def sheet_of(figure: Figure, title: str = "", conditions: Sequence[str] = ()) -> Sheet:
-    """Return a sheet with the panels of a figure one below the other, and what was solved, below further conditions."""
-    if figure.panels[0].proportional:
+def sheet_of(figure: Figure, title: str = "") -> Sheet:
+    """Return a sheet with the panels of a figure, round ones side by side, all others one below the other."""
+    first = figure.panels[0]
+    if first.round:
+        return round_sheet(figure, title, _lines(figure.conditions))
+    if first.proportional:
         return _proportional_sheet(figure, title)
-    heights = [panel.height / DOTS for panel in figure.panels]
     words = "; ".join([figure.conditions, *(panel.remark for panel in figure.panels if panel.remark)])
-    sheet, axes = stacked(
-        [HEAD] * len(heights), heights, title, [*conditions, typeset(words)], words=MARGIN if conditions else LEFT
-    )
+    heights = [panel.height / DOTS for panel in figure.panels]
+    if first.colours:
+        sheet, axes = stacked([HEAD] * len(heights), heights, title, _lines(figure.conditions), right=BAR_ROOM)
+        draw_colour_bar(first, axes[-1], cax=bar_beside(*axes, most=2.0 * heights[0] + HEAD))
+    else:
+        rows = [max(map(len, _columns_of_key([panel], WIDTH - LEFT - MARGIN)), default=1) for panel in figure.panels]
+        sheet, axes = stacked([HEAD + ROW_OF_KEY / 72.0 * (row - 1) for row in rows], heights, title, _lines(words))
     for ax, panel in zip(axes, figure.panels, strict=True):
         draw_panel(panel, figure, ax, last=ax is axes[-1])
+        if panel.colours:
+            entitle(panel, ax)
         draw_key([panel], ax)
     return sheet
+
+
+def entitle(panel: Panel, ax: Axes) -> None:
+    """Write the heading of a panel to the left and its remark to the right above it."""
+    ax.set_title(panel.heading, loc="left", fontsize=style.SMALL_SIZE, pad=3.0)
+    ax.set_title(typeset(panel.remark), loc="right", fontsize=style.SMALL_SIZE, pad=3.0)
+
+
+def _lines(words: str) -> list[str]:
+    """Return parts of words in lines that are not too long, none of which begins within a part."""
+    first, *parts = typeset(words).split("; ")
+    lines = [first]
+    for part in parts:
+        joined = f"{lines[-1]}; {part}"
+        lines[-1:] = [joined] if len(joined) <= LETTERS else [lines[-1], part]
+    return lines
 
 
 def _proportional_sheet(figure: Figure, title: str) -> Sheet:
@@ -96,7 +122,7 @@ def _proportional_sheet(figure: Figure, title: str) -> Sheet:
     rows = max(map(len, _columns_of_key([panel], width)), default=0)
     heads = HEADS[: len(heights)] if area else [(TITLE_ABOVE + ROW_OF_KEY * (rows + 1.5)) / 72.0]
     right = WIDTH - LEFT - width
-    sheet, several = stacked(heads, [*heights.values()], title, [typeset(figure.conditions)], right=right)
+    sheet, several = stacked(heads, [*heights.values()], title, _lines(figure.conditions), right=right)
     for ax, times in zip(several, heights, strict=True):
         draw_panel(panel, figure, ax, last=ax is several[-1], stretch=times)
         draw_key([panel], ax)

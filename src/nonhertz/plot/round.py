@@ -3,25 +3,50 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.figures.value import Arrow, Bars, Figure, Points, Words
+from nonhertz.figures.value import Arrow, Bars, Figure, Panel, Points, Words
+from nonhertz.plot.axes import Artist
+from nonhertz.plot.axes import Figure as Sheet
+from nonhertz.plot.sheets import WIDTH, sheet
+from nonhertz.plot.sheets import panel as axes_at
 from nonhertz.plot.style import BACKING, COLOURS, FAINT_INK, HAIR, INK, LINE, SMALL_SIZE, THIN
 
 if TYPE_CHECKING:
     from matplotlib.projections.polar import PolarAxes
 
+# Inches: a picture alone and several side by side, what is written around it, and the legend below.
+ALONE, BESIDE, AROUND, HEAD, KEY = 3.9, 2.5, 0.3, 0.4, 0.3
+PER_LINE = 2
 HOLE = 0.75  # radius of the circle from which bars rise, over the largest that is drawn
 LARGEST_MARK, MARK_SHARE = 6.0, 0.7  # of points: the largest [point], and their share of the pitch
 ARROW_SHARE = 0.72  # of the circle's radius
 WORDS: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": SMALL_SIZE}
 
 
-def draw_round(figure: Figure, ax: PolarAxes) -> PolarAxes:
-    """Draw the only panel of a figure, which is round, on polar axes."""
-    (panel,) = figure.panels
+def round_sheet(figure: Figure, title: str, conditions: Sequence[str]) -> Sheet:
+    """Return a sheet with the round panels of a figure side by side, and one legend below them."""
+    count = len(figure.panels)
+    size, across = (ALONE, 1) if count == 1 else (BESIDE, PER_LINE)
+    block, lines = HEAD + size + 2.0 * AROUND, math.ceil(count / across)
+    bottom = lines * block + KEY
+    drawn, entries = sheet(bottom, title, conditions), dict[str, Artist]()
+    for number, each in enumerate(figure.panels):
+        line, column = divmod(number, across)
+        left = WIDTH * (column + 0.5) / across - 0.5 * size
+        ax: Any = axes_at(drawn, left, bottom - line * block - HEAD - AROUND - size, size, size, "polar")
+        draw_round(each, figure, ax)
+        entries |= dict(zip(*reversed(ax.get_legend_handles_labels()), strict=True))
+    below: dict[str, Any] = {"loc": "lower center", "ncols": len(entries), "frameon": False, "fontsize": SMALL_SIZE}
+    drawn.legend([*entries.values()], [*entries], **below)
+    return drawn
+
+
+def draw_round(panel: Panel, figure: Figure, ax: PolarAxes) -> PolarAxes:
+    """Draw a round panel of a figure on polar axes."""
     assert panel.upright.range is not None
     factor = panel.upright.scale[0]
     top = factor * panel.upright.range[1]

@@ -16,8 +16,8 @@ from nonhertz.plot.style import SIZE, TITLE_SIZE, sheet_style
 # All lengths in inches; the width is that of a journal page, 170 mm.
 WIDTH = 6.7
 LEFT, BOTTOM, MARGIN = 0.75, 0.55, 0.15
-# Above: a line of the title, the first line of conditions and each further one, and the letters that fit in a line.
-TITLE, CONDITIONS, LINE, TITLE_LETTERS = 0.22, 0.24, 0.14, 78
+# Above: a line of the title, the first line of conditions and each further one; letters of a line as wide as the page.
+TITLE, CONDITIONS, LINE, TITLE_LETTERS = 0.22, 0.24, 0.14, 80
 HIGHEST_PANEL, HIGHEST_STRETCHED = 3.2, 1.9
 BAR, BAR_GAP, BAR_ROOM = 0.11, 0.12, 0.95
 
@@ -73,7 +73,7 @@ def sheet(height: float, title: str = "", conditions: Sequence[str] = (), left: 
     """Return a sheet of page width with room of a height [inch], above which are a title and lines of conditions."""
     from matplotlib.figure import Figure
 
-    titles = textwrap.wrap(title, TITLE_LETTERS)
+    titles = textwrap.wrap(title, round(TITLE_LETTERS * (WIDTH - left) / WIDTH))
     head = TITLE * len(titles) + (CONDITIONS + LINE * (len(conditions) - 1) if conditions else 0.0)
     whole = height + head
     figure = Figure(figsize=(WIDTH, whole))
@@ -97,14 +97,13 @@ def stacked(
     left: float = LEFT,
     right: float = MARGIN,
     bottom: float = BOTTOM,
-    words: float = LEFT,
 ) -> tuple[Figure, list[Axes]]:
     """Return a sheet of panels one below the other, all lengths in inches, and the panels.
 
-    Above each is the room of its head, below all of them the bottom; title and conditions begin at ``words``.
+    Above each is the room of its head, below all of them the bottom; title and conditions begin where the panels do.
     """
     at = sum(heads) + sum(heights) + bottom
-    figure, panels = sheet(at, title, conditions, words), []
+    figure, panels = sheet(at, title, conditions, left), []
     for head, height in zip(heads, heights, strict=True):
         at -= head + height
         panels.append(panel(figure, left, at, WIDTH - left - right, height))

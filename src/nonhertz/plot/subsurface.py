@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from nonhertz.figures.stress import across_contact, along_contact, extremes_by_name
+from nonhertz.figures.value import Figure as Values
 from nonhertz.plot.axes import OWN, Axes, Figure, drawing
 from nonhertz.plot.drawer import draw_proportional, sheet_of
 from nonhertz.plot.style import sheet_style
@@ -138,9 +139,18 @@ def stress_figures(
     dict of str to matplotlib.figure.Figure
         Keys ``"axial-plane"`` and ``"cross-section"``; `save` writes them.
     """
+    drawn = stress_planes_drawn(solution, overall, section, planes)
+    with sheet_style():
+        return {name: sheet_of(figure, title) for name, figure in drawn.items()}
+
+
+def stress_planes_drawn(
+    solution: Solution, overall: Extremes, section: Extremes, planes: Mapping[str, Field] | None = None
+) -> dict[str, Values]:
+    """Return what `stress_figures` draws."""
     planes = stress_planes(solution, section) if planes is None else planes
     along, across = planes["axial-plane"], planes["cross-section"]
-    axial = along_contact(solution, along, extremes_by_name(overall), section.von_mises.y)
-    cross = across_contact(solution, across, extremes_by_name(section))
-    with sheet_style():
-        return {"axial-plane": sheet_of(axial, title), "cross-section": sheet_of(cross, title)}
+    return {
+        "axial-plane": along_contact(solution, along, extremes_by_name(overall), section.von_mises.y),
+        "cross-section": across_contact(solution, across, extremes_by_name(section)),
+    }

@@ -2,54 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from nonhertz.amounts import mm, mpa
-from nonhertz.figures.contact import figures_of
-from nonhertz.plot import dent_figure, figures, life_figure, stress_figures
+from nonhertz.figures import bearing, contact
+from nonhertz.figures.value import Figure
+from nonhertz.plot import dent_figure, life_figure
+from nonhertz.plot.drawer import sheet_of
 from nonhertz.plot.overlay import all_pressed, compared_bearings, compared_contacts
+from nonhertz.plot.style import sheet_style
+from nonhertz.plot.subsurface import stress_planes_drawn
 from nonhertz.report.results import BearingResults, CaseResults, Results
-from nonhertz.show.sections import Picture, Row
-
-_OF_BEARING = {
-    "loads": "Loads of all rollers around the bearing's axis.",
-    "pressure": "Pressure of all rollers on the centre lines of their contacts, over the angle and along the roller.",
-    "roller": "The most loaded roller: pressure on both rings, and the relief that it starts from.",
-    "displacement": "Displacement of the inner ring along the force under up to 1.5 times the load.",
-}
+from nonhertz.show.sections import Picture
 
 
-def belonging(found: Results, numbers: Iterable[Row]) -> dict[str, list[Picture]]:
-    """Return the figures of a result by the title of their section, empty for the one before all.
-
-    The numbers that are looked for first describe them.
-    """
-    words = f"{found.case.title}: {'; '.join(' '.join(filter(None, row)) for row in numbers)}"
-    finished = {} if found.solution is None else figures(found.solution)
+def belonging(found: Results) -> dict[str, list[Picture]]:
+    """Return the figures of a result by the title of their section, empty for the one before all."""
     if isinstance(found, CaseResults):
-        values = figures_of(found.solution)
-        drawn = [Picture(finished[name], figure.caption, figure.description) for name, figure in values.items()]
-        more = {"Stress below the surface": [*_of_stress(found)], "Life": [*_of_lives(found)]}
+        values = contact.figures_of(found.solution)
+        planes = stress_planes_drawn(found.solution, *found.stress) if found.stress else {}
+        more = {"Stress below the surface": _drawn(planes), "Life": [*_of_lives(found)]}
     else:
-        drawn = [Picture(figure, _OF_BEARING[name], words) for name, figure in finished.items()]
-        more = {}
+        values, more = {} if found.solution is None else bearing.figures_of(found.solution), {}
+    drawn = _drawn(values)
     return {"": drawn[:1], "Results": drawn[1:]} | more
 
 
-def _of_stress(found: CaseResults) -> Iterator[Picture]:
-    """Yield both planes below the surface; none if stress was not requested."""
-    if found.stress is None:
-        return
-    overall, section = found.stress
-    captions = {
-        "axial-plane": f"Von Mises stress in body {overall.body} below the centre line, along the contact.",
-        "cross-section": f"Von Mises stress in the cross-section at y = {mm(section.von_mises.y):.4g}, in true "
-        "proportions.",
-    }
-    largest = overall.von_mises
-    at = f"{largest.site}x = {mm(largest.x):.3g}, y = {mm(largest.y):.3g}, z = {mm(largest.z):.3g}"
-    for name, figure in stress_figures(found.solution, overall, section).items():
-        yield Picture(figure, captions[name], f"The largest is {mpa(largest.max):.5g} {at}.")
+def _drawn(values: Mapping[str, Figure]) -> list[Picture]:
+    """Draw figures, each with what it says of itself."""
+    with sheet_style():
+        return [Picture(sheet_of(figure), figure.caption, figure.description) for figure in values.values()]
 
 
 def _of_lives(found: CaseResults) -> Iterator[Picture]:

@@ -110,7 +110,7 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
         only = found[0]
         shown = _shown(only)
         numbers = first_numbers(only, rows_of_summaries(shown))
-        drawn = figures.belonging(only, numbers)
+        drawn = figures.belonging(only)
         first = Section("", drawn.pop(""))
         with_figures = [Section(title, [*blocks, *drawn.get(title, [])]) for title, blocks in shown]
         part = Part(only, [first, *with_figures, *_given(only, words)], numbers=numbers)

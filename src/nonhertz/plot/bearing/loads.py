@@ -44,4 +44,6 @@ def bearing_loads(solution: BearingSolution, ax: PolarAxes = OWN, *, row: int = 
     """
     if getattr(ax, "name", None) != "polar":
         raise InputError("ax", ax, "be polar axes", 'make them with projection="polar"')
-    return draw_round(roller_loads(solution, row), ax)
+    solution.rollers_of(row)  # refuses a row that is not there
+    figure = roller_loads(solution)
+    return draw_round(figure.panels[row], figure, ax)

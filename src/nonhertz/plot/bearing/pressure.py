@@ -5,11 +5,9 @@ from __future__ import annotations
 from nonhertz.bearing import BearingSolution
 from nonhertz.bearing.section import RINGS
 from nonhertz.figures.bearing import pressure_maps
-from nonhertz.figures.value import Figure, Panel
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import OWN, Axes, drawing
-from nonhertz.plot.drawer import draw_colour_bar, draw_panel, typeset
-from nonhertz.plot.style import SMALL_SIZE
+from nonhertz.plot.drawer import draw_colour_bar, draw_panel, entitle
 
 
 @drawing
@@ -40,16 +38,10 @@ def bearing_pressure(
     """
     one_of("ring", ring, RINGS, "name one of both")
     solution.rollers_of(row)  # refuses a row that is not there
-    figure = pressure_maps(solution)[row]
-    panel = figure.panels[RINGS.index(ring)]
-    draw_titled(panel, figure, ax)
+    figure = pressure_maps(solution)
+    panel = figure.panels[len(RINGS) * row + RINGS.index(ring)]
+    draw_panel(panel, figure, ax)
+    entitle(panel, ax)
     if colour_bar:
         draw_colour_bar(panel, ax, ax=ax)
     return ax
-
-
-def draw_titled(panel: Panel, figure: Figure, ax: Axes, *, last: bool = True) -> None:
-    """Draw a row of rollers with its heading to the left and the largest pressure to the right above it."""
-    draw_panel(panel, figure, ax, last=last)
-    ax.set_title(panel.heading, loc="left", fontsize=SMALL_SIZE, pad=3.0)
-    ax.set_title(typeset(panel.remark), loc="right", fontsize=SMALL_SIZE, pad=3.0)

@@ -12,17 +12,13 @@ from nonhertz.plot.axes import OWN, Axes, drawing
 from nonhertz.plot.drawer import draw_on
 
 
-def loaded_roller(solution: BearingSolution) -> Figure:
-    """Return the figure of the most loaded roller.
-
-    Raises
-    ------
-    InputError
-        If no roller is loaded, or the bearing was solved by slices.
-    """
+def _panel(solution: BearingSolution, name: str) -> Figure:
+    """Return the figure of the most loaded roller with one of its panels."""
     if not solution.max_pressure.any():
         raise InputError("solution", "without load", "have a loaded roller", "load the bearing")
-    return roller_lines(solution)
+    figure = roller_lines(solution)
+    panels = [panel for panel in figure.panels if panel.name == name]
+    return replace(figure, panels=panels, conditions=figure.conditions.partition("; ")[0])
 
 
 @drawing
@@ -42,8 +38,7 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     InputError
         If no roller is loaded, or the bearing was solved by slices.
     """
-    figure = loaded_roller(solution)
-    return draw_on(replace(figure, panels=figure.panels[:1]), ax)
+    return draw_on(_panel(solution, "pressure"), ax)
 
 
 @drawing
@@ -63,5 +58,4 @@ def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     InputError
         If no roller is loaded, or the bearing was solved by slices.
     """
-    figure = loaded_roller(solution)
-    return draw_on(replace(figure, panels=figure.panels[-1:]), ax)
+    return draw_on(_panel(solution, "relief"), ax)

@@ -153,7 +153,7 @@ function drawRoller({ lines }, before, number) {
   const [pin] = page.pins;
   const isPressure = ({ name }) => name === "pressure";
   const pressures = (before ?? page.answer).lines.panels.filter(isPressure);
-  byId("roller-name").textContent = lines.conditions;
+  [byId("roller-name").textContent] = lines.conditions.split(";");
   figure("pressure").hidden = !pressures.length;
   const drawn = { ...lines, panels: [...pressures, ...lines.panels.filter((panel) => !isPressure(panel))] };
   drawPanels(drawn, pin?.answer.shown === number ? pin.answer.lines : undefined, { last: "relief" });
@@ -176,10 +176,10 @@ async function askLines(answer, document, number) {
 
 /** Draw the pressure of all rollers in the row of the one that is shown, by strips. @param {any} answer @param {number} number */
 function drawMap({ maps, rows }, number) {
-  const map = maps[rows.findIndex(({ first, count }) => first <= number && number < first + count)];
-  byId("maps").hidden = !map;
+  const row = rows.findIndex(({ first, count }) => first <= number && number < first + count);
+  byId("maps").hidden = !maps;
   byId("maps").classList.toggle("stale", !page.fresh);
-  if (map) drawPanels(map, undefined, { last: "map-outer" });
+  if (maps) drawPanels({ ...maps, panels: maps.panels.slice(2 * row, 2 * row + 2) }, undefined, { last: "map-outer" });
 }
 
 /** Show a roller, or the most loaded one. @param {number | null} number */

@@ -24,7 +24,7 @@ export class Polar {
     this.pictures = [];
   }
 
-  /** @param {{rows: Row[], loads: Figure[]}} answer @param {number} chosen */
+  /** @param {{rows: Row[], loads: Figure}} answer @param {number} chosen */
   draw({ rows, loads }, chosen) {
     const shape = rows.map((row) => row.count).join();
     if (shape !== this.shape) {
@@ -33,7 +33,7 @@ export class Polar {
       this.host.replaceChildren(...this.pictures.map(({ svg }) => svg));
       this.host.classList.toggle("several", rows.length > 1);
     }
-    for (const [number, row] of rows.entries()) this.update(this.pictures[number], row, loads[number], chosen);
+    for (const [number, row] of rows.entries()) this.update(this.pictures[number], row, loads.along, loads.panels[number], chosen);
   }
 
   build(row, number, rows) {
@@ -68,7 +68,7 @@ export class Polar {
     return { group, ...parts };
   }
 
-  update(picture, row, { along, panels: [{ upright, marks }] }, chosen) {
+  update(picture, row, along, { upright, marks }, chosen) {
     const [inner, outer] = marks.filter(({ kind }) => kind === "bars");
     const step = (2 * Math.PI) / row.count;
     const size = Math.min(8, 0.42 * HOLE * step);

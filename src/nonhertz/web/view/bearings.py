@@ -62,7 +62,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "load": plain(solution.load),
         "force": plain(solution.force),
         "most": most_loaded(solution),
-        "loads": [roller_loads(solution, row).to_json() for row in range(len(solution.bearing.rows))],
+        "loads": roller_loads(solution).to_json(),
         "maps": _maps(solution),
         "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
         "summary": rows_of_summaries(shown),
@@ -85,11 +85,11 @@ def _rows(solution: BearingSolution) -> list[dict[str, Any]]:
     return [{"first": these.start, "count": these.stop - these.start} for these in rows]
 
 
-def _maps(solution: BearingSolution) -> list[dict[str, Any]]:
-    """Return for every row the pressure of all rollers; nothing by slices, which have none, or without load."""
+def _maps(solution: BearingSolution) -> dict[str, Any] | None:
+    """Return the pressure of all rollers; nothing by slices, which have none, or without load."""
     if solution.method == "slices" or not solution.load.any():
-        return []
-    return [figure.to_json() for figure in pressure_maps(solution, MAP_POINTS)]
+        return None
+    return pressure_maps(solution, MAP_POINTS).to_json()
 
 
 def nothing_drawn(name: str, solution: BearingSolution) -> str:
