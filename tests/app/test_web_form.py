@@ -55,6 +55,13 @@ def test_of_every_profile_that_a_drop_may_size_one_key_is_its_pair():
         assert each["x-pairs"] == [(each["oneOf"][0]["required"][0], "drop")]
 
 
+def test_a_profile_has_sizes_of_which_each_begins_in_place_of_another():
+    sizes = form_state(FILES["case"], "case")["bodies"]["body.a"]["sizes"]
+    (profile,) = FILES["case"]["body"]["a"]["profile"]
+    assert sizes["amplitude"] == profile["amplitude"]
+    assert sizes["drop"] > profile["amplitude"]
+
+
 @settings(deadline=None, max_examples=30)
 @given(changed_documents(FILES["case"]))
 def test_any_document_has_a_state(document):

@@ -202,7 +202,7 @@ def size_of(name: str, value: Any) -> float:
 def _read(given: dict[str, Any], table: Table) -> Body | None:
     """Return the body of a table; None where it has mistakes."""
     try:
-        return read(Body, given, likely=table.likely)
+        return read(Body, given, surroundings({}, None), likely=table.likely)
     except InputError:
         return None
 

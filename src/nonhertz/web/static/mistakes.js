@@ -1,6 +1,7 @@
 // Mistakes: each sentence below its field, and all of them in a list at the top.
 
 import { byId } from "./elements.js";
+import { nameOf } from "./fields.js";
 import { outer } from "./paths.js";
 import { html, render } from "./preact.js";
 
@@ -49,8 +50,10 @@ function Entry({ path, sentence, host }) {
     control.focus();
     host.scrollIntoView({ block: "nearest" });
   };
-  const name = host.querySelector("legend, label")?.textContent?.trim() || path;
-  return html`<a href="#${control.id}" onClick=${go}>${name}</a>: ${sentence}`;
+  // Words in place of the path with which a sentence begins.
+  const begins = host.dataset.path === path && sentence.startsWith(path);
+  const name = begins ? nameOf(/** @type {any} */ (control)) : host.querySelector("legend, label")?.textContent?.trim();
+  return html`<a href="#${control.id}" onClick=${go}>${name || path}</a>${begins ? sentence.slice(path.length) : `: ${sentence}`}`;
 }
 
 /** The field of a mistake, or the innermost group that would contain it; null if there is neither. */
