@@ -53,6 +53,7 @@ _LIFE_EXPONENT = 10.0 / 3.0
 _HEAVY = 0.5  # of C: the largest P for which ISO 281 has its life equation hold without asking the maker
 #: Of P, where it is zero and contacts bear loads.
 LEFT_OUT = "leaves out preload, moments, speed and ribs"
+_TEXT = "ISO/TS 16281:2008"
 _ROUNDED = "give corners, or a profile with more relief there, or edge_stress = 'standard'"
 #: What the modified life takes, in the words that every output has.
 NO_OIL = "give viscosity and cleanliness for the modified life"
@@ -90,6 +91,8 @@ class BearingLife(HasFindings):
         What is assumed of the conditions that were left out.
     required : float or None
         The life that is asked for; None if none is.
+    basis : str
+        The text that L10r follows, where it departs from that, and whether the bearing is beyond its scope.
     """
 
     rating: Rating
@@ -105,6 +108,7 @@ class BearingLife(HasFindings):
     axial_on_ribs: float = 0.0
     assumed: tuple[Finding, ...] = ()
     required: float | None = None
+    basis: str = _TEXT
 
     @property
     def basic_life(self) -> float:
@@ -417,7 +421,20 @@ def _life(solution: BearingSolution, asked: _Conditions, speed: float | None) ->
         singular_ends=tuple(ends),
         axial_on_ribs=axial_on_ribs(solution),
         assumed=assumed({"": asked}),
+        basis=_basis(solution, stress),
     )
+
+
+def _basis(solution: BearingSolution, edge_stress: str) -> str:
+    """Return what L10r follows, and where not: the text is for slices of single rows under radial load."""
+    rows = solution.bearing.rows
+    extended = len(rows) > 1 or rows[0].bearing.nominal_angle or axial_on_ribs(solution)
+    said = f"extended {_TEXT}" if extended else _TEXT
+    if solution.method == "strips":
+        said += ", by strips"
+    if edge_stress == "none" or (edge_stress == "standard" and solution.method == "strips"):
+        said += f", {edge_stress if edge_stress == 'standard' else 'no'} edge stress"
+    return said
 
 
 def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Conditions) -> BearingLife:

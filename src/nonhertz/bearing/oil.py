@@ -186,7 +186,7 @@ class Lubrication(OilInPlace):
         Quantity(
             "1/MPa", "coefficient alpha by which the viscosity grows with the pressure", positive, "give it in 1/MPa"
         ),
-        Assumed("alpha of a mineral oil by its viscosity (Gold)", _OF_FILM, lambda given: given._known),
+        Assumed("alpha of a mineral oil", _OF_FILM, lambda given: given._known),
     ] = None
     grease: Annotated[
         bool,

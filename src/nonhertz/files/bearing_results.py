@@ -111,6 +111,7 @@ _OF_LOAD: Final = (
     Key("static_load", "P0; of a spectrum, the largest", "N"),
     Key("basic_life", "L10 of ISO 281", _REVOLUTIONS),
     Key("reference_life", "L10r of ISO/TS 16281", _REVOLUTIONS),
+    Key("basis", "the text that L10r follows, and where it departs from it", holds="string"),
     Key("viscosity_ratio", "kappa; null without a viscosity"),
     Key("contamination", "e_C; null without a cleanliness"),
     Key("life_factor", "a_ISO; null without viscosity and cleanliness"),

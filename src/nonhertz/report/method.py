@@ -34,11 +34,11 @@ _BEARINGS = (
     "loaded in five degrees of freedom while neglecting friction, Journal of Tribology 111 (1989) 142-155."
 )
 _STANDARDS = (
-    "ISO 281, Rolling bearings: dynamic load ratings and rating life.",
-    "ISO 76, Rolling bearings: static load ratings.",
+    "ISO 281:2007, Rolling bearings: dynamic load ratings and rating life.",
+    "ISO 76:2006, Rolling bearings: static load ratings.",
 )
 _REFERENCE_LIFE = (
-    "ISO/TS 16281, Methods for calculating the modified reference rating life for universally loaded bearings."
+    "ISO/TS 16281:2008, Methods for calculating the modified reference rating life for universally loaded bearings."
 )
 _STRIPS = (
     "Each carries a load and a half-width, its pressure is {element} across, and all strips act on each other through "

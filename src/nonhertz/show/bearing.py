@@ -111,11 +111,15 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
             LEFT_OUT if found.internally_loaded else "",
         ),
         ("static safety", safety, ""),
-        ("life L10", of_life(found.basic_life, _REVOLUTIONS), beside(found.basic_life, "ISO 281, of bearing steel")),
+        (
+            "life L10",
+            of_life(found.basic_life, _REVOLUTIONS),
+            beside(found.basic_life, "ISO 281:2007"),
+        ),
         (
             "L10r",
             of_life(found.reference_life, _REVOLUTIONS),
-            found.no_reference or beside(found.reference_life, "laminae of ISO/TS 16281"),
+            found.no_reference or beside(found.reference_life, found.basis),
         ),
         (
             "rated life" if found.no_modified else "modified life",
