@@ -143,6 +143,7 @@ export class Work {
   setPins(pins) {
     this.pins = pins;
     byId("pin").disabled = pins.length >= MOST_PINS;
+    byId("pin").title = byId("pin").disabled ? `${MOST_PINS} are pinned: unpin one first` : "";
     this.page.pin(pins);
     this.drawProfiles(this.profiles);
     this.keep();
@@ -177,7 +178,7 @@ export class Work {
     return changes.join("; ") || title || this.page.what;
   }
 
-  /** Solve and pin documents in place of what is pinned. @param {import("./link.js").Named[]} pinned */
+  /** Solve and pin documents, in place of those among them that are pinned. @param {import("./link.js").Named[]} pinned */
   async pinAll(pinned) {
     const pins = [];
     for (const { document, name } of pinned) {
@@ -189,7 +190,7 @@ export class Work {
         notice("link", AWAY);
       }
     }
-    this.setPins(pins);
+    this.setPins([...pins, ...this.pins.filter((each) => !pinned.includes(each))]);
   }
 
   async copyLink() {
@@ -256,7 +257,8 @@ export class Work {
     try {
       const found = await shared(window.location.hash);
       if (!found) return false;
-      if (found.pinned.length) void this.pinAll(found.pinned);
+      this.pins = [];
+      void this.pinAll(found.pinned);
       return await this.show(found.document, found.text);
     } catch (error) {
       notice("link", /** @type {Error} */ (error).message);
