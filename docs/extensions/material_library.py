@@ -16,7 +16,19 @@ if TYPE_CHECKING:
     from docutils import nodes
     from sphinx.application import Sphinx
 
-HEAD = ("name", "E [MPa]", "nu", "yield [MPa]", "core [MPa]", "hardness", "pressure limit [MPa]", "source", "note")
+HEAD = (
+    "name",
+    "E [MPa]",
+    "nu",
+    "yield [MPa]",
+    "core [MPa]",
+    "hardness",
+    "pressure limit [MPa]",
+    "density [t/mm^3]",
+    "expansion [1/K]",
+    "source",
+    "note",
+)
 
 
 class MaterialLibrary(SphinxDirective):
@@ -39,6 +51,8 @@ def _row(each: Listed) -> tuple[str, ...]:
         *("" if value is None else given(value) for value in numbers),
         material.hardness or "",
         "" if material.pressure_limit is None else given(material.pressure_limit),
+        f"{each.density:.3g}",
+        "" if each.expansion is None else f"{each.expansion:.3g}",
         each.source,
         each.note,
     )

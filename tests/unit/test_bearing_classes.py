@@ -189,6 +189,17 @@ def test_a_class_that_is_none_is_one_sentence(old, new, sentence):
     assert sentence in caught.value.mistakes[0]
 
 
+def test_ceramic_rollers_grow_as_such_and_have_no_life_by_the_standard_of_steel():
+    warm = ('housing = "H7"', 'housing = "H7"\ninner_temperature = 70\nouter_temperature = 60')
+    case = read(NU206, warm, ("length = 10.0", 'length = 10.0\nmaterial = "silicon-nitride"'))
+    # Raceways of 37.5 and 55.5 mm of steel, 12.5e-6 a kelvin, and rollers of 9 mm at the mean of 65 degrees, 3.2e-6.
+    by_hand = 12.5e-6 * (37.5 * 50.0 - 55.5 * 40.0) + 3.2e-6 * 18.0 * 45.0
+    assert case.operating_clearance.lost_to_temperatures == pytest.approx(by_hand, rel=1e-3)
+    assert case.bearing.roller_density == 3.2e-9
+    _, reason = case.rated(case.solve())
+    assert reason.endswith("hybrid bearings are rated by ISO 20056-1 and -2, not by ISO 281")
+
+
 def test_groups_are_not_those_of_tapered_bearings():
     cone = nh.Roller(diameter=nh.TabulatedDiameter((-6, 6), (11, 10)), length=12)
     rings = {"inner": nh.Ring(diameter=41), "outer": nh.Ring(diameter=-62.5)}

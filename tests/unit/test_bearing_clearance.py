@@ -9,9 +9,9 @@ from crowned_rows import row
 from scipy.integrate import solve_bvp
 
 import nonhertz as nh
-from nonhertz.bearing.clearance import EXPANSION
 from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.files.bearing_results import as_object
+from nonhertz.model.materials import STEEL_EXPANSION as EXPANSION
 from nonhertz.show.bearing import summary_rows
 
 STEEL = nh.Material(modulus=207e3, poisson=0.3)
@@ -364,15 +364,19 @@ def test_warm_inner_rings_move_the_rows_of_a_pair_apart(arrangement, given):
 
 
 def test_parts_of_other_materials_are_not_taken_for_steel():
-    aluminium = nh.MATERIALS["aluminium"]
+    aluminium, other = nh.MATERIALS["aluminium"], nh.Material(72e3, 0.3)
     light = nh.bearing.Housing(diameter=62.0, outside_diameter=90.0, material=aluminium)
     seats = {"shaft": on_shaft(0.0), "housing": light}
     assert found(**seats).lost_to_temperatures == 0.0
-    warm = dataclasses.replace(light, temperature=70.0)
+    warm = dataclasses.replace(light, temperature=70.0, interference=EXPANSION * 50.0 * 62.0)
     with pytest.raises(
-        nh.InputError, match=r"housing\.expansion = None must be given for a part of 70000 MPa, .* at 70 degC"
+        nh.InputError, match=r"housing\.expansion = None must be given for a part of 72000 MPa at 70 degC, of which"
     ):
-        found(**seats | {"housing": warm})
+        found(**seats | {"housing": dataclasses.replace(warm, material=other)})
+    # That of the library is that of the material: 23e-6 (EN 1999-1-1).
+    assert found(**seats | {"housing": warm}) == found(
+        **seats | {"housing": dataclasses.replace(warm, expansion=23e-6)}
+    )
     # The density of the library is that of the material.
     hollow = {"interference": -0.01, "bore": 12.0, "material": aluminium}
     known, given = (

@@ -248,7 +248,7 @@ def test_shares_of_contacts_are_taken_as_they_are():
 @pytest.mark.parametrize("name", ["zirconia", "R260", "R350HT", "silicon-nitride"])
 def test_what_is_as_stiff_as_bearing_steel_is_not_rated_as_it(name):
     """ISO 281 is for hardened steel: zirconia has 1200 HV, rails have 260 and 350 HBW, all with 210 GPa."""
-    with pytest.raises(nh.InputError, match="must be of bearing steel"):
+    with pytest.raises(nh.InputError, match=r"must (be|have rollers) of bearing steel"):
         B.rating(nu206(material=nh.MATERIALS[name]))
     contact = nh.solve(nu206(material=nh.MATERIALS[name], corner_radius=0.3).contacts[0], load=1e3)
     (life,) = nh.life.assess(contact, "iso-16281", body="b", rollers=13)

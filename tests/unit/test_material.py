@@ -4,7 +4,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.files.writing import document_of
-from nonhertz.model.materials import LIBRARY, listed_as
+from nonhertz.model.materials import LIBRARY, expansion_of, listed_as
 
 
 def test_compliance_and_shear_modulus_of_steel():
@@ -131,3 +131,13 @@ def test_named_materials_have_handbook_moduli(name, low, high):
 )
 def test_named_materials_have_handbook_strengths(name, quantity, low, high):
     assert low <= getattr(nh.MATERIALS[name], quantity) <= high
+
+
+def test_expansions_are_those_of_the_material_or_of_none():
+    """W. D. Callister, Fundamentals of Materials Science and Engineering, table B.6, and EN 1999-1-1."""
+    of = {each.name: expansion_of(each.material) for each in LIBRARY}
+    assert of["bronze"] == of["CuSn11P-C"] == 18e-6
+    assert (of["aluminium"], of["EN-GJL-250"], of["EN-GJS-600-3"]) == (23e-6, 11.4e-6, 10.6e-6)
+    assert of["100Cr6"] == of["steel"] == expansion_of(nh.Material(205e3, 0.29)) == 12.5e-6
+    assert 3.1e-6 < of["silicon-nitride"] < 3.3e-6
+    assert of["EN-GJS-500-7"] is of["PEEK"] is expansion_of(nh.Material(72e3, 0.3)) is None

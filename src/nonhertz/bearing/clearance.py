@@ -34,11 +34,10 @@ from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import finite, not_negative, number_that, one_of, positive
 from nonhertz.inputs.fields import Input, Part, Quantity, Word, described, together
 from nonhertz.model.material import STEEL, Material
-from nonhertz.model.materials import STEEL_DENSITY, NamedMaterial, density_of
+from nonhertz.model.materials import STEEL_EXPANSION, NamedMaterial, density_of, expansion_of
 from nonhertz.result.brief import plain_text
 
 REFERENCE = 20.0  # degC, at which dimensions are given
-EXPANSION = 12.5e-6  # 1/K, bearing steel (IKO, needle roller bearing catalogue, formula 29)
 COLDEST, HOTTEST = -273.15, 1000.0  # degC
 MOST_EXPANSION = 1e-3  # 1/K
 MOST_STEP = 30.0  # K, between a ring and the part it is pressed on, above which one of both was probably left out
@@ -70,7 +69,7 @@ def _of_temperature(part: str, usual: str = "") -> Quantity:
 
 
 def _of_expansion(part: str) -> Quantity:
-    meaning = f"thermal expansion of the {part} per kelvin, a plain number; that of bearing steel if left out for steel"
+    meaning = f"thermal expansion of the {part} per kelvin, a plain number; that of its material if left out"
     return Quantity("", meaning, _expansion, "give it in 1/K, 12.5e-6 for bearing steel")
 
 
@@ -522,12 +521,11 @@ class Mounting(Input):
 
 def _strain(name: str, expansion: float | None, material: Material, temperature: float) -> float:
     """Return the thermal strain of a part."""
-    if expansion is None and (temperature == REFERENCE or density_of(material) == STEEL_DENSITY):
-        expansion = EXPANSION
     if expansion is None:
-        condition = (
-            f"be given for a part of {mpa(material.modulus):g}, which is not steel, at {given(temperature)} degC"
-        )
+        expansion = STEEL_EXPANSION if temperature == REFERENCE else expansion_of(material)
+    if expansion is None:
+        of = f"a part of {mpa(material.modulus):g} at {given(temperature)} degC"
+        condition = f"be given for {of}, of which the library has none"
         raise InputError(name, None, condition, "give it in 1/K, 23e-6 for aluminium")
     return expansion * (temperature - REFERENCE)
 

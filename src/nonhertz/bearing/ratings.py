@@ -41,6 +41,7 @@ from nonhertz.life.capacity import (
     thrust_rating,
 )
 from nonhertz.model.material import is_steel
+from nonhertz.model.materials import name_of
 
 _STATIC = 44.0  # N/mm^2
 _SHARE_OF_MOST_LOADED = 5.0
@@ -218,7 +219,11 @@ def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
         raise InputError("bearing", type(bearing).__name__, condition, "make one with nonhertz.bearing")
     rows = [row.bearing for row in bearing.rows]
     for row in rows:
-        if not all(is_steel(each.material) for each in (row.roller, row.inner, row.outer)):
+        of_steel = [is_steel(each.material) for each in (row.roller, row.inner, row.outer)]
+        if all(of_steel[1:]) and name_of(row.roller.material) == "silicon-nitride":
+            condition = "have rollers of bearing steel: hybrid bearings are rated by ISO 20056-1 and -2, not by ISO 281"
+            raise InputError("bearing", "with ceramic rollers", condition, "ask the maker for its ratings")
+        if not all(of_steel):
             raise InputError("bearing", "of other materials", "be of bearing steel", "leave the ratings out")
         if is_hollow(row.roller):
             condition = "have solid rollers, whose capacities ISO 281 has"

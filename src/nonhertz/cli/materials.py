@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from itertools import groupby
 
-from nonhertz.amounts import given, mpa
+from nonhertz.amounts import amount, given, mpa
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import named_as
 from nonhertz.files.materials import as_object
@@ -30,7 +30,13 @@ def materials(name: str | None = None, /) -> Answer:
     yielding, core, limit = (f"{what} [{unit}]" for what in ("yield", "core", "pressure limit"))
     words = ["Where a number comes from, and what limits its use: nonhertz materials NAME"]
     if name is not None:
-        told = (("source", entries[0].source), ("note", entries[0].note))
+        density, expansion = entries[0].density, entries[0].expansion
+        told = (
+            ("density", f"{amount(density, 't/mm^3'):g}"),
+            ("thermal expansion", "" if expansion is None else f"{expansion:.3g} 1/K"),
+            ("source", entries[0].source),
+            ("note", entries[0].note),
+        )
         words = [f"{what}: {words}" for what, words in told if words]
     heads = ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit)
     shown = [Section("", [Table(rows, heads, (0,)), Said(words)])]

@@ -17,6 +17,8 @@ MATERIALS: Final = (
             Key("group", "what kind of material it is", holds="string"),
             Key("other_names", "other names of the same", get="others", holds=ListOf("string")),
             *input_keys(Material, "material."),
+            Key("density", "density", "t/mm^3"),
+            Key("expansion", "linear thermal expansion", "1/K"),
             Key("source", "where each number comes from", holds="string"),
             Key("note", "what limits its use; empty if nothing does", holds="string"),
         )),

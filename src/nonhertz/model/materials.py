@@ -14,6 +14,7 @@ from nonhertz.inputs.fields import Part, unknown
 from nonhertz.model.material import STEEL, STEEL_MODULUS, Material
 
 STEEL_DENSITY = 7.85e-9  # t/mm^3
+STEEL_EXPANSION = 12.5e-6  # 1/K, bearing steel (IKO, needle roller bearing catalogue, formula 29)
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,11 @@ class Listed:
         Other names of the same.
     density : float
         [t/mm^3]; of steels that of EN 1993-1-2, of others that of the same source or of handbooks.
+    expansion : float or None
+        Linear thermal expansion near room temperature [1/K]; None where sources differ by more than a tenth. Of steels
+        that of bearing steel, and of 440C that of AMES Engineering's tables; of silicon nitride between that of
+        Callister and of Lily Bearing; of others that of W. D. Callister, Fundamentals of Materials Science and
+        Engineering, table B.6: gray iron, ductile iron 60-40-18 and 80-55-06, bronze C93200; of aluminium EN 1999-1-1.
     """
 
     name: str
@@ -45,6 +51,7 @@ class Listed:
     note: str = ""
     others: tuple[str, ...] = ()
     density: float = STEEL_DENSITY
+    expansion: float | None = STEEL_EXPANSION
 
 
 _HANDBOOK = "handbook values at room temperature, of no particular grade"
@@ -68,11 +75,14 @@ LIBRARY: tuple[Listed, ...] = (
     Listed(
         "silicon-nitride", "general", Material(modulus=310000.0, poisson=0.26),
         f"{_HANDBOOK}; within ASTM F2094 for bearing balls, E = 270 to 330 GPa and nu = 0.23 to 0.29",
-        density=3.2e-9,
+        density=3.2e-9, expansion=3.2e-6,
     ),
-    Listed("cast-iron", "general", Material(modulus=110000.0, poisson=0.26), _HANDBOOK, density=7.2e-9),
-    Listed("bronze", "general", Material(modulus=110000.0, poisson=0.34), _HANDBOOK, density=8.8e-9),
-    Listed("aluminium", "general", Material(modulus=70000.0, poisson=0.33), _HANDBOOK, density=2.7e-9),
+    Listed(
+        "cast-iron", "general", Material(modulus=110000.0, poisson=0.26), _HANDBOOK,
+        density=7.2e-9, expansion=11.4e-6,
+    ),
+    Listed("bronze", "general", Material(modulus=110000.0, poisson=0.34), _HANDBOOK, density=8.8e-9, expansion=18e-6),
+    Listed("aluminium", "general", Material(modulus=70000.0, poisson=0.33), _HANDBOOK, density=2.7e-9, expansion=23e-6),
     Listed(
         "100Cr6", "bearing and stainless steels",
         Material(modulus=210000.0, poisson=0.3, hardness="58 HRC", pressure_limit=4000.0),
@@ -84,7 +94,7 @@ LIBRARY: tuple[Listed, ...] = (
         "X105CrMo17", "bearing and stainless steels",
         Material(modulus=200000.0, poisson=0.3, yield_strength=1900.0, hardness="59 HRC"),
         "Atlas Steels, data sheet of grade 440C, tempered at 204 °C; nu of steel",
-        "tempered at 371 °C its yield strength is 1660 MPa", ("440C", "1.4125"),
+        "tempered at 371 °C its yield strength is 1660 MPa", ("440C", "1.4125"), expansion=10.1e-6,
     ),
     Listed(
         "16MnCr5", "case-hardening steels",
@@ -101,50 +111,64 @@ LIBRARY: tuple[Listed, ...] = (
     Listed(
         "EN-GJL-250", "cast irons", Material(modulus=110000.0, poisson=0.26, yield_strength=165.0),
         "EN 1561, informative annex: E = 103 to 118 GPa, nu = 0.26, 0.1 % proof strength 165 to 228 MPa", _FLAKES,
-        density=7.2e-9,
+        density=7.2e-9, expansion=11.4e-6,
     ),
-    Listed("EN-GJS-400-15", "cast irons", Material(169000.0, 0.275, yield_strength=250.0), _DUCTILE, density=7.1e-9),
-    Listed("EN-GJS-500-7", "cast irons", Material(169000.0, 0.275, yield_strength=320.0), _DUCTILE, density=7.1e-9),
-    Listed("EN-GJS-600-3", "cast irons", Material(174000.0, 0.275, yield_strength=370.0), _DUCTILE, density=7.2e-9),
-    Listed("EN-GJS-700-2", "cast irons", Material(176000.0, 0.275, yield_strength=420.0), _DUCTILE, density=7.2e-9),
+    Listed(
+        "EN-GJS-400-15", "cast irons", Material(169000.0, 0.275, yield_strength=250.0), _DUCTILE,
+        density=7.1e-9, expansion=11.2e-6,
+    ),
+    Listed(
+        "EN-GJS-500-7", "cast irons", Material(169000.0, 0.275, yield_strength=320.0), _DUCTILE,
+        density=7.1e-9, expansion=None,
+    ),
+    Listed(
+        "EN-GJS-600-3", "cast irons", Material(174000.0, 0.275, yield_strength=370.0), _DUCTILE,
+        density=7.2e-9, expansion=10.6e-6,
+    ),
+    Listed(
+        "EN-GJS-700-2", "cast irons", Material(176000.0, 0.275, yield_strength=420.0), _DUCTILE,
+        density=7.2e-9, expansion=None,
+    ),
     Listed(
         "CuSn11P-C", "copper and aluminium",
         Material(modulus=100000.0, poisson=0.34, yield_strength=130.0, hardness="60 HBW"),
         "EN 1982, cast in sand: 0.2 % proof strength and hardness; E = 90 to 110 GPa: Kemper, data sheet of "
         "CuSn11P-C - GS; nu of bronze",
-        others=("CC481K",), density=8.7e-9,
+        others=("CC481K",), density=8.7e-9, expansion=18e-6,
     ),
     Listed(
         "EN-AW-6082-T6", "copper and aluminium", Material(modulus=70000.0, poisson=0.3, yield_strength=250.0),
         "EN 1999-1-1: E and nu, and the 0.2 % proof strength of extrusions up to 5 mm thick",
-        density=2.7e-9,
+        density=2.7e-9, expansion=23e-6,
     ),
     Listed(
         "alumina", "ceramics", Material(modulus=416000.0, poisson=0.231),
         "R. G. Munro, Evaluated material properties for a sintered alpha-alumina, Journal of the American Ceramic "
         "Society 80 (1997) 1919",
-        "brittle: it cracks instead of yielding; of at least 99.5 % purity and 98 % density", density=3.98e-9,
+        "brittle: it cracks instead of yielding; of at least 99.5 % purity and 98 % density",
+        density=3.98e-9, expansion=None,
     ),
     Listed(
         "zirconia", "ceramics", Material(modulus=210000.0, poisson=0.3, hardness="1200 HV"),
         "E and hardness of Y-TZP: C. Piconi, G. Maccauro, Zirconia as a ceramic biomaterial, Biomaterials 20 (1999) 1; "
         "nu: makers' data sheets",
-        "brittle: it cracks instead of yielding", density=6.05e-9,
+        "brittle: it cracks instead of yielding", density=6.05e-9, expansion=None,
     ),
     Listed(
         "POM", "polymers", Material(modulus=3100.0, poisson=0.35, yield_strength=70.0),
         "DuPont, Delrin 500P: data sheet by ISO 527; nu: Delrin design guide", _VISCOELASTIC,
-        density=1.42e-9,
+        density=1.42e-9, expansion=None,
     ),
     Listed(
         "PA66", "polymers", Material(modulus=1400.0, poisson=0.41, yield_strength=55.0),
         "DuPont, Zytel 103HSL, conditioned: data sheet by ISO 527; nu: Zytel design guide",
-        f"{_VISCOELASTIC}; dry as moulded its E is 3100 MPa and its yield strength 85 MPa", density=1.14e-9,
+        f"{_VISCOELASTIC}; dry as moulded its E is 3100 MPa and its yield strength 85 MPa",
+        density=1.14e-9, expansion=None,
     ),
     Listed(
         "PEEK", "polymers", Material(modulus=4000.0, poisson=0.4, yield_strength=98.0),
         "Victrex, PEEK 450G: data sheet by ISO 527; nu: Victrex properties guide", _VISCOELASTIC,
-        density=1.3e-9,
+        density=1.3e-9, expansion=None,
     ),
 )  # fmt: skip
 
@@ -195,10 +219,26 @@ def name_of(material: Material) -> str:
 
 def density_of(material: Material) -> float | None:
     """Return the density [t/mm^3] of a material of the library, or of what is as stiff as steel; None of any other."""
+    entry = _entry_of(material)
+    return entry.density if entry else STEEL_DENSITY if _as_stiff_as_steel(material) else None
+
+
+def expansion_of(material: Material) -> float | None:
+    """Return the linear thermal expansion [1/K], as `density_of` does; None of any other, or where it is not known."""
+    entry = _entry_of(material)
+    return entry.expansion if entry else STEEL_EXPANSION if _as_stiff_as_steel(material) else None
+
+
+def _entry_of(material: Material) -> Listed | None:
+    """Return the entry of the library, or one that has the same stiffness and hardness."""
 
     def known(of: Material) -> tuple[object, ...]:
         return of.modulus, of.poisson, of.hardness
 
+    alike = [each for each in LIBRARY if known(each.material) == known(material)]
+    return next((each for each in alike if each.material == material), alike[0] if alike else None)
+
+
+def _as_stiff_as_steel(material: Material) -> bool:
     low, high = STEEL_MODULUS
-    usual = STEEL_DENSITY if low <= material.modulus <= high else None
-    return next((each.density for each in LIBRARY if known(each.material) == known(material)), usual)
+    return low <= material.modulus <= high
