@@ -36,6 +36,8 @@ CASE = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").rea
 FILES = {f"{figure}.{ending}" for figure in ("pressure", "footprint", "profile") for ending in ("svg", "png")} | {
     "result.json",
     "table.csv",
+    "pressure.csv",
+    "profile.csv",
 }
 
 
@@ -96,6 +98,9 @@ def test_out_writes_results_table_and_figures(case, run):
         "gap [mm]",
     ]
     np.testing.assert_array_equal(np.array(rows[1:], dtype=float)[:, 2], parsed(printed)["line_load"])
+    drawn = list(csv.DictReader(io.StringIO((folder / "pressure.csv").read_text(encoding="utf-8"))))
+    largest = max(float(row["value"]) for row in drawn if row["panel"] == "pressure")
+    assert largest == max(float(row[3]) for row in rows[1:])
     for path in folder.glob("*.png"):
         assert path.read_bytes().startswith(b"\x89PNG")
     for path in folder.glob("*.svg"):

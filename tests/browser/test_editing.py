@@ -365,6 +365,15 @@ def test_points_of_a_profile_are_pasted_or_dropped(desk):
     assert any("body.a.profile[2]" in each for each in desk.mistakes)
 
 
+def test_numbers_of_figures_are_saved(desk):
+    name, content = desk.saved(desk.page.locator('[data-figure="pressure"] .savers button', has_text="CSV"))
+    assert name == "pressure.csv"
+    head, *rows = content.decode().splitlines()
+    assert head == "panel,line,y [mm],value,unit"
+    largest = max(float(row.split(",")[3]) for row in rows)
+    assert largest == pytest.approx(desk.numbers["Largest pressure"], rel=1e-3)
+
+
 def test_every_figure_is_saved(desk):
     for kind in ("SVG", "PNG"):
         figures = desk.page.locator(f'figure .savers button:has-text("{kind}")')

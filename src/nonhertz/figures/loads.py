@@ -43,7 +43,7 @@ def _panel(solution: BearingSolution, row: int) -> Panel:
     at = _emptiest(angle, load)
     bar = min(BAR_SHARE * 2.0 * math.pi / angle.size, WIDEST_BAR)
     marks: list[Mark] = [
-        Bars(angle + side * bar, load[:, column], bar, name=f"load at the {ring} ring", colour=colour, dash=dash)
+        Bars(angle, load[:, column], bar, side * bar, name=f"load at the {ring} ring", colour=colour, dash=dash)
         for column, (side, (ring, colour, dash)) in enumerate(zip((-0.5, 0.5), RINGS, strict=True))
     ]
     loaded = load[:, 0] > 0.0

@@ -153,11 +153,12 @@ class Dimension(Mark):
 
 @dataclass(frozen=True, eq=False)
 class Bars(Mark):
-    """Bars from zero up to values, shape (n,), around places, shape (n,); hatched or pale unless solid."""
+    """Bars from zero up to values, shape (n,), around or beside places, shape (n,); hatched or pale if not solid."""
 
     x: Array
     y: Array
     width: float
+    aside: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -292,6 +293,11 @@ class Figure:
     def description(self) -> str:
         """What all panels show, for those who do not see them."""
         return " ".join(panel.description for panel in self.panels)
+
+    @property
+    def has_lines(self) -> bool:
+        """Whether there is something for `to_csv` to write."""
+        return any(isinstance(mark, Line | Bars) for panel in self.panels for mark in panel.marks)
 
     def to_csv(self) -> str:
         """Return the numbers of all lines and bars as CSV, in units of the program: one row for each point of each."""

@@ -38,7 +38,7 @@ from nonhertz.plot.axes import Figure as Sheet
 from nonhertz.plot.axial import LETTER, alignment, number
 from nonhertz.plot.contours import draw_contours, label_contours
 from nonhertz.plot.round import round_sheet
-from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, LEFT, MARGIN, WIDTH, bar_beside, stacked, stretch_of
+from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, LEFT, MARGIN, NUMBERS, WIDTH, bar_beside, stacked, stretch_of
 from nonhertz.plot.style import COLOURS
 
 if TYPE_CHECKING:
@@ -63,6 +63,13 @@ OVER_LINES: Final[dict[str, Any]] = {"va": "bottom", "color": style.INK, "bbox":
 
 def sheet_of(figure: Figure, title: str = "") -> Sheet:
     """Return a sheet with the panels of a figure, round ones side by side, all others one below the other."""
+    sheet = _laid_out(figure, title)
+    if figure.has_lines:
+        NUMBERS[sheet] = figure.to_csv()
+    return sheet
+
+
+def _laid_out(figure: Figure, title: str) -> Sheet:
     first = figure.panels[0]
     if first.round:
         return round_sheet(figure, title, _lines(figure.conditions))

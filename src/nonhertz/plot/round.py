@@ -87,7 +87,7 @@ def _draw_bars(mark: Bars, factor: float, ax: PolarAxes) -> None:
     if drawn.any():
         look: dict[str, Any] = {"color": "white", "hatch": "////"} if hatched else {"color": colour}
         look |= {"edgecolor": colour, "linewidth": HAIR, "label": mark.name or None}
-        ax.bar(mark.x[drawn], factor * mark.y[drawn], width=mark.width, zorder=3.0, **look)
+        ax.bar(mark.x[drawn] + mark.aside, factor * mark.y[drawn], width=mark.width, zorder=3.0, **look)
 
 
 def _draw_arrow(mark: Arrow, top: float, ax: PolarAxes) -> None:

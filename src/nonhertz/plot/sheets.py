@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Literal
+from weakref import WeakKeyDictionary
 
 from nonhertz.plot.axes import Axes, Figure
 from nonhertz.plot.style import SIZE, TITLE_SIZE, sheet_style
@@ -24,6 +25,9 @@ BAR, BAR_GAP, BAR_ROOM = 0.11, 0.12, 0.95
 STRETCHES = tuple(step * decade for decade in (1, 10, 100, 1000) for step in (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8))
 
 PNG_DPI = 220
+
+NUMBERS: WeakKeyDictionary[Figure, str] = WeakKeyDictionary()
+"""What is drawn on a sheet, as CSV."""
 
 
 def stretch_of(natural: float) -> float:
@@ -54,9 +58,15 @@ def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
 
 
 def save_all(figures: Mapping[str, Figure], folder: Path) -> None:
-    """Write figures into a folder under their names, as `save` does."""
+    """Write figures into a folder under their names, as `save` does, and the numbers of their lines as ``name``.csv.
+
+    A table of that name that is there already stays, as it has them.
+    """
     for name, figure in figures.items():
         save(figure, folder / name)
+        path = folder / f"{name}.csv"
+        if not path.exists() and (text := NUMBERS.get(figure)):
+            path.write_text(text, encoding="utf-8", newline="\n")
 
 
 def image(figure: Figure, kind: Literal["svg", "png"], dots: int = PNG_DPI) -> bytes:

@@ -1,6 +1,7 @@
 // The page of a bearing: by slices at every edit, by strips when the hand rests.
 
 import { figure, head, whenResized } from "./chart.js";
+import { noteNumbers } from "./csv.js";
 import { byId } from "./elements.js";
 import { AWAY, Live, asked, post } from "./live.js";
 import { fragment } from "./link.js";
@@ -131,6 +132,7 @@ function drawPictures() {
   const before = pressedBefore();
   writeKeyNumbers(keyNumbers(answer, before), page.pins.map((pin) => ({ ...pin, numbers: pin.answer.numbers })));
   const number = roller();
+  noteNumbers(figure("polar"), answer.loads);
   head(figure("polar"), "Loads of all rollers", POLAR_KEY, `by ${answer.method}`);
   polar.draw(answer, number);
   drawRoller(answer, before, number);

@@ -19,6 +19,7 @@ import {
   reading,
 } from "./chart.js";
 import { BANDS, FINE, resampled } from "./contours.js";
+import { noteNumbers } from "./csv.js";
 import { digits } from "./numbers.js";
 
 /** @typedef {{label: string, symbol: string, title: string, unit: string, factor: number, range?: [number, number], cut?: boolean, ticks?: [number, string][]}} Axis */
@@ -150,6 +151,7 @@ function drawPanel(panel, along, pinned, limits, labelled, net) {
     words: (place, height, number) =>
       [amount(along, place), amount(upright, height), amount(/** @type {Axis} */ (colours), number)].join("\n"),
   };
+  noteNumbers(host, { along, panels: [panel] });
   const before = (pinned?.marks ?? []).filter(({ kind }) => kind === "line");
   const key = lines.filter(({ name }) => name).map(({ name, colour = "first", dash = "solid" }) => [`${colour} ${dash}`, name]);
   const hasContours = panel.marks.some(({ kind }) => kind === "contours");

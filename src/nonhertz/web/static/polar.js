@@ -74,11 +74,11 @@ export class Polar {
     const size = Math.min(8, 0.42 * HOLE * step);
     const radius = (load) => HOLE + size + ((RIM - HOLE - size) * load) / upright.range[1];
     const within = chosen >= row.first && chosen < row.first + row.count;
-    const bar = ({ x, y, width }, j) => barOf(x[j] - width / 2, x[j] + width / 2, HOLE + size, radius(y[j]));
+    const bar = ({ x, y, width, aside }, j) => barOf(x[j] + aside - width / 2, x[j] + aside + width / 2, HOLE + size, radius(y[j]));
     const said = (load) => `${digits(upright.factor * load)} ${upright.unit}`;
     for (const [j, parts] of picture.rollers.entries()) {
       const number = row.first + j;
-      const at = (inner.x[j] + outer.x[j]) / 2;
+      const at = inner.x[j];
       const here = number === chosen;
       set(parts.band, "d", sector(at - step / 2, at + step / 2, HOLE - size - 3, RIM + 5));
       set(parts.inner, "d", bar(inner, j));

@@ -1,5 +1,6 @@
 // A figure as a file: SVG as it is drawn, or PNG at twice the size, with heading and legend, in the colours of the page.
 
+import { csvOf } from "./csv.js";
 import { drawn } from "./elements.js";
 import { hand } from "./files.js";
 
@@ -9,11 +10,12 @@ const TOP = 26; // pixels for heading and legend
 const STYLES = ["fill", "stroke", "color", "stop-color", "font-family", "font-size", "font-weight", "font-style"];
 
 /**
- * Save the drawing of a figure.
+ * Save the drawing of a figure, or the numbers of its lines.
  * @param {HTMLElement} host
- * @param {"svg" | "png"} kind
+ * @param {"svg" | "png" | "csv"} kind
  */
 export async function save(host, kind) {
+  if (kind === "csv") return hand(new Blob([csvOf(host)], { type: "text/csv" }), `${host.dataset.figure}.csv`);
   const text = standing(host);
   if (!text) return;
   const drawing = new Blob([text], { type: "image/svg+xml" });
