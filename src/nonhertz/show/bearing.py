@@ -166,7 +166,7 @@ def tolerance_section(case: BearingCase, found: Tolerances) -> Section:
     for name, each in found.results.items():
         values = QUANTITIES[name].amount(*(each.at(which) for which in Range.AT))
         if any(map(math.isfinite, values.values)):
-            rows.append(_row_of(QUANTITIES[name].label, values))
+            rows.append(_row_of(f"{QUANTITIES[name].label} {QUANTITIES[name].symbol}".strip(), values))
     heads = ("", "least clearance", "likely", "greatest clearance", "99.7 % within")
     return Section(TOLERANCES, [Table(rows, heads, (0, 4)), Said([_OF_TOLERANCES])])
 
@@ -271,7 +271,9 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
     if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
         found.append(("contact angle", f"{given(math.degrees(row.nominal_angle), 5)} degrees", ""))
     if isinstance(bearing, Paired):
-        found.append(("clearance of the rows", f"{um(bearing.clearance):g}", "axial"))
+        # To 10 nm: that for a preload, or by temperatures, is given by nobody.
+        between = um(round(bearing.clearance, 5))
+        found.append(("clearance of the rows", f"{between:g}", "axial"))
     return found
 
 
