@@ -10,11 +10,10 @@ from __future__ import annotations
 
 import math
 import re
-import tomllib
 from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 from typing import Any, ClassVar, Final
 
 from nonhertz.errors import InputError
@@ -267,8 +266,9 @@ def _at(place: str, name: str, size: float, field: str = "size") -> Any:
 
 @cache
 def _tables() -> dict[str, Any]:
-    text = files("nonhertz.bearing").joinpath("classes.toml").read_text("utf-8")
-    return tomllib.loads(text)
+    import tomllib  # classes are rare, and this is no part of every start
+
+    return tomllib.loads(Path(__file__).with_name("classes.toml").read_text("utf-8"))
 
 
 def _table(place: str) -> dict[str, Any]:
