@@ -5,7 +5,7 @@ import math
 import pytest
 
 import nonhertz as nh
-from nonhertz.bearing.fits import Range, clearance_limits, ring_limits, seat_limits
+from nonhertz.bearing.fits import HOUSINGS, SHAFTS, Range, clearance_limits, ring_limits, seat_limits
 
 # SKF, Rolling bearings (2018), B.6: over, up to [mm], class, limits of the seat's deviation [um] (tables 12 to 20).
 SEATS = [
@@ -111,3 +111,11 @@ def test_classes_that_do_not_exist_are_refused_in_a_sentence(call, sentence):
     with pytest.raises(nh.InputError) as caught:
         call()
     assert sentence in str(caught.value)
+
+
+@pytest.mark.parametrize("fit", [*SHAFTS, *HOUSINGS])
+def test_every_class_has_limits_of_all_sizes(fit):
+    # ISO 286-1: the tolerance is that of the grade alone, and grows with the size.
+    widths = [seat_limits(fit, size).spread for size in (1.0, 6.0, 10.0, 18.0, 30.0, 50.0, 80.0, 120.0, 250.0, 500.0)]
+    assert widths == sorted(widths)
+    assert widths[0] > 0.0
