@@ -30,6 +30,7 @@ from nonhertz.strength import Verdict as OfStrength
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.clearance import OperatingClearance
+    from nonhertz.bearing.film import Films
     from nonhertz.bearing.solution import BearingSolution
 
 #: What is said where a check is passed.
@@ -39,6 +40,7 @@ _PASSED: Final = {
     "case depth": "case deep enough",
     "static-safety": "static safety S0 of at least 1",
     "life": "life as required",
+    "film": "lambda of at least 1",
 }
 #: What is said of ends and corners has a line of its own; all else that is found strains the model.
 _OF_ENDS: Final = ("sharp-end", "corner-end", "corner-peak")
@@ -225,7 +227,10 @@ def _beyond(pressures: NDArray[np.float64], worst: Verdict, what: str) -> Iterat
 
 
 def of_bearing(
-    solution: BearingSolution, life: BearingLife | None, clearance: OperatingClearance | None
+    solution: BearingSolution,
+    life: BearingLife | None,
+    clearance: OperatingClearance | None,
+    films: Films | None = None,
 ) -> Verdict | None:
     """Return the verdict on a loaded bearing; None where nothing is known of it.
 
@@ -237,6 +242,8 @@ def of_bearing(
         How long it lasts, if it is rated.
     clearance : OperatingClearance or None
         What is left of its clearance, if its fits are known.
+    films : Films or None
+        Its films of oil, if speed and oil are known; judged where the roughness is known too.
     """
     found = [] if clearance is None else list(_loosened(clearance))
     checks = list(_of_contacts(solution)) if solution.method == "strips" and solution.load.any() else []
@@ -249,6 +256,7 @@ def of_bearing(
         )
     if life is not None and life.required is not None:
         found.append(_lasting(None if math.isnan(life.rated_life) else life.rated_life, life.required))
+    found += _parted(films)
     if not found and not solution.load.any():
         return None
     row = solution.bearing.rows[0].bearing
@@ -263,6 +271,19 @@ def findings_of(
     """Return what is found about a loaded bearing, its life, and the fits that leave its clearance."""
     beside = (each.findings for each in (life, clearance) if each is not None)
     return (*solution.findings, *(found for each in beside for found in each))
+
+
+def _parted(films: Films | None) -> Iterator[tuple[Level, Finding]]:
+    """Yield how the least film parameter compares with 1, below which surfaces touch all over (Hamrock 2004, ch. 3)."""
+    parameter = None if films is None or films.least is None else films.film_parameter
+    if films is not None and parameter is not None:
+        smallest = float(parameter[films.least])
+        enough = smallest >= 1.0
+        state = "below 1: the film does not part the surfaces"
+        if enough:
+            state = "of at least 3: the film parts them" if smallest >= 3.0 else "between 1 and 3: their peaks touch"
+        words = f"The film parameter lambda of the least film is {{parameter:.3g}}, {state}."
+        yield Level.MET if enough else Level.NOT_MET, finding("film", words, parameter=smallest)
 
 
 def _loosened(clearance: OperatingClearance) -> Iterator[tuple[Level, Finding]]:

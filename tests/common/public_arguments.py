@@ -175,10 +175,12 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "bearing.TaperedRollerBearing": {
         "roller": CONE, "inner": nh.Ring(diameter=37.3), "outer": nh.Ring(diameter=-55.7)
     },
+    "BearingCase.films": {"solution": LOADED},
     "BearingCase.tolerances": {"solution": LOADED, "life": None},
     "bearing.clearance_limits": {"group": "C3", "bore": 30.0, "kind": "cylindrical"},
     "bearing.ring_limits": {"ring": "inner", "size": 30.0, "tolerance_class": "Normal"},
     "bearing.seat_limits": {"fit": "k5", "size": 30.0},
+    "bearing.films": {"speed": 1e3, "lubrication": bearing.Lubrication(viscosity=20.0), "solution": LOADED},
     "bearing.assess": {"solution": LOADED, "viscosity": 20.0, "cleanliness": "high", "edge_stress": None},
     "bearing.from_catalogue": {
         "kind": "cylindrical", "bore": 30.0, "outside_diameter": 62.0, "width": 16.0, "dynamic": 44e3, "static": 36.5e3,

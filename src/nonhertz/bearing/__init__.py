@@ -37,6 +37,9 @@ if TYPE_CHECKING:
     from nonhertz.bearing.clearance import Shaft as Shaft
     from nonhertz.bearing.fatigue import VolumeLife as VolumeLife
     from nonhertz.bearing.fatigue import volume_life as volume_life
+    from nonhertz.bearing.film import ContactFilm as ContactFilm
+    from nonhertz.bearing.film import Films as Films
+    from nonhertz.bearing.film import films as films
     from nonhertz.bearing.fits import Range as Range
     from nonhertz.bearing.fits import clearance_limits as clearance_limits
     from nonhertz.bearing.fits import ring_limits as ring_limits
@@ -89,6 +92,7 @@ __getattr__, __dir__ = door(
         "clearance": ("ClearanceRanges", "Housing", "InterferenceFit", "Mounting", "OperatingClearance", "Shaft"),
         "fatigue": ("VolumeLife", "volume_life"),
         "fits": ("Range", "clearance_limits", "ring_limits", "seat_limits"),
+        "film": ("ContactFilm", "Films", "films"),
         "kinematics": ("Kinematics",),
         "lubrication": (
             "contamination_factor",

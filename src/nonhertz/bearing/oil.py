@@ -46,6 +46,7 @@ def _grade(name: str, value: str, remedy: str) -> str:
     return f"ISO VG {grade}"
 
 
+@cache
 def viscosity_at_100(viscosity: float, index: float) -> float:
     """Return the viscosity of an oil at 100 degC [mm^2/s].
 

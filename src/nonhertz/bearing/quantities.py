@@ -16,6 +16,7 @@ import numpy as np
 
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.clearance import OperatingClearance
+from nonhertz.bearing.film import Films
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import NonhertzError
@@ -35,6 +36,9 @@ class Rated(Protocol):
     def assess(self, solution: BearingSolution) -> BearingLife:
         """Return how long it lasts; refuse if it has no rating."""
 
+    def films(self, solution: BearingSolution) -> Films | None:
+        """Return its films of oil; None without a speed or an oil."""
+
 
 @dataclass(frozen=True)
 class SolvedBearing:
@@ -53,6 +57,11 @@ class SolvedBearing:
             If such a bearing has no rating.
         """
         return self.case.assess(self.solution)
+
+    @cached_property
+    def films(self) -> Films | None:
+        """The films of oil; None without a speed or an oil."""
+        return self.case.films(self.solution)
 
     @property
     def life_or_none(self) -> BearingLife | None:
@@ -101,11 +110,22 @@ def _quantities() -> Iterator[Quantity]:
     yield life("reference_life", "reference life", "L10r")
     yield life("modified_life", "modified life", "Lnmr")
     yield life("static_safety", "static safety", "S0", "", "")
+    least, smallest = partial(_least, name="least_film"), partial(_least, name="film_parameter")
+    yield Quantity("least_film", "least film", "h_min", "mm", least, "um", within="film")
+    for k, ring in enumerate(RINGS):
+        label, at = f"least film at the {ring} ring", partial(least, ring=k)
+        yield Quantity(f"least_film_{ring}", label, "h_min", "mm", at, "um", within="film")
+    yield Quantity("film_parameter", "film parameter", "lambda", "", smallest, within="film")
     yield Quantity("warnings", "warnings", "", "", lambda solved: len(sentences(solved.findings)), within="warnings")
 
 
 def _pressure(found: BearingSolution, ring: int | slice = slice(None)) -> float:
     return float(found.max_pressure[:, ring].max()) if found.method == "strips" else math.nan
+
+
+def _least(solved: SolvedBearing, name: str, ring: int | slice = slice(None)) -> float:
+    found = getattr(solved.films, name, None)
+    return math.nan if found is None else float(np.fmin.reduce(found[:, ring], axis=None))
 
 
 #: All numbers of a bearing, by name.

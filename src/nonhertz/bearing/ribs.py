@@ -121,6 +121,8 @@ class RibContact:
     radius_around: float  # combined radii of curvature around the bearing's axis
     radius_along: float  # and along the flank [mm]
     compliance: float  # of both bodies [1/MPa]
+    height: float  # distance from the roller's axis [mm]
+    radius: float  # and from the bearing's [mm]
     room: float  # how far the contact may reach along the flank, to the edge of the roller's end or of the flank [mm]
 
     def under(self, load: float) -> PointContact:
@@ -167,7 +169,8 @@ class End:
         normal = along * math.cos(rib.flank_angle) - towards * math.sin(rib.flank_angle)
         # The sphere's centre lies on the roller's axis, and the normal goes through it.
         at = along * (rib.end_radius - self.half) - rib.end_radius * normal
-        around = 1.0 / rib.end_radius + float(normal[1]) / (0.5 * self.pitch + float(at[1]))
+        radius = 0.5 * self.pitch + float(at[1])
+        around = 1.0 / rib.end_radius + float(normal[1]) / radius
         if not around > 0.0:
             condition = "be small enough for a sphere inside the conical flank"
             raise InputError("rib.end_radius", rib.end_radius, condition, "give a smaller one, or a larger height")
@@ -176,4 +179,5 @@ class End:
         if rib.edge is not None:
             room = min(room, rib.height - rib.edge)
         radii = 1.0 / around, 1.0 / (1.0 / rib.end_radius + flank)
-        return RibContact(ring, point_motion(normal.tolist(), at.tolist()), gap, *radii, compliance, room)
+        motion = point_motion(normal.tolist(), at.tolist())
+        return RibContact(ring, motion, gap, *radii, compliance, rib.height, radius, room)

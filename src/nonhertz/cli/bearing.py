@@ -83,7 +83,14 @@ def bearing(
     found = Result(case, solution, (life, reason))
     judged = solution, life, case.operating_clearance
     shown = sections(case, solution, life, reason)
-    return Answer(case.title, shown, found.to_json, of_bearing(*judged), findings_of(*judged), saved(found, out))
+    return Answer(
+        case.title,
+        shown,
+        found.to_json,
+        of_bearing(*judged, case.films(solution)),
+        findings_of(*judged),
+        saved(found, out),
+    )
 
 
 def _compared(case: BearingCase, out: Path | None) -> Answer:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +10,9 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm, mpa
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, UnrolledPressure
+from nonhertz.figures.angles import around, loaded_middle, turn_axis
 from nonhertz.figures.displacement import displacement_against_load
+from nonhertz.figures.film import film_figures
 from nonhertz.figures.forces import conditions, directions
 from nonhertz.figures.loads import roller_loads
 from nonhertz.figures.roller import roller_lines
@@ -19,23 +20,24 @@ from nonhertz.figures.value import Across, Axis, Cells, Figure, Panel, Points, S
 
 if TYPE_CHECKING:
     from nonhertz.bearing import BearingMaps
+    from nonhertz.bearing.film import Films
 
 Array = NDArray[np.float64]
 
-QUARTER, STEP = 90.0, 45.0
-"""Degrees, to which the middle of an unrolled row is rounded, and between its ticks."""
 ON_A_GRID = 1.01
 """Over the largest pressure: interpolation on another grid than that of the strips is not beyond it, a sharp end is."""
 
 
-def figures_of(solution: BearingSolution, maps: BearingMaps | None = None) -> dict[str, Figure]:
+def figures_of(
+    solution: BearingSolution, maps: BearingMaps | None = None, films: Films | None = None
+) -> dict[str, Figure]:
     """Return all figures of a loaded bearing by the names of their files; those that `bearing_figures` has."""
     found = {"loads": roller_loads(solution)}
     if solution.method == "strips" and solution.load.any():
         found |= {"pressure": pressure_maps(solution), "roller": roller_lines(solution)}
     if directions(solution):
         found["displacement"] = displacement_against_load(solution, maps)
-    return found
+    return found | ({} if films is None else film_figures(films))
 
 
 def pressure_maps(solution: BearingSolution, points: int = 401) -> Figure:
@@ -53,22 +55,14 @@ def pressure_maps(solution: BearingSolution, points: int = 401) -> Figure:
     InputError
         If the bearing was solved by slices.
     """
-    middle = _middle(solution)
-    ticks = middle + np.linspace(-180.0, 180.0, round(360.0 / STEP) + 1)
-    turn = Axis(
-        "Angle of the roller, from +y towards +z",
-        "angle",
-        "°",
-        range=(middle - 180.0, middle + 180.0),
-        ticks=tuple((tick, f"{tick % 360.0:g}°") for tick in ticks.tolist()),
-    )
+    middle = loaded_middle(solution)
     limit = float(solution.max_pressure.max()) or 1.0
     rows = [[_unrolled(solution, ring, row, points) for ring in RINGS] for row in range(len(solution.bearing.rows))]
     largest = max(float(unrolled.pressure.max()) for both in rows for unrolled in both)
     colours = Axis("Centre-line pressure p₀", "p₀", "MPa", range=(0.0, limit), cut=largest > ON_A_GRID * limit)
     panels = [_panel(solution, unrolled, middle, colours) for both in rows for unrolled in both]
     caption = "Pressure of all rollers on the centre lines of their contacts, over the angle and along the roller."
-    return Figure(turn, panels, conditions(solution), caption)
+    return Figure(turn_axis(middle), panels, conditions(solution), caption)
 
 
 def _unrolled(solution: BearingSolution, ring: str, row: int, points: int) -> UnrolledPressure:
@@ -79,7 +73,7 @@ def _unrolled(solution: BearingSolution, ring: str, row: int, points: int) -> Un
 def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float, colours: Axis) -> Panel:
     ring, row, places = unrolled.ring, unrolled.row, unrolled.y
     pitch = 360.0 / unrolled.angle.size
-    turned = _around(np.degrees(unrolled.angle), middle)
+    turned = around(np.degrees(unrolled.angle), middle)
     order = np.argsort(turned)
     # The roller that half a turn from the middle cuts is at both ends; all rows have the same axis.
     order = np.concatenate([order[-1:], order, order[:1]])
@@ -96,7 +90,7 @@ def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float,
     most = int(largest.argmax())
     if largest[most] > 0.0:
         y, angle = float(solution.max_pressure_y[these, of_ring][most]), np.degrees(unrolled.angle[most : most + 1])
-        marks = [Points(_around(angle, middle), np.array([y]), colour="ink")]
+        marks = [Points(around(angle, middle), np.array([y]), colour="ink")]
         words = f"largest {mpa(float(largest[most])):.4g} at {angle[0]:.4g}°, y = {mm(y):.3g}"
     return Panel(
         f"map-{ring}",
@@ -113,19 +107,3 @@ def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float,
         118,
         colours=colours,
     )
-
-
-def _middle(solution: BearingSolution) -> float:
-    """Return the multiple of a quarter turn [degree] that is nearest to the direction of the loads."""
-    inner = solution.load[:, 0]
-    y, z = float(inner @ np.cos(solution.angle)), float(inner @ np.sin(solution.angle))
-    if math.hypot(y, z) <= 1e-6 * float(inner.sum()):
-        return 0.0
-    return QUARTER * round(math.degrees(math.atan2(z, y)) / QUARTER)
-
-
-def _around(degrees: Array, middle: float) -> Array:
-    """Return angles within half a turn of the middle."""
-    # A roller exactly opposite is on the right; where it is written in binary must not decide.
-    turned: Array = middle + 180.0 - np.mod(np.round(180.0 - (degrees - middle), 9), 360.0)
-    return turned

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from nonhertz.bearing.bearings import TaperedRollerBearing
+from nonhertz.bearing.film import FILM_QUANTITIES, Films
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.bearing.section import FORCES, MOTIONS, RINGS
 from nonhertz.bearing.solution import CONTACT_QUANTITIES, PRESSURES, BearingSolution, slice_loads
@@ -64,6 +65,25 @@ _KINEMATICS: Final = (
     Key("inner_frequency", "how often rollers pass a place of the inner ring, BPFI", "Hz"),
     Key("outer_frequency", "how often rollers pass a place of the outer ring, BPFO", "Hz"),
     Key("roller_frequency", "how often a place of a roller meets a ring, 2 BSF", "Hz"),
+)
+_FILM: Final = (
+    Key("viscosity", "viscosity of the oil in the bearing", "mm^2/s", "lubrication.in_place.viscosity"),
+    Key("dynamic_viscosity", "the same times the density", "MPa s", "lubrication.dynamic_viscosity"),
+    Key("pressure_viscosity", "coefficient alpha", "1/MPa", "lubrication.pressure_coefficient"),
+    *quantity_keys(FILM_QUANTITIES.values(), ListOf(ListOf(count=len(RINGS)))),
+    Key(
+        "film_parameter",
+        "lambda of every contact; null without roughness",
+        "",
+        holds=ListOf(ListOf(count=2)),
+        nullable=True,
+    ),
+    Key(
+        "rib_sliding",
+        "how fast rollers' ends slide on ribs of both rings that may bear loads",
+        "mm/s",
+        holds=ListOf(count=2),
+    ),
 )
 
 
@@ -190,6 +210,7 @@ def keys() -> tuple[Key, ...]:
             Key("residual", "imbalance relative to the loads"),
         ),
         *quantity_keys(quantity for quantity in QUANTITIES.values() if not quantity.within),
+        Key("film", "films of oil; null without a speed or an oil", get="films", holds=_FILM, nullable=True),
         Key("kinematics", "speeds, frequencies; null at rest", get="case.kinematics", holds=_KINEMATICS, nullable=True),
         Key("iterations", "Newton steps of the ring", get="solution.iterations", holds="integer"),
         Key(
@@ -199,7 +220,9 @@ def keys() -> tuple[Key, ...]:
         Key("life", "ratings and lives; null where life_reason says why", holds=_LIFE, nullable=True),
         Key("life_reason", "why there is no life; empty if there is one", get="reason", holds="string"),
         results.assumed_key("case.assumed"),
-        results.verdict_key(lambda rated: of_bearing(rated.solution, rated.life, rated.case.operating_clearance)),
+        results.verdict_key(
+            lambda rated: of_bearing(rated.solution, rated.life, rated.case.operating_clearance, rated.films)
+        ),
         *results.warning_keys(lambda rated: findings_of(rated.solution, rated.life, rated.case.operating_clearance)),
         results.UNITS,
         Key("case", "the bearing as in a file, with all defaults", get="case.own_document", holds="object"),
@@ -211,14 +234,18 @@ def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | 
 
     `nonhertz.files.resultfile.read_result` reads it back. Numbers are unrounded.
     """
-    return results.document(keys(), case=case, solution=solution, life=life, reason=reason)
+    films = case.films(solution)
+    return results.document(keys(), case=case, solution=solution, life=life, reason=reason, films=films)
 
 
-def rollers_table(solution: BearingSolution) -> str:
+def rollers_table(solution: BearingSolution, films: Films | None = None) -> str:
     """Return the rollers as CSV with a header of names and units; cells without a number are empty."""
     quantities = [*CONTACT_QUANTITIES.values()] if solution.method == "strips" else _OF_SLICES
     heads = [heading(f"{quantity.name}_{ring}", quantity.unit) for quantity in quantities for ring in RINGS]
     columns = [column for quantity in quantities for column in quantity.get(solution).T]
+    if films is not None:
+        heads += [heading(f"{each.name}_{ring}", each.unit) for each in FILM_QUANTITIES.values() for ring in RINGS]
+        columns += [column for each in FILM_QUANTITIES.values() for column in each.get(films).T]
     cells = zip(_numbers(solution), _row_numbers(solution), solution.angle, *columns, strict=True)
     return csv_text(["roller", "row", "angle [rad]", *heads], map(plain, cells))
 
@@ -269,7 +296,7 @@ def files(solution: BearingSolution, case: BearingCase, life: BearingLife | None
     """Return the texts of result.json, rollers.csv and lines.csv, by file name."""
     return {
         "result.json": results.key_by_key(as_object(solution, case, life, reason)) + "\n",
-        "rollers.csv": rollers_table(solution),
+        "rollers.csv": rollers_table(solution, case.films(solution)),
         "lines.csv": lines_table(solution, case.solver.laminae),
     }
 

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
-from nonhertz.bearing.bearings import Paired, RollerBearing, parts_of
+from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, parts_of
 from nonhertz.bearing.clearance import Mounting, clearance_ranges
 from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.prescribed import BearingLoad
@@ -40,6 +40,7 @@ from nonhertz.model.prescription import Prescription
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.clearance import OperatingClearance
+    from nonhertz.bearing.film import Films
     from nonhertz.bearing.kinematics import Kinematics
     from nonhertz.bearing.solution import BearingSolution
     from nonhertz.bearing.toleranced import Numbers, Tolerances
@@ -181,6 +182,18 @@ class BearingCase(HeldCase):
         speed = self.prescribed.speed
         return self.bearing.rows[0].bearing.kinematics(**{f"{self.life.turning}_speed": speed}) if speed else None
 
+    def films(self, solution: BearingSolution) -> Films | None:
+        """Return the films of oil in the loaded bearing; None without a speed or an oil."""
+        from nonhertz.bearing.film import films
+        from nonhertz.bearing.solution import BearingSolution
+
+        if not isinstance(solution, BearingSolution):
+            raise InputError("solution", solution, "be a solved bearing", _SOLVED)
+        speed, oil = self.prescribed.speed, self.lubrication
+        if not speed or oil.dynamic_viscosity is None:
+            return None
+        return films(solution, speed=speed, lubrication=oil, turning=self.life.turning, laminae=self.solver.laminae)
+
     @property
     def _inner_speed(self) -> float:
         """The speed at which the inner ring and the shaft widen [1/min]."""
@@ -295,9 +308,13 @@ class BearingCase(HeldCase):
         from nonhertz.bearing.spectrum import solve_spectrum
 
         try:
-            conditions = self.lubrication.in_place.keywords | self.life.keywords
+            oil = self.lubrication.in_place.keywords
+            # Of thrust bearings an oil is known for its films alone, unless a modified life is asked for.
+            if isinstance(self.bearing.rows[0].bearing, CylindricalThrustBearing) and len(oil) == 1:
+                oil = {}
+            conditions = oil | self.life.keywords
             conditions.pop("spectrum")
-            turning = self.lubrication.in_place.viscosity is not None or isinstance(self.life.required, str)
+            turning = bool(oil) or isinstance(self.life.required, str)
             if not self.spectrum:
                 return assess(solution, **conditions, speed=self.prescribed.speed or None if turning else None)
             speeds = [case.speed for case in self.spectrum] if turning else None

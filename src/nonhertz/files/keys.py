@@ -27,7 +27,17 @@ _ORDER: Final = {"format": -3, "title": -2, "bearing": -1, "pair": 1}
 #: Lengths that people read in micrometres.
 MICROMETRES: Final = frozenset(
     {
-        *("amplitude", "approach", "drop", "zm", "clearance", "axial_clearance", "interference", "smoothing"),
+        *(
+            "amplitude",
+            "approach",
+            "drop",
+            "zm",
+            "clearance",
+            "axial_clearance",
+            "interference",
+            "smoothing",
+            "roughness",
+        ),
         *("radial_displacement", "axial_displacement"),
     }
 )

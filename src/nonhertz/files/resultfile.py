@@ -106,7 +106,8 @@ class Result:
         import nonhertz  # figures are made beside files, not below them
 
         def draw(drafts: Path) -> None:
-            nonhertz.plot.save_all(nonhertz.plot.figures(self.solution, self.case.title), drafts)
+            films = None if isinstance(self.solution, Solution) else self.case.films(self.solution)  # type: ignore[union-attr]
+            nonhertz.plot.save_all(nonhertz.plot.figures(self.solution, self.case.title, films=films), drafts)
 
         texts = self.texts()
         try:

@@ -243,6 +243,17 @@ class Body(Input):
         ),
     ] = None
 
+    roughness: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "root mean square roughness Rq of its surface, by which films of oil in bearings are judged; it changes no "
+            "solution",
+            positive,
+            "give Rq in mm, 0.0001 is 0.1 um",
+        ),
+    ] = None
+
     @together("length", "effective_length")
     def _check_effective_length(self) -> None:
         if self.length is not None and self.effective_length is not None and self.effective_length > self.length:

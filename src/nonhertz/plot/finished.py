@@ -22,6 +22,7 @@ from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
     from nonhertz.bearing import BearingMaps
+    from nonhertz.bearing.film import Films
 
 Drawings = Mapping[str, Callable[..., Any]]
 
@@ -47,7 +48,7 @@ def draw(result: Solution | BearingSolution, what: str, ax: Axes | None = None) 
     return drawn
 
 
-def figures(result: Solution | BearingSolution, title: str = "") -> dict[str, Figure]:
+def figures(result: Solution | BearingSolution, title: str = "", *, films: Films | None = None) -> dict[str, Figure]:
     """Return the finished figures of a result, by name; `save` writes them.
 
     Parameters
@@ -56,6 +57,8 @@ def figures(result: Solution | BearingSolution, title: str = "") -> dict[str, Fi
         A solved contact, or a loaded bearing (see `bearing_figures`).
     title : str
         Heading of every figure; none if empty.
+    films : Films, optional
+        Of a bearing, its films of oil.
 
     Returns
     -------
@@ -63,13 +66,13 @@ def figures(result: Solution | BearingSolution, title: str = "") -> dict[str, Fi
         Of a contact ``"pressure"``, ``"footprint"`` and ``"profile"``.
     """
     if isinstance(result, BearingSolution):
-        return bearing_figures(result, title)
+        return bearing_figures(result, title, films=films)
     with sheet_style():
         return {name: sheet_of(figure, title) for name, figure in contact.figures_of(result).items()}
 
 
 def bearing_figures(
-    solution: BearingSolution, title: str = "", *, maps: BearingMaps | None = None
+    solution: BearingSolution, title: str = "", *, maps: BearingMaps | None = None, films: Films | None = None
 ) -> dict[str, Figure]:
     """Return one finished figure each of loads, pressure, most loaded roller and displacement.
 
@@ -82,12 +85,14 @@ def bearing_figures(
         Heading of every figure; none if empty.
     maps : BearingMaps, optional
         For the displacement, in place of slices; see `displacement_against_load`.
+    films : Films, optional
+        Its films of oil, of `nonhertz.bearing.films`.
 
     Returns
     -------
     dict of str to matplotlib.figure.Figure
         Keys ``"loads"``, ``"pressure"`` and ``"roller"`` (by strips, if any roller is loaded), and ``"displacement"``
-        (if a force acts on the inner ring); `save` writes them.
+        (if a force acts on the inner ring), with films ``"film"`` and ``"film-along"``; `save` writes them.
     """
     with sheet_style():
-        return {name: sheet_of(figure, title) for name, figure in bearing.figures_of(solution, maps).items()}
+        return {name: sheet_of(figure, title) for name, figure in bearing.figures_of(solution, maps, films).items()}

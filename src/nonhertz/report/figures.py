@@ -22,7 +22,9 @@ def belonging(found: Results) -> dict[str, list[Picture]]:
         planes = stress_planes_drawn(found.solution, *found.stress) if found.stress else {}
         more = {"Stress below the surface": _drawn(planes), "Life": [*_of_lives(found)]}
     else:
-        values, more = {} if found.solution is None else bearing.figures_of(found.solution), {}
+        values, more = {}, {}
+        if found.solution is not None:
+            values = bearing.figures_of(found.solution, films=found.case.films(found.solution))
     drawn = _drawn(values)
     return {"": drawn[:1], "Results": drawn[1:]} | more
 

@@ -122,7 +122,7 @@ class BearingResults:
         """Whether it bears its load."""
         if self.solution is None:
             return None
-        return of_bearing(self.solution, self.life, self.case.operating_clearance)
+        return of_bearing(self.solution, self.life, self.case.operating_clearance, self.case.films(self.solution))
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from nonhertz.amounts import Amount, amount, digits, given, in_column, mm, mpa, 
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD
+from nonhertz.bearing.film import Films
 from nonhertz.bearing.fits import Range
 from nonhertz.bearing.kinematics import Kinematics
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
@@ -22,6 +23,7 @@ from nonhertz.files.bearing_results import LOSSES
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.beside import ABSENT, beside, changes, compared
+from nonhertz.show.films import film_rows
 from nonhertz.show.lives import of_life
 from nonhertz.show.sections import Cell, Row, Said, Section, Table, assumed_rows, summary
 from nonhertz.study.quantities import number_of
@@ -45,12 +47,14 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
         share = f"{given(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
         lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
     tolerances = case.tolerances(solution, life)
+    films = case.films(solution)
     return [
         Section("Results", [summary(summary_rows(case, solution))]),
         *([] if tolerances is None else [tolerance_section(case, tolerances)]),
         Section("Ratings and life", [summary([*lives, *assumed_rows(case.assumed)])]),
+        Section("Film", [summary(film_rows(case, films))]),
         Section("Speeds and frequencies", [summary(kinematic_rows(case.kinematics))]),
-        Section("All rollers", [roller_table(solution)]),
+        Section("All rollers", [roller_table(solution, films)]),
     ]
 
 
@@ -184,7 +188,7 @@ def _row_of(name: str, values: Amount, probable: str = "") -> tuple[str, ...]:
     return f"{name} [{unit}]", *texts, probable
 
 
-def roller_table(solution: BearingSolution) -> Table:
+def roller_table(solution: BearingSolution, films: Films | None = None) -> Table:
     """Return what every roller bears, in units that suit the largest; blank where there is nothing of the sort."""
     ribbed, ribs = solution.each_rib_load.size > 0, solution.rib_load.max(axis=1, initial=0.0)
     pressed = solution.method == "strips"
@@ -192,10 +196,13 @@ def roller_table(solution: BearingSolution) -> Table:
     (load, of_load), (rib, of_rib), (pressure, of_pressure) = (
         each.scale for each in (newton(*solution.load.flat), newton(*solution.rib_load.flat), mpa(*pressures.flat))
     )
+    least = np.zeros(solution.load.shape) if films is None else np.nan_to_num(films.least_film)
+    film, of_film = um(*least.flat).scale
     heads = (
         *("roller", "row", "angle [deg]", f"load inner [{of_load}]", f"outer [{of_load}]"),
         *("tilt inner [mrad]", "outer [mrad]", f"max p inner [{of_pressure}]", f"outer [{of_pressure}]"),
         f"rib load [{of_rib}]",
+        *((f"film inner [{of_film}]", f"outer [{of_film}]") if films else ()),
     )
     loads_in_words = in_column((load * solution.load).flat)
     rows = []
@@ -207,6 +214,7 @@ def roller_table(solution: BearingSolution) -> Table:
                 *(digits(1e3 * tilt, 4) if carries else "" for tilt in _tilts(solution)[j]),
                 *(digits(pressure * p, 4) if p > 0.0 else "" for p in pressures[j]),
                 digits(rib * ribs[j], 4) if ribbed else "",
+                *(digits(film * h, 3) if h > 0.0 else "" for h in (least[j] if films else ())),
             )
         )  # fmt: skip
     return Table(rows, heads, (), "numbers narrow")

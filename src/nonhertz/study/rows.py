@@ -141,7 +141,7 @@ class Work:
                 return None
             if isinstance(solved, SolvedContact):
                 return of_contact(solved.solution)
-            return of_bearing(solved.solution, solved.life_or_none, solved.case.operating_clearance)
+            return of_bearing(solved.solution, solved.life_or_none, solved.case.operating_clearance, solved.films)
 
     def _alone(self, template: Template, values: Values) -> Row:
         try:

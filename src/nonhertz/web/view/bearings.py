@@ -64,7 +64,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "most": most_loaded(solution),
         "loads": roller_loads(solution).to_json(),
         "maps": _maps(solution),
-        "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance)),
+        "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance, case.films(solution))),
         "summary": rows_of_summaries(shown),
         "tolerances": tolerances and {"columns": tolerances.heads, "rows": tolerances.rows},
         "columns": rollers.heads,

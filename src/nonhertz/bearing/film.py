@@ -1,0 +1,337 @@
+"""The film of oil between rollers and rings, along every contact.
+
+With the viscosity eta at atmospheric pressure, its pressure coefficient alpha, the line load q, the mean u of both
+surfaces' speeds against the contact, the combined radius R across it, and 2 / E' = (1 - nu_a^2) / E_a + (1 - nu_b^2) /
+E_b, films of fully flooded lines at one temperature are functions of
+
+    U = eta u / (E' R)        G = alpha E'        W = q / (E' R)
+
+    h_min / R = 1.714 U^0.694 G^0.568 W^-0.128        h_c / R = 2.922 U^0.692 G^0.470 W^-0.166     (Pan, Hamrock)
+    h_min / R = 2.65 U^0.7 G^0.54 W^-0.13                                                          (Dowson, Higginson)
+
+and of ellipses of the ellipticity k = a / b, from 1 to 8, with W = Q / (E' R^2)
+
+    h_min / R = 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k))
+    h_c / R = 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k))                                   (Hamrock, Dowson)
+
+Along a roller each place is taken as that of a line with its own q, R and u: what flows along the contact is neglected,
+so that right at its ends films are thinner than these. A contact that is an ellipse within that range has the film of
+an ellipse. Surfaces roll without sliding in the middle of the roller (`nonhertz.bearing.kinematics`); elsewhere speeds
+are those of the radii from both axes, which on cones that meet in a point are the same, and on barrels and between
+washers are not.
+
+The film parameter lambda is h_min over the root of the sum of both Rq^2.
+
+References
+----------
+Dowson, Higginson: Elasto-hydrodynamic Lubrication (1966); Hamrock, Dowson: J. Lubr. Technol. 99 (1977) 264; Pan,
+Hamrock: J. Tribol. 111 (1989) 246; Hamrock, Schmid, Jacobson: Fundamentals of Fluid Film Lubrication, 2nd ed. (2004),
+equations 18.72 and 18.74.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.bearing.bearings import RollerBearing, Row
+from nonhertz.bearing.kinematics import Kinematics
+from nonhertz.bearing.oil import Lubrication
+from nonhertz.bearing.section import RINGS
+from nonhertz.bearing.solution import BearingSolution, slice_loads
+from nonhertz.bearing.standard import LAMINAE
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import one_of, positive, whole
+from nonhertz.life.lamina import FEWEST, MOST
+from nonhertz.result.quantities import Quantity, attributes
+from nonhertz.result.solution import Solution
+
+Array = NDArray[np.float64]
+
+#: Arrays of every roller at the inner and the outer ring, by name; NaN where there is no load.
+FILM_QUANTITIES: Final[dict[str, Quantity]] = attributes(
+    ("least_film", "least film of every roller at the inner and outer ring, by Pan and Hamrock", "mm"),
+    ("central_film", "central film there", "mm"),
+    ("line_film", "least film there by Dowson and Higginson", "mm"),
+    ("least_film_y", "where it is along the roller", "mm"),
+    ("entrainment", "mean of both surfaces' speeds there", "mm/s"),
+)
+MOST_ELLIPTIC = 8.0
+# Of the mean over the largest line load of an ellipse, 2/3, by how much that of a contact that is one may differ.
+_LIKE_ELLIPSE = 0.03
+_PER_SECOND = 2.0 * math.pi / 60.0
+
+
+def pan_hamrock(speed: Array, material: float, load: Array) -> tuple[Array, Array]:
+    """Return h_min / R and h_c / R of a line contact for U, G and W."""
+    least = 1.714 * speed**0.694 * material**0.568 * load**-0.128
+    return least, 2.922 * speed**0.692 * material**0.470 * load**-0.166
+
+
+def dowson_higginson(speed: Array, material: float, load: Array) -> Array:
+    """Return h_min / R of a line contact for U, G and W."""
+    found: Array = 2.65 * speed**0.7 * material**0.54 * load**-0.13
+    return found
+
+
+def hamrock_dowson(speed: Array, material: float, load: Array, ellipticity: float) -> tuple[Array, Array]:
+    """Return h_min / R and h_c / R of an ellipse for U, G, W = Q / (E' R^2) and k."""
+    least: Array = 3.63 * speed**0.68 * material**0.49 * load**-0.073 * (1.0 - math.exp(-0.68 * ellipticity))
+    central: Array = 2.69 * speed**0.67 * material**0.53 * load**-0.067 * (1.0 - 0.61 * math.exp(-0.73 * ellipticity))
+    return least, central
+
+
+@dataclass(frozen=True, eq=False)
+class ContactFilm:
+    """The film along a contact; arrays of shape (n,).
+
+    Attributes
+    ----------
+    row : Row
+        The row of rollers.
+    ring : {"inner", "outer"}
+        Which ring.
+    rollers : tuple of int
+        Whose contacts these are: rollers on both sides of a load have the same.
+    y, line_load : ndarray
+        Places along the rollers' profiles [mm], and the load per length there [N/mm].
+    least_film, central_film : ndarray
+        Of a line by Pan and Hamrock, or of an ellipse by Hamrock and Dowson [mm].
+    line_film : ndarray
+        The least one of a line by Dowson and Higginson [mm].
+    entrainment, sliding : ndarray
+        Mean of both surfaces' speeds, and that of the ring less that of the roller [mm/s].
+    elliptic : bool
+        Whether the film is that of an ellipse.
+    """
+
+    row: Row
+    ring: str
+    rollers: tuple[int, ...]
+    y: Array
+    line_load: Array
+    least_film: Array
+    central_film: Array
+    line_film: Array
+    entrainment: Array
+    sliding: Array
+    elliptic: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Films:
+    """The films in a loaded bearing; made by `films`.
+
+    Attributes
+    ----------
+    solution : BearingSolution
+        The loaded bearing.
+    kinematics : Kinematics
+        Its speeds.
+    lubrication : Lubrication
+        Its oil.
+    contacts : tuple of ContactFilm
+        The films along all loaded contacts, those of several rollers once.
+    """
+
+    solution: BearingSolution
+    kinematics: Kinematics
+    lubrication: Lubrication
+    contacts: tuple[ContactFilm, ...]
+
+    @property
+    def least_film(self) -> Array:
+        """The least film of every contact [mm], shape (rollers, 2); NaN where there is no load."""
+        return self._at_least("least_film")
+
+    @property
+    def central_film(self) -> Array:
+        """The central film at the place of the least one [mm], shape (rollers, 2)."""
+        return self._at_least("central_film")
+
+    @property
+    def line_film(self) -> Array:
+        """The least film there by Dowson and Higginson [mm], shape (rollers, 2)."""
+        return self._at_least("line_film")
+
+    @property
+    def least_film_y(self) -> Array:
+        """Where along the roller it is least [mm], shape (rollers, 2)."""
+        return self._at_least("y")
+
+    @property
+    def entrainment(self) -> Array:
+        """The mean of both surfaces' speeds there [mm/s], shape (rollers, 2)."""
+        return self._at_least("entrainment")
+
+    @property
+    def film_parameter(self) -> Array | None:
+        """Lambda of every contact [-], shape (rollers, 2); None where a roughness is not known."""
+        roughness = self.roughness
+        return None if roughness is None else self.least_film / roughness
+
+    @property
+    def least(self) -> tuple[int, int] | None:
+        """Roller and ring, 0 or 1, of the least film of all; None without load."""
+        if not self.contacts:
+            return None
+        roller, ring = np.unravel_index(int(np.nanargmin(self.least_film)), self.least_film.shape)
+        return int(roller), int(ring)
+
+    @cached_property
+    def roughness(self) -> Array | None:
+        """Rq of roller and ring together at both rings [mm], shape (2,); None where one is not known."""
+        row = self.solution.bearing.rows[0].bearing
+        known = [part.roughness for part in (row.roller, row.inner, row.outer)]
+        if any(each is None for each in known):
+            return None
+        roller, *rings = known
+        together: Array = np.hypot(np.array(rings, dtype=float), float(roller or 0.0))
+        return together
+
+    @property
+    def rib_sliding(self) -> Array:
+        """How fast the rollers' ends slide on ribs of each ring that may bear loads [mm/s], shape (2,); NaN without."""
+        found, motion = np.full(len(RINGS), np.nan), self.kinematics
+        for rib in self.solution.bearing.rows[0].bearing.rib_contacts:
+            speed = abs(getattr(motion, f"{rib.ring}_speed") - motion.cage_speed) * rib.radius
+            found[RINGS.index(rib.ring)] = _PER_SECOND * abs(speed - abs(motion.roller_speed) * rib.height)
+        return found
+
+    @property
+    def elliptic(self) -> NDArray[np.bool_]:
+        """Whether the film of a contact is that of an ellipse, shape (rollers, 2)."""
+        found = np.zeros(self.solution.load.shape, dtype=bool)
+        for each in self.contacts:
+            found[list(each.rollers), RINGS.index(each.ring)] = each.elliptic
+        return found
+
+    def _at_least(self, name: str) -> Array:
+        found = np.full(self.solution.load.shape, np.nan)
+        for each in self.contacts:
+            found[list(each.rollers), RINGS.index(each.ring)] = getattr(each, name)[int(np.argmin(each.least_film))]
+        return found
+
+
+def films(
+    solution: BearingSolution, *, speed: float, lubrication: Lubrication, turning: str = "inner", laminae: int = LAMINAE
+) -> Films:
+    """Return the films between the rollers of a loaded bearing and its rings.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        The loaded bearing.
+    speed : float
+        Of the ring that turns [1/min].
+    lubrication : Lubrication
+        The oil.
+    turning : {"inner", "outer"}
+        The ring that turns.
+    laminae : int
+        Number of slices, where the bearing was solved by them.
+
+    Raises
+    ------
+    InputError
+        If an argument is out of range, or the viscosity of the oil is not known.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
+    >>> oil = nh.bearing.Lubrication(oil="ISO VG 68", temperature=70)
+    >>> found = films(nh.bearing.solve(row, radial=10e3), speed=3000, lubrication=oil)
+    >>> (1e3 * found.least_film[0]).round(2)  # um
+    array([0.16, 0.19])
+    """
+    if not isinstance(solution, BearingSolution):
+        raise InputError("solution", solution, "be a solved bearing", "give what nonhertz.bearing.solve returns")
+    positive("speed", speed, "give the speed of the ring that turns in 1/min")
+    one_of("turning", turning, RINGS, "name the ring that turns")
+    if not isinstance(lubrication, Lubrication) or lubrication.dynamic_viscosity is None:
+        raise InputError(
+            "lubrication", lubrication, "have a viscosity", "give an oil with its temperature, or a viscosity"
+        )
+    bearing = solution.bearing.rows[0].bearing
+    motion = bearing.kinematics(**{f"{turning}_speed": speed})
+    count = whole("laminae", laminae, FEWEST, MOST, "give the number of laminae, 41 say")
+    oil = lubrication.dynamic_viscosity, lubrication.pressure_coefficient or 0.0
+    along = _along_strips(solution) if solution.method == "strips" else _along_slices(solution, count)
+    return Films(solution, motion, lubrication, tuple(_film(loaded, motion, *oil) for loaded in along))
+
+
+def surface_speeds(bearing: RollerBearing, ring: int, motion: Kinematics, y: Array) -> tuple[Array, Array]:
+    """Return the speeds of a raceway and of the rollers on it along the contact, against the contact [mm/s]."""
+    sense, angle, inclined = (-1.0, 1.0)[ring], bearing.contact_angles[ring], 0.5 * sum(bearing.contact_angles)
+    narrows = 0.5 * (bearing.contact_angles[1] - bearing.contact_angles[0])
+    relief = bearing.contacts[ring].a.relief_at(y)
+    middle = 0.5 * (bearing.pitch + sense * bearing.roller_diameter * math.cos(inclined))
+    around: Array = middle - y * math.sin(angle) - sense * relief * math.cos(angle)
+    roller = 0.5 * bearing.roller_diameter - y * math.tan(narrows) - relief
+    turns = abs((motion.inner_speed, motion.outer_speed)[ring] - motion.cage_speed)
+    return _PER_SECOND * turns * around, _PER_SECOND * abs(motion.roller_speed) * roller
+
+
+class _Loaded(NamedTuple):
+    """A loaded contact: places [mm], line loads [N/mm], and length over width where it is an ellipse."""
+
+    row: Row
+    ring: int
+    rollers: list[int]
+    y: Array
+    load: Array
+    ellipticity: float | None = None
+
+
+def _along_strips(solution: BearingSolution) -> Iterator[_Loaded]:
+    for each in solution.distinct_contacts:
+        loaded, solved = each.solved.line_load > 0.0, each.solved
+        yield _Loaded(
+            each.row, each.ring, each.rollers, solved.y[loaded], solved.line_load[loaded], _ellipticity(solved)
+        )
+
+
+def _along_slices(solution: BearingSolution, laminae: int) -> Iterator[_Loaded]:
+    for row, (slices, loads) in zip(solution.bearing.rows, slice_loads(solution, laminae), strict=True):
+        width = float(slices.y[1] - slices.y[0])
+        for j, ring in np.argwhere(loads.any(axis=2)).tolist():
+            loaded = loads[j, ring] > 0.0
+            yield _Loaded(row, ring, [row.first + j], slices.y[loaded], loads[j, ring][loaded] / width)
+
+
+def _ellipticity(solved: Solution) -> float | None:
+    """Return length over width of a contact that is an ellipse; None if it is none."""
+    (low, high), *others = solved.contact_y
+    ends = solved.contact.land
+    mean = solved.load / (high - low) / float(solved.line_load.max())
+    if others or low <= ends[0] or high >= ends[1] or abs(1.5 * mean - 1.0) > _LIKE_ELLIPSE:
+        return None
+    return 0.5 * (high - low) / solved.max_half_width
+
+
+def _film(loaded: _Loaded, motion: Kinematics, viscosity: float, coefficient: float) -> ContactFilm:
+    """Return the film along a contact in an oil [MPa s, 1/MPa]."""
+    row, ring, rollers, y, load, ratio = loaded
+    contact = row.bearing.contacts[ring]
+    modulus, radius = 2.0 / (math.pi * contact.compliance), 1.0 / contact.curvature_at(y)
+    raceway, roller = surface_speeds(row.bearing, ring, motion, y)
+    entrainment = 0.5 * (raceway + roller)
+    speed, material = viscosity * entrainment / (modulus * radius), coefficient * modulus
+    of_line = load / (modulus * radius)
+    elliptic = ratio is not None and 1.0 <= ratio <= MOST_ELLIPTIC
+    if ratio is not None and elliptic:
+        least, central = hamrock_dowson(speed, material, np.trapezoid(load, y) / (modulus * radius**2), ratio)
+    else:
+        least, central = pan_hamrock(speed, material, of_line)
+    least, central, line = (each * radius for each in (least, central, dowson_higginson(speed, material, of_line)))
+    sliding = raceway - roller
+    return ContactFilm(row, RINGS[ring], tuple(rollers), y, load, least, central, line, entrainment, sliding, elliptic)

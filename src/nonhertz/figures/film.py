@@ -1,0 +1,117 @@
+"""Figures of the films of oil in a bearing: over the load zone, and along the roller with the least one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.amounts import um
+from nonhertz.bearing.film import ContactFilm, Films
+from nonhertz.bearing.section import RINGS
+from nonhertz.figures.angles import around, loaded_middle, turn_axis
+from nonhertz.figures.roller import STYLES
+from nonhertz.figures.value import Axis, Figure, Level, Line, Mark, Panel, Points
+
+ROOM = 1.15
+#: Of the largest line load along a contact: where it is less, as at its ends, films are not drawn.
+_LOADED = 0.02
+
+
+def film_figures(films: Films) -> dict[str, Figure]:
+    """Return the least film of all rollers at both rings over their angles, and the film along one; none without load.
+
+    Parameters
+    ----------
+    films : Films
+        The films in a loaded bearing.
+
+    Returns
+    -------
+    dict of str to Figure
+        ``"film"``, with a panel for each row, and ``"film-along"``, of the roller with the least one.
+    """
+    if films.least is None:
+        return {}
+    solution = films.solution
+    middle = loaded_middle(solution)
+    carrying = solution.load[:, :1] > 0.0
+    least = np.where(carrying, films.least_film, np.nan)
+    rows = range(len(solution.bearing.rows))
+    over = Figure(
+        turn_axis(middle),
+        [_over_angle(films, least, row, middle) for row in rows],
+        f"least film {um(films.least_film[films.least]):.3g}",
+        "Least film of oil of the rollers between both rings, over the angle from the first roller.",
+    )
+    return {"film": over, "film-along": _along(films, films.least[0])}
+
+
+def _over_angle(films: Films, least: NDArray[np.float64], row: int, middle: float) -> Panel:
+    these = films.solution.rollers_of(row)
+    angle = around(np.degrees(films.solution.angle[these]), middle)
+    order = np.argsort(angle)
+    marks: list[Mark] = []
+    for k, ring in enumerate(RINGS):
+        film = least[these, k][order]
+        marks += [
+            Line(angle[order], film, name=f"{ring} ring", **STYLES[ring]),
+            Points(angle[order][np.isfinite(film)], film[np.isfinite(film)], colour=STYLES[ring]["colour"]),
+        ]
+    heading = "Least film" + (f", row {row + 1}" if len(films.solution.bearing.rows) > 1 else "")
+    top = float(np.nanmax(least))
+    return Panel(
+        f"film-{row + 1}",
+        heading,
+        Axis("Least film", "h", "mm", "um", range=(0.0, ROOM * max(top, _roughness(films)))),
+        [*marks, *_rough(films)],
+        f"{heading} of every roller over its angle, from {um(float(np.nanmin(least))):.3g} to {um(top):.3g}.",
+        _words_of_roughness(films),
+        160,
+    )
+
+
+def _along(films: Films, roller: int) -> Figure:
+    among = {each.ring: each for each in films.contacts if roller in each.rollers}
+    half = 0.5 * next(iter(among.values())).row.bearing.roller_length
+    marks: list[Mark] = []
+    for ring, film in among.items():
+        marks += _lines(film, ring)
+    top = max(float(np.nanmax(mark.y)) for mark in marks if isinstance(mark, Line))
+    place = films.solution.place_of(roller)
+    what = f"{place[0].upper()}{place[1:]}, with the least film"
+    panel = Panel(
+        "film-along",
+        "Film along the roller",
+        Axis("Film", "h", "mm", "um", range=(0.0, ROOM * max(top, _roughness(films)))),
+        [*marks, *_rough(films)],
+        f"Least and central film of {place} along it.",
+        _words_of_roughness(films),
+        200,
+    )
+    along = Axis("Axial position y", "y", "mm", range=(-half, half))
+    return Figure(along, [panel], what, f"{what}: least and central film of oil along it, at both rings.")
+
+
+def _lines(film: ContactFilm, ring: str) -> Iterator[Line]:
+    # Towards the ends, where the load runs out, the formulas of lines say too much.
+    inside = film.line_load >= _LOADED * film.line_load.max()
+    colour = STYLES[ring]["colour"]
+    yield Line(film.y, np.where(inside, film.least_film, np.nan), name=f"{ring} ring, least", colour=colour)
+    central = np.where(inside, film.central_film, np.nan)
+    yield Line(film.y, central, name=f"{ring} ring, central", colour=colour, dash="dotted")
+
+
+def _roughness(films: Films) -> float:
+    return 0.0 if films.roughness is None else float(films.roughness.max())
+
+
+def _rough(films: Films) -> list[Mark]:
+    return [] if films.roughness is None else [Level(_roughness(films), colour="ink", dash="ends")]
+
+
+def _words_of_roughness(films: Films) -> str:
+    return (
+        "" if films.roughness is None else f"dash-dotted: Rq of both surfaces, {um(_roughness(films)):.3g}, lambda = 1"
+    )

@@ -1,0 +1,51 @@
+"""The films of oil in a bearing, in rows."""
+
+from __future__ import annotations
+
+from nonhertz.amounts import digits, given, mm, um
+from nonhertz.bearing.film import Films
+from nonhertz.bearing.section import RINGS
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.show.sections import Row
+
+NO_ROUGHNESS = "give roughness, Rq, of rollers and both rings"
+
+
+def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
+    """Return name, value and remark of the least film, its film parameter, and the oil; why there are none."""
+    if films is None or films.least is None:
+        missing = [] if case.prescribed.speed else ["load.speed"]
+        missing += [] if films or case.lubrication.dynamic_viscosity else ["an oil in [lubrication]"]
+        return [("least film", "not judged", f"give {' and '.join(missing)}" if missing else "no load")]
+    at = films.least
+    roller, ring = at
+    place = f"{RINGS[ring]} ring, {films.solution.place_of(roller)}, y = {mm(films.least_film_y[at]):4}"
+    how = "Hamrock and Dowson, of an ellipse" if films.elliptic[at] else "Pan and Hamrock"
+    rows = [
+        ("least film", f"{um(films.least_film[at]):4}", place),
+        ("", f"{um(films.central_film[at]):4}", f"central film there; both by {how}"),
+        ("", f"{um(films.line_film[at]):4}", "least film there by Dowson and Higginson"),
+        ("entrainment", _metres(films.entrainment[at]), "mean speed of both surfaces there"),
+    ]
+    parameter = films.film_parameter
+    if parameter is None:
+        rows.append(("film parameter", "not judged", NO_ROUGHNESS))
+    else:
+        rows.append(("film parameter", f"lambda = {digits(parameter[at], 3)}", "least film over both Rq together"))
+    for name, speed in zip(RINGS, films.rib_sliding.tolist(), strict=True):
+        if speed > 0.0:
+            rows.append(("sliding on ribs", _metres(speed), f"of the rollers' ends, {name} ring"))
+    return [*rows, *_oil_rows(films)]
+
+
+def _metres(speed: float) -> str:
+    return f"{digits(1e-3 * speed, 3)} m/s"
+
+
+def _oil_rows(films: Films) -> list[Row]:
+    """Return what is known of the oil."""
+    oil = films.lubrication
+    base = "base oil of the grease" if oil.grease else "oil"
+    named = f"{oil.oil or base} at {given(oil.temperature)} °C" if oil.temperature is not None else base
+    viscosity, dynamic = oil.in_place.viscosity or 0.0, oil.dynamic_viscosity or 0.0
+    return [("oil", f"{digits(viscosity, 4)} mm²/s", f"{named}, {digits(1e9 * dynamic, 4)} mPa s")]
