@@ -43,7 +43,7 @@ rollers = 14
 """
 LOADS = ((20e3, 0.5e-3, 0.1), (12e3, 0.0, 0.3), (5e3, 0.2e-3, 0.6))
 SPECTRUM = "".join(f"[[life.spectrum]]\nload = {load}\ntilt = {tilt}\nshare = {share}\n" for load, tilt, share in LOADS)
-FILES = {"life.json", "life.csv", "life-density.svg", "life-density.png"}
+FILES = {"life.json", "life.csv", "life-density.svg", "life-density.png", "life-density.csv"}
 # Laminae take no time.
 QUICK = ["--model", "iso-16281"]
 

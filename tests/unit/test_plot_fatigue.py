@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from matplotlib.patches import StepPatch
 
 import nonhertz as nh
 from nonhertz.life import assess
@@ -34,11 +33,10 @@ def labels(figure: Figure) -> list[list[str]]:
 def test_lines_are_densities_and_laminae_steps(solution, lives):
     volume, laminae = lives
     axes = life_density([(solution, 1.0)], lives, Figure().add_subplot())
-    np.testing.assert_array_equal(axes.lines[0].get_xydata(), np.column_stack([volume.y, volume.density]))
-    (steps,) = (patch for patch in axes.patches if isinstance(patch, StepPatch))
-    values, edges, _ = steps.get_data()
-    np.testing.assert_array_equal(values, laminae.density)
-    np.testing.assert_allclose(edges, np.linspace(-7.5, 7.5, 61), rtol=0.0, atol=1e-12)
+    np.testing.assert_array_equal(axes.lines[1].get_xydata(), np.column_stack([volume.y, volume.density]))
+    edges, values = next(line for line in axes.lines if str(line.get_label()).startswith("iso")).get_xydata().T
+    np.testing.assert_array_equal(values, np.repeat(laminae.density, 2))
+    np.testing.assert_allclose(edges, np.repeat(np.linspace(-7.5, 7.5, 61), 2)[1:-1], rtol=0.0, atol=1e-12)
     low, high = axes.get_ylim()
     assert (axes.get_yscale(), low) == ("linear", 0.0)
     assert high > max(life.density.max() for life in lives)

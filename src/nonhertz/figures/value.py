@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass, field, fields
 from typing import Any, Literal
 
 import numpy as np
@@ -18,11 +18,17 @@ from nonhertz.amounts import amount
 from nonhertz.result.tables import csv_text
 
 Array = NDArray[np.float64]
-Colour = Literal["first", "second", "ink", "faint", "paper"]
-Dash = Literal["solid", "dashed", "dotted", "ends"]
+Colour = Literal["first", "second", "third", "fourth", "fifth", "ink", "faint", "paper"]
+Dash = Literal["solid", "dashed", "chain", "dotted", "long", "mixed", "ends"]
 Side = Literal["left", "center", "right"]
 Symbol = Literal["circle", "diamond", "triangle", "dot"]
 Range = tuple[float, float]
+
+SERIES: tuple[tuple[Colour, Dash], ...] = (
+    ("first", "solid"), ("second", "dashed"), ("third", "chain"), ("fourth", "dotted"), ("ink", "long"),
+    ("fifth", "mixed"),
+)  # fmt: skip
+"""Of several lines beside each other; each has dashes of its own, for printing in grey."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -33,9 +39,9 @@ class Mark:
     ----------
     name : str
         Entry in the legend; none if empty.
-    colour : {"first", "second", "ink", "faint", "paper"}
-        Of the two colours that any eye tells apart, of text, of thin lines, or of what is drawn on.
-    dash : {"solid", "dashed", "dotted", "ends"}
+    colour : {"first", "second", "third", "fourth", "fifth", "ink", "faint", "paper"}
+        Of the colours that any eye tells apart, of text, of thin lines, or of what is drawn on.
+    dash : {"solid", "dashed", "chain", "dotted", "long", "mixed", "ends"}
         ``"ends"`` is the dash-dot line of engineering drawings.
     """
 
@@ -177,6 +183,7 @@ class Words(Mark):
     y: float
     words: str
     side: Side = "center"
+    colour: Colour = field(default="ink", kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,6 +206,8 @@ class Axis:
         Whether values beyond the range are cut off.
     ticks : tuple of (float, str)
         Places with their words; chosen by who draws if left out.
+    logarithmic : bool
+        Whether equal lengths are equal ratios.
     """
 
     label: str
@@ -208,6 +217,7 @@ class Axis:
     range: Range | None = None
     cut: bool = False
     ticks: tuple[tuple[float, str], ...] = ()
+    logarithmic: bool = False
 
     @property
     def scale(self) -> tuple[float, str]:
@@ -328,9 +338,9 @@ def _plain(value: Any) -> Any:
     if not isinstance(value, Figure | Panel | Axis | Mark):
         return value
     shown = {
-        field.name: _plain(getattr(value, field.name))
-        for field in fields(value)
-        if field.default is MISSING or getattr(value, field.name) != field.default
+        each.name: _plain(getattr(value, each.name))
+        for each in fields(value)
+        if each.default is MISSING or getattr(value, each.name) != each.default
     }
     if isinstance(value, Mark):
         shown["kind"] = type(value).__name__.lower()

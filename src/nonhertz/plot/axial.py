@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from nonhertz.amounts import Amount, given, mm, mpa
+from nonhertz.amounts import Amount, given, mm
 from nonhertz.plot.axes import Alignment, Axes, measure, note
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
-from nonhertz.result.along import axial_range, ends_in_sight, land_end_peaks, unlimited_ends
+from nonhertz.result.along import axial_range, ends_in_sight, unlimited_ends
 from nonhertz.result.solution import Solution
 
 LETTER = 0.55 * SMALL_SIZE / 72.0
@@ -27,27 +25,11 @@ def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
             note(ax, name, (at, 0.5), side, 3.0, across=True, rotation=90.0, va="center", color=FAINT_INK)
 
 
-def mark_land_ends(solution: Solution, ax: Axes, colour: str = INK) -> None:
-    """Write "land end" and the pressure where it rises again towards an end, on the side of the contact."""
-    middle = 0.5 * sum(axial_range(solution))
-    for y, pressure in land_end_peaks(solution):
-        at = float(measure("mm")(y)), float(measure("MPa")(pressure))
-        words = f"land end, {written(mpa(pressure))}"
-        note(ax, words, at, _side(y < middle), 3.0, 4.0, va="bottom", color=colour, bbox=BACKING)
-
-
-def mark_unlimited(solutions: Sequence[Solution], ax: Axes, colours: Sequence[str] = ()) -> None:
-    """Write "no limit" at every end where the pressure has none, on the side of the contact.
-
-    With colours, one for each solution, what concerns a single one has its colour.
-    """
-    ends: dict[tuple[float, bool], list[str]] = {}
-    for solution, colour in zip(solutions, colours or [INK] * len(solutions), strict=True):
-        for edge in unlimited_ends(solution):
-            ends.setdefault((round(edge.y, 6), edge is solution.edge_pressure[0]), []).append(colour)
-    for (y, low), found in ends.items():
-        at, colour = (float(measure("mm")(y)), 0.98), found[0] if len(found) == 1 else INK
-        note(ax, "no limit", at, _side(low), 6.0, across=True, va="top", color=colour, bbox=BACKING)
+def mark_unlimited(solution: Solution, ax: Axes) -> None:
+    """Write "no limit" at every end where the pressure has none, on the side of the contact."""
+    for edge in unlimited_ends(solution):
+        at, side = (float(measure("mm")(edge.y)), 0.98), _side(edge is solution.edge_pressure[0])
+        note(ax, "no limit", at, side, 6.0, across=True, va="top", color=INK, bbox=BACKING)
 
 
 def _side(to_the_right: bool) -> Alignment:

@@ -45,7 +45,8 @@ if TYPE_CHECKING:
     from matplotlib.contour import ContourSet
 
 DASHES: Final[dict[str, Any]] = {
-    "solid": "-", "dashed": "--", "dotted": style.HINT_DASHES, "ends": style.END_DASHES,
+    "solid": "-", "dashed": "--", "chain": (0, (6, 1.5, 1.2, 1.5)), "dotted": style.HINT_DASHES, "long": (0, (8, 2)),
+    "mixed": (0, (3, 1, 1, 1, 1, 1)), "ends": style.END_DASHES,
 }  # fmt: skip
 LOWEST: Final = 0.5  # inch, of a panel in true proportions
 HEADS: Final = 0.24, 0.6  # inch, above such a panel and the stretched one below it
@@ -99,9 +100,9 @@ def entitle(panel: Panel, ax: Axes) -> None:
 
 def _lines(words: str) -> list[str]:
     """Return parts of words in lines that are not too long, none of which begins within a part."""
-    first, *parts = typeset(words).split("; ")
-    lines = [first]
-    for part in parts:
+    parts = [part for part in typeset(words).split("; ") if part]
+    lines = parts[:1]
+    for part in parts[1:]:
         joined = f"{lines[-1]}; {part}"
         lines[-1:] = [joined] if len(joined) <= LETTERS else [lines[-1], part]
     return lines
@@ -153,9 +154,9 @@ def draw_on(figure: Figure, ax: Axes) -> Axes:
         for axes, of in ((ax, first), (twin, panel)):
             axes.yaxis.label.set_color(COLOURS[next(mark.colour for mark in of.marks if isinstance(mark, Line))])
         several.append(twin)
-    draw_key(figure.panels, *several)
+    rows = draw_key(figure.panels, *several)
     words = typeset(figure.conditions)
-    ax.set_title(f"{words}; {first.remark}" if first.remark else words, loc="left", pad=18.0)
+    ax.set_title(f"{words}; {first.remark}" if first.remark else words, loc="left", pad=TITLE_ABOVE + ROW_OF_KEY * rows)
     return ax
 
 
@@ -177,6 +178,9 @@ def draw_panel(panel: Panel, figure: Figure, ax: Axes, *, last: bool = True, str
     for mark in panel.marks:
         _draw(mark, pen)
     ax.locator_params(axis="both" if panel.colours else "x", steps=ROUND)
+    for axis, set_scale in ((figure.along, ax.set_xscale), (panel.upright, ax.set_yscale)):
+        if axis.logarithmic:
+            set_scale("log")
     for axis, factor, limit in ((figure.along, across, ax.set_xlim), (panel.upright, up, ax.set_ylim)):
         if axis.range is not None:
             # Automatic limits stay on where matplotlib is to widen them, or it would warn that it does.
@@ -270,13 +274,21 @@ def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
 
 
 def _columns_of_key(panels: Sequence[Panel], width: float) -> list[list[str]]:
-    """Return the entries of a legend: side by side if they fit into a width [inch], else points beside all else."""
+    """Return the entries of a legend in as many columns as fit into a width [inch], or points beside all else."""
     named = [mark for panel in panels for mark in panel.marks if mark.name]
     points = {typeset(mark.name): isinstance(mark, Points) for mark in named}
-    if LETTER * sum(len(words) + SAMPLE for words in points) <= width:
-        return [[words] for words in points]
-    columns = [[words for words, point in points.items() if point is first] for first in (True, False)]
-    return [column for column in columns if column]
+    if _wide(alone := [[words] for words in points]) <= width:
+        return alone
+    if len({*points.values()}) == 2:
+        return [[words for words, point in points.items() if point is first] for first in (True, False)]
+    entries, count = [*points], len(points)
+    splits = ([entries[at : at + rows] for at in range(0, count, rows)] for rows in range(2, count + 1))
+    return next((split for split in splits if _wide(split) <= width), [entries])
+
+
+def _wide(columns: Sequence[Sequence[str]]) -> float:
+    """Return the width [inch] of a legend of columns."""
+    return LETTER * sum(max(len(words) + SAMPLE for words in column) for column in columns)
 
 
 def _normalised(colours: Axis) -> Any:
@@ -392,13 +404,13 @@ def _(mark: Dimension, pen: _Pen) -> None:
 
 @_draw.register
 def _(mark: Words, pen: _Pen) -> None:
-    _write(mark.words, mark.x, mark.y, mark.side, pen)
+    _write(mark.words, mark.x, mark.y, mark.side, pen, color=COLOURS[mark.colour])
 
 
-def _write(words: str, x: float, y: float, side: Side, pen: _Pen) -> None:
+def _write(words: str, x: float, y: float, side: Side, pen: _Pen, **look: Any) -> None:
     """Write words above a point, inside the axes if they are to be in its middle."""
     if not words:
         return
     if side == "center" and pen.span:
         side = alignment(pen.ax, x, pen.span, words)
-    note(pen.ax, typeset(words), pen.point(x, y), side, 3.0, 4.0, **OVER_LINES)
+    note(pen.ax, typeset(words), pen.point(x, y), side, 3.0, 4.0, **OVER_LINES | look)

@@ -1,38 +1,21 @@
-"""Where along a contact its bodies fatigue: damage per length by several models."""
+"""Where along a contact its bodies fatigue, and what a dent does to its surroundings."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from nonhertz.amounts import Amount, mrad, newton
-from nonhertz.figures.contact import conditions
+from nonhertz.figures.life import Spectrum, life_densities
 from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.life.overrolling import outer
-from nonhertz.model.body import BODIES, BodyName
-from nonhertz.plot.axes import OWN, Artist, Axes, Figure, along, drawing, key_above, measure, open_frame
-from nonhertz.plot.axial import draw_body_ends, mark_unlimited, number, written
-from nonhertz.plot.sheets import sheet, stacked
-from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, INK, LINE, PALETTE, THIN, sheet_style
-from nonhertz.result.along import axial_range
-from nonhertz.result.solution import Solution
+from nonhertz.model.body import BodyName
+from nonhertz.plot.axes import OWN, Axes, Figure, drawing, measure, open_frame
+from nonhertz.plot.drawer import draw_on, sheet_of
+from nonhertz.plot.sheets import sheet
+from nonhertz.plot.style import COLOUR_MAP, FAINT_INK, FIRST, HAIR, LINE, sheet_style
 
-Spectrum = Sequence[tuple[Solution, float]]
-
-# Inches: above each panel its name and rows of the legend.
-HEAD, NAME, ROW, HIGH, HIGH_OF_TWO, BETWEEN = 0.06, 0.22, 0.17, 2.6, 2.0, 0.35
-COLUMNS, COLUMNS_COMPARED = 3, 2  # of the legend: the labels of compared lines are longer
-DENT_HIGH = 2.7
-MODELS = ("lundberg-palmgren", "ioannides-harris", "zaretsky", "weibull")
-LINES: dict[str, tuple[str, Any]] = {**dict(zip(MODELS, PALETTE, strict=False)), "iso-16281": (INK, "-")}
-OTHER_COLOUR, OTHER_WIDTH = "#9A9A9A", 1.8
-PEAKED = 6.0  # times the ideal: above this the axis is logarithmic
-FAINTEST = 1e-2  # of the ideal: lower end of a logarithmic axis
-ROOM = 1.1
-ALIKE = 0.05  # of the life: if the bodies differ by less, only one is drawn
+DENT_HIGH = 2.7  # inch
 
 
 @drawing
@@ -50,29 +33,10 @@ def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes = OWN, *, c
     lives : sequence of Life
         Lives of one body by several models.
     compared : sequence of Life
-        Lives of that body in another case; only the first is drawn, as a broad grey line.
+        Lives of that body in another case; only the first is drawn, as a grey line.
     """
-    widest = max((solution for solution, _ in spectrum), key=lambda solution: float(np.ptp(axial_range(solution))))
-    spans = [axial_range(solution) for solution, _ in spectrum]
-    span = min(low for low, _ in spans), max(high for _, high in spans)
-    entries = [_draw(life, ax) for life in lives]
-    entries += [_draw(life, ax, compared=True) for life in compared[:1]]
-    ax.axhline(1.0, color=FAINT_INK, linewidth=HAIR, zorder=1.0)
-    _scale([*lives, *compared[:1]], ax)
-    along(ax, span)
-    draw_body_ends(widest, ax)
-    ax.set_ylabel("Damage per length\nover the ideal [-]")
-    open_frame(ax)
-    if any(np.isnan(life.reference) for life in lives):
-        words = "The bodies can touch over an unlimited length:\nthere is no ideal pressure to compare with."
-        ax.text(0.5, 0.6, words, transform=ax.transAxes, ha="center", va="center")
-    elif any(solution.singular_ends for solution, _ in spectrum):
-        mark_unlimited([solution for solution, _ in spectrum], ax)
-    handles, labels = zip(*entries, strict=True)
-    columns = COLUMNS_COMPARED if compared else COLUMNS
-    key_above(ax, handles, labels, columns=columns, handlelength=2.6, labelspacing=0.35)
-    ax.set_title(f"body {lives[0].body}", loc="left", pad=_key_points(_rows(lives, bool(compared))))
-    return ax
+    body: BodyName = lives[0].body
+    return draw_on(life_densities(spectrum, {body: lives}, {body: compared}), ax)
 
 
 def life_figure(
@@ -99,24 +63,8 @@ def life_figure(
     matplotlib.figure.Figure
         `save` writes it.
     """
-    other = compared or {}
-    bodies = BODIES[1:] if _alike(lives) and _alike(other) else BODIES
-    rows = _rows(lives["b"], bool(other))
-    heads = [room + NAME + ROW * rows for room in (HEAD, BETWEEN)[: len(bodies)]]
-    heights = [HIGH] if len(bodies) == 1 else [HIGH_OF_TWO] * 2
     with sheet_style():
-        figure, panels = stacked(heads, heights, title, [_conditions(spectrum)])
-        shown = [life for body in bodies for life in (*lives[body], *other.get(body, ())[:1])]
-        for body, axes in zip(bodies, panels, strict=True):
-            life_density(spectrum, lives[body], axes, compared=other.get(body, ()))
-            _scale(shown, axes)
-            if len(bodies) == 1:
-                none = all(np.isnan(life.relative_life) for life in lives["b"])
-                words = "bodies a and b" if none else f"body b; lives of body a are within {100.0 * ALIKE:g} %"
-                axes.set_title(words, loc="left", pad=_key_points(rows))
-            elif body == "a":
-                axes.set_xlabel("")
-    return figure
+        return sheet_of(life_densities(spectrum, lives, compared), title)
 
 
 def dent_figure(found: Overrolled, model: VolumeModel, title: str = "") -> Figure:
@@ -167,63 +115,3 @@ def dent_figure(found: Overrolled, model: VolumeModel, title: str = "") -> Figur
         if title:
             figure.suptitle(title, x=0.01, ha="left")
     return figure
-
-
-def _draw(life: Life, ax: Axes, *, compared: bool = False) -> tuple[Artist, str]:
-    """Draw the damage by a model, that of another case as a broad grey line; return its entry of the legend."""
-    colour, dashes = LINES[life.model.name]
-    y, density = measure("mm")(life.y), np.where(np.isfinite(life.density), life.density, np.nan)
-    drawn: Artist
-    if compared:
-        (drawn,) = ax.plot(y, density, color=OTHER_COLOUR, linewidth=OTHER_WIDTH, zorder=2.0)
-    elif life.model.name == "iso-16281":
-        edges = 0.5 * (y[1:] + y[:-1])
-        ends = 2.0 * y[[0, -1]] - edges[[0, -1]]
-        edges = np.concatenate([ends[:1], edges, ends[1:]])
-        drawn = ax.stairs(density, edges, baseline=None, color=colour, linewidth=THIN, zorder=2.5)
-    else:
-        (drawn,) = ax.plot(y, density, color=colour, linewidth=LINE, linestyle=dashes, zorder=3.0)
-    words = f"life {number(life.relative_life, 3)}" if np.isfinite(life.relative_life) else "no damage"
-    words = "no ideal life" if np.isnan(life.relative_life) and np.isnan(life.reference) else words
-    return drawn, f"{life.model.name}{', other case' * compared}: {words}"
-
-
-def _scale(lives: Sequence[Life], ax: Axes) -> None:
-    """Choose the axis: linear from zero, or logarithmic if the damage peaks."""
-    finite = np.concatenate([life.density[np.isfinite(life.density)] for life in lives])
-    highest = max(1.0, float(finite.max(initial=0.0)))
-    if highest <= PEAKED:
-        ax.set_ylim(0.0, ROOM * highest)
-        return
-    ax.set_yscale("log")
-    ax.set_ylim(FAINTEST, 2.0 * highest)
-
-
-def _rows(lives: Sequence[Life], compared: bool) -> int:
-    """Return how many rows the legend has."""
-    return math.ceil((len(lives) + compared) / (COLUMNS_COMPARED if compared else COLUMNS))
-
-
-def _key_points(rows: int) -> float:
-    return 6.0 + 72.0 * ROW * rows
-
-
-def _alike(lives: Mapping[BodyName, Sequence[Life]]) -> bool:
-    """Return whether both bodies last equally long by all models."""
-    a, b = ([life.relative_life for life in lives.get(body, ())] for body in BODIES)
-    return bool(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True))
-
-
-def _conditions(spectrum: Spectrum) -> str:
-    """Return the line that says what was solved."""
-    if len(spectrum) == 1:
-        return conditions(spectrum[0][0])
-    loads, tilts = ([getattr(solution, name) for solution, _ in spectrum] for name in ("load", "tilt"))
-    return f"Spectrum of {len(loads)} loads, {_span(newton, loads)}, tilt {_span(mrad, tilts)}"
-
-
-def _span(kind: Callable[..., Amount], values: Sequence[float]) -> str:
-    ends = kind(min(values), max(values), between=" to ")
-    factor, _ = ends.scale
-    same = number(factor * ends.values[0]) == number(factor * ends.values[1])
-    return written(kind(max(values)) if same else ends)

@@ -83,7 +83,7 @@ def _draw_along(found: Comparison, axes: Axes) -> None:
     top = ROOM * max(semi.max_pressure, float(patch.centre_pressure.max()))
     axes.set_ylim(0.0, stress.factor * (BEYOND * semi.max_pressure if semi.singular_ends else top))
     if semi.singular_ends:
-        mark_unlimited([semi], axes)
+        mark_unlimited(semi, axes)
     _mark_stations(found, axes, named=True)
     axes.set_ylabel(stress.label("Pressure at $x$ = 0"))
     axes.tick_params(labelbottom=False)

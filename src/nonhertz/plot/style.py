@@ -16,13 +16,10 @@ INK, FAINT_INK, PALE = "#222222", "#777777", "#E9EEF2"
 COLOUR_MAP = "viridis"
 
 #: By the names that figures give them.
-COLOURS = {"first": FIRST, "second": SECOND, "ink": INK, "faint": FAINT_INK, "paper": "white"}
-
-# Of several lines beside each other, each with dashes of its own.
-PALETTE: tuple[tuple[str, Any], ...] = (
-    (FIRST, "-"), (SECOND, (0, (5, 1.5))), ("#009E73", (0, (6, 1.5, 1.2, 1.5))), ("#CC79A7", (0, (1.2, 1.2))),
-    (INK, (0, (8, 2))), ("#B08A00", (0, (3, 1, 1, 1, 1, 1))),
-)  # fmt: skip
+COLOURS = {
+    "first": FIRST, "second": SECOND, "third": "#009E73", "fourth": "#CC79A7", "fifth": "#B08A00", "ink": INK,
+    "faint": FAINT_INK, "paper": "white",
+}  # fmt: skip
 
 LINE, THIN, HAIR = 1.3, 0.7, 0.4
 END_DASHES = (0, (7, 2, 1.5, 2))  # the dash-dot line of engineering drawings

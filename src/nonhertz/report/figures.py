@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from nonhertz.figures import bearing, contact
+from nonhertz.figures.life import life_densities
+from nonhertz.figures.overlay import compared_bearings, compared_contacts
 from nonhertz.figures.value import Figure
-from nonhertz.plot import dent_figure, life_figure
+from nonhertz.plot import dent_figure
 from nonhertz.plot.drawer import sheet_of
-from nonhertz.plot.overlay import all_pressed, compared_bearings, compared_contacts
 from nonhertz.plot.style import sheet_style
 from nonhertz.plot.subsurface import stress_planes_drawn
 from nonhertz.report.results import BearingResults, CaseResults, Results
@@ -40,10 +41,7 @@ def _of_lives(found: CaseResults) -> Iterator[Picture]:
     assessed = found.lives
     if assessed is None:
         return
-    caption = "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
-    lives = [life for body in assessed.lives.values() for life in body]
-    words = "; ".join(f"{life.model.name} in body {life.body}: life {life.relative_life:.3g}" for life in lives)
-    yield Picture(life_figure(assessed.spectrum, assessed.lives), caption, words)
+    yield from _drawn({"": life_densities(assessed.spectrum, assessed.lives)})
     if assessed.dent is not None:
         caption = "The largest stress around the dent while it is rolled over, and where it adds damage."
         words = "; ".join(f"{name}: life {life:.3g}" for name, life in assessed.dent_lives.items())
@@ -52,15 +50,8 @@ def _of_lives(found: CaseResults) -> Iterator[Picture]:
 
 def of_all(found: Sequence[Results]) -> list[Picture]:
     """Return what is along all contacts, or around the axes of all bearings that have a solution, in one figure."""
-    words = ", ".join(each.label for each in found)
     bearings = {each.label: each.solution for each in found if isinstance(each, BearingResults) and each.solution}
-    if bearings:
-        what = "Load and maximum pressure" if all_pressed(bearings) else "Load"
-        caption = f"{what} of all rollers at the inner ring, over the angle from the first one; each row has a line."
-        return [Picture(compared_bearings(bearings), caption, words)]
-    caption = (
-        "Pressure on the centre line, half-width, and separation of the bodies before loading (the reliefs of both), "
-        "as far as they touch."
-    )
     contacts = {each.label: each.solution for each in found if isinstance(each, CaseResults)}
-    return [Picture(compared_contacts(contacts), caption, words)] if contacts else []
+    if bearings:
+        return _drawn({"": compared_bearings(bearings)})
+    return _drawn({"": compared_contacts(contacts)}) if contacts else []

@@ -1,0 +1,129 @@
+"""Figure of where along a contact its bodies fatigue: damage per length by several models."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.amounts import Amount, given, mrad, newton
+from nonhertz.figures.contact import conditions
+from nonhertz.figures.value import SERIES, Across, Axis, Colour, Dash, Figure, Level, Line, Mark, Panel, Words
+from nonhertz.life import Life
+from nonhertz.model.body import BODIES, BodyName
+from nonhertz.result.along import axial_range, ends_in_sight, unlimited_ends
+from nonhertz.result.solution import Solution
+
+Array = NDArray[np.float64]
+Spectrum = Sequence[tuple[Solution, float]]
+
+MODELS = ("lundberg-palmgren", "ioannides-harris", "zaretsky", "weibull")
+LOOKS: Mapping[str, tuple[Colour, Dash]] = dict(zip(MODELS, SERIES, strict=False)) | {"iso-16281": ("ink", "solid")}
+PEAKED = 6.0
+"""Times the ideal, above which the axis is logarithmic."""
+FAINTEST = 1e-2
+"""Of the ideal: lower end of a logarithmic axis."""
+ROOM, LOG_ROOM = 1.1, 2.0
+NO_LIMIT = 0.8
+"""Of the upper end of the axis, where it is said of an end that the pressure has no limit."""
+ALIKE = 0.05
+"""Of the life: if the bodies differ by less, only one is drawn."""
+HIGH, HIGH_OF_TWO = 260, 200
+
+
+def life_densities(
+    spectrum: Spectrum,
+    lives: Mapping[BodyName, Sequence[Life]],
+    compared: Mapping[BodyName, Sequence[Life]] | None = None,
+) -> Figure:
+    """Return what `nonhertz.plot.life_figure` draws: a panel per body, or only b if their lives are within 5 %.
+
+    Parameters
+    ----------
+    spectrum : sequence of pairs
+        Solutions and their shares of the revolutions.
+    lives : mapping of str to sequence of Life
+        One life per model for each body that is to be shown.
+    compared : mapping of str to sequence of Life, optional
+        Those of another case, of which the first is drawn.
+    """
+    other = {body: several[:1] for body, several in (compared or {}).items()}
+    both = len(lives) == len(BODIES)
+    alone = both and _alike(lives) and (not other or _alike(other))
+    bodies = BODIES[1:] if alone else tuple(lives)
+    shown = [life for body in bodies for life in (*lives[body], *other.get(body, ()))]
+    finite = np.concatenate([life.density[np.isfinite(life.density)] for life in shown])
+    highest = max(1.0, float(finite.max(initial=0.0)))
+    peaked = highest > PEAKED
+    span = (FAINTEST, LOG_ROOM * highest) if peaked else (0.0, ROOM * highest)
+    remark = "damage per length over its mean under the ideal pressure"
+    if alone:
+        none = all(np.isnan(life.relative_life) for life in lives["b"])
+        remark += "; of both bodies" if none else f"; lives of body a are within {100.0 * ALIKE:g} %"
+    panels = []
+    for body in bodies:
+        lines = [*map(_line, lives[body]), *(_line(life, other=True) for life in other.get(body, ()))]
+        words = "; ".join(line.name for line in lines)
+        axis = Axis(f"Damage over ideal, body {body}", "damage", range=span, logarithmic=peaked)
+        marks = [Level(1.0, colour="faint"), *lines, *_around(spectrum, lives[body], span, peaked)]
+        description = f"Damage per length along body {body}: {words}."
+        height = HIGH if len(bodies) == 1 else HIGH_OF_TWO
+        panels.append(Panel(f"life-{body}", f"Damage of body {body}", axis, marks, description,
+                            remark if body == bodies[0] else "", height))  # fmt: skip
+    ends = [axial_range(solution) for solution, _ in spectrum]
+    along = Axis("Axial position y", "y", "mm", range=(min(low for low, _ in ends), max(high for _, high in ends)))
+    caption = "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
+    return Figure(along, panels, _solved(spectrum), caption)
+
+
+def _line(life: Life, *, other: bool = False) -> Line:
+    """Return the damage by a model, laminae as steps; that of another case as a grey line."""
+    colour, dash = ("faint", "solid") if other else LOOKS[life.model.name]
+    y, density = life.y, np.where(np.isfinite(life.density), life.density, np.nan)
+    if life.model.name == "iso-16281" and not other:
+        edges = 0.5 * (y[1:] + y[:-1])
+        ends = 2.0 * y[[0, -1]] - edges[[0, -1]]
+        y, density = np.repeat(np.concatenate([ends[:1], edges, ends[1:]]), 2)[1:-1], np.repeat(density, 2)
+    words = f"life {given(life.relative_life, 3)}" if np.isfinite(life.relative_life) else "no damage"
+    words = "no ideal life" if np.isnan(life.relative_life) and np.isnan(life.reference) else words
+    name = f"{life.model.name}{', other case' * other}: {words}"
+    return Line(y, density, name=name, colour=colour, dash=dash)  # type: ignore[arg-type]
+
+
+def _around(spectrum: Spectrum, lives: Sequence[Life], span: tuple[float, float], peaked: bool) -> Iterator[Mark]:
+    """Yield the ends of the bodies, and words where there is no ideal pressure or one has no limit."""
+    widest = max((solution for solution, _ in spectrum), key=lambda solution: float(np.ptp(axial_range(solution))))
+    for end, name in ends_in_sight(widest).items():
+        yield Across(end, name, colour="faint", dash="ends")
+    low, high = span
+    if any(np.isnan(life.reference) for life in lives):
+        words = "The bodies can touch over an unlimited length:\nthere is no ideal pressure to compare with."
+        yield Words(0.5 * sum(axial_range(widest)), float(np.sqrt(low * high)) if peaked else 0.5 * high, words)
+        return
+    ends = {(round(edge.y, 6), edge is solution.edge_pressure[0])
+            for solution, _ in spectrum for edge in unlimited_ends(solution)}  # fmt: skip
+    for y, at_low_end in sorted(ends):
+        at = high * (low / high) ** (1.0 - NO_LIMIT) if peaked else NO_LIMIT * high
+        yield Words(y, at, "no limit", "left" if at_low_end else "right")
+
+
+def _alike(lives: Mapping[BodyName, Sequence[Life]]) -> bool:
+    """Return whether both bodies last equally long by all models."""
+    a, b = ([life.relative_life for life in lives.get(body, ())] for body in BODIES)
+    return bool(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True))
+
+
+def _solved(spectrum: Spectrum) -> str:
+    """Return what was solved."""
+    if len(spectrum) == 1:
+        return conditions(spectrum[0][0])
+    loads, tilts = ([getattr(solution, name) for solution, _ in spectrum] for name in ("load", "tilt"))
+    return f"Spectrum of {len(loads)} loads, {_span(newton, loads)}, tilt {_span(mrad, tilts)}"
+
+
+def _span(kind: Callable[..., Amount], values: Sequence[float]) -> str:
+    ends = kind(min(values), max(values), between=" to ")
+    factor, _ = ends.scale
+    same = given(factor * ends.values[0], 4) == given(factor * ends.values[1], 4)
+    return f"{kind(max(values)) if same else ends:.4g}"
