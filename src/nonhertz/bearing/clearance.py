@@ -83,6 +83,7 @@ def _of_class(part: str, classes: tuple[str, ...], example: str) -> Word:
         "interference between limits",
         f"give a class such as '{example}', or the interference in mm",
         classes,
+        noun="tolerance class",
     )
 
 

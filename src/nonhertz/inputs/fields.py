@@ -201,15 +201,20 @@ class Word:
     ----------
     words : tuple of str
         The words; none for any text.
+    noun : str
+        What the words are, if they are too many for a sentence.
     """
 
     meaning: str
     remedy: str = ""
     words: tuple[str, ...] = ()
     condition: Condition | None = None
+    noun: str = ""
 
     def take(self, name: str, value: Any) -> Any:
         """Return the word."""
+        if self.noun and value not in self.words:
+            raise unknown(name, value, self.noun, self.words, self.remedy)
         if self.words:
             one_of(name, value, self.words, self.remedy)
         kept = self.condition(name, value, self.remedy) if self.condition else None
