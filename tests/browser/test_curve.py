@@ -35,7 +35,7 @@ def test_a_slider_becomes_a_curve_and_another_one_the_next(desk):
     # While its slider is dragged the curve stays and the mark moves.
     asked: list[str] = []
     desk.page.on("request", lambda request: asked.append(request.url))
-    mark = desk.page.locator('[data-figure="curve"] circle[r="4"]')
+    mark = desk.page.locator('[data-figure="curve"] circle').last
     before = mark.get_attribute("cx")
     desk.write("load.load", "15000")
     assert mark.get_attribute("cx") != before

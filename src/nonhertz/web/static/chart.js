@@ -109,17 +109,6 @@ function saversOf(host) {
 }
 
 /**
- * The vertical axis.
- * @param {[number, number] | undefined} domain
- * @param {string} label
- * @param {string} unit of the program
- * @param {object} [more]
- */
-export function uprightAxis(domain, label, unit, more = {}) {
-  return { ...axis(label, unit, domain), ticks: 5, grid: true, ...more };
-}
-
-/**
  * An axis with a label in its middle.
  * @param {string} label
  * @param {string} unit of the program

@@ -3,13 +3,14 @@
 // Points come a few at a time, from both ends and the middle inwards, so that the first answer already shows the shape.
 // The curve belongs to the case without the field that is varied: while its slider is dragged only the mark moves.
 
-import { FIRST, INK, MARGINS, NAMED, PLAIN, draw, figure, head, line, reading, uprightAxis } from "./chart.js";
+import { extent } from "./chart.js";
 import { byId, element } from "./elements.js";
 import { ends, factorOf, isLogarithmic, nameOf, unitOf, valueOf } from "./fields.js";
 import { AWAY, post } from "./live.js";
 import { digits, rounded } from "./numbers.js";
+import { drawPanels } from "./panel.js";
 import { withValue } from "./paths.js";
-import { amount } from "./units.js";
+import { amount, read } from "./units.js";
 
 const POINTS = 33; // a power of two and one
 const AT_ONCE = 4; // points of a request
@@ -221,44 +222,35 @@ export class Curve {
       ? `${failed.length} of ${along.length} values have no solution, the first at ${first}`
       : "";
     const quantity = this.quantities[number];
-    const unit = unitOf(choice.control);
-    head(figure("curve"), capital(`${quantity.label} over ${choice.label}`), []);
-    draw(
-      figure("curve"),
-      {
-        ...MARGINS,
-        marginRight: 28,
-        marginBottom: NAMED,
-        height: 236,
-        x: {
-          type: isLogarithmic(choice.slider) ? "log" : "linear",
-          domain: ["curve-low", "curve-high"].map((end) => Number(byId(end).value)).sort((one, other) => one - other),
-          label: unit ? `${choice.label} [${unit}]` : choice.label,
-          labelAnchor: "center",
-          labelArrow: "none",
-          ticks: 6,
-          tickFormat: PLAIN,
-        },
-        y: uprightAxis(undefined, quantity.label, quantity.unit, { nice: true }),
-        marks: [
-          ...this.mark(choice, quantity, factor),
-          line(x, y, { stroke: FIRST }),
-          Plot.dot(x, { x, y, r: 2, fill: FIRST }),
-          ...reading(x, y, (place) => `${digits(x[place])} ${unit}\n${amount(y[place], quantity.unit)}`),
-        ],
-      },
-      words(quantity, choice, x, y),
-    );
+    const [unit, upright] = [unitOf(choice.control), read(quantity.unit)];
+    const label = capital(quantity.label);
+    const range = /** @type {[number, number]} */ (d3.nice(...extent(y), 5));
+    const panel = {
+      name: "curve",
+      heading: `${label} over ${choice.label}`,
+      upright: { label, symbol: label, title: label, unit: upright[0], factor: upright[1], range },
+      marks: [{ kind: "line", x, y }, { kind: "points", x, y, symbol: "dot" }, ...this.mark(choice, quantity, factor)],
+      description: words(quantity, choice, x, y),
+    };
+    const title = unit ? `${choice.label} [${unit}]` : choice.label;
+    const axis = { label: choice.label, symbol: choice.label, title, unit, factor: 1, range: this.range(), logarithmic: isLogarithmic(choice.slider) };
+    drawPanels({ along: axis, panels: [panel] }, undefined, { last: "curve" });
+  }
+
+  /** What the fields say of where the curve begins and ends. @returns {[number, number]} */
+  range() {
+    const [low, high] = ["curve-low", "curve-high"].map((end) => Number(byId(end).value));
+    return low < high ? [low, high] : [high, low];
   }
 
   /** The case that is shown. */
   mark(choice, quantity, factor) {
     const [value, number] = [valueOf(choice.slider, choice.control) / factor, this.key?.[quantity.name]];
-    const [low, high] = ["curve-low", "curve-high"].map((end) => Number(byId(end).value));
-    if (!Number.isFinite(value) || value < Math.min(low, high) || value > Math.max(low, high)) return [];
-    const rule = Plot.ruleX([value], { stroke: INK, strokeWidth: 0.8, strokeDasharray: "3 3" });
-    if (!Number.isFinite(number)) return [rule];
-    return [rule, Plot.dot([[value, quantity.factor * number]], { r: 4, stroke: INK, fill: "var(--surface)" })];
+    const [low, high] = this.range();
+    if (!(low <= value && value <= high)) return [];
+    const look = { colour: "ink", dash: "dashed" };
+    const rule = { kind: "across", x: value, ...look };
+    return Number.isFinite(number) ? [rule, { kind: "points", x: [value], y: [quantity.factor * number], ...look }] : [rule];
   }
 }
 

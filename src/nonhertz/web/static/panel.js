@@ -22,7 +22,7 @@ import { BANDS, FINE, resampled } from "./contours.js";
 import { noteNumbers } from "./csv.js";
 import { digits } from "./numbers.js";
 
-/** @typedef {{label: string, symbol: string, title: string, unit: string, factor: number, range?: [number, number], cut?: boolean, ticks?: [number, string][]}} Axis */
+/** @typedef {{label: string, symbol: string, title: string, unit: string, factor: number, range?: [number, number], cut?: boolean, ticks?: [number, string][], logarithmic?: boolean}} Axis */
 /** @typedef {{kind: string, name?: string, colour?: string, dash?: string} & Record<string, any>} Mark */
 /** @typedef {{name: string, heading: string, upright: Axis, marks: Mark[], description: string, remark?: string, height?: number, colours?: Axis, proportional?: boolean}} Panel */
 /** @typedef {{along: Axis, panels: Panel[], conditions?: string}} Figure */
@@ -77,7 +77,7 @@ const MARKS = {
   points: ({ x, y, symbol = "circle" }, { stroke }, { colours }) => {
     const dots = (look) => Plot.dot(x, { x, y, symbol: symbol === "dot" ? "circle" : symbol, ...look });
     // Over colours a symbol has a rim.
-    return colours ? [dots({ r: 4, fill: "white", stroke: "black" })] : [dots({ r: 3, fill: stroke })];
+    return colours ? [dots({ r: 4, fill: "white", stroke: "black" })] : [dots({ r: symbol === "dot" ? 2 : 3, fill: stroke })];
   },
   bar: ({ low, high, y }, { stroke }) => [Plot.link([0], { x1: [low], x2: [high], y1: [y], y2: [y], stroke, strokeWidth: 3 })],
   span: ({ low, high }, { stroke }) => [Plot.rect([0], { x1: [low], x2: [high], fill: stroke, fillOpacity: 0.1 })],
@@ -169,7 +169,7 @@ function drawPanel(panel, along, pinned, limits, labelled, net) {
       ...(colours ? { color: { ...shading(colours), legend: hasContours } } : {}),
       y: { ...scale(upright), label: short(upright), ticks: height < LOW ? 3 : 5, grid: !colours },
       marks: [
-        ...(colours ? [] : [Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 })]),
+        ...(colours || low > 0 || high < 0 ? [] : [Plot.ruleY([0], { stroke: INK, strokeWidth: 0.8 })]),
         ...before.flatMap(({ x, y }) => pinnedLine(x, frame.near(y))),
         ...panel.marks.flatMap((mark) => MARKS[mark.kind](mark, look(mark), frame)),
         ...areas.flatMap((area) => readingOf(area, along, upright, colours)),
@@ -217,10 +217,11 @@ function look({ colour = "first", dash = "solid" }) {
 }
 
 /** @param {Axis} axis */
-function scale({ factor, range, ticks }) {
+function scale({ factor, range, ticks, logarithmic }) {
   const words = new Map(ticks?.map(([place, said]) => [factor * place, said]));
   return {
     ...(ticks ? { ticks: [...words.keys()] } : {}),
+    ...(logarithmic ? { type: "log", ticks: 6 } : {}),
     domain: range?.map((end) => factor * end),
     transform: (value) => factor * value,
     labelAnchor: "center",
