@@ -1,12 +1,12 @@
 // Sets light or dark before anything is drawn: a classic script, because modules are deferred.
-// Without a choice by the user the page follows the system; if storage is denied, the choice is not remembered.
+// Without a choice by the user the page follows the system; if storage is denied, the choice lasts as long as the page.
 "use strict";
 (() => {
-  const root = document.documentElement;
+  const [root, name] = [document.documentElement, "nonhertz-theme"];
   const system = window.matchMedia("(prefers-color-scheme: dark)");
-  const kept = () => {
+  const stored = (act) => {
     try {
-      return localStorage.getItem("nonhertz-theme");
+      return act();
     } catch {
       return null;
     }
@@ -14,22 +14,17 @@
   const show = (theme) => {
     root.dataset.theme = theme;
     const button = document.getElementById("theme");
-    if (button) button.textContent = theme === "dark" ? "Light" : "Dark";
-    if (button) button.setAttribute("aria-label", theme === "dark" ? "Light colours" : "Dark colours");
+    if (!button) return;
+    const other = theme === "dark" ? "Light" : "Dark";
+    button.textContent = other;
+    button.setAttribute("aria-label", `${other} colours`);
+    button.onclick = () => {
+      stored(() => localStorage.setItem(name, other.toLowerCase()));
+      show(other.toLowerCase());
+    };
   };
-  const current = () => kept() ?? (system.matches ? "dark" : "light");
-  show(current());
-  system.addEventListener("change", () => show(current()));
-  document.addEventListener("DOMContentLoaded", () => {
-    show(current());
-    document.getElementById("theme")?.addEventListener("click", () => {
-      const other = root.dataset.theme === "dark" ? "light" : "dark";
-      try {
-        localStorage.setItem("nonhertz-theme", other);
-      } catch {
-        // Storage is denied: the choice lasts only as long as the page.
-      }
-      show(other);
-    });
-  });
+  const current = () => show(stored(() => localStorage.getItem(name)) ?? (system.matches ? "dark" : "light"));
+  current();
+  system.addEventListener("change", current);
+  document.addEventListener("DOMContentLoaded", current);
 })();

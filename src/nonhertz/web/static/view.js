@@ -1,11 +1,11 @@
 // What the page shows: the latest good result, those that are pinned, and what is wrong now.
 
 import { figure, whenResized } from "./chart.js";
+import { FINE, QUICK } from "./contours.js";
 import { byId } from "./elements.js";
-import { drawFigures } from "./figures.js";
 import { showMistakes } from "./mistakes.js";
+import { drawPanels } from "./panel.js";
 import { entitle, keyNumbers, outdate, sayMistakes, writeKeyNumbers, writeVerdict, writeWords } from "./results.js";
-import { drawStress } from "./stress.js";
 import { Tilt } from "./tilt.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
@@ -96,16 +96,29 @@ export class View {
 
   drawResult() {
     if (!this.latest) return;
-    drawFigures(this.latest.answer, this.pins[0]?.answer ?? null, this.tilt);
+    const { figures, key } = this.latest.answer;
+    const before = this.pins[0]?.answer.figures;
+    drawPanels(figures.pressure, before?.pressure);
+    drawPanels(figures.footprint, undefined);
+    const [axes] = drawPanels(figures.distance, before?.distance, { limits: this.tilt.limits, last: "gap" });
+    const undeformed = figures.distance.panels[0].marks.find(({ name }) => name === "undeformed");
+    this.tilt.place(/** @type {any} */ (undeformed), key.tilt, axes);
     this.drawProfiles(this.profiles);
     this.writeKeys();
   }
 
+  /** Draw the von Mises stress in both planes. @param {boolean} [fine] whether there is time for the fine grid */
   drawStress(fine = true) {
-    const unit = /** @type {HTMLInputElement} */ (document.querySelector("[name=stress-unit]:checked")).value;
-    const stressed = this.latest?.stressed;
-    byId("stress-figures").hidden = !this.shownBody() || !stressed;
-    if (stressed && this.shownBody()) drawStress(stressed, /** @type {"MPa" | "p0"} */ (unit), fine);
+    const { planes, key } = this.latest?.stressed ?? {};
+    byId("stress-figures").hidden = !this.shownBody() || !planes;
+    if (!planes || !this.shownBody()) return;
+    const isShare = document.querySelector("[name=stress-unit][value=p0]:checked");
+    const share = { factor: 1 / (key.max_pressure || 1), unit: "", title: "von Mises stress / largest p₀" };
+    for (const plane of [planes.axial, planes.section]) {
+      const [panel] = plane.panels;
+      const colours = isShare ? { ...panel.colours, ...share } : panel.colours;
+      drawPanels({ ...plane, panels: [{ ...panel, colours }] }, undefined, { last: panel.name, net: fine ? FINE : QUICK });
+    }
   }
 
   redraw() {
