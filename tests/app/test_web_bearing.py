@@ -312,6 +312,17 @@ def test_a_figure_that_there_is_none_of():
     assert b"solve by strips" in jobs.drawn(sliced, "pressure", "svg")
     idle = changed(FEW, "load", {"radial_displacement": 0.0})
     assert b"load the bearing" in jobs.drawn(idle, "roller", "svg")
+    assert b"give lubrication.oil" in jobs.drawn(changed(FEW, "lubrication", {}), "film", "svg")
+
+
+def test_films_are_drawn_where_oil_and_speed_are_known():
+    oiled = changed(changed(FEW, "lubrication", {"viscosity": 20.0}), "load.speed", 1000.0)
+    found = answer(oiled)
+    assert [panel["name"] for panel in found["films"]["film"]["panels"]] == ["film-1"]
+    assert found["films"]["film-along"]["panels"][0]["upright"]["unit"] == "µm"
+    assert any(name == "least film" for name, *_ in found["summary"])
+    assert answer(changed(FEW, "lubrication", {}))["films"] == {}
+    assert b"<svg" in jobs.drawn(oiled, "film-along", "svg")
 
 
 # The command

@@ -100,7 +100,7 @@ def _lines(film: ContactFilm, ring: str) -> Iterator[Line]:
     colour = STYLES[ring]["colour"]
     yield Line(film.y, np.where(inside, film.least_film, np.nan), name=f"{ring} ring, least", colour=colour)
     central = np.where(inside, film.central_film, np.nan)
-    yield Line(film.y, central, name=f"{ring} ring, central", colour=colour, dash="dotted")
+    yield Line(film.y, central, name=f"{ring} ring, central", colour=colour, dash="dashed")
 
 
 def _roughness(films: Films) -> float:

@@ -137,6 +137,7 @@ function drawPictures() {
   polar.draw(answer, number);
   drawRoller(answer, before, number);
   drawMap(before ?? answer, number);
+  drawFilms(answer, number);
   const stale = figure("pressure");
   stale.classList.toggle("stale", !page.fresh);
   stale.title = page.fresh ? "" : "Of the bearing before the last change: strips are solved when the slider rests.";
@@ -182,6 +183,15 @@ function drawMap({ maps, rows }, number) {
   byId("maps").hidden = !maps;
   byId("maps").classList.toggle("stale", !page.fresh);
   if (maps) drawPanels({ ...maps, panels: maps.panels.slice(2 * row, 2 * row + 2) }, undefined, { last: "map-outer" });
+}
+
+/** Draw the films over the row of the roller that is shown, and along the roller with the least one. @param {any} answer @param {number} number */
+function drawFilms({ films, rows }, number) {
+  byId("films").hidden = !films.film;
+  if (!films.film) return;
+  const row = rows.findIndex(({ first, count }) => first <= number && number < first + count);
+  drawPanels({ ...films.film, panels: [{ ...films.film.panels[row], name: "film" }] }, undefined, { last: "film" });
+  drawPanels(films["film-along"], undefined, { last: "film-along" });
 }
 
 /** Show a roller, or the most loaded one. @param {number | null} number */

@@ -143,7 +143,7 @@ function drawPanel(panel, along, pinned, limits, labelled, net) {
   const [low, high] = d3.extent(upright.range);
   const reach = FAR * (high - low);
   const frame = {
-    near: (values) => values.map((value) => value && Math.min(high + reach, Math.max(low - reach, value))),
+    near: (values) => values.map((value) => (value === null ? NaN : Math.min(high + reach, Math.max(low - reach, value)))),
     middle: along.range && (along.range[0] + along.range[1]) / 2,
     upright: (low + high) / 2,
     colours,

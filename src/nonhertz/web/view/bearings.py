@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.figures.bearing import pressure_maps
+from nonhertz.figures.film import film_figures
 from nonhertz.figures.loads import roller_loads
 from nonhertz.figures.roller import roller_lines
 from nonhertz.files.bearing_document import PARTS
@@ -51,6 +52,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
     assert isinstance(rollers, Table)
     tolerances = next((table for title, (table, *_) in shown if title == TOLERANCES), None)
     assert tolerances is None or isinstance(tolerances, Table)
+    films = case.films(solution)
     return {
         "ok": True,
         "title": case.title,
@@ -64,7 +66,8 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "most": most_loaded(solution),
         "loads": roller_loads(solution).to_json(),
         "maps": _maps(solution),
-        "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance, case.films(solution))),
+        "films": {} if films is None else {name: each.to_json() for name, each in film_figures(films).items()},
+        "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance, films)),
         "summary": rows_of_summaries(shown),
         "tolerances": tolerances and {"columns": tolerances.heads, "rows": tolerances.rows},
         "columns": rollers.heads,
@@ -98,4 +101,6 @@ def nothing_drawn(name: str, solution: BearingSolution) -> str:
         return "This picture needs a loaded roller: load the bearing."
     if name == "displacement":
         return "This picture needs a force on the inner ring: give load.radial or load.axial."
+    if name.startswith("film"):
+        return "This picture needs an oil and a speed: give lubrication.oil with its temperature, and load.speed."
     return "This picture needs pressures, which slices do not have: solve by strips."

@@ -158,7 +158,7 @@ def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> b
     from nonhertz.plot.sheets import image
 
     case, solution = _loaded(sound(document, BearingCase))
-    figures = bearing_figures(solution, case.title)
+    figures = bearing_figures(solution, case.title, films=case.films(solution))
     if name not in figures:
         return broken([("", nothing_drawn(name, solution))])
     return image(figures[name], kind)
