@@ -137,6 +137,7 @@ def test_every_result_is_valid(results):
     [
         ("nu206", {"solver.method": "slices"}),
         ("nu206-mounted", {"solver.method": "slices"}),
+        ("nu206-classes", {"solver.method": "slices"}),
         ("tapered-pair", {"solver.method": "slices", "load.radial": 0.0, "load.axial": None}),
         ("nu206", {"solver.method": "slices", "roller.material": "silicon-nitride"}),  # without a life
         pytest.param("nu206-mounted", {}, marks=pytest.mark.slow),

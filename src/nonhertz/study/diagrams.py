@@ -39,7 +39,7 @@ SHOWN = (
     ("max_pressure", "max_load"),
     ("stiffness_y", "stiffness_z"),
     ("stiffness_x",),
-    ("min_film_ratio", "min_film_thickness"),
+    ("film_parameter", "least_film"),
 )
 LIFE = SHOWN[0]
 #: Tables in which a key without a path is looked for.
