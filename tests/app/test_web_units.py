@@ -35,7 +35,8 @@ def texts(found: Any, leaving: tuple[str, ...] = ("title", "document", "text", "
         yield found
 
 
-def numbers(found: Any, leaving: tuple[str, ...] = ("ms", "sliders", "factor")) -> Iterator[float]:
+# The circles in the figure of the loads are at round numbers of what is read.
+def numbers(found: Any, leaving: tuple[str, ...] = ("ms", "sliders", "factor", "loads")) -> Iterator[float]:
     if isinstance(found, dict):
         for name, value in found.items():
             if name not in leaving:
