@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from nonhertz.figures.value import (
     Area,
     Axis,
     Band,
+    Colour,
     Dimension,
     Figure,
     Level,
@@ -19,7 +20,6 @@ from nonhertz.figures.value import (
     Mark,
     Panel,
     Points,
-    Side,
     Span,
     Steps,
     Words,
@@ -223,7 +223,6 @@ def _contact(solution: Solution, top: float) -> Iterator[Mark]:
 def _largest(solution: Solution) -> Iterator[Mark]:
     """Yield the largest pressure, and those where it rises again at the end of a land."""
     places, largest = places_of_largest(solution), solution.max_pressure
-    middle = 0.5 * sum(axial_range(solution))
     peaks = land_end_peaks(solution)
     at_land_end = any(abs(y - place) < solution.max_half_width for y, _ in peaks for place in places)
     if places:
@@ -234,8 +233,25 @@ def _largest(solution: Solution) -> Iterator[Mark]:
         where = mm(*places, between=" and ")
         yield Words(sum(places) / len(places), largest, f"{mpa(largest):4} at y = {where:3}{remark}")
     if not at_land_end:
-        for y, value in peaks:
-            yield Words(y, value, f"land end, {mpa(value):4}", _towards(y, middle))
+        yield from land_ends(solution)
+
+
+def land_ends(solution: Solution, colour: Colour = "ink") -> Iterator[Mark]:
+    """Yield words where the pressure rises again towards the end of a land."""
+    middle = 0.5 * sum(axial_range(solution))
+    for y, value in land_end_peaks(solution):
+        yield Words(y, value, f"land end, {mpa(value):.4g}", "left" if y < middle else "right", colour=colour)
+
+
+def no_limits(solutions: Sequence[Solution], at: float, colours: Sequence[Colour] = ()) -> Iterator[Mark]:
+    """Yield "no limit", at that value, at every end where a pressure has none; in the colour of a single one."""
+    ends: dict[tuple[float, bool], list[Colour]] = {}
+    inks: Sequence[Colour] = colours or ["ink"] * len(solutions)
+    for solution, colour in zip(solutions, inks, strict=True):
+        for edge in unlimited_ends(solution):
+            ends.setdefault((round(edge.y, 6), edge is solution.edge_pressure[0]), []).append(colour)
+    for (y, low), several in ends.items():
+        yield Words(y, at, "no limit", "left" if low else "right", colour=several[0] if len(several) == 1 else "ink")
 
 
 def _unlimited(solution: Solution, edge: EdgePressure, top: float) -> Mark:
@@ -248,7 +264,3 @@ def _unlimited(solution: Solution, edge: EdgePressure, top: float) -> Mark:
     below = solution.y[solution.centre_pressure < SINGULAR * top]
     foot = float(below[np.abs(below - edge.y).argmin()]) if below.size else edge.y
     return Words(foot, SINGULAR * top, words, "left" if edge is solution.edge_pressure[0] else "right")
-
-
-def _towards(y: float, middle: float) -> Side:
-    return "left" if y < middle else "right"

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, given, mrad, newton
-from nonhertz.figures.contact import conditions
+from nonhertz.figures.contact import conditions, no_limits
 from nonhertz.figures.value import SERIES, Across, Axis, Colour, Dash, Figure, Level, Line, Mark, Panel, Words
 from nonhertz.life import Life
 from nonhertz.model.body import BODIES, BodyName
-from nonhertz.result.along import axial_range, ends_in_sight, unlimited_ends
+from nonhertz.result.along import axial_range, ends_in_sight
 from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
@@ -101,11 +101,8 @@ def _around(spectrum: Spectrum, lives: Sequence[Life], span: tuple[float, float]
         words = "The bodies can touch over an unlimited length:\nthere is no ideal pressure to compare with."
         yield Words(0.5 * sum(axial_range(widest)), float(np.sqrt(low * high)) if peaked else 0.5 * high, words)
         return
-    ends = {(round(edge.y, 6), edge is solution.edge_pressure[0])
-            for solution, _ in spectrum for edge in unlimited_ends(solution)}  # fmt: skip
-    for y, at_low_end in sorted(ends):
-        at = high * (low / high) ** (1.0 - NO_LIMIT) if peaked else NO_LIMIT * high
-        yield Words(y, at, "no limit", "left" if at_low_end else "right")
+    at = high * (low / high) ** (1.0 - NO_LIMIT) if peaked else NO_LIMIT * high
+    yield from no_limits([solution for solution, _ in spectrum], at)
 
 
 def _alike(lives: Mapping[BodyName, Sequence[Life]]) -> bool:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from nonhertz.amounts import mpa
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.figures.value import SERIES, Axis, Colour, Figure, Level, Line, Mark, Panel, Points, Words
-from nonhertz.result.along import axial_range, contact_lines, land_end_peaks, unlimited_ends
+from nonhertz.figures.contact import land_ends, no_limits
+from nonhertz.figures.value import SERIES, Axis, Figure, Level, Line, Mark, Panel, Points
+from nonhertz.result.along import axial_range, contact_lines
 from nonhertz.result.solution import Solution
 
 ROOM, BEYOND = 1.08, 1.6
@@ -34,8 +35,8 @@ def compared_contacts(found: Mapping[str, Solution]) -> Figure:
         pressures.append(Line(lines.y, lines.pressure, name=name, **look))
         widths.append(Line(lines.y, lines.half_width, **look))
         separations.append(Line(solution.y, separation, **look))
-        pressures += _land_ends(solution, look["colour"])
-    pressures += _unlimited([*found.values()], [look["colour"] for look in _looks(found)], NO_LIMIT * top)
+        pressures += land_ends(solution, look["colour"])
+    pressures += no_limits([*found.values()], NO_LIMIT * top, [look["colour"] for look in _looks(found)])
     widest = max(float(each.half_width.max()) for each in found.values())
     least = min(float(np.nanmin(mark.y)) for mark in separations if isinstance(mark, Line))
     # Beyond the contact a relief may rise to tenths of a millimetre.
@@ -101,19 +102,3 @@ def _numbered(found: Mapping[str, Any]) -> list[tuple[str, Any]]:
 
 def _looks(found: Mapping[str, Any]) -> list[dict[str, Any]]:
     return [dict(zip(("colour", "dash"), SERIES[number % len(SERIES)], strict=True)) for number in range(len(found))]
-
-
-def _land_ends(solution: Solution, colour: Colour) -> Iterator[Mark]:
-    middle = 0.5 * sum(axial_range(solution))
-    for y, pressure in land_end_peaks(solution):
-        yield Words(y, pressure, f"land end, {mpa(pressure):.4g}", "left" if y < middle else "right", colour=colour)
-
-
-def _unlimited(solutions: Sequence[Solution], colours: Sequence[Colour], at: float) -> Iterator[Mark]:
-    """Yield "no limit" at every end where the pressure has none; in the colour of a single one."""
-    ends: dict[tuple[float, bool], list[Colour]] = {}
-    for solution, colour in zip(solutions, colours, strict=True):
-        for edge in unlimited_ends(solution):
-            ends.setdefault((round(edge.y, 6), edge is solution.edge_pressure[0]), []).append(colour)
-    for (y, low), several in ends.items():
-        yield Words(y, at, "no limit", "left" if low else "right", colour=several[0] if len(several) == 1 else "ink")

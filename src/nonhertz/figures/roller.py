@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,9 +14,10 @@ from nonhertz.amounts import mm, mpa, mrad, newton, per_mm, um
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.bearing.standard import LAMINAE
+from nonhertz.figures.contact import land_ends
 from nonhertz.figures.forces import conditions
 from nonhertz.figures.value import Across, Axis, Bar, Figure, Level, Line, Mark, Panel, Points, Range, Words
-from nonhertz.result.along import contact_lines, land_end_peaks
+from nonhertz.result.along import contact_lines
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.solution import Solution
 
@@ -118,7 +119,9 @@ def _pressure(loaded: dict[str, _Loaded], around: Sequence[Mark]) -> Panel:
         marks.append(Line(lines.y, lines.pressure, name=f"{ring} ring, largest {largest}", **style))
         marks.append(Points(np.array(places), np.full(len(places), contact.max_pressure), colour=style["colour"]))
         words.append(f"at most {largest} at the {ring} ring")
-    marks += _land_ends(max(contacts.values(), key=lambda contact: contact.max_pressure, default=None))
+    # Words at both contacts would cross.
+    for contact in sorted(contacts.values(), key=lambda contact: contact.max_pressure)[-1:]:
+        marks += land_ends(contact)
     return Panel(
         "pressure",
         "Pressure on the centre line",
@@ -128,12 +131,6 @@ def _pressure(loaded: dict[str, _Loaded], around: Sequence[Mark]) -> Panel:
         "axis cut: no limit at an end" if cut else "",
         190,
     )
-
-
-def _land_ends(contact: Solution | None) -> Iterator[Mark]:
-    """Yield where the pressure of the contact with the larger one rises again; words at both would cross."""
-    for y, pressure in land_end_peaks(contact) if contact else ():
-        yield Words(y, pressure, f"land end, {mpa(pressure):.4g}", "left" if y < 0.0 else "right")
 
 
 def _line_load(solution: BearingSolution, roller: int, loaded: dict[str, _Loaded], around: Sequence[Mark]) -> Panel:
