@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 import tomllib
+from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from typing import Annotated, Any, ClassVar, Final
@@ -146,7 +147,8 @@ class Lubrication(OilInPlace):
     (20.0, 15.0)
     """
 
-    apart: ClassVar[tuple[tuple[str, ...], ...]] = (("oil", "viscosity", "viscosities"),)
+    instead: ClassVar[Mapping[str, str]] = {"oil": "viscosity"}
+    apart: ClassVar[tuple[tuple[str, ...], ...]] = (("oil", "viscosities"), ("viscosity", "viscosities"))
 
     oil: Annotated[
         str | None,

@@ -57,7 +57,7 @@ export const FOLDS = [
 /** Of these, each is a heading of the form. */
 export const SECTIONS = ["fit", "lubrication", "life", "solver", "report"];
 /** The most frequently changed keys come first; the rest in the order of the schema. */
-export const FIRST = ["title", "kind", "load", "body", "bearing", "diameter", "length", "profile", "material"];
+export const FIRST = ["title", "kind", "load", "body", "bearing", "diameter", "length", "profile", "material", "oil"];
 
 /**
  * What a key is called, with the number of an entry of a list.
