@@ -40,6 +40,13 @@ _STANDARDS = (
 _REFERENCE_LIFE = (
     "ISO/TS 16281:2008, Methods for calculating the modified reference rating life for universally loaded bearings."
 )
+_FILMS = (
+    "J. Pan, B. J. Hamrock, Simple formulas for performance parameters used in elastohydrodynamically lubricated line "
+    "contacts, Journal of Tribology 111 (1989) 246-251.",
+    "D. Dowson, G. R. Higginson, Elasto-hydrodynamic Lubrication (1966).",
+    "B. J. Hamrock, D. Dowson, Isothermal elastohydrodynamic lubrication of point contacts, part III, Journal of "
+    "Lubrication Technology 99 (1977) 264-276.",
+)
 _STRIPS = (
     "Each carries a load and a half-width, its pressure is {element} across, and all strips act on each other through "
     "both elastic bodies."
@@ -138,6 +145,13 @@ def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
             f"loads of all laminae of all rollers, and the modified life from lubrication and reliability.{edges}"
         )
         yield words, [*_STANDARDS, source(rating), _REFERENCE_LIFE]
+    if found.solution is not None and found.case.films(found.solution) is not None:
+        words = (
+            "Films of oil are those of fully flooded lines at one temperature, at every place along the rollers with "
+            "its own load, radius and speed, or of an ellipse; what flows along the contact is neglected. Rollers roll "
+            "without sliding in the middle of their length."
+        )
+        yield words, [*_FILMS]
     if found.slices is not None:
         words = (
             "For comparison the bearing was solved once more by the independent slices of ISO/TS 16281, two equal "

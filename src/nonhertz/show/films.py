@@ -31,7 +31,7 @@ def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
     if parameter is None:
         rows.append(("film parameter", "not judged", NO_ROUGHNESS))
     else:
-        rows.append(("film parameter", f"lambda = {digits(parameter[at], 3)}", "least film over both Rq together"))
+        rows.append(("film parameter", digits(parameter[at], 3), "lambda: least film over both Rq together"))
     for name, speed in zip(RINGS, films.rib_sliding.tolist(), strict=True):
         if speed > 0.0:
             rows.append(("sliding on ribs", _metres(speed), f"of the rollers' ends, {name} ring"))
