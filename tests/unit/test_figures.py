@@ -10,11 +10,16 @@ import pytest
 import nonhertz as nh
 from nonhertz.amounts import read_in
 from nonhertz.figures import bearing, contact, stress
+from nonhertz.figures.loads import roller_loads
+from nonhertz.figures.overlay import compared_contacts
+from nonhertz.figures.roller import roller_lines
 from nonhertz.figures.value import (
+    SERIES,
     Across,
     Area,
     Axis,
     Bar,
+    Bars,
     Cells,
     Contours,
     Figure,
@@ -173,3 +178,49 @@ def test_a_map_has_the_pressure_of_every_roller_and_is_pale_without_load():
 def test_directions_of_stresses_are_typeset_and_underscores_of_users_are_not(words):
     expected = words.replace("τ_xz", "τ$_{xz}$").replace("s^0.5", "s$^{0.5}$")
     assert typeset(words) == expected
+
+
+@pytest.fixture(scope="module")
+def sliced():
+    roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
+    rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184)
+    return nh.bearing.solve(row, radial=5e3, method="slices")
+
+
+def test_loads_rise_to_a_round_number_and_are_written_as_csv(sliced):
+    figure = roller_loads(sliced)
+    (panel,) = figure.panels
+    bars = [mark for mark in panel.marks if isinstance(mark, Bars)]
+    for ring, mark in enumerate(bars):
+        assert mark.x.tolist() == sliced.angle.tolist()
+        assert mark.y.tolist() == sliced.load[:, ring].tolist()
+    assert panel.upright.range == (0.0, 2000.0)
+    assert 1500.0 < sliced.load.max() < 2000.0
+    assert "of 13 rollers loaded" in panel.remark
+    head, *rows = figure.to_csv().splitlines()
+    assert head == "panel,line,angle [rad],value,unit"
+    assert [float(row.split(",")[3]) for row in rows] == [*sliced.load[:, 0], *sliced.load[:, 1]]
+
+
+def test_a_roller_by_slices_has_steps_of_line_load_and_no_pressure(sliced):
+    figure = roller_lines(sliced)
+    assert [panel.name for panel in figure.panels] == ["line", "relief"]
+    assert figure.conditions.startswith("Roller 1 at 0.0 degrees, the most loaded; ")
+    lines = [mark for mark in figure.panels[0].marks if isinstance(mark, Line)]
+    for line, load in zip(lines, sliced.load[0], strict=True):
+        assert np.trapezoid(line.y, line.x) == pytest.approx(load, rel=1e-9)
+    idle = int(sliced.load[:, 0].argmin())
+    marks = [mark for panel in roller_lines(sliced, idle).panels for mark in panel.marks]
+    assert [mark.words for mark in marks if isinstance(mark, Words)] == ["no load"]
+
+
+def test_cases_over_each_other_have_colours_and_dashes_of_their_own():
+    crown = nh.Roller(diameter=10, length=10, profile=nh.profile.crown(radius=500))
+    contact = nh.Contact(crown, nh.Plate())
+    found = {str(load): nh.solve(contact, load=load) for load in (100.0, 200.0, 400.0)}
+    upper, *_ = compared_contacts(found).panels
+    lines = [mark for mark in upper.marks if isinstance(mark, Line)]
+    assert [line.name for line in lines] == ["1  100.0", "2  200.0", "3  400.0"]
+    assert [(line.colour, line.dash) for line in lines] == [*SERIES[:3]]
+    assert upper.upright.range[1] > max(each.max_pressure for each in found.values())
