@@ -166,6 +166,10 @@ def test_files_and_figures_have_the_films():
     assert film["rib_sliding"][1] is None
     assert film["rib_sliding"][0] > 0.0
     assert "least_film_inner [mm]" in texts["rollers.csv"].splitlines()[0]
+    head, *rows = texts["lines.csv"].splitlines()
+    at = head.split(",").index("least_film [mm]")
+    along = [row.split(",")[at] for row in rows if row.startswith("1,inner,")]
+    assert min(float(film) for film in along if film) == found.least_film[0, 0]
     drawn = film_figures(found)
     assert list(drawn) == ["film", "film-along"]
     assert len(drawn["film"].panels) == 2

@@ -66,6 +66,7 @@ _KINEMATICS: Final = (
     Key("outer_frequency", "how often rollers pass a place of the outer ring, BPFO", "Hz"),
     Key("roller_frequency", "how often a place of a roller meets a ring, 2 BSF", "Hz"),
 )
+_FILM_ALONG: Final = ("least_film", "central_film", "entrainment")
 _FILM: Final = (
     Key("viscosity", "viscosity of the oil in the bearing", "mm^2/s", "lubrication.in_place.viscosity"),
     Key("dynamic_viscosity", "the same times the density", "MPa s", "lubrication.dynamic_viscosity"),
@@ -250,7 +251,7 @@ def rollers_table(solution: BearingSolution, films: Films | None = None) -> str:
     return csv_text(["roller", "row", "angle [rad]", *heads], map(plain, cells))
 
 
-def lines_table(solution: BearingSolution, laminae: int) -> str:
+def lines_table(solution: BearingSolution, laminae: int, films: Films | None = None) -> str:
     """Return what is known along all loaded contacts as CSV with a header of names and units.
 
     Parameters
@@ -259,12 +260,17 @@ def lines_table(solution: BearingSolution, laminae: int) -> str:
         The loaded bearing.
     laminae : int
         Number of slices, where it was solved by them.
+    films : Films, optional
+        Its films of oil.
     """
     by_strips = solution.method == "strips"
     names = ALONG.keys() - {"gap"} if by_strips else ("y", "strip_width", "line_load")
     quantities = [quantity for name, quantity in ALONG.items() if name in names]
-    heads = (heading(quantity.name, quantity.unit) for quantity in quantities)
+    heads = [heading(quantity.name, quantity.unit) for quantity in quantities]
     rows = _strips(solution, quantities) if by_strips else _slices(solution, laminae)
+    if films is not None:
+        heads += [heading(name, FILM_QUANTITIES[name].unit) for name in _FILM_ALONG]
+        rows = _with_films(rows, films)
     return csv_text(["roller", "ring", *heads], rows)
 
 
@@ -282,6 +288,19 @@ def _strips(solution: BearingSolution, quantities: Iterable[Quantity]) -> Iterat
                     yield number, ring, *numbers
 
 
+def _with_films(rows: Iterable[Iterable[Any]], films: Films) -> Iterator[Iterable[Any]]:
+    """Yield rows of roller, ring, place and more with the film there; blank where there is no load."""
+    blank = ("",) * len(_FILM_ALONG)
+    along = {
+        (roller + 1, film.ring): dict(zip(film.y.tolist(), zip(*numbers, strict=True), strict=True))
+        for film in films.contacts
+        for numbers in [[getattr(film, name).tolist() for name in _FILM_ALONG]]
+        for roller in film.rollers
+    }
+    for number, ring, y, *more in rows:
+        yield number, ring, y, *more, *along.get((number, ring), {}).get(y, blank)
+
+
 def _slices(solution: BearingSolution, laminae: int) -> Iterator[Iterable[Any]]:
     for row, (slices, loads) in zip(solution.bearing.rows, slice_loads(solution, laminae), strict=True):
         width = float(slices.y[1] - slices.y[0])
@@ -297,7 +316,7 @@ def files(solution: BearingSolution, case: BearingCase, life: BearingLife | None
     return {
         "result.json": results.key_by_key(as_object(solution, case, life, reason)) + "\n",
         "rollers.csv": rollers_table(solution, case.films(solution)),
-        "lines.csv": lines_table(solution, case.solver.laminae),
+        "lines.csv": lines_table(solution, case.solver.laminae, case.films(solution)),
     }
 
 
