@@ -61,7 +61,7 @@ def viscosity_at_100(viscosity: float, index: float) -> float:
     Examples
     --------
     >>> round(viscosity_at_100(68.0, 95.0), 2), round(viscosity_at_100(220.0, 95.0), 1)
-    (8.67, 18.7)
+    (8.53, 18.7)
     """
     rows = np.array(_table()["viscosity_index"]["parabolas"], dtype=float)
 
@@ -144,7 +144,7 @@ class Lubrication(OilInPlace):
     --------
     >>> oil = Lubrication(oil="ISO VG 68", temperature=70.0)
     >>> round(oil.in_place.viscosity, 1), round(1e3 * oil.pressure_coefficient, 1)
-    (20.0, 15.0)
+    (19.9, 15.0)
     """
 
     instead: ClassVar[Mapping[str, str]] = {"oil": "viscosity"}

@@ -218,7 +218,7 @@ def diagram(
     ...     case = nh.read_bearing(path, {"solver.method": "slices"})
     >>> made = diagram(case, "clearance", "0 : 60 um : 4")
     >>> [quantity.name for quantity in made.quantities]
-    ['modified_life', 'max_load', 'stiffness_y']
+    ['modified_life', 'max_load', 'stiffness_y', 'least_film']
     >>> clearance, life = made.longest_life
     >>> round(1e3 * clearance), round(life)
     (0, 107)
