@@ -143,7 +143,8 @@ def test_every_key_of_a_bearing_is_in_the_form(open_desk):
     document |= {"fit": {"shaft": {"material": {}}, "housing": {"material": {}}}}
     rows = [{"kind": kind, "rib": {}, "inner_shape": shapes, "outer_shape": shapes} for kind in RollerBearing.kinds]
     rows += [{"pair": {}, **{f"{ring}_shape": shape for ring in ("inner", "outer")}} for shape in shapes]
-    shown = {path for row in rows for path in names(open_desk(f"bearing#c={packed(document | {'bearing': row})}"))}
+    documents = [document | {"bearing": row} for row in rows] + [{"lubrication": {"oil": "ISO VG 68"}}]
+    shown = {path for each in documents for path in names(open_desk(f"bearing#c={packed(each)}"))}
     asked = set(keys_of(schema_of("bearing"), schema_of("bearing")["$defs"], "")) - {"format"}
     assert asked - shown == set()
 
