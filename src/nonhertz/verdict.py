@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.film import Films
+    from nonhertz.bearing.limits import Limit
     from nonhertz.bearing.solution import BearingSolution
 
 #: What is said where a check is passed.
@@ -41,6 +42,7 @@ _PASSED: Final = {
     "static-safety": "static safety S0 of at least 1",
     "life": "life as required",
     "film": "lambda of at least 1",
+    "rib-limit": "axial load as permitted",
 }
 #: What is said of ends and corners has a line of its own; all else that is found strains the model.
 _OF_ENDS: Final = ("sharp-end", "corner-end", "corner-peak")
@@ -60,6 +62,9 @@ class Level(Enum):
     def rank(self) -> int:
         """The larger, the worse."""
         return list(Level).index(self)
+
+
+_OF_LIMIT: Final = {True: Level.MET, None: Level.NOT_JUDGED, False: Level.NOT_MET}
 
 
 @dataclass(frozen=True)
@@ -231,6 +236,7 @@ def of_bearing(
     life: BearingLife | None,
     clearance: OperatingClearance | None,
     films: Films | None = None,
+    limits: Iterable[Limit] = (),
 ) -> Verdict | None:
     """Return the verdict on a loaded bearing; None where nothing is known of it.
 
@@ -244,6 +250,8 @@ def of_bearing(
         What is left of its clearance, if its fits are known.
     films : Films or None
         Its films of oil, if speed and oil are known; judged where the roughness is known too.
+    limits : iterable of Limit
+        How it compares with what makers publish.
     """
     found = [] if clearance is None else list(_loosened(clearance))
     checks = list(_of_contacts(solution)) if solution.method == "strips" and solution.load.any() else []
@@ -257,6 +265,7 @@ def of_bearing(
     if life is not None and life.required is not None:
         found.append(_lasting(None if math.isnan(life.rated_life) else life.rated_life, life.required))
     found += _parted(films)
+    found += [(_OF_LIMIT[met], each) for met, each in limits]
     if not found and not solution.load.any():
         return None
     row = solution.bearing.rows[0].bearing

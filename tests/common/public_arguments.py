@@ -176,6 +176,9 @@ OTHERWISE: dict[str, dict[str, Any]] = {
         "roller": CONE, "inner": nh.Ring(diameter=37.3), "outer": nh.Ring(diameter=-55.7)
     },
     "BearingCase.films": {"solution": LOADED},
+    "BearingCase.friction": {"solution": LOADED},
+    "BearingCase.limits": {"solution": LOADED},
+    "BearingCase.verdict": {"solution": LOADED, "life": None},
     "BearingCase.tolerances": {"solution": LOADED, "life": None},
     "bearing.clearance_limits": {"group": "C3", "bore": 30.0, "kind": "cylindrical"},
     "bearing.ring_limits": {"ring": "inner", "size": 30.0, "tolerance_class": "Normal"},

@@ -180,7 +180,7 @@ RESULTS = {
     "hertz.LineContact", "hertz.PointContact",
     "bearing.BearingLife", "bearing.BearingMaps", "bearing.BearingSolution",
     "bearing.BearingSolutions", "bearing.CatalogueGuess", "bearing.ContactFilm", "bearing.Films",
-    "bearing.InterferenceFit", "bearing.Kinematics",
+    "bearing.Friction", "bearing.InterferenceFit", "bearing.Kinematics",
     "bearing.ClearanceRanges", "bearing.OperatingClearance", "bearing.Range", "bearing.Tolerances",
     "bearing.Rating", "bearing.RingShape", "bearing.Row",
     "bearing.ForceTable", "bearing.UnrolledPressure",

@@ -338,7 +338,7 @@ MISTAKES = [
     (
         changed(
             PLAIN,
-            ("rollers = 13", "rollers = 0\nclearance = '1 N'\nwidth = 3"),
+            ("rollers = 13", "rollers = 0\nclearance = '1 N'\ngirth = 3"),
             ("length = 10.0", "length = -1"),
             ("-55.5", "nan"),
             ("10 kN", "10"),
@@ -346,7 +346,7 @@ MISTAKES = [
         + "[solver]\nmethod = 3\n[life]\nspeed = 3\n",
         "bearing.rollers = 0 must be a whole number from 1 to 1000",
         "bearing.clearance = '1 N' must have a unit of length",
-        "Unknown key bearing.width: ",
+        "Unknown key bearing.girth: ",
         "roller.length = -1.0 must be positive",
         "outer.diameter = nan must be a finite number",
         "load.radial = '10' must have a unit",

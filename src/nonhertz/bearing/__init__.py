@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.fits import clearance_limits as clearance_limits
     from nonhertz.bearing.fits import ring_limits as ring_limits
     from nonhertz.bearing.fits import seat_limits as seat_limits
+    from nonhertz.bearing.friction import Friction as Friction
     from nonhertz.bearing.kinematics import Kinematics as Kinematics
     from nonhertz.bearing.lubrication import contamination_factor as contamination_factor
     from nonhertz.bearing.lubrication import life_factor as life_factor
@@ -93,6 +94,7 @@ __getattr__, __dir__ = door(
         "fatigue": ("VolumeLife", "volume_life"),
         "fits": ("Range", "clearance_limits", "ring_limits", "seat_limits"),
         "film": ("ContactFilm", "Films", "films"),
+        "friction": ("Friction",),
         "kinematics": ("Kinematics",),
         "lubrication": (
             "contamination_factor",

@@ -17,6 +17,7 @@ from nonhertz.bearing.fits import CLEARANCE_GROUPS, TOLERANCE_CLASSES, Range, ch
 from nonhertz.bearing.kinematics import Kinematics, cage_speed, roller_speed, rolling
 from nonhertz.bearing.ribs import DESIGNS, End, Rib, RibContact
 from nonhertz.bearing.section import RINGS, raceway_motion, ring_motion
+from nonhertz.bearing.series import REMEDY, check_series, series_table
 from nonhertz.errors import InputError
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import finite, flag, listed, not_negative, number_that, numbers, one_of, positive
@@ -154,6 +155,18 @@ class RollerBearing(Input):
         float | None,
         Quantity("mm", "nominal outside diameter, for classes and seats", positive, _OUTSIDE),
     ] = None
+    width: Annotated[
+        float | None,
+        Quantity("mm", "width B, of tapered bearings T: for heat and axial loads", positive, "give the width in mm"),
+    ] = None
+    series: Annotated[
+        str | None,
+        Word(
+            "dimension series, for friction and axial loads: '2' of NU 206, '302' of 30206",
+            REMEDY,
+            tuple(dict.fromkeys(name for of_kind in series_table().values() for name in of_kind)),
+        ),
+    ] = None
     tolerance_class: Annotated[
         str,
         Word(
@@ -224,6 +237,10 @@ class RollerBearing(Input):
             condition = f"exceed the raceway's {mm(raceway):g}"
             raise InputError("outside_diameter", self.outside_diameter, condition, _OUTSIDE)
 
+    @together("series")
+    def _check_series(self) -> None:
+        check_series(self._word, self.series)
+
     @together("tolerance_class")
     def _check_class(self) -> None:
         check_class(self.tolerance_class, tapered=isinstance(self, TaperedRollerBearing))
@@ -283,6 +300,16 @@ class RollerBearing(Input):
                 f"lie within {100.0 * FITS:g} % of the rollers' diameter of the {mm(middle):.6g} between the raceways"
             )
             raise InputError("pitch_diameter", self.pitch_diameter, condition, "leave it out, or check the raceways")
+
+    @property
+    def _word(self) -> str:
+        """The kind as files name it; empty for others than they know."""
+        return next((word for word, kind in self.kinds.items() if kind is type(self)), "")
+
+    @property
+    def of_series(self) -> dict[str, Any] | None:
+        """The published factors of its series; None if it is not known."""
+        return None if self.series is None else series_table()[self._word][self.series]
 
     @property
     def play(self) -> float:

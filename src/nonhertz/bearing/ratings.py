@@ -186,7 +186,7 @@ def opposed(bearing: RollerBearing | Paired) -> bool:
 
 def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
     """Return P of ISO 281 and P_0 of ISO 76 [N]; preload and moments are not in them."""
-    bearing, (axial, radial) = solution.bearing, _axial_and_radial(solution)
+    bearing, (axial, radial) = solution.bearing, axial_and_radial(solution)
     row = bearing.rows[0].bearing
     if isinstance(row, CylindricalThrustBearing):
         return axial, axial
@@ -202,10 +202,11 @@ def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
 
 def axial_on_ribs(solution: BearingSolution) -> float:
     """Return the axial load on rows without a contact angle [N], which their ribs bear."""
-    return 0.0 if any(row.bearing.nominal_angle for row in solution.bearing.rows) else _axial_and_radial(solution)[0]
+    return 0.0 if any(row.bearing.nominal_angle for row in solution.bearing.rows) else axial_and_radial(solution)[0]
 
 
-def _axial_and_radial(solution: BearingSolution) -> tuple[float, float]:
+def axial_and_radial(solution: BearingSolution) -> tuple[float, float]:
+    """Return how large the axial and the radial force on the inner ring are [N]."""
     # What is left of the balance of preloaded rollers is no force.
     borne = solution.load.sum() + solution.each_rib_load.sum()
     force = np.where(np.abs(solution.force) > NO_LOAD * borne, solution.force, 0.0)

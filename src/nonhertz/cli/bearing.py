@@ -16,7 +16,7 @@ from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import whole
 from nonhertz.show.bearing import compared_sections, sections
-from nonhertz.verdict import findings_of, of_bearing
+from nonhertz.verdict import findings_of
 
 
 def bearing(
@@ -87,7 +87,7 @@ def bearing(
         case.title,
         shown,
         found.to_json,
-        of_bearing(*judged, case.films(solution)),
+        case.verdict(solution, life),
         findings_of(*judged),
         saved(found, out),
     )

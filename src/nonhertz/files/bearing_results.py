@@ -20,7 +20,7 @@ from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, plain, quantity_keys, within
 from nonhertz.result.quantities import ALONG, Quantity
 from nonhertz.result.tables import csv_text, heading
-from nonhertz.verdict import findings_of, of_bearing
+from nonhertz.verdict import findings_of
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
@@ -67,6 +67,12 @@ _KINEMATICS: Final = (
     Key("roller_frequency", "how often a place of a roller meets a ring, 2 BSF", "Hz"),
 )
 _FILM_ALONG: Final = ("least_film", "central_film", "entrainment")
+_FRICTION: Final = (
+    Key("speed_torque", "friction torque by speed and oil, M0", "N mm"),
+    Key("load_torque", "friction torque by load, M1", "N mm"),
+    Key("torque", "both together", "N mm"),
+    Key("power", "power loss", "W"),
+)
 _FILM: Final = (
     Key("viscosity", "viscosity of the oil in the bearing", "mm^2/s", "lubrication.in_place.viscosity"),
     Key("dynamic_viscosity", "the same times the density", "MPa s", "lubrication.dynamic_viscosity"),
@@ -213,6 +219,12 @@ def keys() -> tuple[Key, ...]:
         *quantity_keys(quantity for quantity in QUANTITIES.values() if not quantity.within),
         Key("film", "films of oil; null without a speed or an oil", get="films", holds=_FILM, nullable=True),
         Key("kinematics", "speeds, frequencies; null at rest", get="case.kinematics", holds=_KINEMATICS, nullable=True),
+        Key(
+            "friction", "torque and power; null where speed, oil, series or sizes are not known", "",
+            lambda rated: rated.case.friction(rated.solution), _FRICTION, nullable=True,
+        ),
+        Key("thermal_speed", "thermal speed rating of ISO 15312; null where series or sizes are not known", "1/min",
+            get="case.thermal_speed"),
         Key("iterations", "Newton steps of the ring", get="solution.iterations", holds="integer"),
         Key(
             "tolerances", "between which limits classes leave clearance and results; null without classes",
@@ -221,9 +233,7 @@ def keys() -> tuple[Key, ...]:
         Key("life", "ratings and lives; null where life_reason says why", holds=_LIFE, nullable=True),
         Key("life_reason", "why there is no life; empty if there is one", get="reason", holds="string"),
         results.assumed_key("case.assumed"),
-        results.verdict_key(
-            lambda rated: of_bearing(rated.solution, rated.life, rated.case.operating_clearance, rated.films)
-        ),
+        results.verdict_key(lambda rated: rated.case.verdict(rated.solution, rated.life)),
         *results.warning_keys(lambda rated: findings_of(rated.solution, rated.life, rated.case.operating_clearance)),
         results.UNITS,
         Key("case", "the bearing as in a file, with all defaults", get="case.own_document", holds="object"),

@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from nonhertz.bearing.assessed import LifeConditions
 from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, parts_of
 from nonhertz.bearing.clearance import Mounting, clearance_ranges
+from nonhertz.bearing.lubrication import reference_viscosity
 from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.prescribed import BearingLoad
-from nonhertz.bearing.ratings import rating
+from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError, NonhertzError, without_accuracy_warnings
@@ -41,12 +42,23 @@ if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.film import Films
+    from nonhertz.bearing.friction import Friction
     from nonhertz.bearing.kinematics import Kinematics
+    from nonhertz.bearing.limits import Limit
     from nonhertz.bearing.solution import BearingSolution
     from nonhertz.bearing.toleranced import Numbers, Tolerances
+    from nonhertz.verdict import Verdict
 
 
-_SOLVED = "give what BearingCase.solve returns"
+def _loaded(solution: BearingSolution, life: BearingLife | None = None) -> None:
+    """Refuse what is no loaded bearing or no life of one."""
+    from nonhertz.bearing.assessed import BearingLife
+    from nonhertz.bearing.solution import BearingSolution
+
+    if not isinstance(solution, BearingSolution):
+        raise InputError("solution", solution, "be a solved bearing", "give what BearingCase.solve returns")
+    if not isinstance(life, BearingLife | None):
+        raise InputError("life", life, "be a life", "give what BearingCase.assess returns, or leave it out")
 
 
 @dataclass(frozen=True, repr=False)
@@ -185,14 +197,68 @@ class BearingCase(HeldCase):
     def films(self, solution: BearingSolution) -> Films | None:
         """Return the films of oil in the loaded bearing; None without a speed or an oil."""
         from nonhertz.bearing.film import films
-        from nonhertz.bearing.solution import BearingSolution
 
-        if not isinstance(solution, BearingSolution):
-            raise InputError("solution", solution, "be a solved bearing", _SOLVED)
+        _loaded(solution)
         speed, oil = self.prescribed.speed, self.lubrication
         if not speed or oil.dynamic_viscosity is None:
             return None
         return films(solution, speed=speed, lubrication=oil, turning=self.life.turning, laminae=self.solver.laminae)
+
+    def friction(self, solution: BearingSolution) -> Friction | None:
+        """Return torque and power loss of the loaded bearing; None where oil, speed, series or sizes are not known."""
+        from nonhertz.bearing.friction import friction
+
+        _loaded(solution)
+        found, viscosity = self._rating, self.lubrication.in_place.viscosity
+        if found is None or viscosity is None or not self.prescribed.speed:
+            return None
+        return friction(
+            solution,
+            speed=self.prescribed.speed,
+            viscosity=viscosity,
+            static=found.static,
+            grease=self.lubrication.grease,
+        )
+
+    @property
+    def thermal_speed(self) -> float | None:
+        """The thermal speed rating of ISO 15312 [1/min]; None where series or sizes are not known."""
+        from nonhertz.bearing.friction import reference_speed
+
+        return None if self._rating is None else reference_speed(self.bearing, self._rating.static)
+
+    def limits(self, solution: BearingSolution) -> tuple[Limit, ...]:
+        """Return how the loaded bearing compares with limits that makers publish."""
+        from nonhertz.bearing.limits import limits
+
+        _loaded(solution)
+        viscosity, speed = self.lubrication.in_place.viscosity, self.prescribed.speed
+        ratio = None
+        if viscosity is not None and speed:
+            ratio = viscosity / reference_viscosity(speed, self.bearing.rows[0].bearing.pitch)
+        return limits(
+            solution,
+            rating=self._rating,
+            clearance=self.operating_clearance,
+            speed=speed,
+            grease=self.lubrication.grease,
+            viscosity_ratio=ratio,
+        )
+
+    def verdict(self, solution: BearingSolution, life: BearingLife | None = None) -> Verdict | None:
+        """Return the verdict on the loaded bearing, with its life if it has one."""
+        from nonhertz.verdict import of_bearing
+
+        _loaded(solution, life)
+        return of_bearing(solution, life, self.operating_clearance, self.films(solution), self.limits(solution))
+
+    @property
+    def _rating(self) -> Rating | None:
+        """The load ratings; None if such a bearing has none."""
+        try:
+            return rating(self.bearing, dynamic=self.life.dynamic, static=self.life.static)
+        except InputError:
+            return None
 
     @property
     def _inner_speed(self) -> float:
@@ -235,14 +301,9 @@ class BearingCase(HeldCase):
         CaseError
             As `operating_clearance`.
         """
-        from nonhertz.bearing.assessed import BearingLife
-        from nonhertz.bearing.solution import BearingSolution
         from nonhertz.bearing.toleranced import Tolerances, numbers_of
 
-        if not isinstance(solution, BearingSolution):
-            raise InputError("solution", solution, "be a solved bearing", _SOLVED)
-        if not isinstance(life, BearingLife | None):
-            raise InputError("life", life, "be a life", "give what BearingCase.assess returns, or leave it out")
+        _loaded(solution, life)
         try:
             ranges = clearance_ranges(self.fit, self.bearing.rows[0].bearing, self._inner_speed)
         except InputError as error:
@@ -373,10 +434,8 @@ class BearingCase(HeldCase):
         ('NU 206, roller 1 on the outer ring, by slices', 3720.0)
         """
         from nonhertz.bearing.section import RINGS
-        from nonhertz.bearing.solution import BearingSolution
 
-        if not isinstance(solution, BearingSolution):
-            raise InputError("solution", solution, "be a solved bearing", _SOLVED)
+        _loaded(solution)
         roller = whole("roller", roller, 0, solution.angle.size - 1, "count from 0")
         one_of("ring", ring, RINGS, "name one of both")
         side = RINGS.index(ring)

@@ -33,7 +33,7 @@ from nonhertz.show.analysis import (
 from nonhertz.show.solving import attempted
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
-from nonhertz.verdict import Verdict, findings_of, of_bearing, of_contact, worst_of
+from nonhertz.verdict import Verdict, findings_of, of_contact, worst_of
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
@@ -122,7 +122,7 @@ class BearingResults:
         """Whether it bears its load."""
         if self.solution is None:
             return None
-        return of_bearing(self.solution, self.life, self.case.operating_clearance, self.case.films(self.solution))
+        return self.case.verdict(self.solution, self.life)
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -28,7 +28,7 @@ from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.solver.many import solve_in_silence
 from nonhertz.solver.one import bounded, problem_of
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
-from nonhertz.verdict import Verdict, of_bearing, of_contact
+from nonhertz.verdict import Verdict, of_contact
 
 Values = Mapping[str, Any]
 
@@ -141,7 +141,7 @@ class Work:
                 return None
             if isinstance(solved, SolvedContact):
                 return of_contact(solved.solution)
-            return of_bearing(solved.solution, solved.life_or_none, solved.case.operating_clearance, solved.films)
+            return solved.case.verdict(solved.solution, solved.life_or_none)
 
     def _alone(self, template: Template, values: Values) -> Row:
         try:

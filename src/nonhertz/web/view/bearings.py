@@ -19,7 +19,7 @@ from nonhertz.files.results import plain
 from nonhertz.findings import sentences
 from nonhertz.show.bearing import TOLERANCES, most_loaded, sections
 from nonhertz.show.sections import Table, rows_of_summaries
-from nonhertz.verdict import findings_of, of_bearing
+from nonhertz.verdict import findings_of
 from nonhertz.web.view.answers import relief_of
 from nonhertz.web.view.replies import verdict_seen
 from nonhertz.web.view.tiles import bearing_tiles
@@ -67,7 +67,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "loads": roller_loads(solution).to_json(),
         "maps": _maps(solution),
         "films": {} if films is None else {name: each.to_json() for name, each in film_figures(films).items()},
-        "verdict": verdict_seen(of_bearing(solution, life, case.operating_clearance, films)),
+        "verdict": verdict_seen(case.verdict(solution, life)),
         "summary": rows_of_summaries(shown),
         "tolerances": tolerances and {"columns": tolerances.heads, "rows": tolerances.rows},
         "columns": rollers.heads,

@@ -1,0 +1,238 @@
+"""What makers publish as limits of bearings: axial load on ribs, least load, hoop stress of rings; speed by ISO 15312.
+
+Each is a comparison with its source. Ribs of cylindrical bearings bear axial loads continuously, for brief periods of
+some 1000 turns twice, and in occasional peaks three times, up to the least of (SKF 2018)
+
+    0.5 F_r        0.0045 kN D^1.5 of series 2, or 0.0023 kN D^1.7        k_1 10^4 C_0 / (n (d + D)) - k_2 F_r
+
+where C_0 becomes 7.5 C_0^(2/3), in kN, if pi B (d + D) exceeds 50000 mm^2; with a viscosity ratio of 2, tilted by one
+minute of arc at most, and heat that leaves with 0.5 mW/mm^2. By another maker (HR 1, 2006) it is, in N,
+
+    k_S k_B d_m^1.5 n^-0.6        at most 0.075 k_B d_m^2.1 and 0.4 F_r
+
+with k_S from 10 to 15 in an oil sump.
+
+References
+----------
+SKF: Rolling bearings (2018), pages 106, 510 and 511; INA/FAG: Rolling Bearings, HR 1 (2006), page 49; NTN: Ball and
+Roller Bearings, 2203/E, page A-78, for the stress of rings.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+import numpy as np
+
+from nonhertz.amounts import digits, mpa, newton
+from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, SphericalRollerBearing
+from nonhertz.bearing.friction import reference_speed
+from nonhertz.bearing.ratings import Rating, axial_and_radial, axial_on_ribs, equivalent_loads, opposed
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.findings import Finding, finding
+
+if TYPE_CHECKING:
+    from nonhertz.bearing.clearance import OperatingClearance
+
+HOOP_STRESS: Final = 127.0  # MPa
+SUMP: Final = 10.0  # k_S, the least in an oil sump
+_AREA: Final = 50000.0  # mm^2
+_LUBRICATION: Final = {  # k_1, k_2 by (full complement, grease)
+    (False, False): (1.5, 0.15), (False, True): (1.0, 0.1), (True, False): (1.0, 0.3), (True, True): (0.5, 0.15),
+}  # fmt: skip
+_LEAST_LOAD: Final = 0.02  # of C; of spherical bearings 0.01 of C_0
+
+
+class Limit(NamedTuple):
+    """A comparison with a limit: whether it is met, None where it is not known, and the sentence."""
+
+    met: bool | None
+    finding: Finding
+
+
+def rib_limit_skf(
+    *,
+    radial: float,
+    static: float,
+    bore: float,
+    outside_diameter: float,
+    width: float,
+    speed: float,
+    series: str,
+    full: bool = False,
+    grease: bool = False,
+) -> tuple[float, float, float]:
+    """Return the axial loads [N] that ribs bear continuously by the radial load, the flanges' strength, and heat.
+
+    Parameters
+    ----------
+    radial, static : float
+        F_r and C_0 [N].
+    bore, outside_diameter, width : float
+        d, D and B [mm].
+    speed : float
+        [1/min].
+    series : str
+        Dimension series.
+    full, grease : bool
+        Whether it has no cage, and grease in place of oil.
+
+    Examples
+    --------
+    >>> sizes = {"bore": 30, "outside_diameter": 62, "width": 16}
+    >>> by = rib_limit_skf(radial=10e3, static=36.5e3, **sizes, speed=3000, series="2")
+    >>> [round(each) for each in by]
+    [5000, 2197, 484]
+    """
+    k1, k2 = _LUBRICATION[full, grease]
+    size = bore + outside_diameter
+    strength = 0.0045 * outside_diameter**1.5 if series == "2" else 0.0023 * outside_diameter**1.7
+    borne = 1e-3 * static
+    borne = 7.5 * borne ** (2.0 / 3.0) if math.pi * width * size > _AREA else borne
+    heat = math.inf if not speed else k1 * borne * 1e4 / (abs(speed) * size) - 1e-3 * k2 * radial
+    return 0.5 * radial, 1e3 * float(strength), 1e3 * max(0.0, float(heat))
+
+
+def rib_limit_schaeffler(
+    factor: float, *, radial: float, mean_diameter: float, speed: float, lubrication: float = SUMP
+) -> float:
+    """Return the axial load [N] that ribs bear continuously, by HR 1.
+
+    Parameters
+    ----------
+    factor : float
+        k_B of the series.
+    radial : float
+        F_r [N].
+    mean_diameter, speed : float
+        (d + D) / 2 [mm] and n [1/min].
+    lubrication : float
+        k_S.
+
+    Examples
+    --------
+    >>> round(rib_limit_schaeffler(18.0, radial=10e3, mean_diameter=46, speed=3000))
+    460
+    """
+    most = min(0.4 * radial, 0.075 * factor * mean_diameter**2.1)
+    by_heat = math.inf if not speed else lubrication * factor * mean_diameter**1.5 * math.pow(abs(speed), -0.6)
+    return float(min(most, by_heat))
+
+
+def limits(
+    solution: BearingSolution,
+    *,
+    rating: Rating | None = None,
+    clearance: OperatingClearance | None = None,
+    speed: float = 0.0,
+    grease: bool = False,
+    viscosity_ratio: float | None = None,
+) -> tuple[Limit, ...]:
+    """Return the comparisons of a loaded bearing with limits that makers publish.
+
+    Parameters
+    ----------
+    solution : BearingSolution
+        The loaded bearing.
+    rating : Rating or None
+        Its load ratings.
+    clearance : OperatingClearance or None
+        Its fits in operation.
+    speed : float
+        Of the turning ring [1/min].
+    grease : bool
+        Whether it is lubricated by grease.
+    viscosity_ratio : float or None
+        kappa, if it is known.
+    """
+    found = [*_rings(clearance), *_preload(solution)]
+    if rating is not None:
+        found += [
+            *_ribs(solution, rating.static, speed, grease, viscosity_ratio),
+            *_least_load(solution, rating, speed),
+        ]
+        found += _speed(solution, rating.static, speed)
+    return tuple(found)
+
+
+def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, ratio: float | None) -> Iterator[Limit]:
+    axial, (_, radial) = axial_on_ribs(solution), axial_and_radial(solution)
+    if not axial > 0.0 or not solution.each_rib_load.size:
+        return
+    row = solution.bearing.rows[0].bearing
+    missing = [name for name in ("series", "bore", "outside_diameter", "width") if getattr(row, name) is None]
+    if missing or len(solution.bearing.rows) > 1:
+        what = f"give bearing.{', '.join(missing)}" if missing else "makers' rules are those of single rows"
+        words = "Whether ribs bear the axial load of {load:4} is not judged: {what}."
+        yield Limit(None, finding("rib-limit", words, load=newton(axial), what=what))
+        return
+    sizes = {name: getattr(row, name) for name in ("bore", "outside_diameter", "width", "series")}
+    full = bool(row.of_series and row.of_series.get("full"))
+    by = rib_limit_skf(radial=radial, static=static, **sizes, speed=speed, full=full, grease=grease)
+    reasons = "half the radial load", "the strength of ribs", "the heat on ribs"
+    least = int(np.argmin(by))
+    met = axial <= by[least]
+    words = "Ribs bear {load:4} along the axis; {reason} allows {limit:4} for long, twice that briefly (SKF 2018"
+    words += "{where}{other})."
+    where = "" if ratio is None or ratio >= 2.0 else f", for kappa of at least 2, not {digits(ratio, 3)}"
+    factor, other = (row.of_series or {}).get("rib"), ""
+    if factor is not None and not grease:
+        mean = 0.5 * (sizes["bore"] + sizes["outside_diameter"])
+        allowed = rib_limit_schaeffler(factor, radial=radial, mean_diameter=mean, speed=speed)
+        other = f"; Schaeffler 2006, oil sump: {newton(allowed):4}"
+    amounts = {"load": newton(axial), "limit": newton(by[least])}
+    yield Limit(met, finding("rib-limit", words, **amounts, reason=reasons[least], where=where, other=other))
+
+
+def _least_load(solution: BearingSolution, rating: Rating, speed: float) -> Iterator[Limit]:
+    row, load = solution.bearing.rows[0].bearing, equivalent_loads(solution)[0]
+    # What P leaves out, preload, keeps rollers from skidding too.
+    if not speed or not load > 0.0 or isinstance(row, CylindricalThrustBearing):
+        return
+    spherical = isinstance(row, SphericalRollerBearing)
+    least = 0.01 * rating.static if spherical else _LEAST_LOAD * rating.dynamic
+    rule, met = "0.01 C0" if spherical else "0.02 C", load >= least
+    words = "The load P of {load:4} is {state} {least:4}, {rule}, the least against skidding (SKF 2018)."
+    state = "at least" if met else "less than"
+    amounts = {"load": newton(load), "least": newton(least)}
+    yield Limit(met, finding("least-load", words, **amounts, state=state, rule=rule))
+
+
+def _speed(solution: BearingSolution, static: float, speed: float) -> Iterator[Limit]:
+    limit = reference_speed(solution.bearing, static) if speed else None
+    if limit is None:
+        return
+    words = "The speed of {speed} 1/min is below the thermal speed rating of {limit} 1/min (ISO 15312)."
+    met = abs(speed) <= limit
+    if not met:
+        words = "The speed of {speed} 1/min exceeds the thermal speed rating of {limit} 1/min (ISO 15312): "
+        words += "whether the bearing stays cool is not judged."
+    yield Limit(True if met else None, finding("speed", words, speed=digits(speed, 4), limit=digits(limit, 3)))
+
+
+def _rings(clearance: OperatingClearance | None) -> Iterator[Limit]:
+    if clearance is None:
+        return
+    stresses = {
+        ring: max(abs(fit.seat_stress), abs(fit.raceway_stress))
+        for ring, fit in (("inner", clearance.inner), ("outer", clearance.outer))
+    }
+    ring = max(stresses, key=stresses.__getitem__)
+    met = stresses[ring] <= HOOP_STRESS
+    words = "The hoop stress of the {ring} ring by its fit, {stress:3}, is {state} {limit:g} (NTN 2203/E)."
+    amounts = {"stress": mpa(stresses[ring]), "limit": mpa(HOOP_STRESS)}
+    yield Limit(met, finding("hoop-stress", words, ring=ring, **amounts, state="within" if met else "beyond"))
+
+
+def _preload(solution: BearingSolution) -> Iterator[Limit]:
+    """Yield which row of a pair that is mounted with preload bears no load any more."""
+    bearing = solution.bearing
+    if not isinstance(bearing, Paired) or not opposed(bearing) or bearing.rows[0].bearing.nominal_angle == 0.0:
+        return
+    total = bearing.clearance + sum(row.bearing.clearance_range.likely for row in bearing.rows) / len(bearing.rows)
+    for number, row in enumerate(bearing.rows, start=1):
+        if total < 0.0 and not np.any(solution.load[row.rollers, 0] > 0.0):
+            words = "Row {row} bears no load: the preload of the pair is lost under load."
+            yield Limit(False, finding("preload-lost", words, row=number))
