@@ -52,6 +52,7 @@ def written(found: Amount, digits: int = 4) -> str:
 
     Examples
     --------
+    >>> from nonhertz.amounts import mpa
     >>> written(mpa(2431.7)), written(mm(-1.5, 0.25, between=" and "))
     ('2432 MPa', '−1.5 and 0.25 mm')
     """
