@@ -141,7 +141,8 @@ class Work:
                 return None
             if isinstance(solved, SolvedContact):
                 return of_contact(solved.solution)
-            return solved.case.verdict(solved.solution, solved.life_or_none)
+            judged: Verdict | None = solved.case.verdict(solved.solution, solved.life_or_none)
+            return judged
 
     def _alone(self, template: Template, values: Values) -> Row:
         try:
