@@ -102,7 +102,8 @@ def test_a_bearing_file_becomes_one_page_with_its_files(folder, run):
     assert set(page.files()) == {"few.toml", "crown.csv", "few-rollers.csv", "few-result.json"}
     headings = re.findall(r"<h[23][^>]*>([^<]*)<", text)
     assert headings == [
-        "Results", "Ratings and life", "Film", "Friction", "Speeds and frequencies", "All rollers", "Inputs",
+        "Results", "Ratings and life", "Film", "Friction", "Limits of makers", "Speeds and frequencies", "All rollers",
+        "Inputs",
         "Assumptions and whether they hold", "Method",
         "References", "Files",
     ]  # fmt: skip

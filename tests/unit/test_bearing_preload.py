@@ -111,3 +111,12 @@ def test_only_tapered_rows_against_each_other_have_one():
             make()
     with pytest.raises(nh.ConvergenceError, match="is a load too large"):
         nh.bearing.solve(dataclasses.replace(PAIR, preload=1e9))
+
+
+def test_a_preload_that_the_load_takes_is_said():
+    def sentences(axial):
+        case = BearingCase(PAIR, {"radial": 3e3, "axial": axial, "speed": 1000}, {"method": "slices"})
+        return [str(limit.finding) for limit in case.limits(case.solve())]
+
+    assert sentences(3e3) == []
+    assert sentences(20e3) == ["Row 2 bears no load: the preload of the pair is lost under load."]

@@ -157,7 +157,7 @@ class BearingLife(HasFindings):
         """
         found = []
         if self.axial_on_ribs:
-            words = "Ribs bear the axial load of {load:4}, which no life here counts: ask the maker whether they can."
+            words = "Ribs bear the axial load of {load:4}, which no life here counts."
             found.append(finding("load-on-ribs", words, load=newton(self.axial_on_ribs)))
         lives = [life for life, _ in self.parts] or [self]
         heaviest = max(each.equivalent_load for each in lives)

@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 
 from nonhertz.amounts import digits, mpa, newton
-from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, SphericalRollerBearing
+from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, SphericalRollerBearing
 from nonhertz.bearing.friction import reference_speed
 from nonhertz.bearing.ratings import Rating, axial_and_radial, axial_on_ribs, equivalent_loads, opposed
 from nonhertz.bearing.solution import BearingSolution
@@ -188,8 +188,8 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
 
 def _least_load(solution: BearingSolution, rating: Rating, speed: float) -> Iterator[Limit]:
     row, load = solution.bearing.rows[0].bearing, equivalent_loads(solution)[0]
-    # What P leaves out, preload, keeps rollers from skidding too.
-    if not speed or not load > 0.0 or isinstance(row, CylindricalThrustBearing):
+    # Preload, which P leaves out, keeps rollers from skidding too.
+    if not speed or not load > 0.0 or isinstance(row, CylindricalThrustBearing) or _preloaded(solution.bearing):
         return
     spherical = isinstance(row, SphericalRollerBearing)
     least = 0.01 * rating.static if spherical else _LEAST_LOAD * rating.dynamic
@@ -231,8 +231,14 @@ def _preload(solution: BearingSolution) -> Iterator[Limit]:
     bearing = solution.bearing
     if not isinstance(bearing, Paired) or not opposed(bearing) or bearing.rows[0].bearing.nominal_angle == 0.0:
         return
-    total = bearing.clearance + sum(row.bearing.clearance_range.likely for row in bearing.rows) / len(bearing.rows)
     for number, row in enumerate(bearing.rows, start=1):
-        if total < 0.0 and not np.any(solution.load[row.rollers, 0] > 0.0):
+        if _preloaded(bearing) and not np.any(solution.load[row.rollers, 0] > 0.0):
             words = "Row {row} bears no load: the preload of the pair is lost under load."
             yield Limit(False, finding("preload-lost", words, row=number))
+
+
+def _preloaded(bearing: RollerBearing | Paired) -> bool:
+    """Return whether rollers are pressed without load."""
+    rows = [row.bearing for row in bearing.rows if not isinstance(row.bearing, CylindricalThrustBearing)]
+    between = bearing.clearance if isinstance(bearing, Paired) else 0.0
+    return bool(rows) and between + sum(row.clearance_range.likely for row in rows) / len(rows) < 0.0

@@ -47,6 +47,11 @@ _FILMS = (
     "B. J. Hamrock, D. Dowson, Isothermal elastohydrodynamic lubrication of point contacts, part III, Journal of "
     "Lubrication Technology 99 (1977) 264-276.",
 )
+_MAKERS = (
+    "INA/FAG, Rolling Bearings, catalogue HR 1 (2006).",
+    "SKF, Rolling bearings (2018).",
+    "NTN, Ball and Roller Bearings, catalogue 2203/E.",
+)
 _STRIPS = (
     "Each carries a load and a half-width, its pressure is {element} across, and all strips act on each other through "
     "both elastic bodies."
@@ -152,6 +157,14 @@ def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
             "without sliding in the middle of their length."
         )
         yield words, [*_FILMS]
+    if found.solution is not None and found.case.friction(found.solution) is not None:
+        words = (
+            "Friction torque and power are empirical, after Palmgren, with the factors that makers publish by series; "
+            "the thermal speed is the one at which this torque makes the heat that ISO 15312 lets the seats lead away."
+        )
+        yield words, [_MAKERS[0], "ISO 15312:2018, Rolling bearings - Thermal speed rating - Calculation."]
+    if found.solution is not None and found.case.limits(found.solution):
+        yield "Limits of makers are rules of thumb of their catalogues.", [*_MAKERS]
     if found.slices is not None:
         words = (
             "For comparison the bearing was solved once more by the independent slices of ISO/TS 16281, two equal "

@@ -24,7 +24,7 @@ from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.beside import ABSENT, beside, changes, compared
 from nonhertz.show.films import film_rows
-from nonhertz.show.friction import friction_rows
+from nonhertz.show.friction import friction_rows, limit_rows
 from nonhertz.show.lives import of_life
 from nonhertz.show.sections import Cell, Row, Said, Section, Table, assumed_rows, summary
 from nonhertz.study.quantities import number_of
@@ -55,6 +55,7 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
         Section("Ratings and life", [summary([*lives, *assumed_rows(case.assumed)])]),
         Section("Film", [summary(film_rows(case, films))]),
         Section("Friction", [summary(friction_rows(case, solution))]),
+        Section("Limits of makers", [summary(limit_rows(case, solution))]),
         Section("Speeds and frequencies", [summary(kinematic_rows(case.kinematics))]),
         Section("All rollers", [roller_table(solution, films)]),
     ]

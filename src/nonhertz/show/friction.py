@@ -1,4 +1,4 @@
-"""Friction of a bearing, its thermal speed rating, and what its ribs may bear, in rows."""
+"""Friction of a bearing, its thermal speed rating, and the limits that makers publish, in rows."""
 
 from __future__ import annotations
 
@@ -8,8 +8,13 @@ from nonhertz.errors import joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.show.sections import Row
 
-_EMPIRICAL = "empirical, after Palmgren: real ones may differ considerably"
-_NO_RIBS = "; without the rubbing of ribs, for which only a chart is published"
+_NAMES = {
+    "rib-limit": "axial load on ribs",
+    "least-load": "least load",
+    "hoop-stress": "stress of rings",
+    "speed": "speed",
+    "preload-lost": "preload",
+}
 
 
 def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
@@ -21,17 +26,21 @@ def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     found, limit = case.friction(solution), case.thermal_speed
     rows = [("friction torque", "not known", f"give {joined(missing)}" if missing else "none published for such rows")]
     if found is not None:
-        parts = newton_mm(found.speed_torque), newton_mm(found.load_torque)
         rows = [
-            (
-                "friction torque",
-                f"{newton_mm(found.torque):3}",
-                f"{parts[0]:3} by speed and oil, {parts[1]:3} by load{_NO_RIBS if found.axial else ''}",
-            ),
-            ("power loss", f"{digits(found.power, 3)} W", _EMPIRICAL),
+            ("friction torque", f"{newton_mm(found.torque):3}", "empirical, after Palmgren"),
+            ("", f"{newton_mm(found.speed_torque):3}", "by speed and oil, M0"),
+            ("", f"{newton_mm(found.load_torque):3}", "by load, M1"),
+            *([("", "not known", "by ribs, M2: published as a chart")] if found.axial else []),
+            ("power loss", f"{digits(found.power, 3)} W", ""),
         ]
     if limit is not None:
-        rows.append(("thermal speed", f"{digits(limit, 3)} 1/min", "speed rating of ISO 15312: 70 °C under 0.05 C0"))
+        rows.append(("thermal speed", f"{digits(limit, 3)} 1/min", "rating of ISO 15312"))
     elif not missing and row.width is None:
         rows.append(("thermal speed", "not known", "give bearing.width"))
     return rows
+
+
+def limit_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
+    """Return how the bearing compares with what makers publish: name, whether it is met, and the sentence."""
+    words = {True: "met", False: "not met", None: "not judged"}
+    return [(_NAMES[each.kind], words[met], str(each)) for met, each in case.limits(solution)]

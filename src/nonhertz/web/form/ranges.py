@@ -75,7 +75,7 @@ RANGES: Final[dict[str, Range]] = {
     **dict.fromkeys(
         ("diameter", "inner_groove", "outer_groove", "outside_diameter", "pitch_diameter", "profile_radius"), DIAMETER
     ),
-    **dict.fromkeys(("depth", "distance", "length", "middle"), LENGTH),
+    **dict.fromkeys(("depth", "distance", "length", "middle", "width"), LENGTH),
     "across.radius": Range(0.5, 1000.0, "log", 10.0),
     "amplitude": Range(1e-4, 0.1, "log", 0.005),
     "angle": Range(1e-4, 1.0, "log", 0.001),
