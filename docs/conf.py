@@ -38,6 +38,7 @@ extensions = [
     "public_names",
     "repository_links",
     "result_file_keys",
+    "rexs_attributes",
     "self_contained",
 ]
 

@@ -353,7 +353,7 @@ def _made(given: _Given, inside: _Inside, clearance: float) -> RollerBearing:
         make = NeedleRollerBearing if given.kind == "needle" else CylindricalRollerBearing
         inner, outer = _rings(given, pitch - diameter, pitch + diameter)
         return make(roller=roller, inner=inner, outer=outer, rollers=inside.rollers, clearance=clearance)
-    half = _half_cone(diameter / pitch, given.angle)
+    half = half_cone(diameter / pitch, given.angle)
     axis = math.tan(given.angle - half)
     low, high = (pitch * math.tan(each) / axis for each in (given.angle - 2.0 * half, given.angle))
     ends = diameter + length * math.tan(half) * np.array([1.0, -1.0])
@@ -366,7 +366,7 @@ def _made(given: _Given, inside: _Inside, clearance: float) -> RollerBearing:
     )  # fmt: skip
 
 
-def _half_cone(share: float, angle: float) -> float:
+def half_cone(share: float, angle: float) -> float:
     """Return half of the rollers' cone angle [rad], of which the tangent is D_w / D_pw sin(alpha - half)."""
     half = 0.0
     for _ in range(60):  # each takes less than D_w / D_pw of the error along

@@ -14,6 +14,7 @@ from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
 from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
+from nonhertz.files.rexs.writing import form_of, write_rexs
 from nonhertz.inputs.checks import whole
 from nonhertz.show.bearing import compared_sections, sections
 from nonhertz.verdict import findings_of
@@ -29,6 +30,7 @@ def bearing(
     over: str = "",
     workers: Workers = None,
     out: Path | None = None,
+    rexs: Path | None = None,
     as_json: AsJson = False,
 ) -> Answer | None:
     """Solve a whole bearing: loads, pressures and life.
@@ -48,17 +50,25 @@ def bearing(
     out : Path
         Directory for result.json, rollers.csv, lines.csv and the figures, with --compare for comparison.json and
         comparison.csv, with --over for diagram.json, rows.csv and the figure; created if it does not exist.
+    rexs : Path
+        File in REXS 1.4 for the bearing with its results: XML, if it ends with .rexs or .rexs.xml, or JSON, .rexsj or
+        .rexs.json.
     """
     chosen = [
         (name, value) for name, value in (("--compare", compare), ("--contact", contact), ("--over", over)) if value
     ]
     if len(chosen) > 1:
         raise InputError(*chosen[1], f"not be given with {chosen[0][0]}", "give one of them")
+    if rexs is not None:
+        form_of(rexs)
+        if chosen:
+            raise InputError("--rexs", str(rexs), f"not be given with {chosen[0][0]}", "leave one out")
     if contact is not None and (as_json or out is not None):
         remedy = "send the case file that it prints to a file with >"
         raise InputError("--contact", contact, "be given without --json and --out", remedy)
     case = read_bearing(file, changes)
     refuse_unwritable_out(out)
+    refuse_unwritable_out(rexs, file=True)
     if compare:
         return _compared(case, out)
     if over:
@@ -83,13 +93,16 @@ def bearing(
     found = Result(case, solution, (life, reason))
     judged = solution, life, case.operating_clearance
     shown = sections(case, solution, life, reason)
+    made = saved(found, out)
+    if rexs is not None:
+        made += (write_rexs(rexs, case, solution, life),)
     return Answer(
         case.title,
         shown,
         found.to_json,
         case.verdict(solution, life),
         findings_of(*judged),
-        saved(found, out),
+        made,
     )
 
 

@@ -14,6 +14,7 @@ from nonhertz.files.casefile import starting_case
 from nonhertz.files.catalogue import bearing_of_catalogue
 from nonhertz.files.documents import write_new
 from nonhertz.files.planfile import read_any, starting_plan
+from nonhertz.files.rexs import bearing_file_of_rexs
 
 
 def new(
@@ -25,6 +26,8 @@ def new(
     plan: Annotated[bool, Parameter(negative="")] = False,
     case: Path | None = None,
     catalogue: Words = (),
+    rexs: Path | None = None,
+    component: int | None = None,
 ) -> None:
     """Write a commented case file, bearing file or plan to start from.
 
@@ -45,7 +48,12 @@ def new(
     catalogue : tuple of str
         With --bearing, numbers of a catalogue, from which the rollers are guessed: d=30 D=62 B=16 C=44kN C0=36.5kN,
         for other kinds kind=needle or kind=tapered with e, Y or alpha, and if known raceways F and E, and clearance.
+    rexs : Path
+        With --bearing, a file in REXS, version 1.4 or later, XML or JSON, with the bearing.
+    component : int
+        With --rexs, the number of the bearing in a model of several.
     """
+    _refuse_beside_rexs(rexs, component, bearing and not (plan or catalogue or template is not None))
     if catalogue and (plan or template is not None or not bearing):
         option = "--plan" if plan else "--template"
         condition = "be given with --bearing" if not bearing and not plan else f"not be given with {option}"
@@ -58,8 +66,10 @@ def new(
         raise InputError("--case", str(case), "be given with --plan", "add that, or leave it out")
     folder = Path() if path is None else path.parent
     file = folder / "case.toml" if case is None else case
-    with named_as(template="--template"):
-        if catalogue:
+    with named_as(template="--template", component="--component", rexs="--rexs"):
+        if rexs is not None:
+            text = bearing_file_of_rexs(rexs, component)
+        elif catalogue:
             text = bearing_of_catalogue(dict(path_and_value(word, "d=30", "--catalogue") for word in catalogue))
         elif case is not None:
             text = starting_plan(read_any(case), folder)
@@ -74,3 +84,12 @@ def new(
             first = "" if file.exists() else f"nonhertz new {file}, then "
             way_on = f"for {file}; try it with: {first}nonhertz {'design' if '[design]' in text else 'check'} {path}"
         print(f"wrote {path}{',' if plan else ';'} {way_on}")
+
+
+def _refuse_beside_rexs(rexs: Path | None, component: int | None, alone: bool) -> None:
+    """Refuse options that do not go with a file in REXS."""
+    if rexs is not None and not alone:
+        condition = "be given with --bearing, and without --plan, --template and --catalogue"
+        raise InputError("--rexs", str(rexs), condition, "write one bearing file")
+    if component is not None and rexs is None:
+        raise InputError("--component", component, "be given with --rexs", "add that, or leave it out")

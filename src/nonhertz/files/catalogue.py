@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 from nonhertz.bearing.bearings import TaperedRollerBearing
@@ -84,14 +84,20 @@ def _text(guess: CatalogueGuess) -> str:
     first, *others = guess.sentences
     words = [f"For 'nonhertz bearing': {first}. Replace what you know.", *(f"- {sentence}" for sentence in others)]
     words.append(f"- load ({100.0 * _OF_LOAD:g} % of C) and speed are examples: put yours in their place")
-    words.append("Numbers are in mm, N, rad and 1/min.")
+    return commented(words, guessed_document(guess))
+
+
+def commented(words: Sequence[str], document: Mapping[str, Any]) -> str:
+    """Return a bearing file below words as comments: a sentence, and items that begin with a hyphen."""
     wrapped = (
-        line for each in words for line in textwrap.wrap(each, _COLUMNS, subsequent_indent="  " * (each[0] == "-"))
+        line
+        for each in (*words, "Numbers are in mm, N, rad and 1/min.")
+        for line in textwrap.wrap(each, _COLUMNS, subsequent_indent="  " * (each[0] == "-"))
     )
-    return "".join(f"# {line}\n" for line in wrapped) + "\n" + as_toml(_document(guess))
+    return "".join(f"# {line}\n" for line in wrapped) + "\n" + as_toml(dict(document))
 
 
-def _document(guess: CatalogueGuess) -> dict[str, Any]:
+def guessed_document(guess: CatalogueGuess) -> dict[str, Any]:
     """Return what the file holds: what is not usual, in digits that a drawing has."""
     load = {"radial": _OF_LOAD * guess.dynamic, "speed": _SPEED}
     if isinstance(guess.bearing, TaperedRollerBearing):

@@ -1,0 +1,108 @@
+"""Which attribute of REXS is which key of a bearing file or which result; reader, writer and reference are made of it.
+
+REXS has u along the axis, v towards the first roller and w; here these are x, y and z.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib import resources
+from typing import Any, Final
+
+BEARING: Final = "rolling_bearing_with_detailed_geometry"
+CATALOGUE: Final = "rolling_bearing_with_catalog_geometry"
+ROW, ROLLER, CONTACT = "rolling_bearing_row", "rolling_element", "rolling_element_contact"
+MATERIAL, OIL = "material", "lubricant"
+_COMPONENTS: Final = {
+    "bearing": BEARING, "row": ROW, "roller": ROLLER, "contact": CONTACT, "material": MATERIAL, "oil": OIL,
+}  # fmt: skip
+#: What of a bearing file has no attribute, as JSON; and which loads and motions are prescribed, not results.
+REST, PRESCRIBED = "custom_nonhertz_bearing_file", "custom_nonhertz_prescribed"
+#: Sizes of the units of REXS in those of bearing files.
+UNITS: Final = dict.fromkeys(("", "none", "mm", "rad", "N", "N / mm^2", "MPa", "N / rad", "N mm / rad"), 1.0) | {
+    "1 / min": 1.0, "Hz": 1.0, "h": 1.0, "C": 1.0, "mm^2 / s": 1.0, "mum": 1e-3, "kN": 1e3, "N m": 1e3, "%": 1e-2,
+    "N / m": 1e-3, "deg": math.pi / 180.0, "°": math.pi / 180.0,
+}  # fmt: skip
+#: The words of kinds, the first of which is written; those of others are refused.
+TYPES: Final = {
+    "cylindrical": ("radial_roller_bearing",),
+    "needle": ("radial_needle_roller_bearing",),
+    "tapered": ("radial_tapered_roller_bearing",),
+    "spherical": ("radial_self_aligning_roller_bearing", "radial_spherical_roller_bearing"),
+    "thrust": ("axial_roller_bearing", "axial_needle_roller_bearing"),
+}
+_LETTERS: Final = dict(zip("cntsa", TYPES, strict=True))
+#: By whether the inner ring bears axial loads along +u and along -u.
+DIRECTIONS: Final = {
+    (False, False): "no_direction",
+    (True, False): "positive",
+    (False, True): "negative",
+    (True, True): "both_directions",
+}
+
+
+@dataclass(frozen=True)
+class Attribute:
+    """A line of the table, whose head says what its columns are.
+
+    Attributes
+    ----------
+    component, ids, unit : str, tuple of str, str
+        Its component type, its names, the first of which is written, and its unit.
+    sign : int
+        -1 where it counts the other way round.
+    key, value : str
+        Dotted paths in a bearing file, and in what is known when it is written.
+    kinds : frozenset of str
+        Words of the kinds that have it.
+    """
+
+    component: str
+    ids: tuple[str, ...]
+    unit: str
+    sign: int
+    key: str
+    value: str
+    kinds: frozenset[str]
+
+    @property
+    def id(self) -> str:
+        """The name that is written."""
+        return self.ids[0]
+
+    @property
+    def size(self) -> float:
+        """Its unit in that of a bearing file, with the sign."""
+        return self.sign * UNITS[self.unit]
+
+    def of(self, known: Any) -> Any:
+        """Return its value in what is known; None where something on the way is."""
+        for name in self.value.split("."):
+            known = known.get(name) if isinstance(known, Mapping) else getattr(known, name)
+            if known is None:
+                return None
+        return known
+
+
+def lines() -> list[dict[str, str]]:
+    """Return the lines of the table as texts."""
+    text = resources.files(__package__).joinpath("attributes.csv").read_text(encoding="utf-8")
+    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+def _attributes(use: str) -> tuple[Attribute, ...]:
+    return tuple(
+        Attribute(
+            _COMPONENTS[each["component"]], tuple(each["attribute"].split("|")), each["unit"], int(each["sign"]),
+            each["key"], each["value"], frozenset(_LETTERS[letter] for letter in each["kinds"] or _LETTERS),
+        )
+        for each in lines() if each["use"] == use
+    )  # fmt: skip
+
+
+EXCHANGED, LOADS, REACTIONS, SPEEDS, RESULTS, CONTACTS, PROFILE = map(
+    _attributes, ("exchange", "load", "reaction", "speed", "result", "contact", "profile")
+)
