@@ -39,10 +39,8 @@ class Rated(Protocol):
     def films(self, solution: BearingSolution) -> Films | None:
         """Return its films of oil; None without a speed or an oil."""
 
-    def verdict(
-        self, solution: BearingSolution, life: BearingLife | None = None
-    ) -> Any:  # a Verdict, which stands above bearings
-        """Return whether limits are met."""
+    def verdict(self, solution: BearingSolution, life: BearingLife | None = None) -> Any:
+        """Return whether limits are met: a `nonhertz.verdict.Verdict`, which stands above bearings."""
 
 
 @dataclass(frozen=True)
