@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from nonhertz.errors import InputError
+from nonhertz.errors import CaseError, InputError
 from nonhertz.files.bearingfile import BearingCase, starting_bearing
 from nonhertz.files.rexs import bearing_file_of_rexs, read_rexs, to_rexs, write_rexs
 from nonhertz.files.rexs.attributes import UNITS, lines
@@ -173,6 +173,32 @@ def test_a_bearing_of_another_program(tmp_path):
     assert case.lubrication.contamination is None  # there is no oil
     assert "reference profile of ISO 16281" in case.text
     assert case.solve("slices").force[1] == pytest.approx(3000.0)
+
+
+def test_a_row_that_bears_loads_against_u_is_turned(tmp_path):
+    given = {"axial_force": ("-8", "kN"), "radial_force_in_v": ("10", "kN"), "radial_force_in_w": ("-2", "kN")}
+    loads = f'<component id="7">{attributes(**given)}</component>'
+    load = read_rexs(written(tmp_path, CATALOGUED + NEEDLES + INSIDE, loads), 7).prescribed
+    assert (load.axial, load.radial) == (8e3, (10e3, 2e3))
+
+
+@pytest.mark.parametrize(
+    "rest",
+    ["5", "[]", '{"bearing": 5}', '{"bearing": {"pair": 5}}', '{"inner": {"diameter": "x"}}', '{"roller": {"a": 1}}'],
+)
+def test_own_attributes_that_are_damaged(rest, tmp_path):
+    text = to_rexs(case_of("tapered-pair"), form="json")
+    model = json.loads(text)
+    for component in model["model"]["components"]:
+        component["attributes"] = [
+            each | ({"string": rest} if each["id"] == "custom_nonhertz_bearing_file" else {})
+            for each in component["attributes"]
+            if "diameter_of" not in each["id"]
+        ]
+    path = tmp_path / "damaged.rexs.json"
+    path.write_text(json.dumps(model))
+    with pytest.raises((InputError, CaseError)):
+        read_rexs(path)
 
 
 def test_an_inside_that_is_guessed(tmp_path):

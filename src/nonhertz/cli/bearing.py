@@ -8,7 +8,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, AsJson, Changes, Workers, refuse_unwritable_out, saved, written
+from nonhertz.cli.options import NONE, AsJson, Changes, Workers, named_as, refuse_unwritable_out, saved, written
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
@@ -68,7 +68,8 @@ def bearing(
         raise InputError("--contact", contact, "be given without --json and --out", remedy)
     case = read_bearing(file, changes)
     refuse_unwritable_out(out)
-    refuse_unwritable_out(rexs, file=True)
+    with named_as(**{"--out": "--rexs"}):
+        refuse_unwritable_out(rexs, file=True)
     if compare:
         return _compared(case, out)
     if over:

@@ -17,7 +17,6 @@ LARGEST: Final = 50_000_000  # bytes
 VERSION: Final = "1.4"
 _OLDEST: Final = (1, 4)
 _REMEDY: Final = "export the model as REXS 1.4 or later, .rexs or .rexs.json"
-_MODEL: Final = ("version", "applicationId", "applicationVersion", "date")
 Value = tuple[Any, str]
 Attributes = dict[str, Value]
 
@@ -72,10 +71,10 @@ def read_model(path: str | Path) -> Model:
     try:
         text = data.decode("utf-8-sig")
         model = _of_json(text) if text.lstrip()[:1] == "{" else _of_xml(text)
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError, ET.ParseError) as error:
+    except (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError, ET.ParseError) as error:
         reason = str(error).partition("\n")[0][:80] or type(error).__name__
         raise InputError("rexs", name, f"be a model in REXS, as XML or JSON ({reason})", _REMEDY) from None
-    version = re.match(r"(\d+)\.(\d+)", model.head["version"])
+    version = re.match(r"(\d{1,4})\.(\d{1,4})", model.head["version"])
     if version is None or (int(version[1]), int(version[2])) < _OLDEST:
         raise InputError("rexs", name, f"be of version 1.4 or later, not {model.head['version'][:20]!r}", _REMEDY)
     return model
@@ -91,7 +90,7 @@ def _of_xml(text: str) -> Model:
     def attributes(element: ET.Element) -> Attributes:
         return {each.attrib["id"]: ((each.text or "").strip(), each.get("unit", "")) for each in element}
 
-    model = Model({name: root.attrib[name] for name in _MODEL[:1]})
+    model = Model({"version": root.attrib["version"]})
     for each in root.iter():
         if _tag(each) == "relation":
             roles = [(ref.attrib["role"], int(ref.attrib["id"])) for ref in each]

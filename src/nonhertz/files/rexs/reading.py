@@ -66,10 +66,14 @@ def bearing_file_of_rexs(path: str | Path, component: int | None = None) -> str:
     """
     model = read_model(path)
     number = _chosen(model, component)
-    bearing = _Bearing(model, number)
-    document = bearing.document()
-    first = f"{bearing.title or 'bearing'}, component {number} of {legible(Path(path).name)}"
-    text = commented([f"For 'nonhertz bearing': {first}. Add what you know.", *bearing.sentences], document)
+    bearing, name = _Bearing(model, number), legible(Path(path).name)
+    first = f"For 'nonhertz bearing': {bearing.title or 'bearing'}, component {number} of {name}. Add what you know."
+    try:
+        document = bearing.document()
+        text = commented([first, *bearing.sentences], document)
+    except (ArithmeticError, AttributeError, KeyError, TypeError) as error:  # of what REST holds
+        condition = f"hold what {table.REST} of this program does ({type(error).__name__})"
+        raise InputError("rexs", name, condition, "remove that attribute, or write the file anew") from None
     BearingCase.of(parsed(text, str(path)), Path(path), files=False)  # raises what is wrong with it
     return text
 
@@ -352,7 +356,7 @@ def _number(attributes: Attributes, unit: str, *names: str) -> float | None:
         raise InputError(f"the unit of {name}", stated, f"be {unit}", "correct it in the file")
     try:
         number = float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         number = math.nan
     if not math.isfinite(number):
         raise InputError(name, str(value)[:40], "be a number", "correct it in the file")
