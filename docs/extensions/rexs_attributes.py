@@ -36,11 +36,12 @@ class RexsAttributes(SphinxDirective):
 
 
 def _row(each: dict[str, str]) -> tuple[str, ...]:
-    names = each["attribute"] if each["use"] == "left" else each["attribute"].replace("|", "``, ``").join(("``",) * 2)
-    here = f"``{each['key'] or each['value']}``" if each["use"] != "left" and (each["key"] or each["value"]) else ""
+    words = each["attribute"].split("|")
+    names = ", ".join(f"``{word}``" if "_" in word or each["use"] != "left" else word for word in words)
+    path = each["key"] or each["value"]
+    here = each["kinds"] if each["use"] == "left" else f"``{path}``" if path else ""
     sign = ", with the other sign" if each["sign"] == "-1" else ""
-    unit = "" if each["unit"] == "none" else each["unit"]
-    return each["component"], names, unit, f"{here}{sign}" if here else each["kinds"] if each["use"] == "left" else ""
+    return each["component"], names, "" if each["unit"] == "none" else each["unit"], here + sign
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -110,6 +110,19 @@ def test_the_table_is_of_known_units_and_own_names_are_marked():
         assert "nonhertz" not in each["attribute"] or each["attribute"].startswith("custom_nonhertz_")
 
 
+def test_what_is_written_is_in_the_table():
+    listed = {name for each in lines() if each["use"] != "left" for name in each["attribute"].split("|")}
+    listed |= {name.replace("inner", "outer") for name in listed if "acting" in name}
+    case = case_of()
+    solution = case.solve()
+    root = ET.fromstring(to_rexs(case, solution, case.assess(solution)))
+    written = {each.get("id") for each in root.iter("attribute")}
+    assert written <= listed
+    assert {name for each in lines() if each["use"] == "word" for name in [each["attribute"]]} - written == {
+        "radial_clearance_class"  # the clearance is a number
+    }
+
+
 def attributes(**given):
     return "".join(f'<attribute id="{name}" unit="{unit}">{value}</attribute>' for name, (value, unit) in given.items())
 
