@@ -55,8 +55,10 @@ class Model:
             for _, order, roles in self.relations
             if ("assembly", whole) in roles or ("origin", whole) in roles
         ]
-        numbers = [roles.get("part", roles.get("referenced")) for _, roles in sorted(ordered, key=lambda each: each[0])]
-        return [each for each in numbers if each in self.components and self.components[each].type == kind]
+        numbers = [
+            roles.get("part", roles.get("referenced")) for _, roles in sorted(ordered, key=lambda entry: entry[0])
+        ]
+        return [entry for entry in numbers if entry in self.components and self.components[entry].type == kind]
 
 
 def read_model(path: str | Path) -> Model:
@@ -88,21 +90,21 @@ def _of_xml(text: str) -> Model:
         raise ValueError(f"its root is {_tag(root)[:40]!r}, not 'model'")
 
     def attributes(element: ET.Element) -> Attributes:
-        return {each.attrib["id"]: ((each.text or "").strip(), each.get("unit", "")) for each in element}
+        return {entry.attrib["id"]: ((entry.text or "").strip(), entry.get("unit", "")) for entry in element}
 
     model = Model({"version": root.attrib["version"]})
-    for each in root.iter():
-        if _tag(each) == "relation":
-            roles = [(ref.attrib["role"], int(ref.attrib["id"])) for ref in each]
-            model.relations.append((each.attrib["type"], int(each.get("order", 0)), roles))
+    for entry in root.iter():
+        if _tag(entry) == "relation":
+            roles = [(ref.attrib["role"], int(ref.attrib["id"])) for ref in entry]
+            model.relations.append((entry.attrib["type"], int(entry.get("order", 0)), roles))
     for outer in root:
         if _tag(outer) == "components":
-            for each in outer:
-                component = Component(each.attrib["type"], each.get("name", ""), attributes(each))
-                model.components[int(each.attrib["id"])] = component
+            for entry in outer:
+                component = Component(entry.attrib["type"], entry.get("name", ""), attributes(entry))
+                model.components[int(entry.attrib["id"])] = component
         elif _tag(outer) == "load_spectrum":
-            cases = [each for each in outer if _tag(each) == "load_case"]
-            model.load_cases += [{int(each.attrib["id"]): attributes(each) for each in case} for case in cases]
+            cases = [entry for entry in outer if _tag(entry) == "load_case"]
+            model.load_cases += [{int(entry.attrib["id"]): attributes(entry) for entry in case} for case in cases]
     return model
 
 
@@ -114,23 +116,23 @@ def _of_json(text: str) -> Model:
     root = json.loads(text)["model"]
 
     def attributes(entries: list[dict[str, Any]]) -> Attributes:
-        found = {}
-        for each in entries:
-            value = next((value for name, value in each.items() if name not in ("id", "unit")), None)
-            found[str(each["id"])] = value, str(each.get("unit") or "")
-        return found
+        values = {}
+        for entry in entries:
+            value = next((value for name, value in entry.items() if name not in ("id", "unit")), None)
+            values[str(entry["id"])] = value, str(entry.get("unit") or "")
+        return values
 
     model = Model({"version": str(root["version"])})
-    for each in root.get("relations", ()):
-        roles = [(str(ref["role"]), int(ref["id"])) for ref in each["refs"]]
-        model.relations.append((each["type"], int(each.get("order") or 0), roles))
-    for each in root["components"]:
-        component = Component(str(each["type"]), str(each.get("name") or ""), attributes(each["attributes"]))
-        model.components[int(each["id"])] = component
+    for entry in root.get("relations", ()):
+        roles = [(str(ref["role"]), int(ref["id"])) for ref in entry["refs"]]
+        model.relations.append((entry["type"], int(entry.get("order") or 0), roles))
+    for entry in root["components"]:
+        component = Component(str(entry["type"]), str(entry.get("name") or ""), attributes(entry["attributes"]))
+        model.components[int(entry["id"])] = component
     spectra = root.get("load_spectrum") or ()
     for spectrum in [spectra] if isinstance(spectra, dict) else spectra:
         for case in spectrum["load_cases"]:
-            model.load_cases.append({int(each["id"]): attributes(each["attributes"]) for each in case["components"]})
+            model.load_cases.append({int(entry["id"]): attributes(entry["attributes"]) for entry in case["components"]})
     return model
 
 
@@ -188,9 +190,9 @@ def as_json(model: Model) -> str:
         {"id": number, "components": components(_components(model, case))}
         for number, case in enumerate(model.load_cases, start=1)
     ]
-    found = model.head | {"relations": relations, "components": components(_components(model))}
+    body = model.head | {"relations": relations, "components": components(_components(model))}
     spectrum = {"load_spectrum": {"id": 1, "load_cases": cases}} if cases else {}
-    return json.dumps({"model": found | spectrum}, indent=1, ensure_ascii=False) + "\n"
+    return json.dumps({"model": body | spectrum}, indent=1, ensure_ascii=False) + "\n"
 
 
 def _components(model: Model, case: dict[int, Attributes] | None = None) -> Iterator[tuple[int, Component, Attributes]]:

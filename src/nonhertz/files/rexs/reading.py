@@ -80,13 +80,13 @@ def bearing_file_of_rexs(path: str | Path, component: int | None = None) -> str:
 
 def _chosen(model: Model, number: int | None) -> int:
     """Return the number of the bearing that is meant."""
-    known = [each for each in model.components if model.components[each].type in (table.BEARING, table.CATALOGUE)]
+    known = [entry for entry in model.components if model.components[entry].type in (table.BEARING, table.CATALOGUE)]
     if not known:
         raise InputError("rexs", "no rolling bearing", "hold one", "export the model with its bearings")
     if number is None and len(known) == 1:
         return known[0]
     if number not in known:
-        names = [f"{each} ({legible(model.components[each].name)})" for each in known[:_LISTED]]
+        names = [f"{entry} ({legible(model.components[entry].name)})" for entry in known[:_LISTED]]
         more = [f"{len(known) - _LISTED} more"] if len(known) > _LISTED else []
         condition = f"be the number of a rolling bearing of the model: {joined([*names, *more], 'or')}"
         raise InputError("component", number, condition, "name one of them")
@@ -110,7 +110,7 @@ class _Bearing:
         if len(rows) > 2:
             raise InputError("number_of_bearing_rows", len(rows), "be 1 or 2", "choose another bearing")
         rollers = model.parts(rows[0], table.ROLLER) if rows else []
-        self.rows = [model.components[each].attributes for each in rows]
+        self.rows = [model.components[entry].attributes for entry in rows]
         self.components = {
             table.BEARING: self.own,
             table.ROW: self.rows[0] if rows else {},
@@ -119,66 +119,66 @@ class _Bearing:
         }
         self.materials = {"roller": self._part(rollers[0], table.MATERIAL) if rollers else {}}
         self.materials |= dict.fromkeys(RINGS, self._part(number, table.MATERIAL))
-        absorbed = [_word(each, "axial_force_absorption_of_row") for each in self.rows]
+        absorbed = [_word(entry, "axial_force_absorption_of_row") for entry in self.rows]
         self.absorbed = absorbed if len(rows) > 1 else [_word(self.own, "axial_force_absorption"), *absorbed]
 
     def _part(self, whole: int, kind: str) -> Attributes:
         number = next(iter(self.model.parts(whole, kind)), None)
         return {} if number is None else self.model.components[number].attributes
 
-    def value(self, each: Attribute, among: Attributes | None = None) -> float | None:
+    def value(self, entry: Attribute, among: Attributes | None = None) -> float | None:
         """Return an attribute in units of the bearing file; None if it is not there."""
-        found = _number(self.components.get(each.component, {}) if among is None else among, each.unit, *each.ids)
-        return None if found is None else each.sign * found
+        number = _number(self.components.get(entry.component, {}) if among is None else among, entry.unit, *entry.ids)
+        return None if number is None else entry.sign * number
 
     def document(self) -> dict[str, Any]:
         """Return what the bearing file holds."""
-        found = self._rest()
+        document = self._rest()
         for name in ("bearing", "roller", "inner", "outer", "lubrication", "life", "load"):
-            found.setdefault(name, {})
-        for each in table.EXCHANGED:
-            if self.kind in each.kinds and each.component in (table.BEARING, table.ROW, table.ROLLER):
-                self._put(found, each)
-        self._clearance(found["bearing"])
+            document.setdefault(name, {})
+        for entry in table.EXCHANGED:
+            if self.kind in entry.kinds and entry.component in (table.BEARING, table.ROW, table.ROLLER):
+                self._put(document, entry)
+        self._clearance(document["bearing"])
         keys = (*_NEEDED, *_NEEDED_BESIDE.get(self.kind, ()))
-        absent = [key for key in keys if key.partition(".")[2] not in found[key.partition(".")[0]]]
-        found["title"] = found.get("title") or self.title
+        absent = [key for key in keys if key.partition(".")[2] not in document[key.partition(".")[0]]]
+        document["title"] = document.get("title") or self.title
         if absent:
-            self._guess(found, absent)
+            self._guess(document, absent)
         else:
-            found["bearing"]["kind"] = self.kind
-            self._arrange(found["bearing"])
+            document["bearing"]["kind"] = self.kind
+            self._arrange(document["bearing"])
             if self.kind != "thrust":
-                self._raceways(found)
+                self._raceways(document)
             if table.REST not in self.own and self.kind != "spherical":
-                found["roller"]["profile"] = self._profile()
-            self._make_of(found)
-        self._oil(found["lubrication"])
-        self._load(found)
-        return {name: each for name, each in found.items() if each or name == "load"}
+                document["roller"]["profile"] = self._profile()
+            self._make_of(document)
+        self._oil(document["lubrication"])
+        self._load(document)
+        return {name: entry for name, entry in document.items() if entry or name == "load"}
 
     def _rest(self) -> dict[str, Any]:
         text = self.own.get(table.REST, ("{}", ""))[0]
         try:
-            found = json.loads(text)
-            if not all(isinstance(each, dict) or name == "title" for name, each in found.items()):
+            document = json.loads(text)
+            if not all(isinstance(entry, dict) or name == "title" for name, entry in document.items()):
                 raise TypeError
         except (ValueError, TypeError, AttributeError, RecursionError):
             raise InputError(table.REST, str(text)[:40], "hold tables as JSON", "remove it, or write it anew") from None
-        return dict(found)
+        return dict(document)
 
-    def _put(self, found: dict[str, Any], each: Attribute) -> None:
+    def _put(self, document: dict[str, Any], entry: Attribute) -> None:
         """Put an attribute in the place of its key."""
-        *tables, name = each.key.split(".")
+        *tables, name = entry.key.split(".")
         if "pair" in tables and len(self.rows) < 2:
             return
-        place, value = found, self.value(each)
+        place, value = document, self.value(entry)
         # Zero is what others write for unknown numbers, but for clearances.
         if value is None or (value == 0.0 and name != "clearance"):
             return
         for step in tables:
             place = place.setdefault(step, {})
-        if name not in place or not (each.value or name == "clearance"):
+        if name not in place or not (entry.value or name == "clearance"):
             place[name] = int(value) if name == "rollers" else value
 
     def _clearance(self, bearing: dict[str, Any]) -> None:
@@ -209,15 +209,15 @@ class _Bearing:
             if design is not None:
                 bearing.setdefault("design", design)
 
-    def _raceways(self, found: dict[str, Any]) -> None:
+    def _raceways(self, document: dict[str, Any]) -> None:
         """Put in cones and raceways that are not given, and take out a pitch circle that goes without saying."""
-        bearing, roller, inner, outer = (found[name] for name in ("bearing", "roller", *RINGS))
+        bearing, roller, inner, outer = (document[name] for name in ("bearing", "roller", *RINGS))
         pitch, angle = bearing["pitch_diameter"], bearing.get("contact_angle", 0.0)
         if "diameter" not in inner or "diameter" not in outer:
             across, length = roller["diameter"], roller["length"]
             if self.kind == "tapered":
                 half = half_cone(across / pitch, angle)
-                raceways = [pitch * math.tan(each) / math.tan(angle - half) for each in (angle - 2.0 * half, angle)]
+                raceways = [pitch * math.tan(entry) / math.tan(angle - half) for entry in (angle - 2.0 * half, angle)]
                 ends = [across + sign * length * math.tan(half) for sign in (1.0, -1.0)]
                 roller["diameter"] = {"y": [-0.5 * length, 0.5 * length], "diameter": ends}
                 self.sentences.append("- rollers and raceways are cones that meet in one point")
@@ -241,95 +241,98 @@ class _Bearing:
         self.sentences.append("- profile of the rollers: the reference profile of ISO 16281; put yours in its place")
         return [{"kind": {"tapered": "iso-tapered", "thrust": "iso-thrust"}.get(self.kind, "iso-logarithmic")}]
 
-    def _make_of(self, found: dict[str, Any]) -> None:
-        for body, given in self.materials.items():
-            modulus, poisson = _number(given, "MPa", "elastic_modulus"), _number(given, "none", "poisson_ratio")
-            word = _word(given, "material_designation")
+    def _make_of(self, document: dict[str, Any]) -> None:
+        for body, attributes in self.materials.items():
+            modulus, poisson = (
+                _number(attributes, "MPa", "elastic_modulus"),
+                _number(attributes, "none", "poisson_ratio"),
+            )
+            word = _word(attributes, "material_designation")
             material: Any = word if word in MATERIALS else _STEEL
             if word not in MATERIALS and modulus and poisson is not None:
                 material = {"modulus": modulus, "poisson": poisson}
-            found[body].setdefault("material", material)
+            document[body].setdefault("material", material)
 
-    def _guess(self, found: dict[str, Any], absent: list[str]) -> None:
+    def _guess(self, document: dict[str, Any], absent: list[str]) -> None:
         """Put in an inside that is guessed from catalogue numbers; refuse where that cannot be."""
         tapered = self.kind == "tapered"
-        given = {
+        catalogue = {
             name: value
             for name, (unit, attribute) in _GUESSED_OF.items()
             if (value := _number({**self.own, **self.components[table.ROW]}, unit, attribute))
             and (tapered or name not in ("contact_angle", "limiting_ratio"))
         }
-        if "contact_angle" in given:
-            given.pop("limiting_ratio", None)
-        unknown = [_GUESSED_OF[name][1] for name in [*_GUESSED_OF][: 6 if tapered else 5] if name not in given]
-        if "limiting_ratio" in given:
+        if "contact_angle" in catalogue:
+            catalogue.pop("limiting_ratio", None)
+        unknown = [_GUESSED_OF[name][1] for name in [*_GUESSED_OF][: 6 if tapered else 5] if name not in catalogue]
+        if "limiting_ratio" in catalogue:
             unknown.remove("pressure_angle")
         if unknown or self.kind in ("spherical", "thrust") or len(self.rows) > 1:
-            names = [each.id for each in table.EXCHANGED if each.key in absent and "custom" not in each.id]
+            names = [entry.id for entry in table.EXCHANGED if entry.key in absent and "custom" not in entry.id]
             able = self.kind not in ("spherical", "thrust") and len(self.rows) < 2
             rather = f", or {joined(unknown)} for a guess" if able else ""
             condition = f"have the inside of the bearing, of which {joined(names)} are missing{rather}"
             raise InputError("component", self.number, condition, "export it with detailed geometry")
-        guess = from_catalogue(**given, kind=self.kind)
+        guess = from_catalogue(**catalogue, kind=self.kind)
         self.sentences += [f"- {sentence}" for sentence in guess.sentences]
         guessed = guessed_document(guess)
-        found |= {name: guessed[name] for name in ("bearing", "roller", *RINGS)}
+        document |= {name: guessed[name] for name in ("bearing", "roller", *RINGS)}
 
     def _oil(self, oil: dict[str, Any]) -> None:
         """Put in the oil, and take out what needs one if there is none."""
-        given = self.components[table.OIL]
-        pair = [_number(given, "mm^2 / s", f"viscosity_at_{at}_degree_celsius") for at in (40, 100)]
-        name = _word(given, "name").replace("-", " ")
+        attributes = self.components[table.OIL]
+        pair = [_number(attributes, "mm^2 / s", f"viscosity_at_{at}_degree_celsius") for at in (40, 100)]
+        name = _word(attributes, "name").replace("-", " ")
         if "viscosity" not in oil and "temperature" in oil:
             if all(pair):
                 oil["viscosities"] = pair
             elif name.startswith("ISO VG"):
                 oil["oil"] = name
-        if _word(given, "kind") == "grease":
+        if _word(attributes, "kind") == "grease":
             oil["grease"] = True
         if not oil.keys() & {"viscosity", "viscosities", "oil"}:
-            for each in ("temperature", "contamination", "grease"):
-                oil.pop(each, None)
+            for entry in ("temperature", "contamination", "grease"):
+                oil.pop(entry, None)
         elif "viscosity" in oil and table.REST not in self.own:
             oil.pop("temperature", None)
 
-    def _load(self, found: dict[str, Any]) -> None:
+    def _load(self, document: dict[str, Any]) -> None:
         """Put in the loads of the first load case that has any of this bearing."""
         cases = [case[self.number] for case in self.model.load_cases if self.number in case]
-        states = [each for each in (*cases, self.own) if self._state(each)]
-        state, load = (states or [{}])[0], found["load"]
+        states = [entry for entry in (*cases, self.own) if self._state(entry)]
+        state, load = (states or [{}])[0], document["load"]
         load |= self._state(state)
         if len(cases) > 1 and states:
             self.sentences.append(f"- loads are those of the first of {len(cases)} load cases; the others are left out")
-        inner, outer = (self.value(each, {**self.own, **state}) or 0.0 for each in table.SPEEDS)
+        inner, outer = (self.value(entry, {**self.own, **state}) or 0.0 for entry in table.SPEEDS)
         if inner or outer:
             load["speed"] = abs(inner or outer)
             if not inner:
-                found["life"]["turning"] = "outer"
+                document["life"]["turning"] = "outer"
             elif outer:
                 self.sentences.append("- both rings turn; here the outer one is at rest")
         if not states:
             self.sentences.append("- the file has no loads of this bearing: put yours in place of the example")
-            usual = _OF_RATING * found["life"].get("dynamic", _USUAL_RATING)
+            usual = _OF_RATING * document["life"].get("dynamic", _USUAL_RATING)
             load["axial" if self.kind == "thrust" else "radial"] = usual
             if self.kind == "tapered":
-                load["axial"] = 2.0 * math.tan(found["bearing"]["contact_angle"]) * usual
+                load["axial"] = 2.0 * math.tan(document["bearing"]["contact_angle"]) * usual
 
     def _state(self, state: Attributes) -> dict[str, Any]:
         """Return loads and motions of a load case as a bearing file has them; empty if there are none."""
-        found: dict[str, Any] = {}
-        for each in (*table.LOADS, *table.REACTIONS):
-            value = self.value(each, state)
-            name, _, place = each.key.removeprefix("load.").partition(".")
+        values: dict[str, Any] = {}
+        for entry in (*table.LOADS, *table.REACTIONS):
+            value = self.value(entry, state)
+            name, _, place = entry.key.removeprefix("load.").partition(".")
             if value is not None:
-                found.setdefault(name, {}).setdefault(int(place or 0), value)
-        pairs = {name: [each.get(0, 0.0), each.get(1, 0.0)] for name, each in found.items()}
+                values.setdefault(name, {}).setdefault(int(place or 0), value)
+        pairs = {name: [entry.get(0, 0.0), entry.get(1, 0.0)] for name, entry in values.items()}
         if table.PRESCRIBED in state:
             pairs = {name: pairs[name] for name in _word(state, table.PRESCRIBED).split() if name in pairs}
         else:
             # Forces, or displacements where there are none, and the tilt, or the moment where there is none.
             order = (("radial", "radial_displacement"), ("axial", "axial_displacement"), ("tilt", "moment"))
-            names = [next((name for name in each if any(pairs.get(name, ()))), "") for each in order]
+            names = [next((name for name in entry if any(pairs.get(name, ()))), "") for entry in order]
             pairs = {name: pairs[name] for name in names if name}
         if self.absorbed[:1] == ["negative"] and len(self.rows) < 2:
             # Rows bear axial loads along +x here: by half a turn about v.
@@ -346,7 +349,7 @@ def _word(attributes: Attributes, name: str) -> str:
 
 def _number(attributes: Attributes, unit: str, *names: str) -> float | None:
     """Return the first attribute of these names in units of the bearing file; None where it is not there, or empty."""
-    name = next((each for each in names if each in attributes), "")
+    name = next((entry for entry in names if entry in attributes), "")
     value, stated = attributes.get(name, (None, ""))
     if value is None or value == "":
         return None

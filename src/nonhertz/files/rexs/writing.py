@@ -68,10 +68,10 @@ def form_of(path: Path) -> str:
         If its name has another ending.
     """
     endings = {".rexs": "xml", ".rexs.xml": "xml", ".rexsj": "json", ".rexs.json": "json"}
-    found = next((form for ending, form in endings.items() if path.name.lower().endswith(ending)), None)
-    if found is None:
+    known = next((form for ending, form in endings.items() if path.name.lower().endswith(ending)), None)
+    if known is None:
         raise InputError("--rexs", str(path), "end with .rexs, .rexs.xml, .rexsj or .rexs.json", "rename the file")
-    return found
+    return known
 
 
 def write_rexs(
@@ -104,32 +104,32 @@ def _model(case: BearingCase, solution: BearingSolution | None, life: BearingLif
     loads, oil, materials = _load_case(document["load"], case.life.turning), _oil(document), _materials(document)
     # With fits the clearance is that before mounting.
     other = f"{'radial' if case.fit is None else 'operating_radial'}_bearing_clearance"
-    exchanged = [each for each in table.EXCHANGED if each.id != other and kind in each.kinds]
+    exchanged = [entry for entry in table.EXCHANGED if entry.id != other and kind in entry.kinds]
     of_bearing, of_rows, of_rollers = (
-        _taken([each for each in exchanged if each.component == component], document, known)
+        _taken([entry for entry in exchanged if entry.component == component], document, known)
         for component in (table.BEARING, table.ROW, table.ROLLER)
     )
     of_rollers |= _read_off(table.PROFILE, known, kind)
     # A bearing has its place in REXS between two other components.
-    unit, shaft, casing = (model.add(each) for each in ("gear_unit", "shaft", "gear_casing"))
+    unit, shaft, casing = (model.add(entry) for entry in ("gear_unit", "shaft", "gear_casing"))
     bearing = model.add(table.BEARING, case.title or row.kind)
     for part in (shaft, casing):
         model.relate("assembly", assembly=unit, part=part)
     model.relate("side", assembly=bearing, inner_part=shaft, outer_part=casing)
     if oil:
         model.relate("reference", origin=bearing, referenced=model.add(table.OIL, "oil", oil))
-    made_of = {name: model.add(table.MATERIAL, name, each) for name, each in materials.items()}
+    made_of = {name: model.add(table.MATERIAL, name, entry) for name, entry in materials.items()}
     if "rings" in made_of:
         model.relate("reference", origin=bearing, referenced=made_of["rings"])
     contacts = []
-    for order, each in enumerate(rows, start=1):
+    for order, entry in enumerate(rows, start=1):
         words = {
-            "axial_force_absorption_of_row": (table.DIRECTIONS[each.bears_axially], "none"),
+            "axial_force_absorption_of_row": (table.DIRECTIONS[entry.bears_axially], "none"),
             "position_of_rolling_elements": ("one_rolling_element_on_v_axis", "none"),
         }
         number = model.add(table.ROW, f"row {order}", of_rows | words)
         model.relate("ordered_assembly", order, assembly=bearing, part=number)
-        for k, angle in enumerate(each.bearing.angles.tolist(), start=1):
+        for k, angle in enumerate(entry.bearing.angles.tolist(), start=1):
             roller = model.add(
                 table.ROLLER, "", of_rollers | {"angular_position_around_u": (math.degrees(angle), "deg")}
             )
@@ -140,7 +140,7 @@ def _model(case: BearingCase, solution: BearingSolution | None, life: BearingLif
                 word = {"rolling_element_contact_type": (f"{ring}_raceway_contact", "none")}
                 contacts.append(model.add(table.CONTACT, "", word))
                 model.relate("assembly", assembly=roller, part=contacts[-1])
-    up, down = (any(each.bears_axially[k] for each in rows) for k in range(2))
+    up, down = (any(entry.bears_axially[k] for entry in rows) for k in range(2))
     group = document["bearing"].get("clearance")
     model.components[bearing].attributes |= of_bearing | {
         "bearing_type": (table.TYPES[kind][0], "none"),
@@ -148,7 +148,7 @@ def _model(case: BearingCase, solution: BearingSolution | None, life: BearingLif
         "radial_force_absorption": (row.bears_radially, "none"),
         "number_of_bearing_rows": (len(rows), "none"),
         **({"radial_clearance_class": (group.replace("CN", "C0"), "none")} if isinstance(group, str) else {}),
-        table.REST: (json.dumps({name: each for name, each in document.items() if each}), "none"),
+        table.REST: (json.dumps({name: entry for name, entry in document.items() if entry}), "none"),
     }
     state = {bearing: loads}
     if solution is not None:
@@ -161,63 +161,63 @@ def _model(case: BearingCase, solution: BearingSolution | None, life: BearingLif
 
 def _taken(entries: Iterable[Attribute], document: dict[str, Any], known: Any) -> Attributes:
     """Take the keys that are attributes out of a document."""
-    found: Attributes = {}
-    for each in entries:
-        *tables, name = each.key.split(".")
+    attributes: Attributes = {}
+    for entry in entries:
+        *tables, name = entry.key.split(".")
         place: Any = document
         for step in tables:
             place = place.get(step, {})
         value = place.get(name)
         if isinstance(value, int):
-            found[each.id] = place.pop(name), each.unit
+            attributes[entry.id] = place.pop(name), entry.unit
         elif isinstance(value, float):
-            found[each.id] = place.pop(name) / each.size, each.unit
-        elif each.value:
-            found[each.id] = float(each.of(known)) / each.size, each.unit
-    return found
+            attributes[entry.id] = place.pop(name) / entry.size, entry.unit
+        elif entry.value:
+            attributes[entry.id] = float(entry.of(known)) / entry.size, entry.unit
+    return attributes
 
 
 def _read_off(entries: Iterable[Attribute], known: Any, kind: str) -> Attributes:
     """Return what is known as attributes."""
-    found: Attributes = {}
-    for each in entries:
-        value = each.of(known) if kind in each.kinds else None
+    attributes: Attributes = {}
+    for entry in entries:
+        value = entry.of(known) if kind in entry.kinds else None
         if isinstance(value, np.ndarray) and value.ndim:
-            found[each.id] = (value / each.size).tolist(), each.unit
+            attributes[entry.id] = (value / entry.size).tolist(), entry.unit
         elif value is not None and math.isfinite(value):
-            found[each.id] = float(value) / each.size, each.unit
-    return found
+            attributes[entry.id] = float(value) / entry.size, entry.unit
+    return attributes
 
 
 def _load_case(load: dict[str, Any], turning: str) -> Attributes:
     """Take what is prescribed out of the table of loads."""
-    given = [name for name in LOADS if name in load]
-    for name in given:
+    names = [name for name in LOADS if name in load]
+    for name in names:
         if name in PAIRS and not isinstance(load[name], list):
             load[name] = [load[name], 0.0] if PAIRS[name] == 0 else [0.0, load[name]]
-    found: Attributes = {table.PRESCRIBED: (" ".join(given), "none")}
-    for each in table.LOADS:
-        key, _, place = each.key.removeprefix("load.").partition(".")
+    attributes: Attributes = {table.PRESCRIBED: (" ".join(names), "none")}
+    for entry in table.LOADS:
+        key, _, place = entry.key.removeprefix("load.").partition(".")
         if key in load:
-            found[each.id] = (load[key][int(place)] if place else load[key]) / each.size, each.unit
-    for name in given:
+            attributes[entry.id] = (load[key][int(place)] if place else load[key]) / entry.size, entry.unit
+    for name in names:
         del load[name]
     if "speed" in load:
-        found[f"speed_{turning}_ring"] = load.pop("speed"), "1 / min"
-    return found
+        attributes[f"speed_{turning}_ring"] = load.pop("speed"), "1 / min"
+    return attributes
 
 
-def _of_ring(solution: BearingSolution, given: Attributes) -> Attributes:
-    """Return forces and motions that are not given, and what the bearing does to the components within and around."""
+def _of_ring(solution: BearingSolution, prescribed: Attributes) -> Attributes:
+    """Return forces and motions that are not prescribed, and what the bearing does to the parts within and around it."""
     force, moved = solution.force.tolist(), solution.displacement.tolist()
-    found: Attributes = {}
-    for each, value in zip(table.LOADS, [*force, *moved], strict=True):
-        if each.id not in given:
-            found[each.id] = value / each.size, each.unit
-    for each, value in zip(table.REACTIONS, force, strict=True):
-        found[each.id] = value / each.size, each.unit
-        found[each.id.replace("inner", "outer")] = -value / each.size, each.unit
-    return found
+    attributes: Attributes = {}
+    for entry, value in zip(table.LOADS, [*force, *moved], strict=True):
+        if entry.id not in prescribed:
+            attributes[entry.id] = value / entry.size, entry.unit
+    for entry, value in zip(table.REACTIONS, force, strict=True):
+        attributes[entry.id] = value / entry.size, entry.unit
+        attributes[entry.id.replace("inner", "outer")] = -value / entry.size, entry.unit
+    return attributes
 
 
 def _known_of(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> SimpleNamespace:
@@ -232,7 +232,7 @@ def _known_of(case: BearingCase, solution: BearingSolution, life: BearingLife | 
     pressure = dict(zip(RINGS, solution.max_pressure.max(axis=0), strict=True)) if solution.method == "strips" else {}
     return SimpleNamespace(
         case=case, life=life, stiffness=stiffness, revolutions=lives,
-        hours={name: each / speed for name, each in lives.items()} if speed else {},
+        hours={name: entry / speed for name, entry in lives.items()} if speed else {},
         pressure=pressure | ({"both": max(pressure.values())} if pressure else {}),
     )  # fmt: skip
 
@@ -241,7 +241,7 @@ def _known_of_contacts(case: BearingCase, solution: BearingSolution) -> Iterator
     """Yield what is known of every roller at the inner and at the outer ring."""
     by_strips = solution.method == "strips"
     slices = [] if by_strips else slice_loads(solution, case.solver.laminae)
-    of_slices = [(each.y, load) for each, loads in slices for load in loads]
+    of_slices = [(entry.y, load) for entry, loads in slices for load in loads]
     for j in range(solution.angle.size):
         for k, ring in enumerate(RINGS):
             known = {name: getattr(solution, name)[j, k] for name in ("load", "moment", "contact_angle")}
@@ -255,34 +255,36 @@ def _known_of_contacts(case: BearingCase, solution: BearingSolution) -> Iterator
 
 def _oil(document: dict[str, Any]) -> Attributes:
     oil = document.get("lubrication", {})
-    found: Attributes = {}
+    attributes: Attributes = {}
     if "oil" in oil:
-        found["name"] = oil.pop("oil"), "none"
+        attributes["name"] = oil.pop("oil"), "none"
     if "viscosities" in oil and oil.get("temperatures") == [40.0, 100.0]:
         thick, thin = oil.pop("viscosities")
-        found |= {f"viscosity_at_{at}_degree_celsius": (each, "mm^2 / s") for at, each in ((40, thick), (100, thin))}
-    if found or "viscosity" in oil:
-        found["kind"] = ("grease" if oil.get("grease") else "oil"), "none"
-    return found
+        attributes |= {
+            f"viscosity_at_{at}_degree_celsius": (entry, "mm^2 / s") for at, entry in ((40, thick), (100, thin))
+        }
+    if attributes or "viscosity" in oil:
+        attributes["kind"] = ("grease" if oil.get("grease") else "oil"), "none"
+    return attributes
 
 
 def _materials(document: dict[str, Any]) -> dict[str, Attributes]:
     """Take materials out of a document, if both rings have the same."""
-    found: dict[str, Attributes] = {}
+    components: dict[str, Attributes] = {}
     rings = [document[ring].get("material") for ring in RINGS]
-    for name, given, bodies in (
+    for name, name_or_table, bodies in (
         ("rollers", document["roller"].get("material"), ("roller",)),
         ("rings", rings[0], RINGS),
     ):
-        if given is None or (name == "rings" and rings[0] != rings[1]):
+        if name_or_table is None or (name == "rings" and rings[0] != rings[1]):
             continue
-        material = MATERIALS[given] if isinstance(given, str) else SimpleNamespace(**given)
-        found[name] = {
+        material = MATERIALS[name_or_table] if isinstance(name_or_table, str) else SimpleNamespace(**name_or_table)
+        components[name] = {
             "elastic_modulus": (float(material.modulus), "N / mm^2"),
             "poisson_ratio": (float(material.poisson), "none"),
         }
-        if isinstance(given, str):
-            found[name]["material_designation"] = given, "none"
+        if isinstance(name_or_table, str):
+            components[name]["material_designation"] = name_or_table, "none"
             for body in bodies:
                 del document[body]["material"]
-    return found
+    return components
