@@ -208,7 +208,7 @@ def _load_case(load: dict[str, Any], turning: str) -> Attributes:
 
 
 def _of_ring(solution: BearingSolution, prescribed: Attributes) -> Attributes:
-    """Return forces and motions that are not prescribed, and what the bearing does to the parts within and around it."""
+    """Return forces and motions that are not prescribed, and what the bearing does to parts within and around it."""
     force, moved = solution.force.tolist(), solution.displacement.tolist()
     attributes: Attributes = {}
     for entry, value in zip(table.LOADS, [*force, *moved], strict=True):
