@@ -76,8 +76,8 @@ def pan_hamrock(speed: Array, material: float, load: Array) -> tuple[Array, Arra
 
 def dowson_higginson(speed: Array, material: float, load: Array) -> Array:
     """Return h_min / R of a line contact for U, G and W."""
-    found: Array = 2.65 * speed**0.7 * material**0.54 * load**-0.13
-    return found
+    least: Array = 2.65 * speed**0.7 * material**0.54 * load**-0.13
+    return least
 
 
 def hamrock_dowson(speed: Array, material: float, load: Array, ellipticity: float) -> tuple[Array, Array]:
@@ -189,7 +189,7 @@ class Films:
         """Rq of roller and ring together at both rings [mm], shape (2,); None where one is not known."""
         row = self.solution.bearing.rows[0].bearing
         known = [part.roughness for part in (row.roller, row.inner, row.outer)]
-        if any(each is None for each in known):
+        if any(value is None for value in known):
             return None
         roller, *rings = known
         together: Array = np.hypot(np.array(rings, dtype=float), float(roller or 0.0))
@@ -198,25 +198,27 @@ class Films:
     @property
     def rib_sliding(self) -> Array:
         """How fast the rollers' ends slide on ribs of each ring that may bear loads [mm/s], shape (2,); NaN without."""
-        found, motion = np.full(len(RINGS), np.nan), self.kinematics
+        speeds, motion = np.full(len(RINGS), np.nan), self.kinematics
         for rib in self.solution.bearing.rows[0].bearing.rib_contacts:
             speed = abs(getattr(motion, f"{rib.ring}_speed") - motion.cage_speed) * rib.radius
-            found[RINGS.index(rib.ring)] = _PER_SECOND * abs(speed - abs(motion.roller_speed) * rib.height)
-        return found
+            speeds[RINGS.index(rib.ring)] = _PER_SECOND * abs(speed - abs(motion.roller_speed) * rib.height)
+        return speeds
 
     @property
     def elliptic(self) -> NDArray[np.bool_]:
         """Whether the film of a contact is that of an ellipse, shape (rollers, 2)."""
-        found = np.zeros(self.solution.load.shape, dtype=bool)
-        for each in self.contacts:
-            found[list(each.rollers), RINGS.index(each.ring)] = each.elliptic
-        return found
+        values = np.zeros(self.solution.load.shape, dtype=bool)
+        for contact in self.contacts:
+            values[list(contact.rollers), RINGS.index(contact.ring)] = contact.elliptic
+        return values
 
     def _at_least(self, name: str) -> Array:
-        found = np.full(self.solution.load.shape, np.nan)
-        for each in self.contacts:
-            found[list(each.rollers), RINGS.index(each.ring)] = getattr(each, name)[int(np.argmin(each.least_film))]
-        return found
+        values = np.full(self.solution.load.shape, np.nan)
+        for contact in self.contacts:
+            values[list(contact.rollers), RINGS.index(contact.ring)] = getattr(contact, name)[
+                int(np.argmin(contact.least_film))
+            ]
+        return values
 
 
 def films(
@@ -293,10 +295,10 @@ class _Loaded(NamedTuple):
 
 
 def _along_strips(solution: BearingSolution) -> Iterator[_Loaded]:
-    for each in solution.distinct_contacts:
-        loaded, solved = each.solved.line_load > 0.0, each.solved
+    for pair in solution.distinct_contacts:
+        loaded, solved = pair.solved.line_load > 0.0, pair.solved
         yield _Loaded(
-            each.row, each.ring, each.rollers, solved.y[loaded], solved.line_load[loaded], _ellipticity(solved)
+            pair.row, pair.ring, pair.rollers, solved.y[loaded], solved.line_load[loaded], _ellipticity(solved)
         )
 
 
@@ -332,6 +334,6 @@ def _film(loaded: _Loaded, motion: Kinematics, viscosity: float, coefficient: fl
         least, central = hamrock_dowson(speed, material, np.trapezoid(load, y) / (modulus * radius**2), ratio)
     else:
         least, central = pan_hamrock(speed, material, of_line)
-    least, central, line = (each * radius for each in (least, central, dowson_higginson(speed, material, of_line)))
+    least, central, line = (film * radius for film in (least, central, dowson_higginson(speed, material, of_line)))
     sliding = raceway - roller
     return ContactFilm(row, RINGS[ring], tuple(rollers), y, load, least, central, line, entrainment, sliding, elliptic)

@@ -21,13 +21,13 @@ NO_LIMIT = 0.9
 HIGH, LOW = 230, 150
 
 
-def compared_contacts(found: Mapping[str, Solution]) -> Figure:
+def compared_contacts(solutions: Mapping[str, Solution]) -> Figure:
     """Return pressures and half-widths of solutions by name, and the separations of their bodies before loading."""
     pressures, widths, separations = list[Mark](), list[Mark](), list[Mark]([Level(0.0, colour="faint")])
     deepest = []
-    sharp = any(each.singular_ends for each in found.values())
-    top = (BEYOND if sharp else ROOM) * max(each.max_pressure for each in found.values()) or 1.0
-    for (name, solution), look in zip(_numbered(found), _looks(found), strict=True):
+    sharp = any(solution.singular_ends for solution in solutions.values())
+    top = (BEYOND if sharp else ROOM) * max(solution.max_pressure for solution in solutions.values()) or 1.0
+    for (name, solution), look in zip(_numbered(solutions), _looks(solutions), strict=True):
         lines = contact_lines(solution)
         separation = solution.contact.separation(solution.y)
         separation = np.where(np.isfinite(separation), separation, np.nan)
@@ -36,12 +36,12 @@ def compared_contacts(found: Mapping[str, Solution]) -> Figure:
         widths.append(Line(lines.y, lines.half_width, **look))
         separations.append(Line(solution.y, separation, **look))
         pressures += land_ends(solution, look["colour"])
-    pressures += no_limits([*found.values()], NO_LIMIT * top, [look["colour"] for look in _looks(found)])
-    widest = max(float(each.half_width.max()) for each in found.values())
+    pressures += no_limits([*solutions.values()], NO_LIMIT * top, [look["colour"] for look in _looks(solutions)])
+    widest = max(float(solution.half_width.max()) for solution in solutions.values())
     least = min(float(np.nanmin(mark.y)) for mark in separations if isinstance(mark, Line))
     # Beyond the contact a relief may rise to tenths of a millimetre.
     distances = (min(0.0, least) - 0.15 * max(deepest), BEYOND * max(deepest) or 1.0)
-    largest = " and ".join(f"{name} {mpa(each.max_pressure):.4g}" for name, each in found.items())
+    largest = " and ".join(f"{name} {mpa(solution.max_pressure):.4g}" for name, solution in solutions.items())
     words = f"Pressures on the centre line: at most {largest}."
     gap = Axis("Separation", "separation", "mm", "um", distances, cut=True)
     panels = [
@@ -51,33 +51,33 @@ def compared_contacts(found: Mapping[str, Solution]) -> Figure:
               "Half-widths along y.", height=LOW),
         Panel("separation", "Separation", gap, separations, "Separations of the bodies before loading.", height=LOW),
     ]  # fmt: skip
-    ends = [axial_range(each) for each in found.values()]
+    ends = [axial_range(solution) for solution in solutions.values()]
     span = min(low for low, _ in ends), max(high for _, high in ends)
     caption = "Centre-line pressure and half-width along the contacts, and the separation before loading."
     return Figure(Axis("Axial position y", "y", "mm", range=span), panels, caption=caption)
 
 
-def all_pressed(found: Mapping[str, BearingSolution]) -> bool:
+def all_pressed(solutions: Mapping[str, BearingSolution]) -> bool:
     """Return whether all bearings have pressures, which slices have not."""
-    return all(each.method == "strips" for each in found.values())
+    return all(solution.method == "strips" for solution in solutions.values())
 
 
-def compared_bearings(found: Mapping[str, BearingSolution]) -> Figure:
+def compared_bearings(solutions: Mapping[str, BearingSolution]) -> Figure:
     """Return the loads of all rollers of bearings by name, and their largest pressures if all have any."""
-    panels = [_around(found, "load", Axis("Load at the inner ring", "load", "N"))]
-    if all_pressed(found):
-        panels.append(_around(found, "max_pressure", Axis("Largest pressure", "p", "MPa")))
+    panels = [_around(solutions, "load", Axis("Load at the inner ring", "load", "N"))]
+    if all_pressed(solutions):
+        panels.append(_around(solutions, "max_pressure", Axis("Largest pressure", "p", "MPa")))
     ticks = tuple((float(angle), f"{angle:g}".replace("-", "−")) for angle in np.arange(-180.0, 181.0, 45.0))
     along = Axis("Angle of the roller [degrees]", "angle", "°", range=(-180.0, 180.0), ticks=ticks)
-    what = "Load and maximum pressure" if all_pressed(found) else "Load"
+    what = "Load and maximum pressure" if all_pressed(solutions) else "Load"
     return Figure(along, panels, caption=f"{what} of the rollers at the inner ring over their angle.")
 
 
-def _around(found: Mapping[str, BearingSolution], name: str, axis: Axis) -> Panel:
+def _around(solutions: Mapping[str, BearingSolution], name: str, axis: Axis) -> Panel:
     """Return numbers of rollers over their angle, a line for each row."""
     marks: list[Mark] = []
-    largest = {each: float(getattr(solution, name)[:, 0].max()) for each, solution in found.items()}
-    for (words, solution), look in zip(_numbered(found), _looks(found), strict=True):
+    largest = {title: float(getattr(solution, name)[:, 0].max()) for title, solution in solutions.items()}
+    for (words, solution), look in zip(_numbered(solutions), _looks(solutions), strict=True):
         angles, values = [], []
         for row in range(len(solution.bearing.rows)):
             these = solution.rollers_of(row)
@@ -90,15 +90,17 @@ def _around(found: Mapping[str, BearingSolution], name: str, axis: Axis) -> Pane
         marks.append(Points(along, upright, symbol="dot", colour=look["colour"]))
     top = ROOM * max(largest.values()) or 1.0
     upright_axis = Axis(axis.label, axis.symbol, axis.unit, range=(0.0, top))
-    words = " and ".join(f"{upright_axis.symbol} {value:.4g} {axis.unit} of {each}" for each, value in largest.items())
+    words = " and ".join(f"{upright_axis.symbol} {value:.4g} {axis.unit} of {name}" for name, value in largest.items())
     return Panel(name, axis.label, upright_axis, marks, f"{axis.label} over the angle of the roller: at most {words}.",
                  height=HIGH)  # fmt: skip
 
 
-def _numbered(found: Mapping[str, Any]) -> list[tuple[str, Any]]:
+def _numbered(solutions: Mapping[str, Any]) -> list[tuple[str, Any]]:
     """Return names with a number: of a file's name the first underscore would hide it."""
-    return [(f"{number}  {name}", each) for number, (name, each) in enumerate(found.items(), start=1)]
+    return [(f"{number}  {name}", solution) for number, (name, solution) in enumerate(solutions.items(), start=1)]
 
 
-def _looks(found: Mapping[str, Any]) -> list[dict[str, Any]]:
-    return [dict(zip(("colour", "dash"), SERIES[number % len(SERIES)], strict=True)) for number in range(len(found))]
+def _looks(solutions: Mapping[str, Any]) -> list[dict[str, Any]]:
+    return [
+        dict(zip(("colour", "dash"), SERIES[number % len(SERIES)], strict=True)) for number in range(len(solutions))
+    ]

@@ -73,7 +73,7 @@ def roller_lines(solution: BearingSolution, roller: int | None = None, laminae: 
     among = next(row for row in solution.bearing.rows if number < row.rollers.stop)
     half = 0.5 * among.bearing.roller_length
     by = {ring: _loaded(solution, number, ring, laminae) for ring in RINGS}
-    loaded = {ring: each for ring, each in by.items() if each}
+    loaded = {ring: line for ring, line in by.items() if line}
     ends = [Across(end, colour="faint", dash="dotted") for end in (-half, half)]
     idle: list[Mark] = [] if loaded else [Words(0.0, 0.5, "no load", colour="faint")]
     panels = [] if solution.method == "slices" else [_pressure(loaded, [*ends, *idle])]
@@ -109,7 +109,7 @@ def _loaded(solution: BearingSolution, roller: int, ring: str, laminae: int) -> 
 
 
 def _pressure(loaded: dict[str, _Loaded], around: Sequence[Mark]) -> Panel:
-    contacts = {ring: each.solution for ring, each in loaded.items() if each.solution}
+    contacts = {ring: line.solution for ring, line in loaded.items() if line.solution}
     cut = any(contact.singular_ends for contact in contacts.values())
     top = (BEYOND if cut else ROOM) * max((contact.max_pressure for contact in contacts.values()), default=1.0)
     marks, words = [*around], []
@@ -134,11 +134,11 @@ def _pressure(loaded: dict[str, _Loaded], around: Sequence[Mark]) -> Panel:
 
 
 def _line_load(solution: BearingSolution, roller: int, loaded: dict[str, _Loaded], around: Sequence[Mark]) -> Panel:
-    top = max((float(np.nanmax(each.line_load)) for each in loaded.values()), default=0.0)
+    top = max((float(np.nanmax(line.line_load)) for line in loaded.values()), default=0.0)
     loads = dict(zip(RINGS, solution.load[roller].tolist(), strict=True))
     lines = [
-        Line(each.y, each.line_load, name=f"{ring} ring, {newton(loads[ring]):.4g}", **STYLES[ring])
-        for ring, each in loaded.items()
+        Line(line.y, line.line_load, name=f"{ring} ring, {newton(loads[ring]):.4g}", **STYLES[ring])
+        for ring, line in loaded.items()
     ]
     words = f"Line load along the roller by {solution.method}, largest {per_mm(top):.4g}."
     return Panel(
@@ -157,20 +157,20 @@ def _relief(contacts: Any, loaded: dict[str, _Loaded], half: float, ends: Sequen
     for ring, contact in zip(RINGS, contacts, strict=True):
         low, high = max(-half, contact.interval[0]), min(half, contact.interval[1])
         y, relief = relief_between(low, high, contact.separation_at)
-        name, each = f"{ring} ring", loaded.get(ring)
-        if each:
-            within = np.any([(y >= pair[0]) & (y <= pair[1]) for pair in each.touching], axis=0)
+        name, line = f"{ring} ring", loaded.get(ring)
+        if line:
+            within = np.any([(y >= pair[0]) & (y <= pair[1]) for pair in line.touching], axis=0)
             deepest = max(deepest, AT_ENDS * float(np.nanmax(relief[within], initial=0.0)))
-            if each.solution:
-                tilt = each.solution.tilt if abs(each.solution.tilt) > NO_TILT else 0.0
+            if line.solution:
+                tilt = line.solution.tilt if abs(line.solution.tilt) > NO_TILT else 0.0
                 name += f", tilt {mrad(tilt):.3g}".replace("-", "−")
-                deepest = max(deepest, DEEP * each.solution.penetration)
+                deepest = max(deepest, DEEP * line.solution.penetration)
         elif not loaded:
             deepest = max(deepest, 0.5 * float(np.nanmedian(relief)))
         lines.append(Line(y, relief, name=name, **STYLES[ring]))
     deepest = max(deepest, SHALLOWEST)
-    for (ring, each), at in zip(loaded.items(), BARS, strict=False):
-        bars += [Bar(*pair, at * deepest, colour=STYLES[ring]["colour"]) for pair in each.touching]
+    for (ring, line), at in zip(loaded.items(), BARS, strict=False):
+        bars += [Bar(*pair, at * deepest, colour=STYLES[ring]["colour"]) for pair in line.touching]
     # Downwards, as material is taken away.
     axis = Axis("Joint relief", "relief", "mm", "um", (1.22 * deepest, -0.06 * deepest))
     return Panel(
