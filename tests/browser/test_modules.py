@@ -157,7 +157,7 @@ def test_stresses_come_with_every_answer_while_that_is_quick(anywhere):
     asked, shown = anywhere.page.evaluate(DRAGGED, [[0, 0, 0], ["a"]])
     assert asked == shown == ["a", "a", "a"]
     # Slow three times after the first, which does not count; then without, and for themselves once the hand rests.
-    asked, _ = anywhere.page.evaluate(DRAGGED, [[0, 150, 150, 150, 150], ["a"]])
+    asked, _ = anywhere.page.evaluate(DRAGGED, [[0, 80, 80, 80, 80], ["a"]])
     assert asked == ["a", "a", "a", "a", "", "a"]
     # One that is very slow is enough; at rest it was quick again.
     asked, _ = anywhere.page.evaluate(DRAGGED, [[0, 400, 0, 0], ["a"]])
