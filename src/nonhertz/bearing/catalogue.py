@@ -34,6 +34,7 @@ from nonhertz.bearing.bearings import (
     RollerBearing,
     TaperedRollerBearing,
 )
+from nonhertz.bearing.fits import clearance_limits
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
@@ -77,14 +78,7 @@ MOST_ANGLE = math.radians(45.0)
 MOST_FACTOR = 1.5  # of C over that of ISO 281, either way
 # The diameter is searched on so many steps, each round on two of the last.
 _STEPS, _ROUNDS = 40, 4
-# Group N of ISO 5753-1 for cylindrical roller bearings of cylindrical bore, as two makers' tables agree on it: up to
-# which bore [mm], least and most [um].
-_NORMAL = (
-    (30, 20, 45), (40, 25, 50), (50, 30, 60), (65, 40, 70), (80, 40, 75), (100, 50, 85), (120, 50, 90), (140, 60, 105),
-    (160, 70, 120), (180, 75, 125), (200, 90, 145), (225, 105, 165), (250, 110, 175), (280, 125, 195), (315, 130, 205),
-    (355, 145, 225), (400, 190, 280), (450, 210, 310), (500, 220, 330), (560, 240, 360), (630, 260, 380),
-    (710, 285, 425), (800, 310, 470), (900, 350, 520), (1000, 390, 580),
-)  # fmt: skip
+_LARGEST_BORE = 1000.0  # mm, to which the normal group of ISO 5753-1 is tabulated
 _IN_N = "give both ratings of the catalogue in N: 44 kN are 44e3"
 _ANGLES = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_factor"
 
@@ -384,10 +378,9 @@ def _clearance(given: _Given, clearance: float | None) -> float:
         return float(clearance)
     if given.kind == "tapered":
         return 0.0
-    for most, low, high in _NORMAL:
-        if given.bore <= most:
-            return 0.5e-3 * (low + high)
-    raise InputError("clearance", None, f"be given for a bore of more than {mm(_NORMAL[-1][0]):g}", "give it in mm")
+    if given.bore > _LARGEST_BORE:
+        raise InputError("clearance", None, f"be given for a bore of more than {mm(_LARGEST_BORE):g}", "give it in mm")
+    return clearance_limits("CN", given.bore).likely
 
 
 def _angle(angles: Mapping[str, float | None]) -> float:

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, cached_property
 from importlib.resources import files
 from typing import Annotated, Any, ClassVar, Final
 
@@ -214,7 +214,7 @@ class Lubrication(OilInPlace):
     def _known(self) -> bool:
         return any(each is not None for each in (self.viscosity, self.oil, self.viscosities))
 
-    @property
+    @cached_property
     def _viscosity(self) -> float | None:
         if self.temperature is None or (self.oil is None and self.viscosities is None):
             return self.viscosity
