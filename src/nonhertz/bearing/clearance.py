@@ -27,6 +27,7 @@ from nonhertz.bearing.bearings import (
     TaperedRollerBearing,
 )
 from nonhertz.bearing.fits import HOUSINGS, SHAFTS, Range, ring_limits, seat_limits
+from nonhertz.bearing.kinematics import PER_MINUTE
 from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
@@ -42,7 +43,6 @@ COLDEST, HOTTEST = -273.15, 1000.0  # degC
 MOST_EXPANSION = 1e-3  # 1/K
 MOST_STEP = 30.0  # K, between a ring and the part it is pressed on, above which one of both was probably left out
 MOST_INTERFERENCE = 0.01  # of the diameter: ten times what elastic steel bears
-_PER_MINUTE = math.pi / 30.0
 _IN_TONNES = "give it in t/mm^3, 7.85e-9 for steel"
 _IN_MM = "give it on the diameter in mm: 20 um are 0.02"
 
@@ -412,7 +412,7 @@ class Mounting(Input):
         )
         strains = (on_shaft, inner), (outer, in_housing)
         warm = [replace(fit, strains=each) for fit, each in zip(cold, strains, strict=True)]
-        turning = replace(warm[0], speed=speed * _PER_MINUTE)
+        turning = replace(warm[0], speed=speed * PER_MINUTE)
         rollers = 2.0 * bearing.roller_diameter / math.cos(bearing.nominal_angle) * of_rollers
         mounted, warmed = ([fit.raceway for fit in fits] for fits in (cold, warm))
         return OperatingClearance(
@@ -774,7 +774,7 @@ class _Joint:
         parting, at_rest = self.parting(speed=1.0), self.overlap_at_rest
         loosening = 0.0 if at_rest <= 0.0 else math.inf
         if at_rest > 0.0 and self.on_shaft and parting > 0.0:
-            loosening = math.sqrt(at_rest / parting) / _PER_MINUTE
+            loosening = math.sqrt(at_rest / parting) / PER_MINUTE
         return InterferenceFit(
             mounted_pressure=mounted_pressure,
             pressure=self.pressure,

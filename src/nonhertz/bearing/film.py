@@ -41,7 +41,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bearing.bearings import RollerBearing, Row
-from nonhertz.bearing.kinematics import Kinematics
+from nonhertz.bearing.kinematics import PER_MINUTE, Kinematics
 from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
@@ -65,7 +65,6 @@ FILM_QUANTITIES: Final[dict[str, Quantity]] = attributes(
 MOST_ELLIPTIC = 8.0
 # Of the mean over the largest line load of an ellipse, 2/3, by how much that of a contact that is one may differ.
 _LIKE_ELLIPSE = 0.03
-_PER_SECOND = 2.0 * math.pi / 60.0
 
 
 def pan_hamrock(speed: Array, material: float, load: Array) -> tuple[Array, Array]:
@@ -201,7 +200,7 @@ class Films:
         speeds, motion = np.full(len(RINGS), np.nan), self.kinematics
         for rib in self.solution.bearing.rows[0].bearing.rib_contacts:
             speed = abs(getattr(motion, f"{rib.ring}_speed") - motion.cage_speed) * rib.radius
-            speeds[RINGS.index(rib.ring)] = _PER_SECOND * abs(speed - abs(motion.roller_speed) * rib.height)
+            speeds[RINGS.index(rib.ring)] = PER_MINUTE * abs(speed - abs(motion.roller_speed) * rib.height)
         return speeds
 
     @property
@@ -280,7 +279,7 @@ def surface_speeds(bearing: RollerBearing, ring: int, motion: Kinematics, y: Arr
     around: Array = middle - y * math.sin(angle) - sense * relief * math.cos(angle)
     roller = 0.5 * bearing.roller_diameter - y * math.tan(narrows) - relief
     turns = abs((motion.inner_speed, motion.outer_speed)[ring] - motion.cage_speed)
-    return _PER_SECOND * turns * around, _PER_SECOND * abs(motion.roller_speed) * roller
+    return PER_MINUTE * turns * around, PER_MINUTE * abs(motion.roller_speed) * roller
 
 
 class _Loaded(NamedTuple):

@@ -39,13 +39,13 @@ from nonhertz.bearing.bearings import (
     SphericalRollerBearing,
     TaperedRollerBearing,
 )
+from nonhertz.bearing.kinematics import PER_MINUTE
 from nonhertz.bearing.ratings import axial_and_radial, equivalent_loads
 from nonhertz.bearing.solution import BearingSolution
 
 _OIL, _GREASE = 0, 1
 _SLOW: Final = 2000.0  # nu n [mm^2/s /min] below which M_0 is that at rest
 _AREA: Final = 50000.0  # mm^2, above which the heat flow density falls
-_RADIANS: Final = math.pi / 30.0  # 1/s of 1/min
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ def thermal_speed(
 
 def power(torque: float, speed: float) -> float:
     """Return the power [W] of a torque [N mm] at a speed [1/min]."""
-    return 1e-3 * torque * abs(speed) * _RADIANS
+    return 1e-3 * torque * abs(speed) * PER_MINUTE
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,14 @@ bearing diagnostics - a tutorial, Mech. Syst. Signal Process. 25 (2011) 485.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from typing import Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite
 
+PER_MINUTE: Final = math.pi / 30.0  # rad/s of 1/min
 _SPEED = "give the speed of the ring in 1/min, negative the other way round"
 
 

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm, newton
 from nonhertz.bearing.bearings import Paired, RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, at_edge, balanced
+from nonhertz.bearing.kinematics import PER_MINUTE
 from nonhertz.bearing.laws import ContactLaw, MapLaw
 from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.prescribed import BearingLoad, Prescribed, many_states, motions, one_state
@@ -38,7 +39,6 @@ GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
 UNBALANCED = 1e-6
 # Of the preload of two rows: how near their clearance brings it, and in how many steps at most.
 _PRELOAD_WITHIN, _MOST_ADJUSTMENTS = 1e-5, 12
-_UNIT_OF_SPEED = math.pi / 30.0
 # Of the pitch circle [mm/s]. At half of it the hoop stress of a free ring of steel, rho v^2, is 1960 MPa.
 _MOST_RIM_SPEED = 1e6
 
@@ -240,7 +240,7 @@ def _checked(
         remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing, or take that of a BearingCase"
         raise InputError("bearing", bearing, "be a bearing", remedy)
     solver = BearingSolver(method=method, laminae=laminae)
-    rate = _UNIT_OF_SPEED * BearingLoad(speed=speed).speed
+    rate = PER_MINUTE * BearingLoad(speed=speed).speed
     if maps is not None:
         if not isinstance(maps, BearingMaps) or maps.bearing != bearing:
             raise InputError("maps", maps, "be maps of this bearing", "make them with nonhertz.bearing.maps")
@@ -250,7 +250,7 @@ def _checked(
     pitch = max(each.pitch for each in rows)
     if 0.5 * pitch * rate > _MOST_RIM_SPEED:
         condition = (
-            f"not exceed {2.0 * _MOST_RIM_SPEED / (pitch * _UNIT_OF_SPEED):.3g} 1/min on a pitch circle of "
+            f"not exceed {2.0 * _MOST_RIM_SPEED / (pitch * PER_MINUTE):.3g} 1/min on a pitch circle of "
             f"{mm(pitch):g}, twice the speed at which rings of steel burst"
         )
         raise InputError("speed", speed, condition, "give that of the ring that turns in 1/min")
