@@ -14,7 +14,6 @@ from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
 from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
-from nonhertz.files.rexs.writing import form_of, write_rexs
 from nonhertz.inputs.checks import whole
 from nonhertz.show.bearing import compared_sections, sections
 from nonhertz.verdict import findings_of
@@ -60,6 +59,8 @@ def bearing(
     if len(chosen) > 1:
         raise InputError(*chosen[1], f"not be given with {chosen[0][0]}", "give one of them")
     if rexs is not None:
+        from nonhertz.files.rexs.writing import form_of, write_rexs  # loaded for it alone
+
         form_of(rexs)
         if chosen:
             raise InputError("--rexs", str(rexs), f"not be given with {chosen[0][0]}", "leave one out")

@@ -14,7 +14,6 @@ from nonhertz.files.casefile import starting_case
 from nonhertz.files.catalogue import bearing_of_catalogue
 from nonhertz.files.documents import write_new
 from nonhertz.files.planfile import read_any, starting_plan
-from nonhertz.files.rexs import bearing_file_of_rexs
 
 
 def new(
@@ -68,6 +67,8 @@ def new(
     file = folder / "case.toml" if case is None else case
     with named_as(template="--template", component="--component", rexs="--rexs"):
         if rexs is not None:
+            from nonhertz.files.rexs import bearing_file_of_rexs  # loaded for it alone
+
             text = bearing_file_of_rexs(rexs, component)
         elif catalogue:
             text = bearing_of_catalogue(dict(path_and_value(word, "d=30", "--catalogue") for word in catalogue))
