@@ -92,16 +92,16 @@ def bearing(
         life, reason = case.rated(solution)
     except InputError as error:  # of a contact, when its pressure is solved
         raise placed(error, document=case.document) from None
-    found = Result(case, solution, (life, reason))
+    result = Result(case, solution, (life, reason))
     judged = solution, life, case.operating_clearance
     shown = sections(case, solution, life, reason)
-    made = saved(found, out)
+    made = saved(result, out)
     if rexs is not None:
         made += (write_rexs(rexs, case, solution, life),)
     return Answer(
         case.title,
         shown,
-        found.to_json,
+        result.to_json,
         case.verdict(solution, life),
         findings_of(*judged),
         made,

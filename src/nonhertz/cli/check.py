@@ -54,14 +54,14 @@ def check(file: Path, /, *more: Path, changes: Changes = NONE) -> int:
 def _is_fine(path: Path, changes: Mapping[str, Any], *, named: bool) -> bool:
     """Print the mistakes in a file, of several under its name, or what it holds; return whether there are none."""
     try:
-        said = _held(path, changes)
+        content = _held(path, changes)
     except CaseError as error:
         if named:
             print(f"{path}:")
         for number, mistake in enumerate(error.mistakes, start=1):
             print(f"{number}. {mistake}")
         return False
-    print(f"{path} is fine: {said}.")
+    print(f"{path} is fine: {content}.")
     return True
 
 
@@ -78,9 +78,9 @@ def _contact(case: Case) -> str:
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
     solution, _ = attempted(case)
     ends, pressed = mm(*case.contact.interval, between=" to "), _listed(case.prescribed)
-    said = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
+    content = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
     bodies = {f"body {name}": getattr(case.contact, name) for name in BODIES}
-    return ".\ndoubtful: ".join((said, *_doubts(bodies, 0.0 if solution is None else solution.max_pressure)))
+    return ".\ndoubtful: ".join((content, *_doubts(bodies, 0.0 if solution is None else solution.max_pressure)))
 
 
 def _doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
@@ -101,12 +101,12 @@ def _bearing(case: BearingCase) -> str:
     with contextlib.suppress(ConvergenceError):
         pressure = _largest_of_slices(case.solve("slices"), case.solver.laminae)
     kind, count = case.document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
-    said = f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed) or 'no load'}"
+    content = f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed) or 'no load'}"
     bodies = {"roller": row.roller, "inner ring": row.inner, "outer ring": row.outer}
     doubts, speed = [*_doubts(bodies, pressure)], case.prescribed.speed
     if speed * row.pitch > FAST:
         doubts.append(f"speed = {given(speed)} is to be in 1/min; no test rig turns a bearing of this size as fast")
-    return ".\ndoubtful: ".join((said, *doubts))
+    return ".\ndoubtful: ".join((content, *doubts))
 
 
 def _largest_of_slices(solution: BearingSolution, laminae: int) -> float:
@@ -116,14 +116,14 @@ def _largest_of_slices(solution: BearingSolution, laminae: int) -> float:
         for contact, most in zip(row.bearing.contacts, loads.max(axis=(0, 2)) / np.diff(slices.y[:2]), strict=True):
             if most > 0.0:
                 radius = 1.0 / float(contact.curvature(0.0))
-                found = line_contact(line_load=float(most), radius=radius, compliance=contact.compliance)
-                largest = max(largest, found.max_pressure)
+                hertz = line_contact(line_load=float(most), radius=radius, compliance=contact.compliance)
+                largest = max(largest, hertz.max_pressure)
     return largest
 
 
 def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> str:
     """Return what a plan holds; its case is read and its values are tried, nothing is solved."""
-    said = []
+    studies = []
     for table, what in (("over", "a sweep"), ("tolerance", "a tolerance study")):
         plan = Plan.of(document, path, changes=changes, table=table)
         try:
@@ -131,7 +131,7 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
             checked_limits(plan)
             if table in document:
                 rows = f" of {len(Points.of(plan))} rows" if table == "over" else ""
-                said.append(f"{what}{rows} over {', '.join(plan.over)}")
+                studies.append(f"{what}{rows} over {', '.join(plan.over)}")
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
     if DESIGN in document:
@@ -140,15 +140,15 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
             checked_design(case, **options)
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
-        said.append(f"a design over {', '.join(options['vary'])}")
-    return f"{plan.title!r}, {joined(said) if said else 'which varies nothing'}"
+        studies.append(f"a design over {', '.join(options['vary'])}")
+    return f"{plan.title!r}, {joined(studies) if studies else 'which varies nothing'}"
 
 
 def _listed(prescribed: Input) -> str:
     """Return loads, motions and speed as files have them, with the units that their descriptions say."""
-    found = []
+    entries = []
     for name, value in document_of(prescribed, defaults=False).items():
         numbers = value if isinstance(value, list) else [value]
         unit = unit_of(prescribed.descriptions[name])
-        found.append(f"{name} = {', '.join(f'{each:g}' for each in numbers)} {unit}")
-    return ", ".join(found)
+        entries.append(f"{name} = {', '.join(f'{number:g}' for number in numbers)} {unit}")
+    return ", ".join(entries)

@@ -81,7 +81,7 @@ _OF_ANSWERS = {
 @functools.cache
 def application(only: str | None = None) -> App:
     """Return all commands, or the only one that runs: reading the others from their sources takes longer than it."""
-    found = App(
+    app = App(
         name="nonhertz",
         help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
         help_epilogue="Begin with: nonhertz new roller.toml, nonhertz solve roller.toml. "
@@ -98,19 +98,19 @@ def application(only: str | None = None) -> App:
                 continue
             after = f"Example: nonhertz {example}\n\n{_EXIT_CODES}"
             command = _command(name, _FUNCTIONS.get(name, name))
-            found.command(command, name=name, group=group, sort_key=place, help_epilogue=after)
+            app.command(command, name=name, group=group, sort_key=place, help_epilogue=after)
     help_too = Group.create_ordered("Help")
     for flag in ("--help", "--version"):
-        found[flag].group = help_too
-    return found
+        app[flag].group = help_too
+    return app
 
 
 def _command(name: str, function: str) -> Callable[..., Answer | int | None]:
     """Return a function with signature and docstring of a command, which imports the command when it is called."""
     source = resources.files("nonhertz.cli").joinpath(f"{name}.py")
     tree = ast.parse(source.read_text("utf-8"), str(source))
-    tree.body = [each for each in tree.body if (isinstance(each, ast.ImportFrom) and each.module in _OF_SIGNATURES)
-                 or (isinstance(each, ast.FunctionDef) and each.name == function)]  # fmt: skip
+    tree.body = [node for node in tree.body if (isinstance(node, ast.ImportFrom) and node.module in _OF_SIGNATURES)
+                 or (isinstance(node, ast.FunctionDef) and node.name == function)]  # fmt: skip
     scope: dict[str, Any] = {"__name__": f"nonhertz.cli.{name}"}
     exec(compile(tree, str(source), "exec"), scope)
 
@@ -124,10 +124,10 @@ def _command(name: str, function: str) -> Callable[..., Answer | int | None]:
             from nonhertz.files.changes import changes_in
 
             mine["changes"] = changes_in(mine["changes"])
-        found: Answer | int | None = getattr(importlib.import_module(f"nonhertz.cli.{name}"), function)(*args, **mine)
-        return found
+        answer: Answer | int | None = getattr(importlib.import_module(f"nonhertz.cli.{name}"), function)(*args, **mine)
+        return answer
 
-    every = [*(each for key, each in own.items() if key not in added), *added.values()]
+    every = [*(parameter for key, parameter in own.items() if key not in added), *added.values()]
     vars(imported)["__signature__"] = signature.replace(parameters=every)
     return imported
 
@@ -146,12 +146,12 @@ def run(words: Sequence[str]) -> int:
         unused = ", ".join(repr(word) for word in error.unused_tokens or ())
         print(f"This command takes no {unused}; see {_help_on(words)}.", file=sys.stderr)
     except CycloptsError as error:
-        said, _, _ = " ".join(str(error).split()).partition(" Available commands: ")  # which help lists
+        sentence, _, _ = " ".join(str(error).split()).partition(" Available commands: ")  # which help lists
         if words and words[0].endswith(".toml"):
-            said = f"A command comes first, such as 'nonhertz solve {words[0]}'"
+            sentence = f"A command comes first, such as 'nonhertz solve {words[0]}'"
         elif isinstance(error, MissingArgumentError) and error.argument and error.argument.index is not None:
-            said = _missing(error.argument.name, words)
-        lead = f"{said} See" if said.endswith("?") else f"{said.rstrip('.')}; see"
+            sentence = _missing(error.argument.name, words)
+        lead = f"{sentence} See" if sentence.endswith("?") else f"{sentence.rstrip('.')}; see"
         print(f"{lead} {_help_on(words)}.", file=sys.stderr)
     return BAD_INPUT
 
@@ -159,7 +159,7 @@ def run(words: Sequence[str]) -> int:
 def _missing(name: str, words: Sequence[str]) -> str:
     """Return what to do where an argument is missing, which may be because an option before it took it."""
     for place, word in enumerate(words):
-        option = next((each for each in reversed(words[1:place]) if each.startswith("--")), "")
+        option = next((earlier for earlier in reversed(words[1:place]) if earlier.startswith("--")), "")
         if option and word.endswith(".toml"):
             first = " ".join([*words[:1], word, *words[1:place], *words[place + 1 :]])
             return f"{option} takes all words after it, '{word}' too; write 'nonhertz {first}'"
@@ -176,30 +176,30 @@ def _run(words: Sequence[str]) -> int:
     """Run one command in the units that it is asked to show; JSON is in SI units."""
     app = application(words[0] if words and words[0] in COMMANDS else None)
     command, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
-    given = bound.arguments
-    choose_units("si" if given.get("as_json") else given.get("units", "si"))
+    options = bound.arguments
+    choose_units("si" if options.get("as_json") else options.get("units", "si"))
     try:
-        found = command(*bound.args, **bound.kwargs)
+        answer = command(*bound.args, **bound.kwargs)
     except ConvergenceError as error:
         sys.stdout.flush()
         print(error, file=sys.stderr)
         return NOT_CONVERGED
-    if isinstance(found, Answer):
-        return found.printed(as_json=given.get("as_json", False), judge=given.get("judge", False))
-    return found if isinstance(found, int) else FINE
+    if isinstance(answer, Answer):
+        return answer.printed(as_json=options.get("as_json", False), judge=options.get("judge", False))
+    return answer if isinstance(answer, int) else FINE
 
 
 def each_with_option(words: Sequence[str]) -> list[str]:
     """Return the words of a command line, with ``--set`` again before each further change that follows one."""
-    found: list[str] = []
+    completed: list[str] = []
     after = False  # a change, so that another may follow
     for word in words:
         is_change = _CHANGE.match(word) is not None and not Path(word).exists()
         if after and is_change:
-            found.append("--set")
-        after = is_change and found[-1:] == ["--set"]
-        found.append(word)
-    return found
+            completed.append("--set")
+        after = is_change and completed[-1:] == ["--set"]
+        completed.append(word)
+    return completed
 
 
 @contextlib.contextmanager

@@ -46,17 +46,17 @@ def compare(
     """
     read = read_case(case, changes)
     refuse_unwritable_out(out)
-    given = {name: value for name, value in read.solver.keywords.items() if name != "element"}
+    options = {name: value for name, value in read.solver.keywords.items() if name != "element"}
     try:
         with Progress(_METHODS) as progress:
-            found = methods.compare(
-                read.contact, **read.prescribed.keywords, **given, cells=cells, announce=progress.announce
+            comparison = methods.compare(
+                read.contact, **read.prescribed.keywords, **options, cells=cells, announce=progress.announce
             )
     except InputError as error:
         if error.field == "cells":
             raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None
         raise placed(error, read.document) from None
     title = read.title
-    made = written(out, lambda: files(found, title), lambda: {"comparison": plot.comparison(found, title)})
-    verdict, text = of_contact(found.semi_elliptic), lambda: key_by_key(as_object(found, title))
-    return Answer(title, sections(found), text, verdict, found.warnings, made)
+    made = written(out, lambda: files(comparison, title), lambda: {"comparison": plot.comparison(comparison, title)})
+    verdict, text = of_contact(comparison.semi_elliptic), lambda: key_by_key(as_object(comparison, title))
+    return Answer(title, sections(comparison), text, verdict, comparison.warnings, made)

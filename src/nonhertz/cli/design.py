@@ -58,32 +58,33 @@ def design(
     """
     directory = named_after(plan, "-design", out)
     refuse_unwritable(directory)
-    case, given = read_design(plan, changes)
-    given |= {} if starts is None else {"starts": starts}
+    case, options = read_design(plan, changes)
+    options |= {} if starts is None else {"starts": starts}
     if front is not None:
-        return _front(case, given, front, workers, directory)
+        return _front(case, options, front, workers, directory)
     with bar("searches") as update, named_as(threads="--workers", starts="--starts"):
-        found = best(case, **given, workers=workers, announce=update)
-    made = written(directory, lambda: _texts(found, directory), lambda: design_figures(found))
-    text, shown = partial(as_text, DESIGN, made, design=found), [*design_sections(found), assumed_section(case.assumed)]
-    return Answer(found.was.title, shown, text, found.verdict, found.warnings, made)
+        best_design = best(case, **options, workers=workers, announce=update)
+    made = written(directory, lambda: _texts(best_design, directory), lambda: design_figures(best_design))
+    text = partial(as_text, DESIGN, made, design=best_design)
+    shown = [*design_sections(best_design), assumed_section(case.assumed)]
+    return Answer(best_design.was.title, shown, text, best_design.verdict, best_design.warnings, made)
 
 
-def _texts(found: Design, out: Path) -> dict[str, str]:
+def _texts(design: Design, out: Path) -> dict[str, str]:
     """Return the optimised case, the relief of both bodies together after and before, and all numbers, by file name."""
-    rows = np.column_stack(found.relief).tolist()
-    cells = ([f"{y:.9g}", *("" if math.isnan(each) else f"{each:.9f}" for each in rest)] for y, *rest in rows)
+    rows = np.column_stack(design.relief).tolist()
+    cells = ([f"{y:.9g}", *("" if math.isnan(value) else f"{value:.9f}" for value in rest)] for y, *rest in rows)
     return {
-        "case.toml": as_toml(found.case.document_in(out) | {"title": f"{found.was.title}, designed"}),
+        "case.toml": as_toml(design.case.document_in(out) | {"title": f"{design.was.title}, designed"}),
         "profile.csv": csv_text(["y [mm]", "relief [mm]", "relief before [mm]"], cells),
-        "design.json": as_text(DESIGN, design=found) + "\n",
+        "design.json": as_text(DESIGN, design=design) + "\n",
     }
 
 
 # A front
 
 
-def _front(case: Case, given: dict[str, Any], points: int, workers: int | None, out: Path) -> Answer:
+def _front(case: Case, options: dict[str, Any], points: int, workers: int | None, out: Path) -> Answer:
     """Find the Pareto front of the loads of a plan without tilt and of those with tilt, and write it.
 
     Raises
@@ -91,33 +92,33 @@ def _front(case: Case, given: dict[str, Any], points: int, workers: int | None, 
     InputError
         If one of the groups is empty, the plan is for lives, or an option is refused.
     """
-    loads = given.get("loads") or ()
-    aligned = [each for each in loads if each.tilt == 0.0]
-    tilted = [each for each in loads if each.tilt != 0.0]
+    loads = options.get("loads") or ()
+    aligned = [load for load in loads if load.tilt == 0.0]
+    tilted = [load for load in loads if load.tilt != 0.0]
     if not aligned or not tilted:
         condition, remedy = "hold loads without tilt and loads with tilt for a front", "give the design both"
         raise InputError("loads", f"{len(aligned)} without tilt and {len(tilted)} with", condition, remedy)
-    if given.get("goal", "pressure") != "pressure":
-        raise InputError("goal", given["goal"], "be 'pressure' for a front", "leave it out")
+    if options.get("goal", "pressure") != "pressure":
+        raise InputError("goal", options["goal"], "be 'pressure' for a front", "leave it out")
     with named_as(threads="--workers", starts="--starts", points="--front"):
-        found = front_of(
-            case, first=aligned, second=tilted, vary=given.get("vary"), where=given.get("where"), points=points,
-            starts=given.get("starts"), workers=workers,
+        front = front_of(
+            case, first=aligned, second=tilted, vary=options.get("vary"), where=options.get("where"), points=points,
+            starts=options.get("starts"), workers=workers,
         )  # fmt: skip
-    as_json = partial(as_text, FRONT, front=found)
-    texts = {"front.csv": _front_table(found), "front.json": as_json() + "\n"}
-    for number, each in enumerate(found.cases, start=1):
-        title = {"title": f"{each.title}, point {number} of a front"}
-        texts[f"case-{number}.toml"] = as_toml(each.document_in(out) | title)
+    as_json = partial(as_text, FRONT, front=front)
+    texts = {"front.csv": _front_table(front), "front.json": as_json() + "\n"}
+    for number, point_case in enumerate(front.cases, start=1):
+        title = {"title": f"{point_case.title}, point {number} of a front"}
+        texts[f"case-{number}.toml"] = as_toml(point_case.document_in(out) | title)
     groups = f"loads {GROUPS[0]}", f"loads {GROUPS[1]}"
-    made = written(out, lambda: texts, lambda: {"front": front_figure(found, groups)})
-    return Answer("", _front_sections(found), partial(as_json, made), found.verdict, found.warnings, made)
+    made = written(out, lambda: texts, lambda: {"front": front_figure(front, groups)})
+    return Answer("", _front_sections(front), partial(as_json, made), front.verdict, front.warnings, made)
 
 
-def _front_sections(found: Front) -> list[Section]:
+def _front_sections(front: Front) -> list[Section]:
     """Return the points as people are shown them."""
     heads, columns = ["point"], []
-    for name, (values, unit) in _columns(found).items():
+    for name, (values, unit) in _columns(front).items():
         cells, read = of_dimension(values, unit).apart()
         heads.append(f"{name} [{read}]" if read else name)
         columns.append(cells)
@@ -125,18 +126,18 @@ def _front_sections(found: Front) -> list[Section]:
     return [Section("", [Table(rows, heads)])]
 
 
-def _columns(found: Front) -> dict[str, tuple[Sequence[float], str]]:
+def _columns(front: Front) -> dict[str, tuple[Sequence[float], str]]:
     """Return the numbers of the points by name, with their unit; free profiles are in the case files."""
-    groups = zip(GROUPS, (found.first, found.second), strict=True)
-    paths = [path for path, value in found.values[0].items() if isinstance(value, float)]
+    groups = zip(GROUPS, (front.first, front.second), strict=True)
+    paths = [path for path, value in front.values[0].items() if isinstance(value, float)]
     return {
         **{f"largest pressure {group}": (values, "MPa") for group, values in groups},
-        **{path: ([values[path] for values in found.values], found.units.get(path, "")) for path in paths},
+        **{path: ([values[path] for values in front.values], front.units.get(path, "")) for path in paths},
     }
 
 
-def _front_table(found: Front) -> str:
-    columns = _columns(found)
+def _front_table(front: Front) -> str:
+    columns = _columns(front)
     rows = enumerate(zip(*(values for values, _ in columns.values()), strict=True), start=1)
     head = ("point", *(f"{name} [{unit}]" if unit else name for name, (_, unit) in columns.items()))
     return csv_text(head, ([number, *(f"{value:.9g}" for value in row)] for number, row in rows))

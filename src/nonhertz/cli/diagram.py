@@ -27,12 +27,12 @@ def diagram_over(case: BearingCase, over: str, workers: int | None, out: Path | 
     path, values = path_and_value(over, "--over clearance=0:60um", "--over")
     with bar("rows") as update, named_as(threads="--workers", over="--over"):
         try:
-            found = diagram(case, path, values, workers=workers, announce=of_rows(update))
+            bearing_diagram = diagram(case, path, values, workers=workers, announce=of_rows(update))
         except UnknownKeyError:
             raise
         except InputError as error:
             raise error.about(f"--over {error.field}", values) from None
     with named_as(folder="--out"):
-        made = () if out is None else found.save(out)
-    as_json = partial(as_text, DIAGRAM, made, diagram=found, sweep=found.sweep)
-    return Answer(case.title, diagram_sections(found), as_json, found.sweep.verdict, written=made)
+        made = () if out is None else bearing_diagram.save(out)
+    as_json = partial(as_text, DIAGRAM, made, diagram=bearing_diagram, sweep=bearing_diagram.sweep)
+    return Answer(case.title, diagram_sections(bearing_diagram), as_json, bearing_diagram.sweep.verdict, written=made)

@@ -63,45 +63,45 @@ def life(
             cases.append(read_case(compared, changes))
     refuse_unwritable_out(out)
     models, notes = models_for(cases[0], model, cases[1:])
-    found: list[Assessment] = []
-    with Progress(sum(each.life.steps for each in cases)) as progress:
-        for each in cases:
-            with named(each.path) if found else contextlib.nullcontext():
+    assessments: list[Assessment] = []
+    with Progress(sum(life_case.life.steps for life_case in cases)) as progress:
+        for life_case in cases:
+            with named(life_case.path) if assessments else contextlib.nullcontext():
                 try:
-                    spectrum = spectrum_solved(each)
+                    spectrum = spectrum_solved(life_case)
                 except ConvergenceError as error:
-                    raise ConvergenceError(f"{each.path}: {error}" if found else str(error), error.solution) from None
-                found.append(assessed(each, spectrum, models, notes, progress.announce))
-    first, other = found[0], found[1] if len(found) > 1 else None
-    verdicts = {f"in {legible(str(case.path))}": each.verdict for case, each in zip(cases, found, strict=True)}
+                    sentence = f"{life_case.path}: {error}" if assessments else str(error)
+                    raise ConvergenceError(sentence, error.solution) from None
+                assessments.append(assessed(life_case, spectrum, models, notes, progress.announce))
+    first, other = assessments[0], assessments[1] if len(assessments) > 1 else None
+    names = (f"in {legible(str(life_case.path))}" for life_case in cases)
+    verdicts = dict(zip(names, (assessment.verdict for assessment in assessments), strict=True))
     made = written(out, lambda: files(first, other), lambda: _figures(first, other))
-    shown, text = _shown([each.path for each in cases], first, other), lambda: key_by_key(as_object(first, other))
-    shown.append(assumed_section(cases[0].assumed))
-    return Answer(first.title, shown, text, worst_of(verdicts), written=made)
+    shown = [*_shown([life_case.path for life_case in cases], first, other), assumed_section(cases[0].assumed)]
+    return Answer(first.title, shown, lambda: key_by_key(as_object(first, other)), worst_of(verdicts), written=made)
 
 
-def _figures(found: Assessment, other: Assessment | None) -> Mapping[str, Figure]:
+def _figures(assessment: Assessment, other: Assessment | None) -> Mapping[str, Figure]:
     beside = None if other is None else other.lives
-    drawn = {"life-density": life_figure(found.spectrum, found.lives, found.title, beside)}
-    if found.dent is not None:
-        drawn["life-dent"] = dent_figure(found.dent, found.judging_dents, found.title)
+    drawn = {"life-density": life_figure(assessment.spectrum, assessment.lives, assessment.title, beside)}
+    if assessment.dent is not None:
+        drawn["life-dent"] = dent_figure(assessment.dent, assessment.judging_dents, assessment.title)
     return drawn
 
 
-def _shown(files: Sequence[Path], found: Assessment, other: Assessment | None) -> list[Section]:
+def _shown(files: Sequence[Path], first: Assessment, other: Assessment | None) -> list[Section]:
     """Return the lives by all models, what they are relative to, those of another case, and warnings of both.
 
     Of two cases each has a heading: its file and its title.
     """
-    parts = [(each, sections(each)) for each in (found, other) if each is not None]
+    parts = [(assessment, sections(assessment)) for assessment in (first, other) if assessment is not None]
     shown = []
-    for file, (each, (section,)) in zip(files, parts, strict=True):
-        head = Said(
-            [f"{'compared with ' * (each is other)}{legible(str(file))}: {each.title}"] * len(files[1:]), "head"
-        )
-        warned = Said([f"warning: {one}" for one in each.warnings], "warning")
+    for file, (assessment, (section,)) in zip(files, parts, strict=True):
+        lead = "compared with " * (assessment is other)
+        head = Said([f"{lead}{legible(str(file))}: {assessment.title}"] * len(files[1:]), "head")
+        warned = Said([f"warning: {one}" for one in assessment.warnings], "warning")
         shown.append(Section(section.title, [head, *section.blocks, warned]))
     if other is not None:
         names = [legible(str(file)) for file in files]
-        shown.append(compared_section([(names[1], other), (names[0], found)]))
+        shown.append(compared_section([(names[1], other), (names[0], first)]))
     return shown

@@ -59,13 +59,13 @@ def contact_map(
         existing file is replaced.
     """
     read = read_case(case, changes)
-    given = {name: word for name, word in (("approach", approach), ("load", load)) if word is not None}
-    if len(given) != 1:
+    pressing = {name: word for name, word in (("approach", approach), ("load", load)) if word is not None}
+    if len(pressing) != 1:
         raise InputError("--load", load, "be given where --approach is not, and only there", "write --load 0:20kN")
     if out is not None and (out.suffix.lower() not in _SUFFIXES or out.is_dir()):
         remedy = "name a .csv file for a table, or a .npz file for the map itself"
         raise InputError("--out", str(out), f"be a file ending in {', '.join(_SUFFIXES)}", remedy)
-    ((name, word),) = given.items()
+    ((name, word),) = pressing.items()
     low, high, rows = range_in(_OPTIONS[name], word, *_EXAMPLES[name])
     pressed: dict[str, Any] = {name: (low, high)}
     turned: float | tuple[float, float] = read.prescribed.tilt or 0.0
@@ -77,14 +77,14 @@ def contact_map(
         turned = number_in("--tilt", tilt, "rad")
     refuse_unwritable_out(out, file=True)
     with named_as(**_OPTIONS), Progress(None) as progress, without_accuracy_warnings():
-        found = map_of(
+        fitted_map = map_of(
             read.contact, **pressed, tilt=turned, accuracy=accuracy, element=read.solver.element,
             announce=progress.announce,
         )  # fmt: skip
     made: tuple[Path, ...] = ()
     if out is not None and out.suffix.lower() == ".csv":
-        made = write_files(out.parent, {out.name: found.csv(found.grid(rows or ROWS, tilts or TILTS))})
+        made = write_files(out.parent, {out.name: fitted_map.csv(fitted_map.grid(rows or ROWS, tilts or TILTS))})
     elif out is not None:
-        made = write_files(out.parent, {}, lambda folder: found.save(folder / out.name))
-    shown, text = sections(found), lambda: json.dumps(as_object(found, read.title), indent=2)
-    return Answer(read.title, shown, text, warnings=found.findings, written=made)
+        made = write_files(out.parent, {}, lambda folder: fitted_map.save(folder / out.name))
+    shown, text = sections(fitted_map), lambda: json.dumps(as_object(fitted_map, read.title), indent=2)
+    return Answer(read.title, shown, text, warnings=fitted_map.findings, written=made)

@@ -25,31 +25,31 @@ def materials(name: str | None = None, /) -> Answer:
         entries = LIBRARY if name is None else (listed_as(name),)
     factor, unit = mpa().scale
     rows: list[tuple[str, ...]] = []
-    for group, members in groupby(entries, key=lambda each: each.group):
-        rows += [(group,), *(_row(each, factor) for each in members)]
+    for group, members in groupby(entries, key=lambda entry: entry.group):
+        rows += [(group,), *(_row(entry, factor) for entry in members)]
     yielding, core, limit = (f"{what} [{unit}]" for what in ("yield", "core", "pressure limit"))
     words = ["Where a number comes from, and what limits its use: nonhertz materials NAME"]
     if name is not None:
         density, expansion = entries[0].density, entries[0].expansion
-        told = (
+        details = (
             ("density", f"{amount(density, 't/mm^3'):g}"),
             ("thermal expansion", "" if expansion is None else f"{expansion:.3g} 1/K"),
             ("source", entries[0].source),
             ("note", entries[0].note),
         )
-        words = [f"{what}: {words}" for what, words in told if words]
+        words = [f"{what}: {words}" for what, words in details if words]
     heads = ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit)
     shown = [Section("", [Table(rows, heads, (0,)), Said(words)])]
     return Answer("", shown, lambda: json.dumps(as_object(entries), indent=2, ensure_ascii=False))
 
 
-def _row(each: Listed, factor: float) -> tuple[str, ...]:
+def _row(entry: Listed, factor: float) -> tuple[str, ...]:
     """Return its cells; ``factor`` turns MPa into what people read."""
-    material = each.material
+    material = entry.material
 
     def stress(value: float | None) -> str:
         return "" if value is None else given(factor * value)
 
     strengths = stress(material.yield_strength), stress(material.core_yield_strength), material.hardness or ""
-    name = f"  {', '.join((each.name, *each.others))}"
+    name = f"  {', '.join((entry.name, *entry.others))}"
     return name, stress(material.modulus), given(material.poisson), *strengths, stress(material.pressure_limit)

@@ -50,33 +50,33 @@ def nodes(
         mesh = read_nodes(nodes)
     refuse_unwritable_file(path)
     solution = solved(read)
-    found = solution.at_nodes(mesh.x, mesh.y)
-    made = write_files(path.parent, {path.name: as_table(mesh, found)})
-    shown, text = _sentences(solution, found), lambda: key_by_key(as_object(solution, found, read.title))
+    loads = solution.at_nodes(mesh.x, mesh.y)
+    made = write_files(path.parent, {path.name: as_table(mesh, loads)})
+    shown, text = _sentences(solution, loads), lambda: key_by_key(as_object(solution, loads, read.title))
     return Answer(read.title, [Section("", [Said(shown)])], text, of_contact(solution), solution.warnings, made)
 
 
-def _sentences(solution: Solution, found: NodalLoads) -> list[str]:
+def _sentences(solution: Solution, loads: NodalLoads) -> list[str]:
     """Return how many nodes are in contact, and how the sums of their pressures and forces relate to the load."""
-    touching = int(np.count_nonzero(found.pressure))
-    highest = mpa(float(np.max(found.pressure)))
-    said = [
-        f"{found.pressure.size} nodes, {touching} of them in contact. The largest pressure at a node is {highest}, "
+    touching = int(np.count_nonzero(loads.pressure))
+    highest = mpa(float(np.max(loads.pressure)))
+    sentences = [
+        f"{loads.pressure.size} nodes, {touching} of them in contact. The largest pressure at a node is {highest}, "
         f"that of the contact {mpa(solution.max_pressure)}."
     ]
     load = solution.load
-    if np.any(np.isnan(found.force)):
-        return [*said, "The nodes span no area: there are no forces, and the pressures have no sum in N."]
-    said.append(f"The forces add up to {newton(float(np.sum(found.force)))} of the load of {newton(load)}.")
-    if found.outside > _NOTICED * load:
-        said.append(f"{newton(found.outside)} lie outside the nodes, {_percent(found.outside, load)} of the load.")
-    carried = found.interpolated_load
+    if np.any(np.isnan(loads.force)):
+        return [*sentences, "The nodes span no area: there are no forces, and the pressures have no sum in N."]
+    sentences.append(f"The forces add up to {newton(float(np.sum(loads.force)))} of the load of {newton(load)}.")
+    if loads.outside > _NOTICED * load:
+        sentences.append(f"{newton(loads.outside)} lie outside the nodes, {_percent(loads.outside, load)} of the load.")
+    carried = loads.interpolated_load
     factor = f"; times {load / carried:.6g} they carry it whole" if carried > 0.0 else ""
-    said.append(
+    sentences.append(
         f"The pressures, interpolated linearly between the nodes, carry {newton(carried)}, {_percent(carried, load)} "
         f"of the load{factor}."
     )
-    return said
+    return sentences
 
 
 def _percent(part: float, whole: float) -> str:

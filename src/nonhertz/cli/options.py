@@ -105,10 +105,10 @@ def written(out: Path | None, texts: Callable[[], Mapping[str, str]], figures: F
     return () if out is None else write_files(out, texts(), drawing(figures))
 
 
-def saved(found: Result, out: Path | None) -> tuple[Path, ...]:
+def saved(result: Result, out: Path | None) -> tuple[Path, ...]:
     """Write a result into a directory, if one is named; return the files."""
     with named_as(folder="--out"):
-        return () if out is None else found.save(out)
+        return () if out is None else result.save(out)
 
 
 def drawing(figures: Figures) -> Callable[[Path], None]:

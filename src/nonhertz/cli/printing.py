@@ -72,7 +72,7 @@ def _grouped(sections: Iterable[Section]) -> list[list[Table | Said]]:
     """Return what stands together without an empty line; summaries that follow each other are one table."""
     groups: list[list[Table | Said]] = []
     for section in sections:
-        blocks = [each for each in section.blocks if isinstance(each, Table | Said) and len(each)]
+        blocks = [block for block in section.blocks if isinstance(block, Table | Said) and len(block)]
         if groups and blocks and _is_summary(first := blocks[0]) and _is_summary(before := groups[-1][-1]):
             groups[-1][-1] = replace(before, rows=[*before.rows, *first.rows])
             groups[-1] += blocks[1:]

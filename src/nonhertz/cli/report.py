@@ -85,16 +85,16 @@ def report(
         raise InputError("--compare", str(first.path), "be used with bearing files", remedy)
     refuse_unwritable_file(path)
     with Progress(len(read)) as progress:
-        found = settled(read, progress.announce)
-    with Progress(steps(found, life=life, stress=stress) + 1) as progress:
-        found = examined(found, life=life, stress=stress, compare=compare, announce=progress.announce)
+        studies = settled(read, progress.announce)
+    with Progress(steps(studies, life=life, stress=stress) + 1) as progress:
+        studies = examined(studies, life=life, stress=stress, compare=compare, announce=progress.announce)
         progress.announce("figures")
-        text = rendered(found, block)
+        text = rendered(studies, block)
     print_written(write_files(path.parent, {path.name: text}))
     sys.stdout.flush()
-    failed = [each for each in found if each.complaint]
-    for each in failed:
-        print(f"{each.label}: {each.complaint}", file=sys.stderr)
+    failed = [study for study in studies if study.complaint]
+    for study in failed:
+        print(f"{study.label}: {study.complaint}", file=sys.stderr)
     return NOT_CONVERGED if failed else FINE
 
 

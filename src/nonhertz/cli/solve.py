@@ -47,11 +47,11 @@ def solve(
         return _several((case, *more), changes, out)
     read = read_case(case, changes)
     solution, complaint = attempted(read)
-    found = Result(read, solution)
+    result = Result(read, solution)
     shown = sections(solution, read)
     return Answer(
-        read.title, shown, found.to_json, of_contact(solution), solution.warnings,
-        saved(found, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,
+        read.title, shown, result.to_json, of_contact(solution), solution.warnings,
+        saved(result, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,
     )  # fmt: skip
 
 
@@ -61,15 +61,15 @@ def _several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None
     refuse_unwritable_out(out, file=out is not None and _is_table(out))
     if workbook:
         refuse_missing_writer()
-    found = [_attempt(path, changes) for path in paths]
-    said = [(each.name, sentence) for each in found for sentence in each.complaints]
+    attempts = [_attempt(path, changes) for path in paths]
+    complaints = [(attempt.name, sentence) for attempt in attempts for sentence in attempt.complaints]
     return Answer(
-        "", [Section("", [overview_table(found)])], lambda: json.dumps(objects(found), allow_nan=False),
-        worst_of({f"in {each.name}": each.verdict for each in found}),
-        [f"{each.name}: {one}" for each in found if each.solution for one in each.solution.warnings],
-        () if out is None else _several_written(out, found, workbook),
-        [words if words.startswith(name) else f"{name}: {words}" for name, words in said],
-        BAD_INPUT if any(each.solution is None for each in found) else NOT_CONVERGED if said else FINE,
+        "", [Section("", [overview_table(attempts)])], lambda: json.dumps(objects(attempts), allow_nan=False),
+        worst_of({f"in {attempt.name}": attempt.verdict for attempt in attempts}),
+        [f"{attempt.name}: {one}" for attempt in attempts if attempt.solution for one in attempt.solution.warnings],
+        () if out is None else _several_written(out, attempts, workbook),
+        [words if words.startswith(name) else f"{name}: {words}" for name, words in complaints],
+        BAD_INPUT if any(attempt.solution is None for attempt in attempts) else NOT_CONVERGED if complaints else FINE,
     )  # fmt: skip
 
 
@@ -89,17 +89,17 @@ def _attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
     return Attempt(path, case, solution, (complaint,) if complaint else ())
 
 
-def _several_written(out: Path, found: Sequence[Attempt], workbook: bool) -> tuple[Path, ...]:
+def _several_written(out: Path, attempts: Sequence[Attempt], workbook: bool) -> tuple[Path, ...]:
     """Write each result into a folder of its own, and the table of all, or the table alone; return the files."""
     if workbook:
-        inputs = ((each.name, each.case.document) for each in found if each.case is not None)
-        sheets = {"cases": (HEAD, rows(found)), INPUTS: inputs_table(inputs)}
+        inputs = ((attempt.name, attempt.case.document) for attempt in attempts if attempt.case is not None)
+        sheets = {"cases": (HEAD, rows(attempts)), INPUTS: inputs_table(inputs)}
         return write_files(out.parent, {}, lambda folder: write_workbook(folder / out.name, sheets))
-    table = csv_text(HEAD, rows(found))
+    table = csv_text(HEAD, rows(attempts))
     if _is_table(out):
         return write_files(out.parent, {out.name: table})
     made: list[Path] = []
-    for each, name in zip(found, folders(found), strict=True):
-        if each.solution is not None and each.case is not None:
-            made += saved(Result(each.case, each.solution), out / name)
+    for attempt, name in zip(attempts, folders(attempts), strict=True):
+        if attempt.solution is not None and attempt.case is not None:
+            made += saved(Result(attempt.case, attempt.solution), out / name)
     return (*made, *write_files(out, {TABLE: table}))

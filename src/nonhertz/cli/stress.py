@@ -65,15 +65,15 @@ def stress(
         condition = f"lie between the side faces of body {name}, {mm(low, high, between=' and '):.6g}"
         raise InputError("--station", station, condition, _STATION_REMEDY)
     with Progress(_SEARCHES + (out is not None)) as progress:
-        found = largest_stresses(solution, station, name, progress.announce)
-        strength = assess(solution, body=name, largest=found[0])
-        text = key_by_key(as_object(solution, *found, strength, read.title))
+        extremes = largest_stresses(solution, station, name, progress.announce)
+        strength = assess(solution, body=name, largest=extremes[0])
+        text = key_by_key(as_object(solution, *extremes, strength, read.title))
         made: tuple[Path, ...] = ()
         if out is not None:
             progress.announce("planes and figures")
-            planes = stress_planes(solution, found[1])
-            figures = functools.partial(stress_figures, solution, *found, read.title, planes)
+            planes = stress_planes(solution, extremes[1])
+            figures = functools.partial(stress_figures, solution, *extremes, read.title, planes)
             made = written(out, lambda: files(text, planes), figures)
-    shown, verdict = sections(solution, *found, (strength,)), of_contact(solution, (strength,))
+    shown, verdict = sections(solution, *extremes, (strength,)), of_contact(solution, (strength,))
     shown = [*shown, assumed_section(read.assumed)]
-    return Answer(read.title, shown, lambda: text, verdict, all_findings(solution, *found), made)
+    return Answer(read.title, shown, lambda: text, verdict, all_findings(solution, *extremes), made)

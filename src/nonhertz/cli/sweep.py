@@ -66,13 +66,13 @@ def sweep_plan(
     """
     if excel:
         refuse_missing_writer()
-    asked = planned(plan, over, quantities, "over", changes)
+    study_plan = planned(plan, over, quantities, "over", changes)
     directory = named_after(plan, "-sweep", out)
     with bar("rows") as update, named_as(threads="--workers", over="--over"):
-        found = sweep(asked, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))
-    made = found.save(directory, drawing(lambda: sweep_figures(found)), excel=excel)
-    text = partial(as_text, SWEEP, made, sweep=found)
-    return Answer(found.plan.title, sweep_sections(found), text, verdict=found.verdict, written=made)
+        results = sweep(study_plan, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))
+    made = results.save(directory, drawing(lambda: sweep_figures(results)), excel=excel)
+    text = partial(as_text, SWEEP, made, sweep=results)
+    return Answer(results.plan.title, sweep_sections(results), text, verdict=results.verdict, written=made)
 
 
 def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]) -> Plan:
@@ -109,12 +109,12 @@ def of_rows(update: Update | None) -> Callable[[Progress], object]:
 
     def announce(come: Progress) -> None:
         if come.done == come.found:
-            there = f"all {come.total} rows were there" if come.found == come.total else ""
-            said = [there or f"continuing from {come.found} of {come.total} rows"] if come.found else []
+            complete = f"all {come.total} rows were there" if come.found == come.total else ""
+            notices = [complete or f"continuing from {come.found} of {come.total} rows"] if come.found else []
             if come.seconds is not None and come.seconds >= WORTH_SAYING:
-                said.append(f"{come.total - come.found} rows, {about_time(come.seconds)}")
-            if said:
-                print("; ".join(said), file=sys.stderr, flush=True)
+                notices.append(f"{come.total - come.found} rows, {about_time(come.seconds)}")
+            if notices:
+                print("; ".join(notices), file=sys.stderr, flush=True)
         if update is not None:
             update(come.done, come.total, come.found)
 

@@ -68,22 +68,22 @@ def study_tolerance(
     """
     if excel:
         refuse_missing_writer()
-    asked = planned(plan, over, quantities, "tolerance", changes)
+    study_plan = planned(plan, over, quantities, "tolerance", changes)
     directory = named_after(plan, "-tolerance", out)
     bounds = dict(path_and_value(word, "max_pressure='at most 3800 MPa'", "--limits") for word in limits) or None
     options = {"threads": "--workers", "count": "--samples", "seed": "--seed", "over": "--over"}
     with bar("rows") as update, named_as(**options):
-        found = tolerance(
-            asked, samples=samples, seed=seed, limits=bounds, out=directory, workers=workers, scheduler=scheduler,
+        study = tolerance(
+            study_plan, samples=samples, seed=seed, limits=bounds, out=directory, workers=workers, scheduler=scheduler,
             announce=of_rows(update),
         )  # fmt: skip
 
-    as_json = partial(as_text, TOLERANCE, tolerance=found, sweep=found.sweep)
+    as_json = partial(as_text, TOLERANCE, tolerance=study, sweep=study.sweep)
 
     def draw(folder: Path) -> None:
         (folder / "tolerance.json").write_text(as_json() + "\n", encoding="utf-8")
-        drawing(lambda: tolerance_figures(found))(folder)
+        drawing(lambda: tolerance_figures(study))(folder)
 
-    made = found.sweep.save(directory, draw, excel=excel)
-    title, shown = found.sweep.plan.title, tolerance_sections(found)
-    return Answer(title, shown, partial(as_json, made), verdict=found.verdict, written=made)
+    made = study.sweep.save(directory, draw, excel=excel)
+    title, shown = study.sweep.plan.title, tolerance_sections(study)
+    return Answer(title, shown, partial(as_json, made), verdict=study.verdict, written=made)
