@@ -276,8 +276,8 @@ class Body(Input):
 
     @together("length", "side_faces", "material")
     def _check_faces(self) -> None:
-        asked = [side.image_weight(self.material.poisson) for side in self.sides]
-        if self.length is None and self.side_faces not in _OF_NO_FACE and max(asked) > 0.0:
+        weights = [side.image_weight(self.material.poisson) for side in self.sides]
+        if self.length is None and self.side_faces not in _OF_NO_FACE and max(weights) > 0.0:
             raise InputError("length", None, f"be given where side_faces = {shown(self.side_faces)}", _FACELESS_REMEDY)
 
     @together("diameter", "length", "side_faces", "images", "material", "depth", "bore")

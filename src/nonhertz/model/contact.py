@@ -134,5 +134,5 @@ def derived(contact: Contact, what: Hashable, make: Callable[[], Derived]) -> De
     known = contact._derived
     if what not in known:
         known[what] = make()
-    found: Derived = known[what]
-    return found
+    value: Derived = known[what]
+    return value

@@ -249,9 +249,9 @@ class Cornered(Formula):
     @property
     def bends(self) -> tuple[float, ...]:
         """Those of the land, where it continues along its tangent, and where corners begin and bend."""
-        outwards = (self.land_end, *(self.land_end + each for each in self.corner.bends))
+        outwards = (self.land_end, *(self.land_end + place for place in self.corner.bends))
         low, high = self.tangents[:, 0].tolist()
-        return tuple(sorted({*self._on_land(self.land.bends), -low, high, *outwards, *(-each for each in outwards)}))
+        return tuple(sorted({*self._on_land(self.land.bends), -low, high, *outwards, *(-place for place in outwards)}))
 
     @property
     def crests(self) -> tuple[float, ...]:

@@ -32,10 +32,10 @@ _SQRT_3: Final = math.sqrt(3.0)
 
 def _read_hardness(name: str, hardness: object, remedy: str) -> str:
     """Return a hardness as number, space and scale."""
-    found = _HARDNESS.fullmatch(hardness.strip()) if isinstance(hardness, str) else None
-    if found is None:
+    match = _HARDNESS.fullmatch(hardness.strip()) if isinstance(hardness, str) else None
+    if match is None:
         raise InputError(name, hardness, "be a number with its scale, HV, HRC or HBW", remedy)
-    number, scale = found.groups()
+    number, scale = match.groups()
     low, high = SCALES[scale]
     if not low <= float(number) <= high:
         raise InputError(name, hardness, f"lie between {low:g} and {high:g} {scale}", remedy)

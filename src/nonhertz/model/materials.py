@@ -182,7 +182,8 @@ class _Materials(dict[str, Material]):
 
 #: Materials that a case file may refer to by name.
 MATERIALS = _Materials(
-    {each.name: each.material for each in LIBRARY} | {other: each.material for each in LIBRARY for other in each.others}
+    {entry.name: entry.material for entry in LIBRARY}
+    | {other: entry.material for entry in LIBRARY for other in entry.others}
 )
 
 #: The material of a part, which may be given by its name.
@@ -206,15 +207,15 @@ def listed_as(name: str) -> Listed:
         If there is none.
     """
     text("name", name, "give a name such as 'steel' or '100Cr6'")
-    for each in LIBRARY:
-        if name in (each.name, *each.others):
-            return each
+    for entry in LIBRARY:
+        if name in (entry.name, *entry.others):
+            return entry
     raise unknown("name", name, "material", MATERIALS, "run 'nonhertz materials' for the list")
 
 
 def name_of(material: Material) -> str:
     """Return the first name of a material in the library; empty if it is not there."""
-    return next((each.name for each in LIBRARY if each.material == material), "")
+    return next((entry.name for entry in LIBRARY if entry.material == material), "")
 
 
 def density_of(material: Material) -> float | None:
@@ -235,8 +236,8 @@ def _entry_of(material: Material) -> Listed | None:
     def known(of: Material) -> tuple[object, ...]:
         return of.modulus, of.poisson, of.hardness
 
-    alike = [each for each in LIBRARY if known(each.material) == known(material)]
-    return next((each for each in alike if each.material == material), alike[0] if alike else None)
+    alike = [entry for entry in LIBRARY if known(entry.material) == known(material)]
+    return next((entry for entry in alike if entry.material == material), alike[0] if alike else None)
 
 
 def _as_stiff_as_steel(material: Material) -> bool:

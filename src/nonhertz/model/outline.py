@@ -55,7 +55,7 @@ class Outline:
     def symmetric(self) -> bool:
         """Whether it is its own mirror image about the middle."""
         z, *radii = self._points
-        return bool(np.all(z == -z[::-1]) and all(np.all(each == each[::-1]) for each in radii))
+        return bool(np.all(z == -z[::-1]) and all(np.all(row == row[::-1]) for row in radii))
 
     @property
     def bored(self) -> bool:
@@ -100,13 +100,13 @@ class Outline:
 
     def cosines(self, z: Array) -> Array:
         """Return the cosine of the angle between surface and axis at places between the points."""
-        found: Array = 1.0 / np.hypot(1.0, self.slopes(z)[0])
-        return found
+        cosine: Array = 1.0 / np.hypot(1.0, self.slopes(z)[0])
+        return cosine
 
     def girths(self, z: Array) -> Array:
         """Return the distances of the surface from the axis, of which the radii are those normal to the surface."""
-        found: Array = self.radii(z)[0] * self.cosines(z)
-        return found
+        girth: Array = self.radii(z)[0] * self.cosines(z)
+        return girth
 
     @property
     def corner_angles(self) -> tuple[float, float]:
@@ -121,17 +121,17 @@ def outline_of(body: Body) -> tuple[Outline, float]:
     half, middle = 0.5 * body.length, body.position
     diameters = (body.diameter, body.bore)
     points = {-half, half}
-    for each in diameters:
-        inner = getattr(each, "y", np.linspace(-half, half, _SAMPLES) if callable(each) else ())
+    for diameter in diameters:
+        inner = getattr(diameter, "y", np.linspace(-half, half, _SAMPLES) if callable(diameter) else ())
         points |= {float(place) for place in inner if abs(place) < half}
     z = np.array(sorted(points))
     curvature = body.curvature(z + middle)
     if not np.all(curvature > 0.0):
         raise _not_whole(body, "only be used for a body that is convex everywhere")
-    given = body.bore if body.bore is not None else 0.0
-    bore: Array = np.asarray(given(z) if callable(given) else np.full(z.shape, given), dtype=float)
+    inner_diameter = body.bore if body.bore is not None else 0.0
+    bore = inner_diameter(z) if callable(inner_diameter) else np.full(z.shape, inner_diameter)
     radius = 1.0 / float(body.curvature(np.array([middle]))[0])
-    rows: tuple[Array, ...] = (z, 1.0 / curvature, 0.5 * bore)
+    rows: tuple[Array, ...] = (z, 1.0 / curvature, 0.5 * np.asarray(bore, dtype=float))
     # Rounded, so that the same shape in another unit of length is known again. Sizes beyond all numbers are refused.
     with np.errstate(all="ignore"):
         places, outer, inner = (tuple(np.round(row / radius, _DIGITS).tolist()) for row in rows)

@@ -80,7 +80,7 @@ FACE_REMEDY: Final = f"write {', '.join(map(repr, SIDE_FACES))} or {WEIGHT}, or 
 def side_faces(rule: FaceRule | tuple[FaceRule, FaceRule]) -> tuple[SideFace, SideFace]:
     """Return the treatments of the faces at low and high y by a rule, or a pair of them."""
     low, high = (
-        SIDE_FACES[each] if isinstance(each, str) else SideFace("", WEIGHT, float(each))
-        for each in (rule if isinstance(rule, tuple) else (rule, rule))
+        SIDE_FACES[face_rule] if isinstance(face_rule, str) else SideFace("", WEIGHT, float(face_rule))
+        for face_rule in (rule if isinstance(rule, tuple) else (rule, rule))
     )
     return low, high

@@ -37,11 +37,11 @@ def at_ends(y: ArrayLike, ends: tuple[float, float]) -> Array:
         Ends of the body, or of what two bodies have in common [mm], ascending; infinite ones leave positions as they
         are.
     """
-    found, (low, high) = np.asarray(y, dtype=float), ends
+    places, (low, high) = np.asarray(y, dtype=float), ends
     room = SAME_PLACE * (high - low)
     if not np.isfinite(room):
-        return found
-    return np.where(np.abs(found - low) <= room, low, np.where(np.abs(found - high) <= room, high, found))
+        return places
+    return np.where(np.abs(places - low) <= room, low, np.where(np.abs(places - high) <= room, high, places))
 
 
 class Profile(ABC):
@@ -53,8 +53,8 @@ class Profile(ABC):
     def called(self, kind: str, **parameters: Any) -> Profile:
         """Return this profile with the kind and parameters that describe it in a case file; None is left out."""
         named = copy.copy(self)
-        given = {name: value for name, value in parameters.items() if value is not None}
-        object.__setattr__(named, "_called", (kind, given))
+        described = {name: value for name, value in parameters.items() if value is not None}
+        object.__setattr__(named, "_called", (kind, described))
         return named
 
     @property
@@ -240,8 +240,8 @@ class Moved(Formula):
 
     def _moved(self, positions: tuple[float, ...]) -> tuple[float, ...]:
         """Return positions along the axis [mm], ascending, where they are moved to."""
-        there = [each + self.shift for each in positions]
-        return tuple(-each for each in reversed(there)) if self.flip else tuple(there)
+        moved = [position + self.shift for position in positions]
+        return tuple(-position for position in reversed(moved)) if self.flip else tuple(moved)
 
 
 def moved_back(y: Array, by: float, extent: tuple[float, float]) -> Array:

@@ -83,8 +83,8 @@ def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
         raise InputError("drop", drop, "be left out of 'straight', which has no relief", "choose another kind")
     free = determined(kind, parameters)
     if free is None:
-        given = " and ".join(PARAMETERS[kind].by_drop)
-        raise InputError("drop", drop, f"not be given together with {given}", "leave one out")
+        names = " and ".join(PARAMETERS[kind].by_drop)
+        raise InputError("drop", drop, f"not be given together with {names}", "leave one out")
     _check_names(kind, free, parameters)
     make = CATALOGUE[kind]
     if free == SCALE:
@@ -98,10 +98,10 @@ def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
 off_the_middle = number_that(lambda at: at != 0.0, "not be the middle of the body")
 
 
-def determined(kind: str, given: Iterable[str]) -> str | None:
+def determined(kind: str, parameters: Iterable[str]) -> str | None:
     """Return what a drop determines beside the given parameters of a kind, `SCALE` if no parameter; None if nothing."""
     names = PARAMETERS[kind].by_drop
-    return next((name for name in names if name not in given), None) if names else SCALE
+    return next((name for name in names if name not in parameters), None) if names else SCALE
 
 
 def scaled_to_drop(profile: Profile, kind: str, drop: float, at: float) -> Profile:
@@ -143,9 +143,9 @@ def _without_effect(kind: str, name: str, at: float) -> InputError:
 
 
 def _drop(profile: Profile, at: float) -> float:
-    there, middle = profile.relief_at(np.array([float(at), 0.0])).tolist()
+    edge, middle = profile.relief_at(np.array([float(at), 0.0])).tolist()
     # No body in the middle, beyond the points of a table: no drop is measured from there.
-    return math.nan if math.isinf(middle) else there - middle
+    return math.nan if math.isinf(middle) else edge - middle
 
 
 def _proportional(make: Callable[[float], Profile], kind: str, name: str, drop: float, at: float) -> Profile:
@@ -166,7 +166,7 @@ def _searched(make: Callable[[float], Profile], kind: str, name: str, drop: floa
     if drop == 0.0:
         raise InputError("drop", drop, f"not be zero, which no {name} of '{kind}' makes", "leave the profile out")
     tried = _tried(make, name, at)
-    drops = [each for _, each in tried if math.isfinite(each)]
+    drops = [value for _, value in tried if math.isfinite(value)]
     if not drops:
         raise InputError("at", at, f"be where some {name} of '{kind}' has a finite relief", "give a place in mm")
     if max(drops) - min(drops) <= _UNCHANGED * max(drops):
@@ -198,12 +198,12 @@ def _tried(make: Callable[[float], Profile], name: str, at: float) -> list[tuple
 
     Values that the kind refuses are left out. If it refuses all, another parameter is to blame.
     """
-    found, refused = [], None
+    values, refused = [], None
     for value in (*_STEPS, *(-step for step in _STEPS)):
         try:
-            found.append((value, _drop(make(value), at)))
+            values.append((value, _drop(make(value), at)))
         except InputError as error:
             refused = error if refused is None or refused.field == name else refused
-    if not found and refused is not None:
+    if not values and refused is not None:
         raise refused
-    return found
+    return values

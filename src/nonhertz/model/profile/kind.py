@@ -61,11 +61,11 @@ def kind(
     def made(function: Callable[P, Profile]) -> Callable[P, Profile]:
         word, cls = function.__name__.replace("_", "-"), parameters_of(function, ProfileKind)
         cls.by_drop, cls.of_body = by_drop, of_body
-        cls.checks_together = tuple(_check_of(each) for each in together)
+        cls.checks_together = tuple(_check_of(check) for check in together)
 
         @functools.wraps(function)
-        def profile(*values: P.args, **given: P.kwargs) -> Profile:
-            parameters = vars(cls(*values, **given))
+        def profile(*values: P.args, **keywords: P.kwargs) -> Profile:
+            parameters = vars(cls(*values, **keywords))
             return function(**parameters).called(word, **parameters)  # type: ignore[call-arg]
 
         profile.__doc__ = cls.__doc__
@@ -78,4 +78,4 @@ def kind(
 
 def _check_of(check: Callable[..., None]) -> tuple[Callable[[Any], None], frozenset[str]]:
     names = tuple(inspect.signature(check).parameters)
-    return (lambda given: check(*(getattr(given, name) for name in names))), frozenset(names)
+    return (lambda fields: check(*(getattr(fields, name) for name in names))), frozenset(names)

@@ -205,8 +205,8 @@ def from_file(path: str | os.PathLike[str], interpolation: Interpolation = "pchi
     path = Path(path)
     points = _read(path)
     if len(points) < 2:
-        found = f"{legible(path.name)} holds {'only one point' if points else 'no data'}"
-        raise InputError("path", str(path), f"name a file of at least two points ({found})", _COLUMNS)
+        content = f"{legible(path.name)} holds {'only one point' if points else 'no data'}"
+        raise InputError("path", str(path), f"name a file of at least two points ({content})", _COLUMNS)
     y, relief = zip(*points, strict=True)
     try:
         return tabulated(y, relief, interpolation)

@@ -128,8 +128,8 @@ def table() -> Array:
     start = 4.0 / math.pi * _NEAR * math.log(4.0 / _NEAR)
     low = start + np.concatenate([[0.0], np.cumsum(rise)[:-1]])
     slope = _STEP * _slope(knots)
-    left, right = slope[:-1], slope[1:]
-    return np.stack([low, left, 3.0 * rise - 2.0 * left - right, left + right - 2.0 * rise])
+    first, second = slope[:-1], slope[1:]
+    return np.stack([low, first, 3.0 * rise - 2.0 * first - second, first + second - 2.0 * rise])
 
 
 def _slope(u: Array) -> Array:
