@@ -97,10 +97,10 @@ class BearingFile(Input):
             for ring, contact in zip(("inner", "outer"), self.bearing.rows[0].bearing.contacts, strict=True):  # noqa: B007
                 contact.curvature(sampled(contact.interval))
         except InputError as error:
-            found = of_both(error)
-            body, _, rest = found.field.partition(".")
+            renamed = of_both(error)
+            body, _, rest = renamed.field.partition(".")
             place = f"{'roller' if body == 'a' else ring}.{rest}"
-            raise InputError(place, found.value, found.condition, found.remedy) from None
+            raise InputError(place, renamed.value, renamed.condition, renamed.remedy) from None
 
     @together("bearing", "load")
     def _check_load(self) -> None:
@@ -162,9 +162,9 @@ def read_document(document: dict[str, Any], folder: Path | None) -> BearingFile:
         With all mistakes.
     """
     file = Surroundings(folder, _radius_across(document), read_profile)
-    found = _FileReading(BearingFile, document, file, ()).made()
-    assert isinstance(found, BearingFile)
-    return found
+    bearing_file = _FileReading(BearingFile, document, file, ()).made()
+    assert isinstance(bearing_file, BearingFile)
+    return bearing_file
 
 
 class _FileReading(Reading):
@@ -174,13 +174,13 @@ class _FileReading(Reading):
         """Return what to do where a section is missing."""
         return "write it under a heading [bearing]" if name == "bearing" else super().way_out(name)
 
-    def value(self, name: str, given: Any) -> Any:
+    def value(self, name: str, written: Any) -> Any:
         """Return the value of a section."""
-        if name == "life" and isinstance(given, dict):
-            _refuse_oil(given)
+        if name == "life" and isinstance(written, dict):
+            _refuse_oil(written)
         if name != "bearing":
-            return super().value(name, given)
-        table, pair = dict(section(given, (name,))), None
+            return super().value(name, written)
+        table, pair = dict(section(written, (name,))), None
         mistakes: list[InputError] = []
         if "pair" in table:
             try:
@@ -213,11 +213,11 @@ def _refuse_oil(life: dict[str, Any]) -> None:
 class _RowReading(Reading):
     """A row of rollers that is being read."""
 
-    def value(self, name: str, given: Any) -> Any:
+    def value(self, name: str, written: Any) -> Any:
         """Return the value of a field."""
         if name in SHAPES:
-            return read_shape(given, self.file, (*self.place, name))
-        return super().value(name, given)
+            return read_shape(written, self.file, (*self.place, name))
+        return super().value(name, written)
 
 
 def _radius_across(document: dict[str, Any]) -> Any:
@@ -255,16 +255,16 @@ def bearing_sections(bearing: RollerBearing | Paired) -> dict[str, Any]:
         raise InputError("bearing", type(row).__name__, condition, "solve such a bearing in Python")
     shapes = {name: shape_tables(name, shape) for name in SHAPES if (shape := getattr(row, name)) is not None}
     table = {
-        each.name: document_of(value, name=each.name)
-        for each in fields(row)
-        if each.name not in (*PARTS, *SHAPES) and (value := getattr(row, each.name)) != default_of(each)
+        field.name: document_of(value, name=field.name)
+        for field in fields(row)
+        if field.name not in (*PARTS, *SHAPES) and (value := getattr(row, field.name)) != default_of(field)
     }
     word = next(word for word, kind in row.kinds.items() if kind is type(row))
     pair = {"pair": document_of(Pair.of(bearing))} if isinstance(bearing, Paired) else {}
-    found: dict[str, Any] = {"bearing": {"kind": word} | table | shapes | pair}
+    tables: dict[str, Any] = {"bearing": {"kind": word} | table | shapes | pair}
     for name in PARTS:
         try:
-            found[name] = document_of(getattr(row, name), name=name)
+            tables[name] = document_of(getattr(row, name), name=name)
         except InputError as error:
             raise error.within(name) from None
-    return found
+    return tables

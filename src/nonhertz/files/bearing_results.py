@@ -95,7 +95,7 @@ _FILM: Final = (
 
 
 def _range(name: str, meaning: str, unit: str, *further: Key, get: Any = "") -> Key:
-    holds = tuple(Key(each, words) for each, words in _AT.items())
+    holds = tuple(Key(word, words) for word, words in _AT.items())
     return Key(name, meaning, unit, get, (*holds, *further), nullable=True)
 
 
@@ -255,8 +255,9 @@ def rollers_table(solution: BearingSolution, films: Films | None = None) -> str:
     heads = [heading(f"{quantity.name}_{ring}", quantity.unit) for quantity in quantities for ring in RINGS]
     columns = [column for quantity in quantities for column in quantity.get(solution).T]
     if films is not None:
-        heads += [heading(f"{each.name}_{ring}", each.unit) for each in FILM_QUANTITIES.values() for ring in RINGS]
-        columns += [column for each in FILM_QUANTITIES.values() for column in each.get(films).T]
+        film_quantities = FILM_QUANTITIES.values()
+        heads += [heading(f"{quantity.name}_{ring}", quantity.unit) for quantity in film_quantities for ring in RINGS]
+        columns += [column for quantity in film_quantities for column in quantity.get(films).T]
     cells = zip(_numbers(solution), _row_numbers(solution), solution.angle, *columns, strict=True)
     return csv_text(["roller", "row", "angle [rad]", *heads], map(plain, cells))
 

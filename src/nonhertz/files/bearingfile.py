@@ -119,11 +119,13 @@ class BearingCase(HeldCase):
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""
-        given = {"load": self.prescribed, "fit": self.fit, "report": self.title_block}
-        found = document_of(given, defaults=False) | document_of(
+        parts = {"load": self.prescribed, "fit": self.fit, "report": self.title_block}
+        tables = document_of(parts, defaults=False) | document_of(
             {"solver": self.solver, "lubrication": self.lubrication, "life": self.life}
         )
-        return bearing_sections(self.bearing) | {name: each for name, each in found.items() if each or name == "load"}
+        return bearing_sections(self.bearing) | {
+            name: table for name, table in tables.items() if table or name == "load"
+        }
 
     @property
     def parts(self) -> dict[str, Input]:
@@ -209,14 +211,14 @@ class BearingCase(HeldCase):
         from nonhertz.bearing.friction import friction
 
         _loaded(solution)
-        found, viscosity = self._rating, self.lubrication.in_place.viscosity
-        if found is None or viscosity is None or not self.prescribed.speed:
+        rating, viscosity = self._rating, self.lubrication.in_place.viscosity
+        if rating is None or viscosity is None or not self.prescribed.speed:
             return None
         return friction(
             solution,
             speed=self.prescribed.speed,
             viscosity=viscosity,
-            static=found.static,
+            static=rating.static,
             grease=self.lubrication.grease,
         )
 
@@ -311,8 +313,8 @@ class BearingCase(HeldCase):
         if ranges.known:
             return None
         if solution.method not in self.at_limits:
-            ends = (self.at(each)._attempted(solution.method) for each in ("least", "greatest"))
-            self.at_limits[solution.method] = [numbers_of(*each) for each in ends]
+            ends = (self.at(end)._attempted(solution.method) for end in ("least", "greatest"))
+            self.at_limits[solution.method] = [numbers_of(*attempt) for attempt in ends]
         least, greatest = self.at_limits[solution.method]
         return Tolerances.of(ranges, least, numbers_of(solution, life), greatest)
 
@@ -443,7 +445,7 @@ class BearingCase(HeldCase):
         if not load > 0.0:
             condition = f"be a roller that the {ring} ring loads"
             raise InputError("roller", roller, condition, "choose one within the load zone")
-        row = next(each for each in solution.bearing.rows if roller < each.rollers.stop)
+        row = next(other for other in solution.bearing.rows if roller < other.rollers.stop)
         method = "" if solution.method == "strips" else f", by {solution.method}"
         return Case(
             contact=row.bearing.contacts[side],
@@ -516,7 +518,9 @@ def placed(error: InputError, *sections: str, document: Mapping[str, Any] = Mapp
     if sections == ("fit",):
         error = of_fit(error)
     elif within := [
-        each for each in (*sections, "lubrication", "load", "solver") if field in BearingFile.inputs[each].descriptions
+        section
+        for section in (*sections, "lubrication", "load", "solver")
+        if field in BearingFile.inputs[section].descriptions
     ]:
         error = error.within(within[0])
     elif field == "viscosity_ratio":

@@ -49,7 +49,7 @@ def excess(document: dict[str, Any]) -> str:
     """
     if deeper(document, NESTING):
         return TOO_DEEP
-    if sum(len(each) for _, each in walk(document) if isinstance(each, dict)) > KEYS:
+    if sum(len(table) for _, table in walk(document) if isinstance(table, dict)) > KEYS:
         return f"there are more than {KEYS} keys"
     return ""
 
@@ -67,9 +67,10 @@ def walk(value: Any) -> Iterator[tuple[tuple[str | int, ...], Any]]:
     >>> [place for place, _ in walk({"load": {"load": 20000.0}, "title": "one"})]
     [(), ('load',), ('load', 'load'), ('title',)]
     """
-    left: list[tuple[tuple[str | int, ...], Any]] = [((), value)]
-    while left:
-        place, each = left.pop()
-        yield place, each
-        inner = each.items() if isinstance(each, dict) else enumerate(each, start=1) if isinstance(each, list) else ()
-        left += reversed([((*place, key), entry) for key, entry in inner])
+    pending: list[tuple[tuple[str | int, ...], Any]] = [((), value)]
+    while pending:
+        place, current = pending.pop()
+        yield place, current
+        is_list = isinstance(current, list)
+        inner = current.items() if isinstance(current, dict) else enumerate(current, start=1) if is_list else ()
+        pending += reversed([((*place, key), entry) for key, entry in inner])

@@ -91,7 +91,7 @@ class Case(HeldCase):
             except InputError as error:
                 raise error.within(f"body.{which}") from None
         parts = {"life": self.life, "report": self.title_block}
-        rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}
+        rest = {name: table for name, part in parts.items() if (table := document_of(part, defaults=False))}
         return {"body": body, "load": document_of(self.prescribed), "solver": document_of(self.solver)} | rest
 
     def solve(self) -> Solution:

@@ -31,16 +31,16 @@ def changes_in(words: Sequence[str]) -> dict[str, Any]:
     >>> changes_in(["load.load=5kN", "solver.strips=41", "load.tilt="])
     {'load.load': '5kN', 'solver.strips': 41, 'load.tilt': None}
     """
-    found: dict[str, Any] = {}
+    changes: dict[str, Any] = {}
     for word in words:
         path, equals, value = (part.strip() for part in word.partition("="))
         if not path or not equals:
             remedy = "write path and value, such as --set load.load=5kN"
             raise InputError(_OPTION, word, "have an equals sign between path and value", remedy)
-        if path in found:
+        if path in changes:
             raise InputError(_OPTION, word, "set each path once", f"leave one of the values of {path} out")
-        found[path] = _value(value) if value else None
-    return found
+        changes[path] = _value(value) if value else None
+    return changes
 
 
 def changed(
@@ -77,16 +77,16 @@ def changed(
     from nonhertz.files.paths import drops_first, parameter, parameters
 
     whole, mistakes, known = document, [], parameters(document, kind)
-    given = {path: known[path] for path, value in changes.items() if path in known and value is not None}
-    changes = {other: None for each in given.values() for other in each.replaced_in(document)} | dict(changes)
+    named = (known[path] for path, value in changes.items() if path in known and value is not None)
+    changes = {other: None for target in named for other in target.replaced_in(document)} | dict(changes)
     for path, value in drops_first(changes):
         try:
-            found = parameter(path, parameters(whole, kind))
+            target = parameter(path, parameters(whole, kind))
         except InputError as error:
             sentence = f"{error.field} must {error.condition}: {error.remedy}."
             mistakes.append((str(error) if isinstance(error, UnknownKeyError) else sentence, error.field))
         else:
-            whole = found.removed(whole) if value is None else found.put(whole, value)
+            whole = target.removed(whole) if value is None else target.put(whole, value)
     if mistakes:
         raise CaseError(*zip(*mistakes, strict=True))
     what = ", ".join(_sentence(*change) for change in changes.items())
@@ -100,10 +100,10 @@ def changed(
 def _value(text: str) -> Any:
     """Return a value as it is written in TOML, or else the text."""
     try:
-        found = tomllib.loads(f"value = {text}")
+        parsed_value = tomllib.loads(f"value = {text}")
     except (tomllib.TOMLDecodeError, RecursionError, ValueError):
         return text
-    return found["value"] if set(found) == {"value"} else text
+    return parsed_value["value"] if set(parsed_value) == {"value"} else text
 
 
 def _sentence(path: str, value: Any) -> str:

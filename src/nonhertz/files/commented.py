@@ -30,8 +30,8 @@ def as_toml_like(document: dict[str, Any], text: str) -> str:
     try:
         whole = tomlkit.parse(text)
         _write_into(whole, document)
-        found = tomlkit.dumps(whole)
-        return found if tomllib.loads(found) == document else as_toml(document)
+        rewritten = tomlkit.dumps(whole)
+        return rewritten if tomllib.loads(rewritten) == document else as_toml(document)
     except (TOMLKitError, ValueError, KeyError, IndexError, TypeError, AttributeError, RecursionError):
         return as_toml(document)
 
@@ -45,12 +45,12 @@ def _write_into(table: Any, values: Mapping[str, Any], *, within: bool = False) 
         if isinstance(value, dict) and isinstance(old, dict):
             _write_into(old, value, within=True)
         elif _are_tables(value) and _are_tables(old):
-            for entry, each in zip(old, value, strict=False):
-                _write_into(entry, each, within=True)
+            for entry, entry_values in zip(old, value, strict=False):
+                _write_into(entry, entry_values, within=True)
             for _ in old[len(value) :]:
                 del old[-1]
-            for each in value[len(old) :]:
-                old.append(each)
+            for entry_values in value[len(old) :]:
+                old.append(entry_values)
         elif isinstance(old, bool) or isinstance(value, bool) or old != value:
             table[name] = _on_one_line(value) if within else value
 
@@ -60,7 +60,7 @@ def _on_one_line(value: Any) -> Any:
 
     if isinstance(value, dict):
         table = tomlkit.inline_table()
-        table.update({name: _on_one_line(each) for name, each in value.items()})
+        table.update({name: _on_one_line(entry) for name, entry in value.items()})
         return table
     if isinstance(value, list):
         row = tomlkit.array()
@@ -70,4 +70,4 @@ def _on_one_line(value: Any) -> Any:
 
 
 def _are_tables(value: Any) -> bool:
-    return isinstance(value, list) and bool(value) and all(isinstance(each, dict) for each in value)
+    return isinstance(value, list) and bool(value) and all(isinstance(entry, dict) for entry in value)

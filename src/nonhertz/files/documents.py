@@ -78,7 +78,7 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
     except FileNotFoundError:
         new = "nonhertz new" if kinds[0] == "case" else f"nonhertz new --{kinds[0]}"
         way_out = f"give the path of a {what}, or begin with one from '{new} {path}'"
-        beside = {each.stem: each for each in path.parent.glob("*.toml")}
+        beside = {file.stem: file for file in path.parent.glob("*.toml")}
         meant = nearest(path.stem, beside)
         sentence = f"{path} must exist: {way_out}."
         if meant:
@@ -98,7 +98,7 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
         kind = meant_as(document)
         if not kind or kind in kinds or "plan" in kinds:
             return document, path, text
-        contents = joined((_CONTENTS[each] for each in kinds), "or")
+        contents = joined((_CONTENTS[kind_] for kind_ in kinds), "or")
         sentence = f"{path} must hold {contents}, not {_CONTENTS[kind]}: use 'nonhertz {_COMMANDS[kind]} {path}'."
     raise CaseError([sentence])
 
@@ -131,9 +131,9 @@ def parsed(text: str, name: str) -> dict[str, Any]:
 
 def _in_words(reason: str) -> str:
     """Return the parser's reason without its own terms for what is given twice."""
-    if found := re.search(r"(?:declare|namespace) \((.*?),?\)(?: twice)? \(", reason):
-        keys = path_of(ast.literal_eval(f"({found[1]},)"))
-        return f"table [{keys}] is defined twice ({reason[found.end() :]}"
+    if match := re.search(r"(?:declare|namespace) \((.*?),?\)(?: twice)? \(", reason):
+        keys = path_of(ast.literal_eval(f"({match[1]},)"))
+        return f"table [{keys}] is defined twice ({reason[match.end() :]}"
     return re.sub(r"Cannot overwrite a value|Duplicate inline table key '.*?'", "a key is given twice", reason)
 
 
@@ -208,5 +208,5 @@ def named(path: str | Path) -> Iterator[None]:
     try:
         yield
     except CaseError as error:
-        sentences = (each if each.startswith(str(path)) else f"{path}: {each}" for each in error.mistakes)
+        sentences = (mistake if mistake.startswith(str(path)) else f"{path}: {mistake}" for mistake in error.mistakes)
         raise CaseError(sentences, error.places) from None

@@ -76,7 +76,7 @@ class FreeForm:
             Of the deepest relief, of the slopes, and of the curvatures of either sign.
         slopes : ndarray, shape (bounds, knots)
         """
-        given = np.asarray(shares, dtype=float)
+        roots = np.asarray(shares, dtype=float)
         widths = np.diff(self.places(half_length))
         # Secants by the increments, and curvatures by the secants: in the middle, the profile is its own mirror image.
         to_secants = np.diag(self.deepest / widths)
@@ -89,7 +89,7 @@ class FreeForm:
             curved = self.roundest * bend / between[:, None]
             parts += [curved, -curved]
         rows = np.concatenate(parts)
-        return 1.0 - rows @ given**2, -2.0 * rows * given
+        return 1.0 - rows @ roots**2, -2.0 * rows * roots
 
     def places(self, half_length: float) -> Array:
         """Return where the knots are, from the middle outwards [mm]."""
@@ -130,7 +130,7 @@ def half_length(document: Mapping[str, Any], keys: Keys) -> float:
     return 0.5 * length - (taken if isinstance(taken, float) else 0.0)
 
 
-def free_form_in(field: str, given: Any) -> FreeForm | None:
+def free_form_in(field: str, value: Any) -> FreeForm | None:
     """Return the free profile that a text such as ``"free(60 um, 8)"`` stands for; None if it is no such text.
 
     Raises
@@ -138,13 +138,13 @@ def free_form_in(field: str, given: Any) -> FreeForm | None:
     InputError
         If its numbers are out of range.
     """
-    found = _FREE.fullmatch(given) if isinstance(given, str) else None
-    if found is None:
+    match = _FREE.fullmatch(value) if isinstance(value, str) else None
+    if match is None:
         return None
-    relief, *rest = found[1].split(",")
+    relief, *rest = match[1].split(",")
     deepest = number_in(field, relief, "mm")
     if not 0.0 < deepest < math.inf:
-        raise InputError(field, given, "have a relief above zero", "write free(60 um), the most relief at the ends")
+        raise InputError(field, value, "have a relief above zero", "write free(60 um), the most relief at the ends")
     knots: float = USUAL_KNOTS
     if rest and not _BOUND.fullmatch(rest[0]):
         knots = number_in(field, rest.pop(0), "")
@@ -152,9 +152,9 @@ def free_form_in(field: str, given: Any) -> FreeForm | None:
     for text in rest:
         bound = _BOUND.fullmatch(text)
         if bound is None or bound[1] in bounds:
-            raise InputError(field, given, "hold a slope and a radius at most once after its knots", _REMEDY)
+            raise InputError(field, value, "hold a slope and a radius at most once after its knots", _REMEDY)
         bounds[bound[1]] = number_in(field, bound[2], "rad" if bound[1] == "slope" else "mm")
         if not 0.0 < bounds[bound[1]] < math.inf:
-            raise InputError(field, given, f"have a {bound[1]} above zero", _REMEDY)
+            raise InputError(field, value, f"have a {bound[1]} above zero", _REMEDY)
     number = whole(field, knots, FEWEST_KNOTS, MOST_KNOTS, "give the number of knots")  # type: ignore[arg-type]
     return FreeForm(deepest, number, bounds.get("slope"), bounds.get("radius"))

@@ -51,19 +51,19 @@ class Origin:
     @property
     def files(self) -> tuple[str, ...]:
         """The names of the files that the text refers to, without repeats."""
-        tables = [each for _, each in walk(self.document) if isinstance(each, dict)]
-        return tuple(dict.fromkeys(each["file"] for each in tables if isinstance(each.get("file"), str)))
+        tables = [table for _, table in walk(self.document) if isinstance(table, dict)]
+        return tuple(dict.fromkeys(table["file"] for table in tables if isinstance(table.get("file"), str)))
 
     @cached_property
     def attachments(self) -> Mapping[str, bytes]:
         """Contents of these files by name; missing and too large ones are left out."""
-        found: dict[str, bytes] = {}
+        contents: dict[str, bytes] = {}
         for name in self.files if self.folder is not None else ():
             with contextlib.suppress(OSError):
                 file = Path(self.folder or "", name)
                 if file.stat().st_size <= MOST_ATTACHED:
-                    found[name] = file.read_bytes()
-        return found
+                    contents[name] = file.read_bytes()
+        return contents
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -97,7 +97,7 @@ class Held:
                 value = _made(name, kinds[0], value)
                 object.__setattr__(self, name, value)
             if not isinstance(value, kinds):
-                words = joined((each.__name__ for each in kinds if each is not NoneType), "or")
+                words = joined((kind.__name__ for kind in kinds if kind is not NoneType), "or")
                 raise InputError(name, value, f"be a {words}", f"make the {self.kind} with one")
         one_line("title", self.title, "give a short name")
 
@@ -252,15 +252,15 @@ class HeldCase(Held):
         folder = path.parent if files else None
         try:
             with warnings.catch_warnings(record=True, action="always", category=AccuracyWarning) as caught:
-                found = cls.contents_of(document, folder)
+                inputs = cls.contents_of(document, folder)
         except InputError as error:
             raise case_error(in_order(error.each, document)) from None
-        for each in caught:
-            warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
-        notes = dict.fromkeys(str(each.message) for each in caught if issubclass(each.category, AccuracyWarning))
-        names = [each.name for each in fields(cls) if each.init and each.name not in ("title", "path")]
-        given = {name: getattr(found, cls.elsewhere.get(name, name)) for name in names}
-        made = cls(title=found.title or legible(path.stem), path=path, **given)
+        for warning in caught:
+            warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
+        notes = dict.fromkeys(str(w.message) for w in caught if issubclass(w.category, AccuracyWarning))
+        names = [field.name for field in fields(cls) if field.init and field.name not in ("title", "path")]
+        arguments = {name: getattr(inputs, cls.elsewhere.get(name, name)) for name in names}
+        made = cls(title=inputs.title or legible(path.stem), path=path, **arguments)
         return made._held_in(Origin(document, text, tuple(notes), folder))
 
 
@@ -268,24 +268,24 @@ class HeldCase(Held):
 def _classes_of(cls: type[Any]) -> dict[str, tuple[type[Any], ...]]:
     """Return the classes that each field of a file must be of, where it is one value."""
     hints = get_type_hints(cls)
-    kinds = {each.name: hints[each.name] for each in fields(cls) if each.init}
+    kinds = {field.name: hints[field.name] for field in fields(cls) if field.init}
     return {name: get_args(kind) or (kind,) for name, kind in kinds.items() if isinstance(kind, type | UnionType)}
 
 
-def _made(name: str, kind: type[Input], given: Mapping[str, Any]) -> Input:
+def _made(name: str, kind: type[Input], keywords: Mapping[str, Any]) -> Input:
     """Return the input that keywords make."""
-    for key, value in given.items():
+    for key, value in keywords.items():
         if key not in kind.descriptions:
             raise unknown_key(key, value, kind.descriptions, "name").within(name)
     try:
-        return kind(**given)
+        return kind(**keywords)
     except InputError as error:
         raise error.within(name) from None
 
 
 def _moved(value: Any, old: Path, new: Path) -> Any:
     if isinstance(value, dict):
-        moved = {key: _moved(each, old, new) for key, each in value.items()}
+        moved = {key: _moved(entry, old, new) for key, entry in value.items()}
         names = {key: value[key] for key in ("file", "case") if key in value and not Path(value[key]).is_absolute()}
         return moved | {key: seen_from(new, old / name).as_posix() for key, name in names.items()}
-    return [_moved(each, old, new) for each in value] if isinstance(value, list) else value
+    return [_moved(entry, old, new) for entry in value] if isinstance(value, list) else value

@@ -49,7 +49,7 @@ class Key:
 
     Attributes
     ----------
-    each : Described
+    description : Described
         What it holds.
     usual : object
         Its default, `dataclasses.MISSING` if it must be given.
@@ -59,7 +59,7 @@ class Key:
         Whether a list of them may.
     """
 
-    each: Described
+    description: Described
     usual: Any = MISSING
     tables: tuple[Table, ...] = ()
     several: bool = False
@@ -116,11 +116,11 @@ def table_of(cls: Any) -> Table:
     """Return the table of an input, by its class."""
     own = _plain(cls)
     kinds = {word: replace(_plain(kind), word=word) for word, kind in cls.kinds.items()}
-    every = {name: key for each in (*kinds.values(), own) for name, key in each.keys.items()}
+    every = {name: key for table in (*kinds.values(), own) for name, key in table.keys.items()}
     # What one kind needs others do not.
     every = {
         name: key if name in own.keys or key.usual is not MISSING else replace(key, usual=None)
-        for name, key in sorted(every.items(), key=lambda each: _ORDER.get(each[0], 0))
+        for name, key in sorted(every.items(), key=lambda item: _ORDER.get(item[0], 0))
     }
     return replace(own, keys=every, kinds=kinds, meaning_of_kind=cls.meaning_of_kind)
 
@@ -129,8 +129,8 @@ def _plain(cls: type[Input]) -> Table:
     """Return the table of an input of one kind."""
     usual = _usual(cls)
     keys = {
-        name: _key(name, each, usual.get(name, MISSING), cls.inputs.get(name))
-        for name, each in cls.descriptions.items()
+        name: _key(name, description, usual.get(name, MISSING), cls.inputs.get(name))
+        for name, description in cls.descriptions.items()
     }
     if issubclass(cls, RollerBearing):
         # Its bodies stand beside it in a file, and a second row in it.
@@ -144,25 +144,26 @@ def _plain(cls: type[Input]) -> Table:
 
 def _usual(cls: type[Input]) -> dict[str, Any]:
     """Return the defaults of an input's fields."""
-    usual = {each.name: default_of(each) for each in dataclasses.fields(cls)}  # type: ignore[arg-type]
+    usual = {field.name: default_of(field) for field in dataclasses.fields(cls)}  # type: ignore[arg-type]
     return {name: value for name, value in usual.items() if value is not MISSING}
 
 
-def _key(name: str, each: Described, usual: Any, inner: Any) -> Key:
-    if getattr(each, "of", None) is Profile:
-        return Key(each, None, profile_kinds(), several=True)
+def _key(name: str, description: Described, usual: Any, inner: Any) -> Key:
+    if getattr(description, "of", None) is Profile:
+        return Key(description, None, profile_kinds(), several=True)
     if name in SHAPES:
         shapes = {"waves": Waves, "deviations": Deviations, "file": ShapeFile}
-        return Key(each, None, tuple(replace(table_of(cls), word=word) for word, cls in shapes.items()), several=True)
-    if isinstance(each, Several) and each.of is not None:
-        return Key(each, usual, (table_of(each.of),), several=True)
-    likely = getattr(each, "likely", None)
-    return Key(each, usual, () if inner is None else (replace(table_of(inner), likely=likely),))
+        tables = tuple(replace(table_of(cls), word=word) for word, cls in shapes.items())
+        return Key(description, None, tables, several=True)
+    if isinstance(description, Several) and description.of is not None:
+        return Key(description, usual, (table_of(description.of),), several=True)
+    likely = getattr(description, "likely", None)
+    return Key(description, usual, () if inner is None else (replace(table_of(inner), likely=likely),))
 
 
-def unit_of(each: Described) -> str:
+def unit_of(description: Described) -> str:
     """Return the unit of the number or the numbers of a field; empty if they have none, or it holds others."""
-    return str(getattr(getattr(each, "each", each), "unit", ""))
+    return str(getattr(getattr(description, "item", description), "unit", ""))
 
 
 @cache
@@ -174,7 +175,8 @@ def profile_kinds() -> tuple[Table, ...]:
 def _profile_table(kind: str) -> Table:
     needed, usual = needed_keys(kind), _usual(KINDS[kind])
     # What is not given is that of the body.
-    keys = {name: Key(each, MISSING if name in needed else usual.get(name)) for name, each in keys_of(kind).items()}
+    defaults = usual | dict.fromkeys(needed, MISSING)
+    keys = {name: Key(description, defaults.get(name)) for name, description in keys_of(kind).items()}
     pairs = tuple((name, "drop") for name in needed if name in KINDS[kind].by_drop)
     apart = KINDS[kind].apart
     return Table(kind, meaning_of(kind), keys, meaning_of_kind="kind of profile", pairs=pairs[:1], apart=apart)

@@ -61,12 +61,12 @@ class Assessment:
         """The life of the raceway with dents over that without, by every volume model."""
         if self.dent is None:
             return {}
-        return {each.name: self.dent.relative_life(each, **self.dents) for each in self._volume_models}
+        return {model.name: self.dent.relative_life(model, **self.dents) for model in self._volume_models}
 
     @property
     def judging_dents(self) -> VolumeModel:
         """The first volume model that is not of orthogonal shear, which hardly sees dents."""
-        return min(self._volume_models, key=lambda each: each.stress == "orthogonal_shear")
+        return min(self._volume_models, key=lambda model: model.stress == "orthogonal_shear")
 
     @property
     def _volume_models(self) -> list[VolumeModel]:
@@ -92,10 +92,10 @@ class Assessment:
     @property
     def findings(self) -> tuple[Finding, ...]:
         """All that was found of the lives and of a dent, each once."""
-        found = [] if self.dent is None else [*self.dent.findings]
+        findings = [] if self.dent is None else [*self.dent.findings]
         for life in (life for body in BODIES for life in self.lives[body]):
-            found += life.findings
-        return tuple(dict.fromkeys(found))
+            findings += life.findings
+        return tuple(dict.fromkeys(findings))
 
     def million_revolutions(self, number: int) -> float | None:
         """Return the life of the raceway by one of the models [10^6 revolutions], or None."""

@@ -26,8 +26,8 @@ def case_error(mistakes: Iterable[InputError], document: Mapping[str, Any] = Map
     Text of the ``document``, such as ``"5 kN"``, is shown as it is written there.
     """
     written = {place: text for place, text in walk(document) if isinstance(text, str)}
-    found = [each.about(each.field, written.get(place_of(each.field), each.value)) for each in mistakes]
-    listed, rest = found[:MISTAKES], len(found) - MISTAKES
+    named = [mistake.about(mistake.field, written.get(place_of(mistake.field), mistake.value)) for mistake in mistakes]
+    listed, rest = named[:MISTAKES], len(named) - MISTAKES
     sentences, places = [sentence(mistake) for mistake in listed], [mistake.field for mistake in listed]
     if rest > 0:
         sentences.append(f"There are {rest} more mistakes." if rest > 1 else "There is one more mistake.")
@@ -78,8 +78,8 @@ def place_of(path: str) -> Place:
     >>> place_of("life.spectrum[2].axial")
     ('life', 'spectrum', 2, 'axial')
     """
-    found = _PARTS.findall(path)
-    return tuple(json.loads(quoted) if quoted else int(number) if number else key for quoted, number, key in found)
+    parts = _PARTS.findall(path)
+    return tuple(json.loads(quoted) if quoted else int(number) if number else key for quoted, number, key in parts)
 
 
 def missing(path: str, remedy: str) -> InputError:

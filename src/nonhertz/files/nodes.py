@@ -67,20 +67,20 @@ def read_nodes(path: Path) -> Nodes:
     written = [(number, line) for number, line in enumerate(lines, start=1) if line.strip()]
     if not written:
         raise InputError("path", str(path), "hold nodes", _EXAMPLE)
-    separator = next((each for each in (";", "\t", ",") if each in written[0][1]), None)
+    separator = next((candidate for candidate in (";", "\t", ",") if candidate in written[0][1]), None)
     # A head between blanks may have blanks before its units.
     head = cells_of(re.sub(r"\s+([\[(])", r"\1", written[0][1]) if separator is None else written[0][1], separator)
     columns = {name: _column(name, head, path) for name in _NEEDED}
     cells = []
     numbers = np.empty((len(written) - 1, len(_NEEDED)))
     for row, (number, line) in enumerate(written[1:]):
-        found = cells_of(line, separator)
-        if len(found) != len(head):
-            condition = f"have as many columns in line {number} as in its head, {len(head)}, not {len(found)}"
+        row_cells = cells_of(line, separator)
+        if len(row_cells) != len(head):
+            condition = f"have as many columns in line {number} as in its head, {len(head)}, not {len(row_cells)}"
             raise InputError("path", str(path), condition, "complete the line, or take it out")
-        cells.append(found)
+        cells.append(row_cells)
         for place, (name, (column, factor)) in enumerate(columns.items()):
-            numbers[row, place] = factor * _number(found[column], separator, f"{name} in line {number}", path)
+            numbers[row, place] = factor * _number(row_cells[column], separator, f"{name} in line {number}", path)
     if not cells:
         raise InputError("path", str(path), "hold nodes below its head", "write a line for each node")
     return Nodes(tuple(head), cells, numbers[:, 0], numbers[:, 1])
@@ -133,8 +133,8 @@ def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:
     matches = [_HEADED.fullmatch(cell) for cell in head]
     names = ["" if match is None else match["name"].lower() for match in matches]
     if names.count(name) != 1:
-        alike = nearest(name, [each for each in names if each])
-        shown = ", ".join(repr(each) for each in names[:6])
+        alike = nearest(name, [name_ for name_ in names if name_])
+        shown = ", ".join(repr(name_) for name_ in names[:6])
         condition = f"have one column {name} in its head, which has {shown}"
         raise InputError("path", str(path), condition, f"rename '{alike}'" if alike and alike != name else _EXAMPLE)
     position = names.index(name)

@@ -65,21 +65,21 @@ class Parameter:
         """
         if self.keys[-1] == "drop":
             siblings = self._by_drop(document)
-            if siblings and all(each.value_in(document) is not None for each in siblings):
+            if siblings and all(sibling.value_in(document) is not None for sibling in siblings):
                 document = siblings[0].removed(document)
         changed: dict[str, Any] = _with(document, self.keys, value)
         return changed
 
     def drop_beside(self, document: Mapping[str, Any]) -> str:
         """Return the path of the drop that a document gives in place of this value; empty if it gives none."""
-        others = [each for each in self._by_drop(document) if each.keys != self.keys]
+        others = [other for other in self._by_drop(document) if other.keys != self.keys]
         drop = self._beside("drop")
         determined = len(others) < len(self._by_drop(document)) and drop.value_in(document) is not None
-        return drop.path if determined and all(each.value_in(document) is not None for each in others) else ""
+        return drop.path if determined and all(other.value_in(document) is not None for other in others) else ""
 
     def replaced_in(self, document: Mapping[str, Any]) -> list[str]:
         """Return the paths of what a document gives in place of this value."""
-        others = [each.path for each in map(self._beside, self.others) if each.value_in(document) is not None]
+        others = [other.path for other in map(self._beside, self.others) if other.value_in(document) is not None]
         return [*others, *filter(None, [self.drop_beside(document)])]
 
     def _beside(self, name: str) -> Parameter:
@@ -112,21 +112,21 @@ def parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
     kind : type
         The class of what it holds, `CaseDocument` or `BearingFile`.
     """
-    found = [*_in_tables(document, (table_of(kind),), ())]
-    ways = [(keys, each) for each in found for keys in _without_positions(each.keys)]
+    entries = [*_in_tables(document, (table_of(kind),), ())]
+    ways = [(keys, entry) for entry in entries for keys in _without_positions(entry.keys)]
     count = Counter(keys for keys, _ in ways)
-    known = {path_of(keys): each for keys, each in ways if keys == each.keys or count[keys] == 1}
+    known = {path_of(keys): entry for keys, entry in ways if keys == entry.keys or count[keys] == 1}
     known |= {
         f"{place}.profile": Parameter("", (*place.split("."), "profile"), None) for place, _ in body_tables(document)
     }
-    return {path: replace(each, path=path) for path, each in known.items()}
+    return {path: replace(entry, path=path) for path, entry in known.items()}
 
 
 def _without_positions(keys: Keys) -> Iterator[Keys]:
     """Yield keys without some of the positions in them, those with all of them last."""
     choices: list[tuple[Keys, ...]] = [((), (key,)) if isinstance(key, int) else ((key,),) for key in keys]
-    for kept in product(*choices):
-        yield tuple(chain.from_iterable(kept))
+    for chosen in product(*choices):
+        yield tuple(chain.from_iterable(chosen))
 
 
 def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
@@ -141,7 +141,7 @@ def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str,
 
 def drops_first(values: Mapping[str, Any]) -> list[tuple[str, Any]]:
     """Return values by path in the order in which to put them: none takes the place of another."""
-    return sorted(values.items(), key=lambda each: not str(each[0]).endswith(".drop"))
+    return sorted(values.items(), key=lambda item: not str(item[0]).endswith(".drop"))
 
 
 def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
@@ -157,13 +157,13 @@ def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     if path in known:
         return known[path]
     table, _, last = path.rpartition(".")
-    whole = not any(each.startswith(f"{table}.") for each in known)
+    whole = not any(known_path.startswith(f"{table}.") for known_path in known)
     if whole and table in known and known[table].unit is None:  # such as the name of a material
         remedy = f"'{table}' is one word in this file; set that to another, or to a table with '{last}' in it"
         raise InputError(path, path, "be an input of the file", remedy)
     # The right key in the wrong table is likelier than a table that is spelled like another.
-    key = nearest(last, {each.rpartition(".")[2]: each for each in known})
-    alike = [each for each in known if each.rpartition(".")[2] == key]
+    key = nearest(last, {known_path.rpartition(".")[2]: known_path for known_path in known})
+    alike = [known_path for known_path in known if known_path.rpartition(".")[2] == key]
     meant = difflib.get_close_matches(path, alike, n=1, cutoff=0.0)
     raise UnknownKeyError(path, path, "".join(meant), "write it as in the file, such as 'load.load'")
 
@@ -175,7 +175,7 @@ def _in_tables(value: Any, tables: Sequence[Table], keys: Keys) -> Iterator[Para
     # Of a drop it depends on the kind of profile which parameter it determines.
     pairs = [pair for table in tables for pair in table.pairs if "drop" not in pair]
     for name, key in {name: key for table in tables for name, key in table.keys.items()}.items():
-        leaf = None if key.several or name in _NAMES else _leaf(key.each)
+        leaf = None if key.several or name in _NAMES else _leaf(key.description)
         if leaf is not None:
             others = tuple(other for pair in pairs if name in pair for other in pair if other != name)
             yield Parameter("", (*keys, name), *leaf, others)
@@ -188,18 +188,19 @@ def _within(value: Any, key: Key, keys: Keys) -> Iterator[Parameter]:
         for position, entry in enumerate(value, start=1):
             if isinstance(entry, dict):
                 yield from _in_tables(entry, _of_its_kind(entry, key.tables), (*keys, position))
-    elif (isinstance(value, dict) or value is None) and not isinstance(key.each, Several):
+    elif (isinstance(value, dict) or value is None) and not isinstance(key.description, Several):
         yield from _in_tables(value, _of_its_kind(value, key.tables), keys)
 
 
 def _of_its_kind(value: Any, tables: Sequence[Table]) -> Sequence[Table]:
     """Return those of several tables that a value may be, profiles by their kind."""
-    return [each for each in tables if not each.meaning_of_kind or each.kinds or each.word == _entry(value, "kind")]
+    kind = _entry(value, "kind")
+    return [table for table in tables if not table.meaning_of_kind or table.kinds or table.word == kind]
 
 
-def _leaf(each: Described) -> tuple[str | None, bool] | None:
+def _leaf(description: Described) -> tuple[str | None, bool] | None:
     """Return unit and wholeness of a single value; None for a table or a list."""
-    schema: dict[str, Any] = {} if isinstance(each, Part) and not each.named else each.schema()
+    schema: dict[str, Any] = {} if isinstance(description, Part) and not description.named else description.schema()
     if "unit" in schema:
         return schema["unit"], False
     alternatives = schema.get("anyOf", [schema])

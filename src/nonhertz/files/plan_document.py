@@ -101,17 +101,17 @@ class DesignGoal(Input):
     def keywords(self) -> dict[str, Any]:
         """What is given: keywords of `nonhertz.design.best`."""
         model = None if self.model is None else fatigue_model(self.model)
-        found = {"goal": self.goal, "model": model, "starts": self.starts, "loads": self._cases or None}
-        return {"where": self.where} | {name: value for name, value in found.items() if value is not None}
+        keywords = {"goal": self.goal, "model": model, "starts": self.starts, "loads": self._cases or None}
+        return {"where": self.where} | {name: value for name, value in keywords.items() if value is not None}
 
     @property
     def _cases(self) -> tuple[LoadCase, ...]:
         """The loads with their shares."""
         even = 1.0 / max(1, len(self.loads))
-        unsaid = all(each.share is None for each in self.loads)
+        unsaid = all(load.share is None for load in self.loads)
         return tuple(
-            LoadCase(load=each.load, tilt=each.tilt, share=even if unsaid else (each.share or 0.0))
-            for each in self.loads
+            LoadCase(load=load.load, tilt=load.tilt, share=even if unsaid else (load.share or 0.0))
+            for load in self.loads
         )
 
 

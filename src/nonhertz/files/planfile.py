@@ -69,7 +69,7 @@ class Template:
             document = self.known[path].put(document, value)
         return document
 
-    def varied(self, path: str, given: Any) -> Parameter:
+    def varied(self, path: str, value: Any) -> Parameter:
         """Return the parameter of a path that is varied.
 
         Raises
@@ -77,12 +77,12 @@ class Template:
         InputError
             If there is none, or the case gives the drop of a profile in its place.
         """
-        found = parameter(path, self.known)
-        drop = found.drop_beside(self.document)
+        varied = parameter(path, self.known)
+        drop = varied.drop_beside(self.document)
         if drop:
             condition = f"not be varied beside {drop}, which the case gives in its place"
-            raise InputError(path, given, condition, "vary it, or take it out of the case")
-        return found
+            raise InputError(path, value, condition, "vary it, or take it out of the case")
+        return varied
 
     def case(self, values: Mapping[str, Any]) -> Case | BearingCase:
         """Return the case with other values, by path; notes on its files are not repeated.
@@ -168,14 +168,14 @@ class Plan(Held):
             raise InputError("limits", self.limits, "be a dictionary", "map quantities to 'at most 3800 MPa', say")
         remedy = "give a list of names, such as ['max_pressure']"
         names = tuple(listed("quantities", self.quantities, "be names", remedy))
-        if not all(isinstance(each, str) for each in names):
+        if not all(isinstance(name, str) for name in names):
             raise InputError("quantities", self.quantities, "be names", remedy)
         object.__setattr__(self, "quantities", names)
         super().__post_init__()
         object.__setattr__(self, "title", self.title or self.case.title)
         template = Template(self.case.document, self.case.path, isinstance(self.case, BearingCase))
         object.__setattr__(self, "template", template)
-        spreads = {path: self.tried(path, given) for path, given in self.over.items()}
+        spreads = {path: self.tried(path, values) for path, values in self.over.items()}
         object.__setattr__(self, "spreads", spreads)
 
     #: What each path runs over: values in its base unit, or a distribution.
@@ -207,7 +207,7 @@ class Plan(Held):
             remedy = f"begin with one from 'nonhertz new --plan', and name the {kind} file in it"
             raise CaseError([f"{path} must be a plan, and holds a {kind}: {remedy}."], [""])
         try:
-            found = read(PlanDocument, document)
+            contents = read(PlanDocument, document)
         except InputError as error:
             wrong = case_error(in_order(error.each, document))
             if "case" in wrong.places:
@@ -217,27 +217,27 @@ class Plan(Held):
             except CaseError as other:
                 wrong = CaseError([*wrong.mistakes, *other.mistakes], [*wrong.places, *other.places])
             raise wrong from None
-        case = _case_of(found.case, path, changes)
+        case = _case_of(contents.case, path, changes)
         bare, mistakes = Plan(case), []
         for section in TABLES:
-            for varied, given in getattr(found, section).items():
+            for varied, values in getattr(contents, section).items():
                 try:
-                    bare.tried(varied, given)
+                    bare.tried(varied, values)
                 except InputError as error:
-                    mistakes.append(error.about(path_of(tuple(varied.split("."))), given).within(section))
+                    mistakes.append(error.about(path_of(tuple(varied.split("."))), values).within(section))
         try:
-            title = found.title or legible(path.stem)
-            plan = Plan(case, {}, found.samples, found.quantities, found.limits, title=title, path=path)
+            title = contents.title or legible(path.stem)
+            plan = Plan(case, {}, contents.samples, contents.quantities, contents.limits, title=title, path=path)
         except InputError as error:
             mistakes.append(error)
         if mistakes:
             raise case_error(mistakes)
-        return plan.changed(over=getattr(found, table))._held_in(Origin(document, text, (), path.parent))
+        return plan.changed(over=getattr(contents, table))._held_in(Origin(document, text, (), path.parent))
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""
         parts = {"over": self.over, "samples": self.samples, "quantities": self.quantities, "limits": self.limits}
-        rest = {name: given for name, part in parts.items() if (given := document_of(part, defaults=False))}
+        rest = {name: table for name, part in parts.items() if (table := document_of(part, defaults=False))}
         return {"case": seen_from(self.path.parent, self.case.path).as_posix()} | rest
 
     def _written(self, folder: Path) -> dict[str, Any]:
@@ -259,11 +259,11 @@ class Plan(Held):
         InputError
             As the class does.
         """
-        given = {"over": over, "samples": samples, "quantities": quantities, "limits": limits}
-        changes: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
+        parts = {"over": over, "samples": samples, "quantities": quantities, "limits": limits}
+        changes: dict[str, Any] = {name: value for name, value in parts.items() if value is not None}
         return replace(self, **changes) if changes else self
 
-    def tried(self, path: str, given: Any) -> Spread:
+    def tried(self, path: str, values: Any) -> Spread:
         """Return what a path runs over, if the case allows its ends.
 
         Raises
@@ -271,8 +271,8 @@ class Plan(Held):
         InputError
             As the class does.
         """
-        which = self.template.varied(path, given)
-        spread = spread_in(which, given, self.template.document)
+        which = self.template.varied(path, values)
+        spread = spread_in(which, values, self.template.document)
         for value in _extremes(spread):
             if self.template.is_unloaded({path: value}):
                 continue
@@ -281,7 +281,7 @@ class Plan(Held):
             except CaseError as error:
                 shown = value if isinstance(value, str | bool) else str(amount(value, which.unit or ""))
                 condition = f"stay within what the case allows (at {shown}: {error.mistakes[0].rstrip('.')})"
-                raise InputError(path, given, condition, _WAY_OUT) from None
+                raise InputError(path, values, condition, _WAY_OUT) from None
         return spread
 
 
@@ -385,25 +385,25 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
             bounds = _around(template, profile, numbers[profile], 0.8, 1.2)
         own['"body.a.profile.amplitude"'] = f'"{profile}" = "{bounds}"'
     own |= {} if turned else {'"load.tilt"': None}
-    found = []
+    lines = []
     for line in text.splitlines():
         written, _, comment = line.partition("#")
         key = written.partition(" = ")[0]
-        there = own.get(key, line)
-        if key in own and there is not None and comment:
-            there = f"{there:<45} #{comment.partition('; here')[0]}"
-        found += [] if there is None else [there]
-    whole = "\n".join(found)
+        replaced = own.get(key, line)
+        if key in own and replaced is not None and comment:
+            replaced = f"{replaced:<45} #{comment.partition('; here')[0]}"
+        lines += [] if replaced is None else [replaced]
+    whole = "\n".join(lines)
     designed = bool(profile) and turned and "load" in case.prescribed.keywords
     return (whole if designed else whole.partition(_DESIGN)[0]).rstrip() + "\n"
 
 
 def _numbers_in(template: Template) -> Iterator[tuple[str, float]]:
     """Yield path and value of the numbers with a unit that a document gives, none of them zero."""
-    for path, each in template.known.items():
-        value = each.value_in(template.document)
-        if each.unit and (is_number(value) or (isinstance(value, str) and begins_with_digits(value))):
-            number = in_unit(path, value, each.unit)
+    for path, known in template.known.items():
+        value = known.value_in(template.document)
+        if known.unit and (is_number(value) or (isinstance(value, str) and begins_with_digits(value))):
+            number = in_unit(path, value, known.unit)
             if number:
                 yield path, number
 
@@ -443,5 +443,5 @@ def design_in(
     case = Plan.of(document, path, text, changes=changes).case
     if not isinstance(case, Case):
         raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
-    found = read(PlanDocument, document)
-    return case, {"vary": found.vary} | found.design.keywords
+    contents = read(PlanDocument, document)
+    return case, {"vary": contents.vary} | contents.design.keywords

@@ -203,7 +203,7 @@ def _land_end(body: Mapping[str, Any]) -> Any:
     """Return where the corners of a body begin [mm] or, without any, where it can no longer touch."""
     names = ("length", "effective_length", "corner_radius", "chamfer")
     length, effective, corner, chamfer = (body.get(name, BROKEN) for name in names)
-    if any(each is BROKEN for each in (length, effective, corner, chamfer)):
+    if any(size is BROKEN for size in (length, effective, corner, chamfer)):
         return BROKEN
     whole = length if effective is None else effective
     if whole is None:

@@ -151,10 +151,10 @@ class Reading:
         """
         self.take_fields()
         word = self.table.get("kind")
-        given = "kind" in self.table and bool(self.cls.kinds)
-        made = self.named if given or self.named is None else (self.likely or self.cls.likely)(self.values)
+        is_named = "kind" in self.table and bool(self.cls.kinds)
+        made = self.named if is_named or self.named is None else (self.likely or self.cls.likely)(self.values)
         # Of an unknown kind there is no telling what goes together.
-        if made is not None and (not given or (isinstance(word, str) and word in self.cls.kinds)):
+        if made is not None and (not is_named or (isinstance(word, str) and word in self.cls.kinds)):
             self.check_together(made)
         if self.mistakes or self.wrong or made is None:
             raise InputsError(self.mistakes)
@@ -163,23 +163,23 @@ class Reading:
     def take_fields(self) -> None:
         """Read every field that is given."""
         # What profiles leave out they take from their body, which is read before.
-        for name in sorted(self.fields, key=lambda each: getattr(self._described(each), "of", None) is Profile):
+        for name in sorted(self.fields, key=lambda name_: getattr(self._described(name_), "of", None) is Profile):
             if name in self.values:
                 continue
             if name not in self.table:
                 self.absent(name)
                 continue
             try:
-                given = self.value(name, self.table[name])
+                value = self.value(name, self.table[name])
             except InputError as error:
                 self.mistakes += error.within(name).each
                 self.wrong.add(name)
                 continue
             try:
-                self.values[name] = self._described(name).take(name, given)
+                self.values[name] = self._described(name).take(name, value)
             except InputError as error:
-                for each in error.each:
-                    self.note(each if place_of(each.field)[0] == name else each.within(name))
+                for mistake in error.each:
+                    self.note(mistake if place_of(mistake.field)[0] == name else mistake.within(name))
 
     def absent(self, name: str) -> None:
         """Note a field that is not given, if it must be."""
@@ -187,20 +187,20 @@ class Reading:
             self.mistakes.append(missing(name, self.way_out(name)))
             self.wrong.add(name)
 
-    def value(self, name: str, given: Any) -> Any:
+    def value(self, name: str, written: Any) -> Any:
         """Return what a field is given, with the inputs that its tables hold; errors are relative to it."""
-        each, inner = self._described(name), self.fields[name].inputs.get(name)
-        if isinstance(each, Several) and each.of is not None:
-            return self._several(name, each, each.of, given)
-        if self.file.read_profile is not None and getattr(each, "of", None) is Profile:
+        description, inner = self._described(name), self.fields[name].inputs.get(name)
+        if isinstance(description, Several) and description.of is not None:
+            return self._several(name, description, description.of, written)
+        if self.file.read_profile is not None and getattr(description, "of", None) is Profile:
             body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
-            return self.file.read_profile(given, body, self.file)
-        if isinstance(each, Part) and each.named and not isinstance(given, dict | str):
-            raise InputError("", given, "be a name or a table", each.remedy)
-        part = isinstance(each, Part) and not (each.named and isinstance(given, str))
-        if inner and (isinstance(given, dict) or part):
-            return read(inner, given, self.file, (*self.place, name), getattr(each, "likely", None))
-        return given
+            return self.file.read_profile(written, body, self.file)
+        if isinstance(description, Part) and description.named and not isinstance(written, dict | str):
+            raise InputError("", written, "be a name or a table", description.remedy)
+        part = isinstance(description, Part) and not (description.named and isinstance(written, str))
+        if inner and (isinstance(written, dict) or part):
+            return read(inner, written, self.file, (*self.place, name), getattr(description, "likely", None))
+        return written
 
     def _described(self, name: str) -> Described:
         return self.fields[name].descriptions[name]
@@ -216,15 +216,15 @@ class Reading:
                 try:
                     check(trial)
                 except InputError as error:
-                    for each in error.each:
-                        self.note(each)
+                    for mistake in error.each:
+                        self.note(mistake)
 
     def note(self, error: InputError) -> None:
         """Note a mistake in a field, whose value counts no more."""
         first, *rest = place_of(error.field)
-        name, given = str(first), self.table.get(str(first))
+        name, written = str(first), self.table.get(str(first))
         # Text and profiles are shown as they were written, and what is missing not at all: TOML has no null.
-        shown = given if (isinstance(given, str) or isinstance(error.value, Profile)) and not rest else error.value
+        shown = written if (isinstance(written, str) or isinstance(error.value, Profile)) and not rest else error.value
         shown = document_of(shown) if isinstance(shown, Input) else shown
         self.mistakes.append(error.about(error.field, shown))
         self.wrong.add(name)
@@ -234,17 +234,17 @@ class Reading:
         inner = self.fields[name].inputs.get(name)
         if inner is None:
             return f"give {text_of(self._described(name))}"
-        needed = [each for each in sorted(inner.without_default) if each in inner.inputs]
-        headings = [f"[{path_of((*self.place, name, each))}]" for each in needed]
+        needed = [part for part in sorted(inner.without_default) if part in inner.inputs]
+        headings = [f"[{path_of((*self.place, name, part))}]" for part in needed]
         return "write it under a heading " + (" and ".join(headings) or f"[{path_of((*self.place, name))}]")
 
-    def _several(self, name: str, each: Several, of: type[Input], given: Any) -> Any:
-        if not isinstance(given, list) or not given:
-            raise InputError("", given, "be a list of tables", each.each.remedy)
-        if len(given) > each.most:
-            raise InputError("", given, f"have at most {each.most} tables", each.each.remedy)
+    def _several(self, name: str, description: Several, of: type[Input], value: Any) -> Any:
+        if not isinstance(value, list) or not value:
+            raise InputError("", value, "be a list of tables", description.item.remedy)
+        if len(value) > description.most:
+            raise InputError("", value, f"have at most {description.most} tables", description.item.remedy)
         place = (*self.place, name)
-        return one_by_one("", given, lambda number, entry: read(of, entry, self.file, (*place, number)))
+        return one_by_one("", value, lambda number, entry: read(of, entry, self.file, (*place, number)))
 
     def _named(self) -> type[Input] | None:
         """Return the class by its word, or that of tables without one; None if it cannot be known."""
@@ -269,5 +269,5 @@ class Reading:
 
     @property
     def _noun(self) -> str:
-        found = _LAST_WORD.search(self.cls.__name__)
-        return (found[0] if found else self.cls.__name__).lower()
+        match = _LAST_WORD.search(self.cls.__name__)
+        return (match[0] if match else self.cls.__name__).lower()

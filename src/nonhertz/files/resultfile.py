@@ -168,21 +168,21 @@ def read_result(path: str | Path) -> Result:
     if not isinstance(path, str | Path):
         raise InputError("path", path, "be the name of a result file", "give a string or a Path")
     path = Path(path)
-    found = _object(path)
-    if found.get("format") != FORMAT:
-        shown = found.get("format")
+    contents = _object(path)
+    if contents.get("format") != FORMAT:
+        shown = contents.get("format")
         condition = f"hold a result of format {FORMAT}" + (f", not {shown!r}" if shown is not None else "")
         raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
     try:
-        if meant_as(found["case"]) == "bearing":
+        if meant_as(contents["case"]) == "bearing":
             from nonhertz.files.bearingfile import BearingCase
 
-            bearing = _with_assumptions(BearingCase.of(found["case"], path, files=False), found)
-            if found.get("tolerances"):
-                bearing.at_limits[str(found["method"])] = _at_limits(found["tolerances"])
-            return Result(bearing, _bearing_solution(found, bearing))
-        case = _with_assumptions(Case.of(found["case"], path, files=False), found)
-        return Result(case, _solution(found, case))
+            bearing = _with_assumptions(BearingCase.of(contents["case"], path, files=False), contents)
+            if contents.get("tolerances"):
+                bearing.at_limits[str(contents["method"])] = _at_limits(contents["tolerances"])
+            return Result(bearing, _bearing_solution(contents, bearing))
+        case = _with_assumptions(Case.of(contents["case"], path, files=False), contents)
+        return Result(case, _solution(contents, case))
     except CaseError as error:
         raise InputError("path", str(path), f"hold a case ({error.mistakes[0]})", _WAY_OUT) from None
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -192,14 +192,14 @@ def read_result(path: str | Path) -> Result:
 
 def _object(path: Path) -> dict[str, Any]:
     try:
-        found = json.loads(content(path, LARGEST_RESULT))
+        contents = json.loads(content(path, LARGEST_RESULT))
     except (OSError, ValueError, RecursionError) as error:
         too_large = getattr(error, "errno", None) == errno.EFBIG
         reason = getattr(error, "strerror", None) or ("larger than any result" if too_large else "not JSON")
         raise InputError("path", str(path), f"be a result file ({reason.lower()})", _WAY_OUT) from None
-    if not isinstance(found, dict):
+    if not isinstance(contents, dict):
         raise InputError("path", str(path), "hold one JSON object", _WAY_OUT)
-    return found
+    return contents
 
 
 def _solution(content: dict[str, Any], case: Case) -> Solution:
@@ -249,9 +249,9 @@ def _at_limits(tolerances: dict[str, Any]) -> list[Mapping[str, float]]:
     return [{name: _nan(tolerances[name][end]) for name in AT_LIMITS} for end in ("least", "greatest")]
 
 
-def _edge(found: dict[str, Any]) -> EdgePressure:
-    kept = {name: value for name, value in found.items() if name not in {"kind", "converges"}}
-    return EdgePressure(kind=EdgeKind[_member(found["kind"])], **kept | {"convention": said(str(found["convention"]))})
+def _edge(end: dict[str, Any]) -> EdgePressure:
+    numbers = {name: value for name, value in end.items() if name not in {"kind", "converges"}}
+    return EdgePressure(kind=EdgeKind[_member(end["kind"])], **numbers | {"convention": said(str(end["convention"]))})
 
 
 def _member(label: str) -> str:
@@ -271,8 +271,8 @@ def _array(values: list[float | None]) -> np.ndarray[tuple[int], np.dtype[np.flo
     return np.array([_number(value) for value in values])
 
 
-def _with_assumptions(case: AnyCase, found: Mapping[str, Any]) -> AnyCase:
+def _with_assumptions(case: AnyCase, contents: Mapping[str, Any]) -> AnyCase:
     """Note what the file of a result says was assumed, if it says so, and return the case."""
-    said = found.get("assumed")
-    object.__setattr__(case, "stored_assumptions", None if said is None else restored(said))
+    stored = contents.get("assumed")
+    object.__setattr__(case, "stored_assumptions", None if stored is None else restored(stored))
     return case

@@ -106,8 +106,8 @@ def read_ring_shape(
     try:
         return tabulated_shape(angle, line.height[known], curve)
     except InputError as error:
-        found = f"hold one turn of a ring ({error.field} = {error.value} must {error.condition})"
-        raise request.refuse(found, error.remedy) from None
+        condition = f"hold one turn of a ring ({error.field} = {error.value} must {error.condition})"
+        raise request.refuse(condition, error.remedy) from None
 
 
 def read_shape(value: Any, file: Surroundings, place: Place) -> RingShape:
@@ -122,7 +122,7 @@ def read_shape(value: Any, file: Surroundings, place: Place) -> RingShape:
         return _read_one(value, file, place)
     if not 0 < len(value) <= MOST_SHAPES:
         raise InputError("", value, f"hold 1 to {MOST_SHAPES} shapes", "add up their waves or deviations")
-    return reduce(add, one_by_one("", value, lambda number, each: _read_one(each, file, (*place, number))))
+    return reduce(add, one_by_one("", value, lambda number, entry: _read_one(entry, file, (*place, number))))
 
 
 def shape_tables(name: str, shape: Any) -> Any:
@@ -133,7 +133,7 @@ def shape_tables(name: str, shape: Any) -> Any:
     InputError
         If it is a function of another kind.
     """
-    tables = [document_of(each) for each in shape.parts] if isinstance(shape, RingShape) else []
+    tables = [document_of(part) for part in shape.parts] if isinstance(shape, RingShape) else []
     if not tables:
         condition = "be made by fourier_shape or tabulated_shape to go into a bearing file"
         raise InputError(name, shape, condition, "solve such a bearing in Python")
@@ -155,9 +155,9 @@ def _read_one(value: Any, file: Surroundings, place: Place) -> RingShape:
 def _from_file(table: ShapeFile, folder: Path | None) -> RingShape:
     if folder is None:
         raise InputError("file", table.file, "not be read here", "write the angles and deviations into the file")
-    given = {name: value for name, value in vars(table).items() if name != "file"}
+    options = {name: value for name, value in vars(table).items() if name != "file"}
     try:
-        return read_ring_shape(folder / table.file, **given)
+        return read_ring_shape(folder / table.file, **options)
     except InputError as error:
         if error.field in {"path", "file"}:
             raise error.about("file", table.file) from None
@@ -185,7 +185,7 @@ def _columns(lines: list[str], request: Request) -> Line:
 def _stated(lines: list[str], request: Request) -> str:
     """Return the unit of the angles that a file states above its numbers."""
     for line in lines[:_HEAD]:
-        found = _STATED.search(line)
-        if found is not None:
-            return "rad" if found[1] else "deg"
+        match = _STATED.search(line)
+        if match is not None:
+            return "rad" if match[1] else "deg"
     raise request.refuse("state the unit of its angles", _UNIT_OF_ANGLES)

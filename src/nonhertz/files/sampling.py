@@ -89,14 +89,14 @@ class Sampling(Input):
         """Return Saltelli's arrangement, block after block."""
         pairs = Sampling(self.blocks(dimensions), "sobol", self.seed).shares(2 * dimensions)
         first, second = pairs[:, :dimensions], pairs[:, dimensions:]
-        found = np.repeat(first[:, None, :], dimensions + 2, axis=1)
+        blocks = np.repeat(first[:, None, :], dimensions + 2, axis=1)
         for k in range(dimensions):
-            found[:, k + 1, k] = second[:, k]
-        found[:, -1] = second
-        return found.reshape(-1, dimensions)
+            blocks[:, k + 1, k] = second[:, k]
+        blocks[:, -1] = second
+        return blocks.reshape(-1, dimensions)
 
     def drawn(self, distributions: Sequence[Distribution]) -> NDArray[np.float64]:
         """Return samples of several distributions, shape (count, distributions)."""
         shares = np.clip(self.shares(len(distributions)), 1e-12, 1.0 - 1e-12)
-        columns = [each.quantile(shares[:, k]) for k, each in enumerate(distributions)]
+        columns = [distribution.quantile(shares[:, k]) for k, distribution in enumerate(distributions)]
         return np.stack(columns, axis=1)

@@ -60,7 +60,7 @@ def _of_table(table: Table, tables: dict[str, Schema]) -> Schema:
         tables[table.name] = {}  # so that it may refer to itself
         word = {"kind": {"enum": list(table.kinds), "description": table.meaning_of_kind}} if table.kinds else {}
         keys = {name: _of_key(key, tables) for name, key in table.keys.items()}
-        has_usual = any(each.name == table.name for each in table.kinds.values())
+        has_usual = any(kind.name == table.name for kind in table.kinds.values())
         needed = sorted([*table.required, *([] if has_usual else word)])
         tables[table.name] = _table(word | keys, table.meaning) | {"title": table.name, "required": needed}
     return {"$ref": f"#/$defs/{table.name}"}
@@ -78,21 +78,21 @@ def _of_profile(table: Table) -> Schema:
 
 def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
     """Return the JSON schema of what a key holds."""
-    each, usual = key.each, key.usual
+    description, usual = key.description, key.usual
     inner = [_of_table(one, tables) if one.name else _of_profile(one) for one in key.tables]
-    if isinstance(each, Several) and inner:
-        found = each.schema() | {"items": inner[0]}
+    if isinstance(description, Several) and inner:
+        schema = description.schema() | {"items": inner[0]}
     elif key.several:
-        found = {"anyOf": [{"anyOf": inner}, {"type": "array", "items": {"anyOf": inner}}]}
-    elif isinstance(each, Part) and not each.named:
-        found = inner[0]
+        schema = {"anyOf": [{"anyOf": inner}, {"type": "array", "items": {"anyOf": inner}}]}
+    elif isinstance(description, Part) and not description.named:
+        schema = inner[0]
     else:
-        found = {"anyOf": [each.schema(), *inner]} if inner else each.schema()
-    if isinstance(each, Part) and each.named:
-        usual = next((word for word, known in each.named.items() if known == usual), usual)
+        schema = {"anyOf": [description.schema(), *inner]} if inner else description.schema()
+    if isinstance(description, Part) and description.named:
+        usual = next((word for word, known in description.named.items() if known == usual), usual)
     # TOML has neither null nor, to all programs, infinity.
     plain = isinstance(usual, str | int | float) and usual != math.inf
-    return found | {"description": text_of(each)} | ({"default": usual} if plain else {})
+    return schema | {"description": text_of(description)} | ({"default": usual} if plain else {})
 
 
 def _of_result(meaning: str, keys: Iterable[ResultKey], inputs: Any) -> Schema:
@@ -144,6 +144,7 @@ def _table(properties: Schema, description: str) -> Schema:
 def _for_older_programs(schema: Any) -> Any:
     """Return a schema that says its constants in the words of draft 4, too: what Taplo knows."""
     if isinstance(schema, dict):
-        found = {key: _for_older_programs(value) for key, value in schema.items()}
-        return found | ({"enum": [found["const"]]} if "const" in found and not isinstance(found["const"], dict) else {})
-    return [_for_older_programs(each) for each in schema] if isinstance(schema, list) else schema
+        translated = {key: _for_older_programs(value) for key, value in schema.items()}
+        constant = translated.get("const", {})
+        return translated if isinstance(constant, dict) else translated | {"enum": [constant]}
+    return [_for_older_programs(entry) for entry in schema] if isinstance(schema, list) else schema

@@ -87,8 +87,8 @@ def surroundings(document: Any, folder: Path | None) -> Surroundings:
         Directory that the names of files are relative to; None where no file may be read.
     """
     bodies = document.get("body") if isinstance(document, dict) else None
-    given = bodies if isinstance(bodies, dict) else {}
-    return Surroundings(folder, combined_radius(given.get("a"), given.get("b")), read_profile)
+    by_name = bodies if isinstance(bodies, dict) else {}
+    return Surroundings(folder, combined_radius(by_name.get("a"), by_name.get("b")), read_profile)
 
 
 def combined_radius(*bodies: Any) -> Any:
@@ -101,8 +101,8 @@ def combined_radius(*bodies: Any) -> Any:
         if not isinstance(body, dict):
             return BROKEN
         try:
-            given = {name: body[name] for name in ("diameter",) if name in body}
-            curvature += float(read(Body, given, likely=lambda _: Body).curvature(0.0))
+            sizes = {name: body[name] for name in ("diameter",) if name in body}
+            curvature += float(read(Body, sizes, likely=lambda _: Body).curvature(0.0))
         except InputError:
             return BROKEN
     return 1.0 / curvature if curvature > 0.0 else None
@@ -202,7 +202,7 @@ class OverrolledDent(Input):
 
 def _by(*names: str) -> Callable[[Life], bool]:
     """Return whether lives are asked by one of these models."""
-    return lambda given: not given.models or not set(names).isdisjoint(given.models)
+    return lambda life: not life.models or not set(names).isdisjoint(life.models)
 
 
 @described(kw_only=True)
@@ -330,9 +330,9 @@ class Life(Input):
             If a name is not that of a model.
         """
         names = tuple(names) or self.models or tuple(MODELS)
-        given = {name: value for name, value in vars(self).items() if value is not None}
+        values = {name: value for name, value in vars(self).items() if value is not None}
         taken = {name: inspect.signature(MODELS[name]).parameters if name in MODELS else {} for name in names}
-        return tuple(model(name, **{key: given[key] for key in taken[name] if key in given}) for name in names)
+        return tuple(model(name, **{key: values[key] for key in taken[name] if key in values}) for name in names)
 
 
 def _format(name: str, value: Any, remedy: str) -> int:

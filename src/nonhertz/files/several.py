@@ -78,19 +78,19 @@ def folders(attempts: Sequence[Attempt]) -> list[str]:
     >>> folders([Attempt(Path(name)) for name in ("a.toml", "b/A.toml", "a-2.toml", "...toml")])
     ['a', 'A-2', 'a-2-2', 'case']
     """
-    found: list[str] = []
+    names: list[str] = []
     taken: set[str] = set()
-    for each in attempts:
+    for attempt in attempts:
         # A name of dots alone would lead out of the directory.
-        stem = legible(each.path.stem) if each.path.stem.strip(". ") else "case"
+        stem = legible(attempt.path.stem) if attempt.path.stem.strip(". ") else "case"
         name, number = stem, 1
         # Some file systems do not tell capitals from small letters.
         while name.lower() in taken:
             number += 1
             name = f"{stem}-{number}"
         taken.add(name.lower())
-        found.append(name)
-    return found
+        names.append(name)
+    return names
 
 
 @read_in("si")
@@ -98,22 +98,22 @@ def objects(attempts: Sequence[Attempt]) -> list[dict[str, Any]]:
     """Return an object for each case: its file, complaints, and the result or None."""
     return [
         {
-            "file": each.name,
-            "complaints": list(each.complaints),
-            "result": None if each.solution is None or each.case is None else as_object(each.solution, each.case),
+            "file": attempt.name,
+            "complaints": list(attempt.complaints),
+            "result": as_object(attempt.solution, attempt.case) if attempt.solution and attempt.case else None,
         }
-        for each in attempts
+        for attempt in attempts
     ]
 
 
 @read_in("si")
 def rows(attempts: Sequence[Attempt]) -> list[list[Any]]:
     """Return the cells of a row of the table for each case; those without a number are None."""
-    return [_row(each) for each in attempts]
+    return [_row(attempt) for attempt in attempts]
 
 
-def _row(each: Attempt) -> list[Any]:
-    solution = each.solution
+def _row(attempt: Attempt) -> list[Any]:
+    solution = attempt.solution
     numbers = [None if solution is None else plain(quantity.get(solution)) for quantity in QUANTITIES.values()]
     warnings = () if solution is None else solution.warnings
-    return [each.name, each.title, each.status, *numbers, " ".join(warnings), " ".join(each.complaints)]
+    return [attempt.name, attempt.title, attempt.status, *numbers, " ".join(warnings), " ".join(attempt.complaints)]

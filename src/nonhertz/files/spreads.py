@@ -130,15 +130,15 @@ class Distribution:
 
         first, last = self.numbers[0], self.numbers[-1]
         if self.kind == "uniform":
-            found = stats.uniform.ppf(u, first, last - first)
+            values = stats.uniform.ppf(u, first, last - first)
         elif self.kind == "triangular":
-            found = stats.triang.ppf(u, (self.numbers[1] - first) / (last - first), first, last - first)
+            values = stats.triang.ppf(u, (self.numbers[1] - first) / (last - first), first, last - first)
         elif self.within is None:
-            found = stats.norm.ppf(u, first, last)
+            values = stats.norm.ppf(u, first, last)
         else:
             limits = ((end - first) / last for end in self.within)
-            found = np.clip(stats.truncnorm.ppf(u, *limits, first, last), *self.within)
-        return np.asarray(found)
+            values = np.clip(stats.truncnorm.ppf(u, *limits, first, last), *self.within)
+        return np.asarray(values)
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -154,7 +154,7 @@ class Distribution:
 Spread = tuple[Any, ...] | Distribution
 
 
-def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> Spread:
+def spread_in(parameter: Parameter, value: Any, document: Mapping[str, Any]) -> Spread:
     """Return what a parameter runs over: values in its base unit, or a distribution.
 
     Parameters
@@ -171,32 +171,32 @@ def spread_in(parameter: Parameter, given: Any, document: Mapping[str, Any]) -> 
     InputError
         If it is neither, or empty.
     """
-    if isinstance(given, Distribution):
+    if isinstance(value, Distribution):
         if parameter.unit is None:
             remedy = "write a list of words, such as ['one', 'other']"
-            raise InputError(parameter.path, given, "be a list, because it is not a number", remedy)
-        return given
-    if isinstance(given, np.ndarray):
-        given = given.tolist()
-    if isinstance(given, str):
-        bare = parameter.unit is not None and (_PLUS_MINUS.fullmatch(given) or _DEVIATIONS.fullmatch(given))
-        called = _CALL.fullmatch(f"uniform({given})" if bare and "(" not in given else given)
+            raise InputError(parameter.path, value, "be a list, because it is not a number", remedy)
+        return value
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, str):
+        bare = parameter.unit is not None and (_PLUS_MINUS.fullmatch(value) or _DEVIATIONS.fullmatch(value))
+        called = _CALL.fullmatch(f"uniform({value})" if bare and "(" not in value else value)
         if called is not None:
-            return _distribution(parameter, given, called, document)
-        if ":" in given and parameter.unit is not None:
-            return _evenly(parameter, given)
+            return _distribution(parameter, value, called, document)
+        if ":" in value and parameter.unit is not None:
+            return _evenly(parameter, value)
         # Of words a text is always a list; none of theirs has a comma.
-        return tuple(_value(parameter, word.strip(), bare=True) for word in given.split(","))
-    if not isinstance(given, list | tuple) or not given:
+        return tuple(_value(parameter, word.strip(), bare=True) for word in value.split(","))
+    if not isinstance(value, list | tuple) or not value:
         remedy = "write a list, a range such as '0 : 40 kN : 41', or a distribution such as 'normal(80 mm, 5 um)'"
-        raise InputError(parameter.path, given, "hold values", remedy)
-    if len(given) > MOST_VALUES:
+        raise InputError(parameter.path, value, "hold values", remedy)
+    if len(value) > MOST_VALUES:
         remedy = "write fewer, or a distribution to draw from"
-        raise InputError(parameter.path, f"{len(given)} values", f"have {MOST_VALUES} values at most", remedy)
-    return tuple(_entry(parameter, each) for each in given)
+        raise InputError(parameter.path, f"{len(value)} values", f"have {MOST_VALUES} values at most", remedy)
+    return tuple(_entry(parameter, entry) for entry in value)
 
 
-def bounds_in(parameter: Parameter, given: Any) -> tuple[float, float]:
+def bounds_in(parameter: Parameter, value: Any) -> tuple[float, float]:
     """Return the lowest and the highest value that a parameter may take.
 
     Raises
@@ -205,18 +205,18 @@ def bounds_in(parameter: Parameter, given: Any) -> tuple[float, float]:
         If it is no range.
     """
     if parameter.unit is None or parameter.whole:
-        raise InputError(parameter.path, given, "be a number that can change gradually", "sweep over its values")
-    if isinstance(given, str):
-        low, high, count = range_in(parameter.path, given, parameter.unit, _example(parameter))
+        raise InputError(parameter.path, value, "be a number that can change gradually", "sweep over its values")
+    if isinstance(value, str):
+        low, high, count = range_in(parameter.path, value, parameter.unit, _example(parameter))
         if count is not None:
-            raise InputError(parameter.path, given, "be a range without a number of values", "leave the number out")
+            raise InputError(parameter.path, value, "be a range without a number of values", "leave the number out")
         return low, high
-    if not isinstance(given, Sequence) or len(given) != 2:
+    if not isinstance(value, Sequence) or len(value) != 2:
         remedy = f"write lowest and highest, such as '{_example(parameter)}'"
-        raise InputError(parameter.path, given, "be a range", remedy)
-    low, high = (_entry(parameter, each) for each in given)
+        raise InputError(parameter.path, value, "be a range", remedy)
+    low, high = (_entry(parameter, entry) for entry in value)
     if not low < high:
-        raise InputError(parameter.path, given, "ascend", "give lowest and highest")
+        raise InputError(parameter.path, value, "ascend", "give lowest and highest")
     return float(low), float(high)
 
 
@@ -289,23 +289,23 @@ def number_in(field: str, text: str, unit: str) -> float:
         ) from None
 
 
-def _entry(parameter: Parameter, given: Any) -> Any:
+def _entry(parameter: Parameter, value: Any) -> Any:
     """Return an entry of a list in the base unit; in it zero needs no unit in quotes either."""
-    return _value(parameter, given, bare=parameter.unit not in {None, ""})
+    return _value(parameter, value, bare=parameter.unit not in {None, ""})
 
 
-def _value(parameter: Parameter, given: Any, *, bare: bool) -> Any:
+def _value(parameter: Parameter, written: Any, *, bare: bool) -> Any:
     """Return a single value in the base unit; a word or a switch as it is, for the file's own checks.
 
     ``bare`` is a text without quotes of its own.
     """
-    if isinstance(given, str) and (parameter.unit is None or not begins_with_digits(given)):
-        return {"true": True, "false": False}.get(given, given) if bare and parameter.unit is None else given
-    if isinstance(given, bool):
-        return given
+    if isinstance(written, str) and (parameter.unit is None or not begins_with_digits(written)):
+        return {"true": True, "false": False}.get(written, written) if bare and parameter.unit is None else written
+    if isinstance(written, bool):
+        return written
     if parameter.unit is None:
-        raise InputError(parameter.path, given, "be a word, or true or false", "give the path of a single value")
-    value = (number_in if bare and isinstance(given, str) else in_unit)(parameter.path, given, parameter.unit)
+        raise InputError(parameter.path, written, "be a word, or true or false", "give the path of a single value")
+    value = (number_in if bare and isinstance(written, str) else in_unit)(parameter.path, written, parameter.unit)
     finite(parameter.path, value, "give a number")
     return int(value) if parameter.whole and value == int(value) else value
 

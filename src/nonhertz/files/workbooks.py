@@ -89,10 +89,10 @@ def write_workbook(path: Path, sheets: Mapping[str, Table]) -> None:
 def inputs_table(documents: Iterable[tuple[str, Mapping[str, Any]]]) -> Table:
     """Return the values of documents by their dotted paths, as a table; each document comes with a name."""
     return _INPUTS_HEAD, (
-        (name, path_of(place), each if isinstance(each, str | int | float) else str(each))
+        (name, path_of(place), value if isinstance(value, str | int | float) else str(value))
         for name, whole in documents
-        for place, each in walk(whole)
-        if _fills_a_cell(place, each)
+        for place, value in walk(whole)
+        if _fills_a_cell(place, value)
     )
 
 

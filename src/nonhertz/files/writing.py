@@ -35,11 +35,13 @@ def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
     if isinstance(value, Input):
         return _table(value, defaults)
     if isinstance(value, Mapping):
-        return {key: document_of(each, name=key, defaults=defaults) for key, each in value.items() if each is not None}
+        return {
+            key: document_of(entry, name=key, defaults=defaults) for key, entry in value.items() if entry is not None
+        }
     if isinstance(value, str | bool | int | float):
         return int(value) if type(value) is int else float(value) if isinstance(value, float) else value
     if hasattr(value, "__iter__"):
-        return [document_of(each, name=name, defaults=defaults) for each in value]
+        return [document_of(entry, name=name, defaults=defaults) for entry in value]
     if hasattr(value, "__float__"):
         return float(value)
     table = " or a table" if "diameter" in name or name == "bore" else ""
@@ -52,11 +54,11 @@ def _table(value: Input, defaults: bool) -> dict[str, Any] | str:
         return name
     word = next((word for word, kind in value.kinds.items() if kind is type(value)), None)
     fields = {
-        each.name: document_of(held, name=each.name, defaults=defaults)
-        for each in dataclasses.fields(value)  # type: ignore[arg-type]
-        if (held := getattr(value, each.name)) is not None and (defaults or held != default_of(each))
+        field.name: document_of(entry, name=field.name, defaults=defaults)
+        for field in dataclasses.fields(value)  # type: ignore[arg-type]
+        if (entry := getattr(value, field.name)) is not None and (defaults or entry != default_of(field))
     }
-    return ({} if word is None else {"kind": word}) | {key: each for key, each in fields.items() if each != []}
+    return ({} if word is None else {"kind": word}) | {key: entry for key, entry in fields.items() if entry != []}
 
 
 def profile_tables(profile: Profile) -> list[dict[str, Any]]:
@@ -70,7 +72,7 @@ def profile_tables(profile: Profile) -> list[dict[str, Any]]:
     entry = profile.catalogue_entry
     if entry is not None:
         kind, parameters = entry
-        table = {"kind": kind} | {name: document_of(each) for name, each in parameters.items()}
+        table = {"kind": kind} | {name: document_of(parameter) for name, parameter in parameters.items()}
         return [] if kind == "straight" else [table]
     if isinstance(profile, Straight):
         return []
@@ -81,7 +83,7 @@ def profile_tables(profile: Profile) -> list[dict[str, Any]]:
         if isinstance(profile.profile, Sum):
             return [table for part in profile.profile.parts for table in profile_tables(part.moved(**moves))]
         usual = {"scale": 1.0, "shift": 0.0, "flip": False}
-        given = {name: value for name, value in moves.items() if value != usual[name]}
-        return [table | given for table in profile_tables(profile.profile)]
+        changed = {name: value for name, value in moves.items() if value != usual[name]}
+        return [table | changed for table in profile_tables(profile.profile)]
     remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
     raise InputError("profile", type(profile).__name__, "be from the catalogue to go into a case file", remedy)

@@ -110,12 +110,12 @@ def text(entries: Mapping[str, np.ndarray[Any, Any]], name: str) -> str:
 
 def digest(fields: Mapping[str, np.ndarray[Any, Any]]) -> str:
     """Return a number that tells arrays from those with any other name, shape, type or value."""
-    found = hashlib.sha256()
+    hashed = hashlib.sha256()
     for name in sorted(fields):
         array = np.ascontiguousarray(fields[name])
-        found.update(f"{name} {fields[name].shape} {array.dtype.str} ".encode())
-        found.update(array.data if array.size and array.dtype.kind != "U" else array.tobytes())
-    return found.hexdigest()
+        hashed.update(f"{name} {fields[name].shape} {array.dtype.str} ".encode())
+        hashed.update(array.data if array.size and array.dtype.kind != "U" else array.tobytes())
+    return hashed.hexdigest()
 
 
 def _entries(data: bytes, most: int) -> Entries | None:

@@ -34,7 +34,7 @@ class Assumed:
 
     default: str
     decides: str
-    where: Callable[[Any], bool] = lambda given: True
+    where: Callable[[Any], bool] = lambda inputs: True
 
 
 def assumed(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None) -> tuple[Finding, ...]:
@@ -48,12 +48,12 @@ def assumed(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None)
         What a file holds: what it gives is not assumed, even if it is the default.
     """
     keys: dict[tuple[str, str], list[str]] = {}
-    for place, given in parts.items():
+    for place, part in parts.items():
         table = _at(document or {}, place)
-        for each in fields(given):
-            mark = given.assumptions.get(each.name)
-            if mark and each.name not in table and getattr(given, each.name) == each.default and mark.where(given):
-                keys.setdefault((mark.default, mark.decides), []).append(f"{place}.{each.name}".removeprefix("."))
+        for field in fields(part):
+            mark = part.assumptions.get(field.name)
+            if mark and field.name not in table and getattr(part, field.name) == field.default and mark.where(part):
+                keys.setdefault((mark.default, mark.decides), []).append(f"{place}.{field.name}".removeprefix("."))
     return tuple(
         finding(_KIND, _WORDS, default=default, keys=joined(names), decides=decides)
         for (default, decides), names in keys.items()
@@ -62,7 +62,7 @@ def assumed(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None)
 
 def restored(objects: Iterable[Mapping[str, Any]]) -> tuple[Finding, ...]:
     """Return what `assumed` has returned, from what a result file has of it."""
-    return tuple(finding(_KIND, _WORDS, **each["numbers"]) for each in objects)
+    return tuple(finding(_KIND, _WORDS, **entry["numbers"]) for entry in objects)
 
 
 def _at(document: Mapping[str, Any], place: str) -> Mapping[str, Any]:

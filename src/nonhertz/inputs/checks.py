@@ -82,17 +82,17 @@ def numbers(
 ) -> NDArray[np.float64]:
     """Return real numbers as an array; refuse text, booleans, complex numbers, None and anything not finite."""
     try:
-        found = np.asarray(value)
+        array = np.asarray(value)
     except ValueError:  # nested lists of unequal length
-        found = np.asarray(None)
-    if found.dtype.kind not in "iuf" or np.ma.isMaskedArray(value):
+        array = np.asarray(None)
+    if array.dtype.kind not in "iuf" or np.ma.isMaskedArray(value):
         raise InputError(field, value, "be real numbers", remedy)
-    if not np.all(np.isfinite(found)):
+    if not np.all(np.isfinite(array)):
         raise InputError(field, value, "be finite", remedy)
-    largest = max(float(found.max()), -float(found.min())) if found.size else 0.0
+    largest = max(float(array.max()), -float(array.min())) if array.size else 0.0
     if largest > most:
         raise InputError(field, largest, f"not exceed {most:g} {unit}", remedy)
-    return found.astype(float, copy=False)
+    return array.astype(float, copy=False)
 
 
 def flag(field: str, value: object, remedy: str) -> None:

@@ -76,16 +76,16 @@ def one_by_one(name: str, entries: Iterable[Any], take: Callable[[int, Any], Rea
     InputsError
         With the errors of all of them, each in the field of its entry, ``name[1]``.
     """
-    found: list[Read] = []
+    values: list[Read] = []
     errors: list[InputError] = []
     for number, entry in enumerate(entries, start=1):
         try:
-            found.append(take(number, entry))
+            values.append(take(number, entry))
         except InputError as error:
             errors += error.within(f"{name}[{number}]").each
     if errors:
         raise InputsError(errors)
-    return found
+    return values
 
 
 @dataclass(frozen=True)
@@ -118,8 +118,8 @@ class Quantity:
             number = f"a number{f' in {self.unit}' if self.unit else ''}"
             return _word_or(name, value, self.words, number, self.remedy)
         value = in_unit(name, value, self.unit)
-        kept = self.condition(name, value, self.remedy)
-        return value if kept is None else kept
+        checked = self.condition(name, value, self.remedy)
+        return value if checked is None else checked
 
     def schema(self) -> dict[str, Any]:
         """Return the schema of a number, text with a unit, or a word."""
@@ -140,7 +140,7 @@ class OneOrTwo:
 
     Attributes
     ----------
-    each : Quantity
+    item : Quantity
         What both are.
     names : pair of str
         What tells them apart.
@@ -148,7 +148,7 @@ class OneOrTwo:
         Which of the two one alone is; None for both.
     """
 
-    each: Quantity
+    item: Quantity
     meaning: str
     names: tuple[str, str]
     single: int | None = None
@@ -157,14 +157,14 @@ class OneOrTwo:
         """Return the number or word, or two of them."""
         values = value.tolist() if hasattr(value, "tolist") else value
         if not isinstance(values, list | tuple):
-            return self.each.take(name, values)
+            return self.item.take(name, values)
         if len(values) != 2:
-            raise InputError(name, value, "be one value or two", self.each.remedy)
-        return tuple(one_by_one(name, values, lambda _, value: self.each.take("", value)))
+            raise InputError(name, value, "be one value or two", self.item.remedy)
+        return tuple(one_by_one(name, values, lambda _, value: self.item.take("", value)))
 
     def schema(self) -> dict[str, Any]:
         """Return the schema of one or two."""
-        one = self.each.schema()
+        one = self.item.schema()
         both = {"type": "array", "items": one, "minItems": 2, "maxItems": 2}
         return one | {"anyOf": [*one.get("anyOf", [one]), both]}
 
@@ -180,8 +180,8 @@ class Quantities:
         """Return the numbers in the unit."""
         remedy = f"give a list of numbers in {self.unit}"
         if isinstance(value, list | tuple):
-            value = type(value)(in_unit(name, each, self.unit) if isinstance(each, str) else each for each in value)
-            if any(isinstance(each, bool) for each in value):  # to arrays they are numbers
+            value = type(value)(in_unit(name, entry, self.unit) if isinstance(entry, str) else entry for entry in value)
+            if any(isinstance(entry, bool) for entry in value):  # to arrays they are numbers
                 raise InputError(name, value, "be real numbers", remedy)
         row = numbers(name, value, remedy)
         if row.ndim != 1:
@@ -217,8 +217,8 @@ class Word:
             raise unknown(name, value, self.noun, self.words, self.remedy)
         if self.words:
             one_of(name, value, self.words, self.remedy)
-        kept = self.condition(name, value, self.remedy) if self.condition else None
-        return value if kept is None else kept
+        checked = self.condition(name, value, self.remedy) if self.condition else None
+        return value if checked is None else checked
 
     def schema(self) -> dict[str, Any]:
         """Return the schema of the words, or of any text."""
@@ -321,11 +321,11 @@ class OrFlag:
 
     Attributes
     ----------
-    each : Described
+    item : Described
         What it is otherwise.
     """
 
-    each: Described
+    item: Described
     meaning: str
 
     def take(self, name: str, value: Any) -> Any:
@@ -333,14 +333,14 @@ class OrFlag:
         if isinstance(value, bool):
             return value
         try:
-            return self.each.take(name, value)
+            return self.item.take(name, value)
         except InputError as error:
             condition = re.sub("^be ", "be true or false, or ", error.condition)
             raise InputError(name, error.value, condition, error.remedy) from None
 
     def schema(self) -> dict[str, Any]:
         """Return the schema of either."""
-        other = self.each.schema()
+        other = self.item.schema()
         either = {"anyOf": [{"type": "boolean"}, *other.get("anyOf", [other])]}
         return either | ({"unit": other["unit"]} if "unit" in other else {})
 
@@ -351,40 +351,40 @@ class Several:
 
     Attributes
     ----------
-    each : Word or Part
+    item : Word or Part
         What one of them is; its meaning and remedy are those of all.
     most : int
         The largest number of them.
     """
 
-    each: Word | Part
+    item: Word | Part
     most: int
 
     @property
     def meaning(self) -> str:
         """What they are."""
-        return self.each.meaning
+        return self.item.meaning
 
     @property
     def of(self) -> type | None:
         """The class of the inputs; None for words."""
-        return self.each.of if isinstance(self.each, Part) else None
+        return self.item.of if isinstance(self.item, Part) else None
 
     def take(self, name: str, value: Any) -> tuple[Any, ...]:
         """Return them."""
-        remedy = f"choose from {', '.join(self.each.words)}" if isinstance(self.each, Word) else self.each.remedy
+        remedy = f"choose from {', '.join(self.item.words)}" if isinstance(self.item, Word) else self.item.remedy
         if not isinstance(value, list | tuple) or value == []:
             condition = f"be a list of {'names' if self.of is None else self.of.__name__}"
             raise InputError(name, value, condition, remedy)
         if len(value) > self.most:
             condition = f"have at most {self.most} {'names' if self.of is None else 'entries'}"
             raise InputError(name, value, condition, remedy)
-        found = one_by_one(name, value, lambda _, entry: self.each.take("", entry))
-        return tuple(dict.fromkeys(found) if self.of is None else found)
+        items = one_by_one(name, value, lambda _, entry: self.item.take("", entry))
+        return tuple(dict.fromkeys(items) if self.of is None else items)
 
     def schema(self) -> dict[str, Any]:
         """Return the schema of a list, but for tables in it."""
-        return {"type": "array", "minItems": 1} | ({"items": self.each.schema()} if self.of is None else {})
+        return {"type": "array", "minItems": 1} | ({"items": self.item.schema()} if self.of is None else {})
 
 
 @dataclass(frozen=True)
@@ -465,12 +465,12 @@ class Input:
     apart: ClassVar[tuple[tuple[str, ...], ...]] = ()
 
     def __post_init__(self) -> None:
-        for name, each in self.descriptions.items():
+        for name, description in self.descriptions.items():
             value = getattr(self, name)
             if value is not None or name not in self.optional:
-                object.__setattr__(self, name, each.take(name, value))
-        given = {name: value for name in self.descriptions if (value := getattr(self, name)) is not None}
-        for error in given_beside(type(self), given):
+                object.__setattr__(self, name, description.take(name, value))
+        provided = {name: value for name in self.descriptions if (value := getattr(self, name)) is not None}
+        for error in given_beside(type(self), provided):
             raise error
         for check, _ in self.checks_together:
             check(self)
@@ -491,10 +491,10 @@ class Input:
     @classmethod
     def unchecked(cls, **values: Any) -> Self:
         """Return an input of which some fields are known and the others at their defaults, without any check."""
-        found = object.__new__(cls)
-        for each in dataclasses.fields(cls):  # type: ignore[arg-type]
-            object.__setattr__(found, each.name, values.get(each.name, default_of(each)))
-        return found
+        instance = object.__new__(cls)
+        for own in dataclasses.fields(cls):  # type: ignore[arg-type]
+            object.__setattr__(instance, own.name, values.get(own.name, default_of(own)))
+        return instance
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(dataclasses.field,))
@@ -508,29 +508,29 @@ def described(**options: Any) -> Callable[[type[AnyClass]], type[AnyClass]]:
         def marks(kind: Any) -> dict[str, Any]:
             every = {name: getattr(hint, "__metadata__", ()) for name, hint in hints.items()}
             return {
-                name: found[0]
-                for name, each in every.items()
-                if (found := [one for one in each if isinstance(one, kind)])
+                name: matches[0]
+                for name, metadata in every.items()
+                if (matches := [one for one in metadata if isinstance(one, kind)])
             }
 
         described_by = marks(KINDS)
-        cls.descriptions = {each.name: described_by[each.name] for each in dataclasses.fields(cls)}
+        cls.descriptions = {field.name: described_by[field.name] for field in dataclasses.fields(cls)}
         cls.assumptions = marks(Assumed)
         cls.without_default = frozenset(
-            each.name for each in dataclasses.fields(cls) if default_of(each) is dataclasses.MISSING
+            field.name for field in dataclasses.fields(cls) if default_of(field) is dataclasses.MISSING
         )
         bare = _without_marks(hints)
         kinds = {name: get_args(hint) or (hint,) for name, hint in bare.items() if name in cls.descriptions}
-        cls.optional = frozenset(name for name, each in kinds.items() if type(None) in each)
+        cls.optional = frozenset(name for name, alternatives in kinds.items() if type(None) in alternatives)
         inputs = {
-            name: [one for one in each if isinstance(one, type) and issubclass(one, Input)]
-            for name, each in kinds.items()
+            name: [one for one in alternatives if isinstance(one, type) and issubclass(one, Input)]
+            for name, alternatives in kinds.items()
         }
-        cls.inputs = {name: found[0] for name, found in inputs.items() if found}
+        cls.inputs = {name: classes[0] for name, classes in inputs.items() if classes}
         together = [
-            (name, each) for base in cls.__mro__ for name, each in vars(base).items() if hasattr(each, "together")
+            (name, member) for base in cls.__mro__ for name, member in vars(base).items() if hasattr(member, "together")
         ]
-        cls.checks_together = tuple((each, each.together) for name, each in together if getattr(cls, name) is each)
+        cls.checks_together = tuple((check, check.together) for name, check in together if getattr(cls, name) is check)
         cls.__doc__ = _with_parameters(cls, bare)
         cls.__init__ = _naming_the_nearest(cls)
         cls.__init__.__signature__ = plain_signature(cls.__init__, bare)
@@ -545,10 +545,10 @@ def _hints_of(cls: type[Any]) -> dict[str, Any]:
     `get_type_hints` would evaluate the annotations of `Input` for each of its classes, too, which took half as long as
     all else that is imported for a first solve.
     """
-    names = {each.name for each in dataclasses.fields(cls)}
+    names = {field.name for field in dataclasses.fields(cls)}
     hints: dict[str, Any] = {}
     for base in reversed(cls.__mro__):
-        own = {name: each for name, each in inspect.get_annotations(base).items() if name in names}
+        own = {name: annotation for name, annotation in inspect.get_annotations(base).items() if name in names}
         if own:
             scope, annotated = vars(sys.modules[base.__module__]), types.SimpleNamespace(__annotations__=own)
             hints |= get_type_hints(annotated, scope, {base.__name__: base}, include_extras=True)
@@ -564,12 +564,12 @@ def parameters_of(function: Callable[..., Any], base: type[Input] = Input) -> ty
     """Return the class of what a function takes, whose parameters are annotated as the fields of an input are."""
     function = inspect.unwrap(function)
     hints = get_type_hints(function, include_extras=True)
-    given = inspect.signature(function).parameters.values()
-    defaults = {each.name: each.default for each in given if each.default is not each.empty}
-    annotations = {each.name: hints[each.name] for each in given}
+    parameters = inspect.signature(function).parameters.values()
+    defaults = {p.name: p.default for p in parameters if p.default is not p.empty}
+    annotations = {p.name: hints[p.name] for p in parameters}
     body = {"__annotations__": annotations, "__module__": function.__module__, "__doc__": function.__doc__}
-    found: type[Any] = described()(type(function.__name__, (base,), body | defaults))
-    return found
+    cls: type[Any] = described()(type(function.__name__, (base,), body | defaults))
+    return cls
 
 
 def checked(function: Callable[P, Read]) -> Callable[P, Read]:
@@ -577,8 +577,8 @@ def checked(function: Callable[P, Read]) -> Callable[P, Read]:
     cls = parameters_of(function)
 
     @functools.wraps(function)
-    def called(*values: P.args, **given: P.kwargs) -> Read:
-        return function(**vars(cls(*values, **given)))  # type: ignore[call-arg]
+    def called(*values: P.args, **keywords: P.kwargs) -> Read:
+        return function(**vars(cls(*values, **keywords)))  # type: ignore[call-arg]
 
     called.__doc__ = cls.__doc__
     hints = _without_marks(get_type_hints(function, include_extras=True))
@@ -599,28 +599,28 @@ def taking(*classes: type[Input]) -> Callable[[Function], Function]:
     return listed
 
 
-def given_beside(cls: type[Input], given: Mapping[str, Any]) -> list[InputError]:
+def given_beside(cls: type[Input], provided: Mapping[str, Any]) -> list[InputError]:
     """Return an error for each field that is given beside one that it takes the place of or rules out."""
     ruled_out = (pair for group in cls.apart for pair in itertools.combinations(group, 2))
     return [
-        InputError(name, given[name], f"not be given together with {other}", "leave one out")
+        InputError(name, provided[name], f"not be given together with {other}", "leave one out")
         for name, other in (*cls.instead.items(), *ruled_out)
-        if name in given and other in given
+        if name in provided and other in provided
     ]
 
 
 def short_repr(value: Any) -> str:
     """Return the call that makes a dataclass, without what is at its default or not shown."""
     values = {
-        each.name: (getattr(value, each.name), default_of(each)) for each in dataclasses.fields(value) if each.repr
+        field.name: (getattr(value, field.name), default_of(field)) for field in dataclasses.fields(value) if field.repr
     }
-    given = (f"{name}={held!r}" for name, (held, usual) in values.items() if held != usual)
-    return f"{type(value).__name__}({', '.join(given)})"
+    arguments = (f"{name}={actual!r}" for name, (actual, usual) in values.items() if actual != usual)
+    return f"{type(value).__name__}({', '.join(arguments)})"
 
 
-def default_of(each: dataclasses.Field[Any]) -> Any:
+def default_of(field: dataclasses.Field[Any]) -> Any:
     """Return the default of a field, `dataclasses.MISSING` if there is none."""
-    return each.default if each.default_factory is dataclasses.MISSING else each.default_factory()
+    return field.default if field.default_factory is dataclasses.MISSING else field.default_factory()
 
 
 def unknown(field: str, value: object, what: str, known: Iterable[str], otherwise: str = "") -> InputError:
@@ -644,37 +644,38 @@ def _choice(known: Iterable[str]) -> str:
     return "choose from " + ", ".join(f"'{name}'" for name in known)
 
 
-def text_of(each: Described) -> str:
+def text_of(description: Described) -> str:
     """Return what describes a field as one clause: meaning, unit, and the words that may stand in its place."""
-    choice = each.each if isinstance(each, OneOrTwo) else each
+    choice = description.item if isinstance(description, OneOrTwo) else description
     unit = getattr(choice, "unit", "")
     words = choice.words if isinstance(choice, Quantity | Count) else {}
     listed_words = ", ".join(f"{word!r} ({getattr(meaning, 'meaning', meaning)})" for word, meaning in words.items())
-    number = f", or {choice.meaning}" if choice is not each else ""
-    return f"{each.meaning}{f' [{unit}]' * bool(unit)}{f': {listed_words}{number}' if words else ''}"
+    number = f", or {choice.meaning}" if choice is not description else ""
+    return f"{description.meaning}{f' [{unit}]' * bool(unit)}{f': {listed_words}{number}' if words else ''}"
 
 
 def _with_parameters(cls: type[Any], hints: Mapping[str, Any]) -> str:
     """Return the docstring of an input with its fields before the other sections."""
     text = inspect.cleandoc(cls.__doc__ or "")
-    found = _NEXT_SECTION.search(text)
-    before, after = (text[: found.start()].rstrip(), "\n\n" + text[found.start() :]) if found else (text, "")
+    section = _NEXT_SECTION.search(text)
+    before, after = (text[: section.start()].rstrip(), "\n\n" + text[section.start() :]) if section else (text, "")
     return "\n".join([before, "", "Parameters", "----------", *_parameters(cls, hints)]) + after
 
 
 def _parameters(cls: type[Any], hints: Mapping[str, Any]) -> Iterator[str]:
     """Yield the lines that list the fields of an input, with their types."""
-    for name, each in cls.descriptions.items():
-        meaning = text_of(each)
+    for name, description in cls.descriptions.items():
+        meaning = text_of(description)
         yield f"{name} : {_words_of(hints[name])}"
         yield from textwrap.wrap(
             f"{meaning[:1].upper()}{meaning[1:]}.", 120, initial_indent=" " * 4, subsequent_indent=" " * 4
         )
 
 
-def _remedy(each: Any) -> str:
+def _remedy(description: Any) -> str:
     """Return what to do about a field."""
-    return str(getattr(each, "remedy", "") or (_remedy(each.each) if hasattr(each, "each") else "give it"))
+    remedy = getattr(description, "remedy", "")
+    return str(remedy or (_remedy(description.item) if hasattr(description, "item") else "give it"))
 
 
 def _words_of(kind: Any) -> str:
@@ -682,15 +683,15 @@ def _words_of(kind: Any) -> str:
     kinds = get_args(kind) if isinstance(kind, types.UnionType) or get_origin(kind) is Union else (kind,)
     names = [
         "callable"
-        if get_origin(each) is Callable
+        if get_origin(option) is Callable
         else "pair"
-        if get_origin(each) is tuple and Ellipsis not in get_args(each)
-        else f"{get_origin(each).__name__.lower()} of {get_args(each)[0].__name__}"
-        if get_origin(each) in (tuple, Sequence)
+        if get_origin(option) is tuple and Ellipsis not in get_args(option)
+        else f"{get_origin(option).__name__.lower()} of {get_args(option)[0].__name__}"
+        if get_origin(option) in (tuple, Sequence)
         else "str"
-        if get_origin(each) is Literal
-        else each.__name__.replace("NoneType", "None")
-        for each in kinds
+        if get_origin(option) is Literal
+        else option.__name__.replace("NoneType", "None")
+        for option in kinds
     ]
     return " or ".join(dict.fromkeys(names))
 
@@ -698,23 +699,23 @@ def _words_of(kind: Any) -> str:
 def plain_signature(function: Callable[..., Any], hints: Mapping[str, Any]) -> inspect.Signature:
     """Return the signature of a function with these types, which do not say what describes its parameters."""
     signature = inspect.signature(function)
-    plain = [each.replace(annotation=hints.get(each.name, each.annotation)) for each in signature.parameters.values()]
+    plain = [p.replace(annotation=hints.get(p.name, p.annotation)) for p in signature.parameters.values()]
     return signature.replace(parameters=plain, return_annotation=hints.get("return", signature.return_annotation))
 
 
 def _naming_the_nearest(cls: type[Any]) -> Callable[..., None]:
     """Return the constructor of an input that says which field an unknown one may be, and which are missing."""
     plain = cls.__init__
-    names = [each.name for each in dataclasses.fields(cls) if each.init]
+    names = [field.name for field in dataclasses.fields(cls) if field.init]
 
     @functools.wraps(plain)
-    def constructor(self: Any, *values: Any, **given: Any) -> None:
-        for name, value in given.items():
+    def constructor(self: Any, *values: Any, **keywords: Any) -> None:
+        for name, value in keywords.items():
             if name not in names:
                 raise TypeError(str(unknown_key(name, value, names, "field", cls.__name__)))
-        if missing := cls.without_default.difference(given, names[: len(values)]):
+        if missing := cls.without_default.difference(keywords, names[: len(values)]):
             remedies = {name: _remedy(cls.descriptions[name]) for name in names if name in missing}
             raise InputsError(InputError(name, None, "be given", remedy) for name, remedy in remedies.items())
-        plain(self, *values, **given)
+        plain(self, *values, **keywords)
 
     return constructor

@@ -57,7 +57,7 @@ _USUAL = (
 )  # fmt: skip
 _TONS = ("tonf", "ton", "tons")  # 1000 kgf, 2000 lbf or 2240 lbf
 _USUAL_DENSITY = 0.87  # g/cm^3, of mineral oil
-_MEANT = {each.lower(): each for each in _USUAL} | {"lb": "lbf", "lbs": "lbf", "kg": "kgf", "t": "tf"}
+_MEANT = {unit.lower(): unit for unit in _USUAL} | {"lb": "lbf", "lbs": "lbf", "kg": "kgf", "t": "tf"}
 # To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments. "mPas" is on those of oils.
 _RUN_TOGETHER = re.compile(r"\b(?:([kM]?N)(?=(?:m|cm|mm)\b)|(m?Pa)(?=s\b))")
 # Turns as ISO writes them; pint knows neither.
@@ -75,8 +75,8 @@ def number_and_unit(text: str) -> tuple[str, str] | None:
     >>> number_and_unit("0.5 mrad"), number_and_unit("20"), number_and_unit("auto")
     (('0.5', 'mrad'), None, None)
     """
-    found = _QUANTITY.fullmatch(text)
-    return (found[1], found[2]) if found and found[2] else None
+    match = _QUANTITY.fullmatch(text)
+    return (match[1], match[2]) if match and match[2] else None
 
 
 def in_unit(field: str, value: Any, unit: str) -> Any:

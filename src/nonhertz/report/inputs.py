@@ -206,8 +206,8 @@ def _profile(
     usual = {**(_STEPS if measured else made), **({"at": _AT_THE_END} if "drop" in own else {})}
     for name, key in table.keys.items():
         value = own.get(name, None if "file" in own and name in ("y", "relief") else usual.get(name))
-        if isinstance(value, str) and begins_with_digits(value) and unit_of(key.each):
-            value = in_unit(name, value, unit_of(key.each))
+        if isinstance(value, str) and begins_with_digits(value) and unit_of(key.description):
+            value = in_unit(name, value, unit_of(key.description))
         if value is not None:
             dropped = "; from the drop" if "drop" in own and name == determined(kind, own) else ""
             yield _entry(f"{place}.{name}", value, key, own, dropped)
@@ -218,7 +218,7 @@ def _profile(
 
 def _meaning_of(key: Key) -> str:
     """Return what a key is, without what it could be instead."""
-    return key.each.meaning.partition(";")[0]
+    return key.description.meaning.partition(";")[0]
 
 
 def _with_unit(value: Any, key: Key | None = None, *, small: bool = False) -> tuple[str, str]:
@@ -228,7 +228,7 @@ def _with_unit(value: Any, key: Key | None = None, *, small: bool = False) -> tu
     """
     of_list = isinstance(value, list | tuple) and key is not None and not key.tables
     has_unit = of_list or (isinstance(value, float | int) and not isinstance(value, bool))
-    unit = unit_of(key.each) if key and has_unit else ""
+    unit = unit_of(key.description) if key and has_unit else ""
     factor, word = amount((), unit, "um" if small and unit == "mm" else "").scale
     return shown(_times(value, factor), key), word
 

@@ -368,21 +368,21 @@ def _refuse_thousands(lines: list[tuple[int, str]], layout: Layout, request: Req
 def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]:
     requested = {"position_column": request.position_column, "height_column": request.height_column}
     filled = [k for k in range(table.shape[1]) if not np.all(np.isnan(table[:, k]))]
-    found = {field: column_called(field, value, names) for field, value in requested.items() if value is not None}
-    if len(found) == 2:
-        if found["position_column"] == found["height_column"]:
+    columns = {field: column_called(field, value, names) for field, value in requested.items() if value is not None}
+    if len(columns) == 2:
+        if columns["position_column"] == columns["height_column"]:
             condition = "differ from position_column"
             raise InputError("height_column", request.height_column, condition, "choose two columns")
-        return found["position_column"], found["height_column"]
-    if not found and table.shape[1] > 2 and len(filled) == 2:
+        return columns["position_column"], columns["height_column"]
+    if not columns and table.shape[1] > 2 and len(filled) == 2:
         return filled[0], filled[1]
     if table.shape[1] > 2:
         names = [name or f"column {k}" for k, name in enumerate(names, start=1)] if any(names) else []
         condition = f"hold two columns, or have two of its {table.shape[1]} chosen"
         condition += f" ({listed(names)})" if names else ""
         raise request.refuse(condition, "give position_column and height_column, by number from 1 or by name")
-    if found:
-        ((field, column),) = found.items()
+    if columns:
+        ((field, column),) = columns.items()
         return (column, 1 - column) if field == "position_column" else (1 - column, column)
     _refuse_swapped(table, request)
     return 0, 1

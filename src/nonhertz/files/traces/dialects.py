@@ -33,8 +33,8 @@ def stated_by(head: Sequence[str]) -> tuple[Mapping[str, Any], str | None]:
         The lines, without comments.
     """
     text = "\n".join(head)
-    if found := _PTB.search(text):
-        step = float(found[1]) / max(int(found[2]) - 1, 1)
+    if match := _PTB.search(text):
+        step = float(match[1]) / max(int(match[2]) - 1, 1)
         return {"step": f"{step:.15g} um", "height_unit": "um"}, "A profile in the format of PTB, in um."
     pairs = [line.split("!")[0].partition("=") for line in head]
     keys = {key.strip().lower(): value.strip() for key, _, value in reversed(pairs)}  # the first of a name

@@ -97,18 +97,18 @@ def units_of_columns(names: Sequence[str], lines: Iterable[str], request: Reques
     InputError
         If the file states a unit that is none of length, or one that cannot be assigned to a column.
     """
-    found = [request.position_unit or _unit_in(names[0], request), None]
-    found[1] = request.height_unit or _unit_in(names[1], request)
+    units = [request.position_unit or _unit_in(names[0], request), None]
+    units[1] = request.height_unit or _unit_in(names[1], request)
     lines = list(lines)
     others = [line for line in lines if not all(name and name in line for name in names)]
     declared = _declared(others, _order_of_axes(names, lines))
-    found = [unit or other for unit, other in zip(found, declared, strict=True)]
+    units = [unit or other for unit, other in zip(units, declared, strict=True)]
     stray = next((line for line in others if _stated(line, at_end=True)), None)
-    if None in found and not any(declared) and stray is not None:
-        what = "positions" if found[0] is None else "heights"
+    if None in units and not any(declared) and stray is not None:
+        what = "positions" if units[0] is None else "heights"
         condition = f"state the unit of its {what} beside the name of their column (there is {shown(stray)})"
         raise request.refuse(condition, "give position_unit and height_unit, such as 'mm' and 'um'")
-    return found
+    return units
 
 
 def unit_of_heights(lines: Sequence[str], request: Request) -> tuple[str | None, str]:
@@ -123,7 +123,7 @@ def unit_of_heights(lines: Sequence[str], request: Request) -> tuple[str | None,
 def step_in(lines: Iterable[str], request: Request) -> tuple[float, str | None] | None:
     """Return the distance between points that lines above the numbers state, and its unit, or None."""
     stated = []
-    for key, number, behind in (found.groups() for line in lines for found in _SETTING.finditer(line)):
+    for key, number, behind in (match.groups() for line in lines for match in _SETTING.finditer(line)):
         value = float(number.replace(",", "."))
         if value <= 0.0 or not _STEP.search(key) or _NO_STEP.search(key):
             continue
@@ -202,7 +202,7 @@ def cells_of(line: str, separator: str | None) -> list[str]:
 
 def _cells(line: str, needed: Sequence[int], width: int, separator: str | None) -> list[str]:
     """Return the cells of a line of names, which may be separated differently from the numbers; [] if it is none."""
-    splits = [(cells_of(line, each), each is not None) for each in (separator, ";", "\t", ",", "|")]
+    splits = [(cells_of(line, candidate), candidate is not None) for candidate in (separator, ";", "\t", ",", "|")]
     for cells, apart in (*splits, (re.split(r"\s{2,}", line), True), (_closed_by_units(line), True)):
         plain = [cell.strip(" \"'") for cell in cells]
         while len(plain) > needed[-1] + 1 and not plain[-1]:
@@ -262,9 +262,9 @@ def _are_names(cells: list[str], line: str) -> bool:
 
 def _stated(name: str, *, at_end: bool = False) -> str | None:
     """Return the unit of length in a name, in brackets or as a word that follows no number; None if there is none."""
-    for found in reversed(list(_BRACKETS.finditer(name))):
-        unit = next(group for group in found.groups() if group is not None)
-        if millimetres(unit) and not (at_end and name[found.end() :].strip(" .,:;\"'")):
+    for brackets in reversed(list(_BRACKETS.finditer(name))):
+        unit = next(group for group in brackets.groups() if group is not None)
+        if millimetres(unit) and not (at_end and name[brackets.end() :].strip(" .,:;\"'")):
             return unit.strip()
     words = [word for word in _BETWEEN_WORDS.split(_BRACKETS.sub(" ", name)) if word]
     for last in range(len(words), 0, -1):
@@ -292,7 +292,7 @@ def _order_of_axes(names: Sequence[str], lines: Iterable[str]) -> str:
     They are those of the names of the columns, or the first and the last of those that occur above the numbers: x and
     y, x and z, or y and z. A y alone may be either.
     """
-    letters = [str(found[0]).lower() if (found := _AXIS.search(name)) else " " for name in names]
+    letters = [str(match[0]).lower() if (match := _AXIS.search(name)) else " " for name in names]
     if " " not in letters and letters[0] != letters[1]:
         return "".join(letters)
     known = sorted({str(letter).lower() for line in lines for letter in _AXIS.findall(line)})
@@ -303,19 +303,19 @@ def _order_of_axes(names: Sequence[str], lines: Iterable[str]) -> str:
 
 def _declared(lines: Iterable[str], axes: str) -> list[str | None]:
     """Return the units of positions and heights in lines such as "Units: mm, um", "Z unit = um" or "X (mm)"."""
-    found: list[str | None] = [None, None]
+    units_: list[str | None] = [None, None]
     for line in lines:
         _, *behind = _SAYS_UNIT.split(line, maxsplit=1)
         units = [word for word in _BETWEEN_UNITS.split(behind[0]) if millimetres(word)] if behind else []
         parts = [part for part in re.split(r"[;,\t|]", line) if _stated(part, at_end=True)]
         if len(units) == 2 and len(_SAYS_UNIT.findall(line)) == 1:
-            found = [mine or unit for mine, unit in zip(found, units, strict=True)]
+            units_ = [mine or unit for mine, unit in zip(units_, units, strict=True)]
             continue
         for part in parts if len(parts) > 1 else [line]:
             column = _column_of(part, axes)
             if column is not None and (behind or len(part.split()) <= _WORDS_OF_AXIS):
-                found[column] = found[column] or _stated(part, at_end=True)
-    return found
+                units_[column] = units_[column] or _stated(part, at_end=True)
+    return units_
 
 
 def _column_of(line: str, axes: str) -> int | None:

@@ -71,7 +71,7 @@ def heights_alone(lines: Sequence[str], request: Request) -> Heights | None:
     return Heights(head, [cell for cell in body if not COMMENT.match(cell[1])], footer[0][1] if footer else None)
 
 
-def read_heights(found: Heights, request: Request) -> Line:
+def read_heights(heights: Heights, request: Request) -> Line:
     """Return the measured line in a text of heights.
 
     Raises
@@ -82,26 +82,26 @@ def read_heights(found: Heights, request: Request) -> Line:
     for column in ("position_column", "height_column"):
         if getattr(request, column) not in (None, 1, "1"):
             raise request.refuse("hold two columns of numbers (there is only one number per line)", _GIVE_STEP)
-    step, known, request, notes = _step(found.head, request)
-    values, words = _values(found.cells, request)
-    values, step, about_first = _without_settings(found, values, step, request)
+    step, known, request, notes = _step(heights.head, request)
+    values, words = _values(heights.cells, request)
+    values, step, about_first = _without_settings(heights, values, step, request)
     notes += about_first
-    _check_counts(found.head, len(values), request)
-    unit, name = unit_of_heights(found.head, request)
+    _check_counts(heights.head, len(values), request)
+    unit, name = unit_of_heights(heights.head, request)
     unit = unit or ("um" if _UM in about_first else None)
     notes.append(f"Heights alone, {1e3 * step:.6g} um apart: positions count from the first.")
     if (unit or "mm") != "mm":
         notes.append(f"Heights were converted from {unit} to mm.")
     if words:
         notes.append(f"{lines_have(len(words))} words in place of a number, such as {shown(words[0])}.")
-    if found.footer is not None:
-        notes.append(f"The text below the points was ignored ({shown(found.footer)}).")
+    if heights.footer is not None:
+        notes.append(f"The text below the points was ignored ({shown(heights.footer)}).")
     drop = request.sense == "drop" or counts_drop(name, request)
     height = values * in_mm("unit", unit or "mm")
     return Line(step * np.arange(len(values), dtype=float), height, tuple(notes), (known, unit is not None), drop)
 
 
-def _without_settings(found: Heights, values: Array, step: float, request: Request) -> tuple[Array, float, list[str]]:
+def _without_settings(heights: Heights, values: Array, step: float, request: Request) -> tuple[Array, float, list[str]]:
     """Return the heights below the number of points and the step, the step [mm], and notes on what was left out.
 
     Raises
@@ -116,8 +116,8 @@ def _without_settings(found: Heights, values: Array, step: float, request: Reque
     ):  # of heights, or of heights below their step
         notes.append(f"The first number, {values[0]:g}, is the number of points.")
         values = values[1:]
-    first, apart = float(values[0]), _is_apart(found, values)
-    if not step and apart and not found.head and first > 0.0:
+    first, apart = float(values[0]), _is_apart(heights, values)
+    if not step and apart and not heights.head and first > 0.0:
         return values[1:], first * in_mm("unit", request.position_unit or "um"), [*notes, _UM]
     if not step:
         condition = "say how far apart its points are (there is one number per line and no position"
@@ -145,8 +145,8 @@ def _step(head: Sequence[str], request: Request) -> tuple[float, bool, Request, 
     """Return the step [mm], 0 if it is not known, whether its unit is, and the request with what the head defines."""
     defaults, note = stated_by(head)
     notes = [note] if note else []
-    given = {key: value for key, value in defaults.items() if key != "step" and getattr(request, key) is None}
-    request = replace(request, **given)
+    unset = {key: value for key, value in defaults.items() if key != "step" and getattr(request, key) is None}
+    request = replace(request, **unset)
     if request.step is not None:
         return request.step, True, request, notes
     if "step" in defaults:
@@ -168,13 +168,13 @@ def _values(cells: Sequence[tuple[int, str, float | None]], request: Request) ->
     return np.array([math.nan if value is None else value for _, _, value in cells]), words
 
 
-def _is_apart(found: Heights, values: Array) -> bool:
+def _is_apart(heights: Heights, values: Array) -> bool:
     """Return whether the first number is no height: far from those that follow, or written in another way."""
     if len(values) < 3:
         return False
     steps = np.abs(np.diff(values[1 : _NEIGHBOURS + 2]))
     off = abs(values[0] - values[1]) > _OFF * max(float(np.nanmax(steps)) if np.any(np.isfinite(steps)) else 0.0, 1e-9)
-    first, *others = (len(line.partition(".")[2]) for _, line, _ in found.cells[-len(values) :][: _NEIGHBOURS + 2])
+    first, *others = (len(line.partition(".")[2]) for _, line, _ in heights.cells[-len(values) :][: _NEIGHBOURS + 2])
     return bool(off or (len(set(others)) == 1 and first not in others))
 
 

@@ -39,7 +39,7 @@ def millimetres(unit: str) -> float | None:
     text = re.sub(r"[\s-](?!\d)", "", text.casefold().replace("\u2212", "-"))
     if text.rstrip("s") in _OTHERS:
         return _OTHERS[text.rstrip("s")]
-    found = _METRE.fullmatch(text)
-    if found is None or found[2] not in _PREFIXES or len(found[1] or "") > 3:
+    match = _METRE.fullmatch(text)
+    if match is None or match[2] not in _PREFIXES or len(match[1] or "") > 3:
         return None
-    return float(f"1e{_PREFIXES[found[2]] + int(found[1] or 0)}")
+    return float(f"1e{_PREFIXES[match[2]] + int(match[1] or 0)}")

@@ -157,8 +157,8 @@ def made(line: Line, request: Request) -> Trace:
         raise request.refuse("hold measured points (there is no pair of numbers)", "export the profile again")
     y, height = _sorted(y, height, notes)
     if len(y) < FEWEST_POINTS:
-        found = "is only one" if len(y) == 1 else f"are only {len(y)}"
-        raise request.refuse(f"hold at least {FEWEST_POINTS} positions (there {found})", "measure more points")
+        clause = "is only one" if len(y) == 1 else f"are only {len(y)}"
+        raise request.refuse(f"hold at least {FEWEST_POINTS} positions (there {clause})", "measure more points")
     _check_size(y, height, request)
     _check_plausible(y, height, line.units_known, request)
     unknown = [what for what, known in zip(("positions", "heights"), line.units_known, strict=True) if not known]

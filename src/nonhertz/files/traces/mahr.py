@@ -41,10 +41,10 @@ def read_marwin(lines: Sequence[str], request: Request) -> Line:
     below = takewhile(lambda line: not line.lstrip().startswith("["), lines[start:])
     # Blank lines in place of the head: messages name lines by their number.
     text = [*[""] * start, *(_NUMBER.sub("", line) for line in below)]
-    asked = replace(request, position_unit="mm", height_unit="mm", height_column=3)
-    along = {name: read_columns(text, replace(asked, position_column=k)) for k, name in ((1, "X"), (2, "Y"))}
+    base = replace(request, position_unit="mm", height_unit="mm", height_column=3)
+    along = {name: read_columns(text, replace(base, position_column=k)) for k, name in ((1, "X"), (2, "Y"))}
     name = max(along, key=lambda name: float(np.ptp(along[name].y)))
-    stated = [found[1] for line in lines[:start] if (found := _COUNT.match(line))][:1]
+    stated = [match[1] for line in lines[:start] if (match := _COUNT.match(line))][:1]
     if stated and stated != [str(len(along[name].y))]:
         condition = f"hold the {stated[0][:20]} points stated in its header (there are {len(along[name].y)})"
         raise request.refuse(condition, "export it again; this file is truncated")

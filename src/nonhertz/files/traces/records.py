@@ -36,7 +36,7 @@ _AGAIN = "export the profile again"
 def is_records(data: bytes) -> bool:
     """Return whether the header of a file has the lines of both axes."""
     head = _plain(data[:_LOOKED_AT])
-    return {found[1] for found in _AXIS.finditer(head)} == {"CX", "CZ"}
+    return {match[1] for match in _AXIS.finditer(head)} == {"CX", "CZ"}
 
 
 def read_records(data: bytes, request: Request) -> Line:
@@ -49,7 +49,7 @@ def read_records(data: bytes, request: Request) -> Line:
     """
     request.refuse_choices("a file after ISO 5436-2")
     text = _plain(data)
-    axes = {found[1]: found for found in _AXIS.finditer(text[:_LOOKED_AT])}
+    axes = {match[1]: match for match in _AXIS.finditer(text[:_LOOKED_AT])}
     if axes["CX"][2] not in {"I", "M"}:
         condition = f"have evenly spaced points (its axis CX is of kind {axes['CX'][2]})"
         raise request.refuse(condition, "export the profile as text in two columns")

@@ -48,15 +48,15 @@ def read_container(data: bytes, request: Request) -> Line:
     """
     request.refuse_choices("an X3P file")
     try:
-        held = _profile(sound(data, request), request)
+        profile = _profile(sound(data, request), request)
     except InputError:
         raise
     except Exception as error:  # noqa: BLE001  (zip, XML and x3pio raise a dozen kinds of errors over damaged files)
         raise request.refuse(f"be an intact X3P file ({reason_of(error)})", _AGAIN) from None
-    layer = held.layers[0]
+    layer = profile.layers[0]
     notes = ["An X3P profile, converted from m to mm."]
-    if len(held.layers) > 1:
-        notes.append(f"The file holds {len(held.layers)} layers; the first one was read.")
+    if len(profile.layers) > 1:
+        notes.append(f"The file holds {len(profile.layers)} layers; the first one was read.")
     y = (
         np.broadcast_to(np.asarray(layer.x_values, dtype=float), np.shape(layer.z))
         if layer.is_regular_grid
@@ -77,12 +77,12 @@ def _profile(archive: bytes, request: Request) -> x3pio.Profile:
             raise request.refuse(condition, "extract one line along the body in the measuring software and export that")
         if described.layer_count * described.shape[0] > MOST_POINTS:
             raise request.refuse(f"hold no more than {MOST_POINTS:,} points", _FEWER)
-        held = x3pio.read(io.BytesIO(archive))
+        profile = x3pio.read(io.BytesIO(archive))
     except x3pio.X3pChecksumError:
         raise request.refuse("match its checksum (it was changed or damaged)", _AGAIN) from None
-    if not isinstance(held, x3pio.Profile):
+    if not isinstance(profile, x3pio.Profile):
         raise request.refuse("hold a profile (feature type PRF)", _AGAIN)
-    return held
+    return profile
 
 
 def sound(data: bytes, request: Request) -> bytes:
@@ -95,13 +95,13 @@ def sound(data: bytes, request: Request) -> bytes:
     """
     if data.count(_ENTRY) > _MOST_MEMBERS:
         raise request.refuse(f"hold no more than {_MOST_MEMBERS:,} files", _AGAIN)
-    left, stream = _LARGEST_UNPACKED, io.BytesIO()
+    room, stream = _LARGEST_UNPACKED, io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(stream, "w") as new:
         for member in old.infolist():
             if member.compress_type not in {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}:
                 raise request.refuse("be compressed by deflate, as such archives are", _AGAIN)
-            content = _unpacked(old, member, left, request)
-            left -= len(content)
+            content = _unpacked(old, member, room, request)
+            room -= len(content)
             if member.filename.replace("\\", "/").rsplit("/", 1)[-1] == "main.xml":
                 _look_through(content, request)
             new.writestr(zipfile.ZipInfo(member.filename), content)

@@ -74,9 +74,12 @@ def _of_kind(word: str, kind: Table) -> Schema:
 
 def _hints(key: Key) -> Schema:
     """Return what the schema of a key does not say."""
-    if isinstance(key.each, OneOrTwo):
-        return {"x-names": key.each.names, "x-single": key.each.single}
-    return {"x-words": list(key.each.named)} if isinstance(key.each, Part) and key.each.named else {}
+    match key.description:
+        case OneOrTwo(names=names, single=single):
+            return {"x-names": names, "x-single": single}
+        case Part(named=named) if named:
+            return {"x-words": list(named)}
+    return {}
 
 
 def _examples() -> dict[str, dict[str, Any]]:
