@@ -21,12 +21,9 @@ if TYPE_CHECKING:
     from nonhertz.bearing.bearings import CylindricalRollerBearing as CylindricalRollerBearing
     from nonhertz.bearing.bearings import CylindricalThrustBearing as CylindricalThrustBearing
     from nonhertz.bearing.bearings import NeedleRollerBearing as NeedleRollerBearing
-    from nonhertz.bearing.bearings import Paired as Paired
     from nonhertz.bearing.bearings import RollerBearing as RollerBearing
-    from nonhertz.bearing.bearings import Row as Row
     from nonhertz.bearing.bearings import SphericalRollerBearing as SphericalRollerBearing
     from nonhertz.bearing.bearings import TaperedRollerBearing as TaperedRollerBearing
-    from nonhertz.bearing.bearings import paired as paired
     from nonhertz.bearing.catalogue import CatalogueGuess as CatalogueGuess
     from nonhertz.bearing.catalogue import from_catalogue as from_catalogue
     from nonhertz.bearing.clearance import ClearanceRanges as ClearanceRanges
@@ -55,9 +52,12 @@ if TYPE_CHECKING:
     from nonhertz.bearing.mapped import maps as maps
     from nonhertz.bearing.oil import Lubrication as Lubrication
     from nonhertz.bearing.oil import OilInPlace as OilInPlace
+    from nonhertz.bearing.pairs import Paired as Paired
+    from nonhertz.bearing.pairs import paired as paired
     from nonhertz.bearing.ratings import Rating as Rating
     from nonhertz.bearing.ratings import rating as rating
     from nonhertz.bearing.ribs import Rib as Rib
+    from nonhertz.bearing.row import Row as Row
     from nonhertz.bearing.shapes import RingShape as RingShape
     from nonhertz.bearing.shapes import fourier_shape as fourier_shape
     from nonhertz.bearing.shapes import tabulated_shape as tabulated_shape
@@ -82,12 +82,9 @@ __getattr__, __dir__ = door(
             "CylindricalRollerBearing",
             "CylindricalThrustBearing",
             "NeedleRollerBearing",
-            "Paired",
             "RollerBearing",
-            "Row",
             "SphericalRollerBearing",
             "TaperedRollerBearing",
-            "paired",
         ),
         "catalogue": ("CatalogueGuess", "from_catalogue"),
         "clearance": ("ClearanceRanges", "Housing", "InterferenceFit", "Mounting", "OperatingClearance", "Shaft"),
@@ -105,8 +102,10 @@ __getattr__, __dir__ = door(
         ),
         "mapped": ("BearingMaps", "maps"),
         "oil": ("Lubrication", "OilInPlace"),
+        "pairs": ("Paired", "paired"),
         "ratings": ("Rating", "rating"),
         "ribs": ("Rib",),
+        "row": ("Row",),
         "shapes": ("RingShape", "fourier_shape", "tabulated_shape"),
         "solution": ("BearingSolution", "UnrolledPressure"),
         "spectrum": ("LoadCase", "shares_of_revolutions", "solve_spectrum"),

@@ -27,14 +27,9 @@ from typing import Annotated
 import numpy as np
 
 from nonhertz.amounts import digits, mm, newton, um
-from nonhertz.bearing.bearings import (
-    MOST_ROLLERS,
-    CylindricalRollerBearing,
-    NeedleRollerBearing,
-    RollerBearing,
-    TaperedRollerBearing,
-)
+from nonhertz.bearing.bearings import CylindricalRollerBearing, NeedleRollerBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.fits import clearance_limits
+from nonhertz.bearing.parts import MOST_ROLLERS
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive

@@ -21,13 +21,10 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal
 
 from nonhertz.amounts import digits, given, mm, mpa, um
-from nonhertz.bearing.bearings import (
-    Paired,
-    RollerBearing,
-    TaperedRollerBearing,
-)
+from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.fits import HOUSINGS, SHAFTS, Range, ring_limits, seat_limits
 from nonhertz.bearing.kinematics import PER_MINUTE
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.thick_rings import ThickRing
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding

@@ -40,9 +40,10 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.bearings import RollerBearing, Row
+from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.kinematics import PER_MINUTE, Kinematics
 from nonhertz.bearing.oil import Lubrication
+from nonhertz.bearing.row import Row
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.bearing.standard import LAMINAE

@@ -34,12 +34,12 @@ from typing import Any, Final
 
 from nonhertz.bearing.bearings import (
     CylindricalThrustBearing,
-    Paired,
     RollerBearing,
     SphericalRollerBearing,
     TaperedRollerBearing,
 )
 from nonhertz.bearing.kinematics import PER_MINUTE
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.ratings import axial_and_radial, equivalent_loads
 from nonhertz.bearing.solution import BearingSolution
 

@@ -27,8 +27,9 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 
 from nonhertz.amounts import digits, mpa, newton
-from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, SphericalRollerBearing
+from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, SphericalRollerBearing
 from nonhertz.bearing.friction import reference_speed
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.ratings import Rating, axial_and_radial, axial_on_ribs, equivalent_loads, opposed
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.findings import Finding, finding

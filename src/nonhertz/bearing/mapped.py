@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nonhertz.amounts import newton
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import RollerBearing
+from nonhertz.bearing.pairs import Paired
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import warn
 from nonhertz.inputs.checks import positive

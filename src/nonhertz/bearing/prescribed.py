@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import newton
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import RollerBearing
+from nonhertz.bearing.pairs import Paired
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, finite, not_negative, number_that, numbers
 from nonhertz.inputs.fields import Input, OneOrTwo, Quantity, described

@@ -21,13 +21,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nonhertz.bearing.bearings import (
-    CylindricalThrustBearing,
-    Paired,
-    RollerBearing,
-    SphericalRollerBearing,
-)
+from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, SphericalRollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive

@@ -11,10 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm, mpa, mrad, newton, newton_mm, um
-from nonhertz.bearing.bearings import Paired, RollerBearing, Row, parts_of
+from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD, States
 from nonhertz.bearing.laws import Slices
+from nonhertz.bearing.pairs import Paired, parts_of
 from nonhertz.bearing.ribs import RibContact
+from nonhertz.bearing.row import Row
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.errors import InputError, without_accuracy_warnings

@@ -7,8 +7,9 @@ from typing import Annotated, Any
 
 from numpy.typing import ArrayLike
 
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.mapped import BearingMaps
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE

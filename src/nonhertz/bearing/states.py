@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD, TOLERANCE, States
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution, loaded_shares
 from nonhertz.errors import ConvergenceError

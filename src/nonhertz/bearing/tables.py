@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import digits, given, mrad, um
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.mapped import BearingMaps
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.section import MOTIONS
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import Method, solve_many

@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm, newton
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, at_edge, balanced
 from nonhertz.bearing.kinematics import PER_MINUTE
 from nonhertz.bearing.laws import ContactLaw, MapLaw
 from nonhertz.bearing.mapped import BearingMaps
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.prescribed import BearingLoad, Prescribed, many_states, motions, one_state
 from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution

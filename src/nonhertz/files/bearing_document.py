@@ -11,10 +11,12 @@ from pathlib import Path
 from typing import Annotated, Any
 
 from nonhertz.bearing.assessed import LifeConditions
-from nonhertz.bearing.bearings import InnerRing, OuterRing, Pair, Paired, RollerBearing, Rollers, paired
+from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.clearance import Mounting
 from nonhertz.bearing.lubrication import LEAST_RATIO, reference_viscosity
 from nonhertz.bearing.oil import Lubrication, OilInPlace
+from nonhertz.bearing.pairs import Pair, Paired, paired
+from nonhertz.bearing.parts import InnerRing, OuterRing, Rollers
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.bearing.spectrum import LoadCase
 from nonhertz.bearing.verb import BearingSolver

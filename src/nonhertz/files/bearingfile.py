@@ -13,10 +13,11 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
-from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, parts_of
+from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing
 from nonhertz.bearing.clearance import Mounting, clearance_ranges
 from nonhertz.bearing.lubrication import reference_viscosity
 from nonhertz.bearing.oil import Lubrication
+from nonhertz.bearing.pairs import Paired, parts_of
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.spectrum import LoadCase

@@ -12,7 +12,8 @@ from dataclasses import MISSING, dataclass, field, replace
 from functools import cache
 from typing import Any, Final
 
-from nonhertz.bearing.bearings import Pair, RollerBearing
+from nonhertz.bearing.bearings import RollerBearing
+from nonhertz.bearing.pairs import Pair
 from nonhertz.bearing.shapes import Deviations, Waves
 from nonhertz.files.bearing_document import PAIR, PARTS, SHAPES
 from nonhertz.files.profiles import KINDS, keys_of, meaning_of, needed_keys

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, amount, given, mm, mpa, mrad, newton, newton_mm, um
-from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, TaperedRollerBearing
+from nonhertz.bearing.bearings import CylindricalThrustBearing, TaperedRollerBearing
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.section import RINGS
 from nonhertz.errors import joined
 from nonhertz.files.bearingfile import BearingCase

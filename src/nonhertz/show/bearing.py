@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
-from nonhertz.bearing.bearings import CylindricalThrustBearing, Paired, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD
 from nonhertz.bearing.film import Films
 from nonhertz.bearing.fits import Range
 from nonhertz.bearing.kinematics import Kinematics
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, without_rounding

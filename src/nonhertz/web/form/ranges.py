@@ -13,7 +13,8 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Final, Literal
 
-from nonhertz.bearing.bearings import Paired, RollerBearing
+from nonhertz.bearing.bearings import RollerBearing
+from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
 from nonhertz.files.bearing_document import BearingFile, read_document

@@ -1,0 +1,206 @@
+"""Rows of rollers beside each other, on one inner ring or on rings that are clamped together."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import accumulate
+from typing import Annotated, Any
+
+from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.parts import MOST_ROLLERS, NO_CLEARANCE
+from nonhertz.bearing.row import Row
+from nonhertz.errors import InputError
+from nonhertz.inputs.checks import finite, flag, listed, positive
+from nonhertz.inputs.fields import Custom, Input, Part, Quantities, Quantity, Several, Word, described, together
+
+ARRANGEMENTS = ("X", "O", "tandem")
+_PRELOAD = Quantity(
+    "N",
+    "axial force between two equal tapered rows in X or O, mounted, cold and without load, in place of the clearance "
+    "between them",
+    positive,
+    "give the axial force in N, or the clearance in its place",
+)
+
+
+def _ways(name: str, value: Any, remedy: str) -> tuple[bool, ...]:
+    found = listed(name, value, "be True or False for each row", remedy)
+    for way in found:
+        flag(name, way, remedy)
+    return tuple(found)
+
+
+@described(kw_only=True)
+class Paired(Input):
+    """Rows of rollers on one inner ring, or on rings that are clamped together.
+
+    See Also
+    --------
+    paired : two equal rows in X, O or tandem
+    """
+
+    bearings: Annotated[
+        tuple[RollerBearing, ...], Several(Part("the rows", RollerBearing, "give two rows, or more"), MOST_ROLLERS)
+    ]
+    x: Annotated[
+        tuple[float, ...],
+        Quantities("mm", "axial coordinates of their rollers' middles; the inner ring turns about x = 0"),
+    ]
+    turned: Annotated[
+        tuple[bool, ...],
+        Custom("which are turned round, and bear axial loads along -x", _ways, {}, "write True or False for each row"),
+    ]
+    clearance: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "by how much the inner ring moves along the axis between rows that bear axial loads in both directions, "
+            "beside what the rows themselves have; negative: preload",
+            finite,
+            "give the axial clearance in mm",
+        ),
+        replace(
+            NO_CLEARANCE,
+            where=lambda pair: pair.preload is None and not any(row.radial_clearance for row in pair.bearings),
+        ),
+    ] = 0.0
+    preload: Annotated[float | None, _PRELOAD] = None
+
+    @together("bearings", "x", "turned")
+    def _check_rows(self) -> None:
+        count = len(self.bearings)
+        if not count:
+            raise InputError("bearings", self.bearings, "be rows of rollers", "give two rows, or more")
+        if len(self.x) != count or len(self.turned) != count:
+            raise InputError("x", self.x, f"hold {count} places, as many as turned", "give one for each row")
+
+    @together("bearings", "clearance")
+    def _check_held(self) -> None:
+        if self.clearance and not any(any(each.bears_axially) for each in self.bearings):
+            condition = "be zero for rows that do not hold the inner ring along the axis"
+            raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
+
+    @together("bearings", "x", "turned", "clearance", "preload")
+    def _check_preload(self) -> None:
+        if self.preload is None:
+            return
+        if self.clearance:
+            raise InputError("pair.preload", self.preload, "not be given together with clearance", "leave one out")
+        equal = all(isinstance(row, TaperedRollerBearing) and row == self.bearings[0] for row in self.bearings)
+        if not equal or sorted(self.turned) != [False, True]:
+            condition = "be left out but for two equal tapered rows in X or O"
+            raise InputError("pair.preload", self.preload, condition, "give the clearance of the rows")
+
+    def at(self, clearance: str = "likely") -> Paired:
+        """Return the rows with the least, likely or greatest clearance of their groups in place of these."""
+        return replace(self, bearings=tuple(row.at(clearance) for row in self.bearings))
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The rows in their places."""
+        firsts = accumulate((each.rollers for each in self.bearings[:-1]), initial=0)
+        rows = zip(self.bearings, self.x, self.turned, firsts, strict=True)
+        return tuple(Row(each, x, way, 0.5 * self.clearance, first) for each, x, way, first in rows)
+
+
+@described()
+class Pair(Input):
+    """How a second row like the first lies, on the same inner ring or on rings that are clamped together."""
+
+    arrangement: Annotated[
+        str,
+        Word(
+            "'X', face to face: the lines of pressure meet between the rows; 'O', back to back: they meet outside; or "
+            "'tandem', both rows bearing axial loads along +x",
+            "write 'X', 'O' or 'tandem'",
+            ARRANGEMENTS,
+        ),
+    ]
+    distance: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "the distance of the middles of both rows' rollers along the axis",
+            positive,
+            "give the distance of the rows in mm",
+        ),
+    ]
+    clearance: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "axial clearance of the pair, beside what the rows have themselves; negative: preload",
+            finite,
+            "give the axial clearance in mm",
+        ),
+    ] = 0.0
+    preload: Annotated[float | None, _PRELOAD] = None
+
+    @classmethod
+    def of(cls, rows: Paired) -> Pair:
+        """Return how two equal rows lie.
+
+        Raises
+        ------
+        InputError
+            If they are others.
+        """
+        first, distance = rows.bearings[0], rows.x[-1] - rows.x[0]
+        for arrangement in ARRANGEMENTS if distance > 0.0 else ():
+            if rows == _paired(first, pair := cls(arrangement, distance, rows.clearance, rows.preload)):
+                return pair
+        condition = "be two equal rows in X, O or tandem to go into a file"
+        raise InputError("bearings", len(rows.bearings), condition, "solve such a bearing in Python")
+
+
+def paired(
+    bearing: RollerBearing,
+    arrangement: str,
+    distance: float,
+    *,
+    clearance: float = 0.0,
+    preload: float | None = None,
+) -> Paired:
+    """Return two equal rows.
+
+    Parameters
+    ----------
+    bearing : RollerBearing
+        A row.
+    arrangement : {"X", "O", "tandem"}
+        ``"X"``, face to face: the lines of pressure meet between the rows. ``"O"``, back to back: they meet outside.
+        ``"tandem"``: both rows bear axial loads along +x.
+    distance : float
+        Between the middles of their rollers along the axis [mm].
+    clearance, preload : float
+        As in `Paired`.
+
+    Examples
+    --------
+    >>> import nonhertz as nh
+    >>> cone = nh.Roller(diameter=nh.TabulatedDiameter((-6, 6), (11, 10)), length=12)
+    >>> rings = {"inner": nh.Ring(diameter=41), "outer": nh.Ring(diameter=-62.5)}
+    >>> row = nh.bearing.TaperedRollerBearing(roller=cone, **rings, rollers=14, contact_angle=0.2)
+    >>> paired(row, "O", 20.0).turned
+    (False, True)
+    """
+    return _paired(bearing, Pair(arrangement, distance, clearance, preload))
+
+
+def _paired(bearing: RollerBearing, pair: Pair) -> Paired:
+    turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[pair.arrangement]
+    half = 0.5 * pair.distance
+    return Paired(
+        bearings=(bearing, bearing), x=(-half, half), turned=turned, clearance=pair.clearance, preload=pair.preload
+    )
+
+
+def parts_of(bearing: RollerBearing | Paired) -> dict[str, Input]:
+    """Return the inputs of which a bearing is made, by their places in a file.
+
+    The clearance of rows that hold each other along the axis is that of the pair.
+    """
+    row = bearing.rows[0].bearing
+    paired_by_angle = isinstance(bearing, Paired) and row.nominal_angle > 0.0
+    parts = {"roller": row.roller, "inner": row.inner, "outer": row.outer}
+    return {**parts, **({"bearing.pair": bearing} if paired_by_angle else {"bearing": row})}
