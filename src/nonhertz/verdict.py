@@ -29,9 +29,9 @@ from nonhertz.strength import Verdict as OfStrength
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
-    from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.film import Films
     from nonhertz.bearing.limits import Limit
+    from nonhertz.bearing.operating import OperatingClearance
     from nonhertz.bearing.solution import BearingSolution
 
 #: What is said where a check is passed.

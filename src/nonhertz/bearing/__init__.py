@@ -26,12 +26,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.bearings import TaperedRollerBearing as TaperedRollerBearing
     from nonhertz.bearing.catalogue import CatalogueGuess as CatalogueGuess
     from nonhertz.bearing.catalogue import from_catalogue as from_catalogue
-    from nonhertz.bearing.clearance import ClearanceRanges as ClearanceRanges
-    from nonhertz.bearing.clearance import Housing as Housing
-    from nonhertz.bearing.clearance import InterferenceFit as InterferenceFit
     from nonhertz.bearing.clearance import Mounting as Mounting
-    from nonhertz.bearing.clearance import OperatingClearance as OperatingClearance
-    from nonhertz.bearing.clearance import Shaft as Shaft
     from nonhertz.bearing.fatigue import VolumeLife as VolumeLife
     from nonhertz.bearing.fatigue import volume_life as volume_life
     from nonhertz.bearing.film import ContactFilm as ContactFilm
@@ -52,12 +47,17 @@ if TYPE_CHECKING:
     from nonhertz.bearing.mapped import maps as maps
     from nonhertz.bearing.oil import Lubrication as Lubrication
     from nonhertz.bearing.oil import OilInPlace as OilInPlace
+    from nonhertz.bearing.operating import ClearanceRanges as ClearanceRanges
+    from nonhertz.bearing.operating import InterferenceFit as InterferenceFit
+    from nonhertz.bearing.operating import OperatingClearance as OperatingClearance
     from nonhertz.bearing.pairs import Paired as Paired
     from nonhertz.bearing.pairs import paired as paired
     from nonhertz.bearing.ratings import Rating as Rating
     from nonhertz.bearing.ratings import rating as rating
     from nonhertz.bearing.ribs import Rib as Rib
     from nonhertz.bearing.row import Row as Row
+    from nonhertz.bearing.seats import Housing as Housing
+    from nonhertz.bearing.seats import Shaft as Shaft
     from nonhertz.bearing.shapes import RingShape as RingShape
     from nonhertz.bearing.shapes import fourier_shape as fourier_shape
     from nonhertz.bearing.shapes import tabulated_shape as tabulated_shape
@@ -87,7 +87,7 @@ __getattr__, __dir__ = door(
             "TaperedRollerBearing",
         ),
         "catalogue": ("CatalogueGuess", "from_catalogue"),
-        "clearance": ("ClearanceRanges", "Housing", "InterferenceFit", "Mounting", "OperatingClearance", "Shaft"),
+        "clearance": ("Mounting",),
         "fatigue": ("VolumeLife", "volume_life"),
         "fits": ("Range", "clearance_limits", "ring_limits", "seat_limits"),
         "film": ("ContactFilm", "Films", "films"),
@@ -102,10 +102,12 @@ __getattr__, __dir__ = door(
         ),
         "mapped": ("BearingMaps", "maps"),
         "oil": ("Lubrication", "OilInPlace"),
+        "operating": ("ClearanceRanges", "InterferenceFit", "OperatingClearance"),
         "pairs": ("Paired", "paired"),
         "ratings": ("Rating", "rating"),
         "ribs": ("Rib",),
         "row": ("Row",),
+        "seats": ("Housing", "Shaft"),
         "shapes": ("RingShape", "fourier_shape", "tabulated_shape"),
         "solution": ("BearingSolution", "UnrolledPressure"),
         "spectrum": ("LoadCase", "shares_of_revolutions", "solve_spectrum"),

@@ -189,3 +189,13 @@ def at_edge(system: System, state: States) -> tuple[Indices, Array]:
         return ready, np.full(3, np.nan)
     change = np.array([each.force[0, :3] - state.force[0, :3] for each in found]).reshape(2, 3, 3)
     return ready, np.abs(change.diagonal(axis1=1, axis2=2)).max(axis=0) / EDGE
+
+
+def without_rounding(values: Array, weights: Array, beside: float = 0.0) -> list[float]:
+    """Return numbers, zero for what is rounding beside the others, or beside what they are a difference of.
+
+    Weights make those of several units comparable.
+    """
+    sizes = np.abs(values * weights)
+    found: list[float] = np.where(sizes > NO_LOAD * max(float(sizes.max()), beside), values, 0.0).tolist()
+    return found

@@ -35,7 +35,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.findings import Finding, finding
 
 if TYPE_CHECKING:
-    from nonhertz.bearing.clearance import OperatingClearance
+    from nonhertz.bearing.operating import OperatingClearance
 
 HOOP_STRESS: Final = 127.0  # MPa
 SUMP: Final = 10.0  # k_S, the least in an oil sump

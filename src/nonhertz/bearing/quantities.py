@@ -15,8 +15,8 @@ from typing import Any, Final, Protocol
 import numpy as np
 
 from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.clearance import OperatingClearance
 from nonhertz.bearing.film import Films
+from nonhertz.bearing.operating import OperatingClearance
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import NonhertzError

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
@@ -10,21 +9,21 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import mm, mpa, mrad, newton, newton_mm, um
+from nonhertz.amounts import mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.bearings import RollerBearing
-from nonhertz.bearing.equilibrium import NO_LOAD, States
+from nonhertz.bearing.equilibrium import NO_LOAD, States, without_rounding
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.pairs import Paired, parts_of
 from nonhertz.bearing.ribs import RibContact
 from nonhertz.bearing.row import Row
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.standard import LAMINAE, standard_slices
+from nonhertz.bearing.strained import findings_of
 from nonhertz.errors import InputError, without_accuracy_warnings
-from nonhertz.findings import Finding, finding, sentences
+from nonhertz.findings import Finding, sentences
 from nonhertz.hertz import PointContact
 from nonhertz.inputs.assumed import assumed
 from nonhertz.inputs.checks import numbers, one_of, whole
-from nonhertz.life.capacity import is_hollow
 from nonhertz.result.brief import plain_text
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity, attributes
@@ -226,7 +225,7 @@ class BearingSolution(ReadOnly):
     def rib_load(self) -> Array:
         """Load on the ends of the rollers from the ribs of the inner and the outer ring [N], shape (rollers, 2)."""
         found = np.zeros(self.load.shape)
-        for loads, rib in self._ribs():
+        for loads, rib in self.loaded_ribs:
             found[:, RINGS.index(rib.ring)] += loads
         return found
 
@@ -246,7 +245,7 @@ class BearingSolution(ReadOnly):
             If there is no such roller or ring.
         """
         roller = self._number_of(roller, ring)
-        pressing = [(float(loads[roller]), rib) for loads, rib in self._ribs() if rib.ring == ring]
+        pressing = [(float(loads[roller]), rib) for loads, rib in self.loaded_ribs if rib.ring == ring]
         load, rib = max(pressing, key=lambda each: each[0], default=(0.0, None))
         return rib.under(load) if rib is not None and load > 0.0 else None
 
@@ -288,47 +287,11 @@ class BearingSolution(ReadOnly):
 
         Of those of one kind, the first, with a count, from the most loaded roller down.
         """
-        found = self._of_strips() if self.method == "strips" else []
-        every = self._ribs()
-        for ring in RINGS:
-            most = [(float(loads.max()), int(loads.argmax()), rib) for loads, rib in every if rib.ring == ring]
-            load, j, rib = max(most, key=lambda each: each[0], default=(0.0, 0, None))
-            if rib is not None and rib.reaches_an_edge(load):
-                reach = rib.under(load).half_length
-                words = (
-                    "The contact of roller {roller} with a rib of the {ring} ring reaches {reach:.3g} along the flank, "
-                    "beyond an edge at {room:.3g}, where the pressure is higher than Hertz's."
-                )
-                found.append(finding("rib-edge", words, roller=j + 1, ring=ring, reach=mm(reach), room=mm(rib.room)))
-        if self.method == "slices" and any(is_hollow(row.bearing.roller) for row in self.bearing.rows):
-            words = "Slices take hollow rollers as solid ones, which are stiffer: solve the bearing by strips."
-            found.append(finding("hollow-by-slices", words))
-        return tuple(found)
+        return findings_of(self)
 
-    def _of_strips(self) -> list[Finding]:
-        """Return what is found of contacts."""
-        first: dict[str, tuple[str, Finding]] = {}
-        times: Counter[str] = Counter()
-        rank = np.argsort(np.argsort(-self.load.max(axis=1), kind="stable"))
-        foremost = [(min(each.rollers, key=rank.__getitem__), each) for each in self.distinct_contacts]
-        for j, each in sorted(foremost, key=lambda pair: (rank[pair[0]], pair[1].ring)):
-            for found in each.solved.findings:
-                first.setdefault(found.kind, (f"{self.place_of(j)}, {RINGS[each.ring]} ring", found))
-                times[found.kind] += len(each.rollers)
-        more = " (And {more} more of the kind.)"
-        return [
-            finding(
-                kind,
-                f"{{place}}: {{found}}{more if times[kind] > 1 else ''}",
-                place=place,
-                found=found,
-                more=times[kind] - 1,
-            )
-            for kind, (place, found) in first.items()
-        ]
-
-    def _ribs(self) -> list[tuple[Array, RibContact]]:
-        """Return every rib that bears loads, with that on each roller, which is zero on those of other rows."""
+    @property
+    def loaded_ribs(self) -> list[tuple[Array, RibContact]]:
+        """Every rib that bears loads, with that on each roller [N], which is zero on those of other rows."""
         found = []
         for row in self.bearing.rows:
             # Slices ignore the ribs of tapered rows.
@@ -498,16 +461,6 @@ class BearingSolution(ReadOnly):
         for each in self.distinct_contacts:
             found[each.rollers, each.ring] = getattr(each.solved, name)
         return found
-
-
-def without_rounding(values: Array, weights: Array, beside: float = 0.0) -> list[float]:
-    """Return numbers, zero for what is rounding beside the others, or beside what they are a difference of.
-
-    Weights make those of several units comparable.
-    """
-    sizes = np.abs(values * weights)
-    found: list[float] = np.where(sizes > NO_LOAD * max(float(sizes.max()), beside), values, 0.0).tolist()
-    return found
 
 
 def loaded_shares(bearing: RollerBearing | Paired, load: Array) -> Array:

@@ -9,8 +9,8 @@ from types import SimpleNamespace
 from typing import Final
 
 from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.clearance import ClearanceRanges
 from nonhertz.bearing.fits import Range
+from nonhertz.bearing.operating import ClearanceRanges
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.bearing.solution import BearingSolution
 

@@ -41,11 +41,11 @@ from nonhertz.model.prescription import Prescription
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
-    from nonhertz.bearing.clearance import OperatingClearance
     from nonhertz.bearing.film import Films
     from nonhertz.bearing.friction import Friction
     from nonhertz.bearing.kinematics import Kinematics
     from nonhertz.bearing.limits import Limit
+    from nonhertz.bearing.operating import OperatingClearance
     from nonhertz.bearing.solution import BearingSolution
     from nonhertz.bearing.toleranced import Numbers, Tolerances
     from nonhertz.verdict import Verdict

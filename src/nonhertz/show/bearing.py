@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from nonhertz.amounts import Amount, amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, TaperedRollerBearing
-from nonhertz.bearing.equilibrium import NO_LOAD
+from nonhertz.bearing.equilibrium import NO_LOAD, without_rounding
 from nonhertz.bearing.film import Films
 from nonhertz.bearing.fits import Range
 from nonhertz.bearing.kinematics import Kinematics
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution, without_rounding
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.toleranced import Tolerances
 from nonhertz.files.bearing_results import LOSSES
 from nonhertz.files.bearingfile import BearingCase

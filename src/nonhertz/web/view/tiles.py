@@ -9,8 +9,9 @@ import numpy as np
 
 from nonhertz.amounts import Amount, amount, digits, mm, mpa, newton, um
 from nonhertz.bearing.assessed import BearingLife
+from nonhertz.bearing.equilibrium import without_rounding
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution, without_rounding
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import NonhertzError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case

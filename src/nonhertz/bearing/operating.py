@@ -1,0 +1,176 @@
+"""What is left of a bearing's clearance in operation, and the pressures of its fits, as values."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from nonhertz.amounts import digits, mpa, um
+from nonhertz.bearing.fits import Range
+from nonhertz.errors import InputError
+from nonhertz.findings import Finding, HasFindings, finding
+from nonhertz.inputs.checks import positive
+from nonhertz.result.brief import plain_text
+
+MOST_STEP = 30.0  # K, between a ring and the part it is pressed on, above which one of both was probably left out
+
+
+@dataclass(frozen=True, kw_only=True)
+class ClearanceRanges:
+    """Between which limits classes leave interferences and radial clearance of a row [mm].
+
+    Attributes
+    ----------
+    shaft, housing : Range or None
+        Interference on shaft and in housing; None without seats.
+    unmounted, mounted, operating : Range
+        Radial clearance unmounted, mounted at 20 degC and at rest, and in operation. Its least is where interferences
+        are greatest.
+    """
+
+    shaft: Range | None
+    housing: Range | None
+    unmounted: Range
+    mounted: Range
+    operating: Range
+
+    @property
+    def known(self) -> bool:
+        """Whether nothing is left open."""
+        return all(each is None or each.known for each in (self.shaft, self.housing, self.unmounted))
+
+
+@dataclass(frozen=True, kw_only=True)
+class InterferenceFit:
+    """The interference fit of a ring on its seat.
+
+    Attributes
+    ----------
+    mounted_pressure : float
+        Where they meet, at 20 degC and at rest [MPa].
+    pressure : float
+        The same in operation [MPa]; 0: the parts do not press on each other.
+    seat_stress, raceway_stress : float
+        Hoop stress of the bearing's ring in operation, at its seat and at its raceway [MPa].
+    loosening_speed : float
+        Speed at which the pressure falls to zero at the temperatures of operation [1/min]; infinite if none does, and 0
+        where the parts part without any. Of an outer ring, which is at rest, infinite or 0.
+    temperature_step : float
+        By how much the part that is inside is warmer than the one around it [K].
+    """
+
+    mounted_pressure: float
+    pressure: float
+    seat_stress: float
+    raceway_stress: float
+    loosening_speed: float
+    temperature_step: float
+
+    @property
+    def loosened(self) -> bool:
+        """Whether the parts are pressed together when they are mounted, and not in operation."""
+        return self.mounted_pressure > 0.0 and self.pressure == 0.0
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class OperatingClearance(HasFindings):
+    """What is left of a bearing's radial clearance, and what took it.
+
+    The losses are taken in turn, and so add up: first the bearing is mounted, then it gets warm, then it turns. What a
+    fit gains or loses by temperatures or speed is theirs.
+
+    Attributes
+    ----------
+    unmounted : float
+        Radial clearance at first [mm].
+    lost_to_inner_fit, lost_to_outer_fit : float
+        Clearance lost to the fits when the bearing is mounted [mm].
+    lost_to_temperatures : float
+        Clearance lost to temperatures [mm]; negative where they widen it.
+    lost_to_speed : float
+        Clearance lost to speed [mm].
+    inner, outer : InterferenceFit
+        Pressures and stresses of both fits.
+
+    See Also
+    --------
+    Mounting.operating : finds one
+    """
+
+    unmounted: float
+    lost_to_inner_fit: float
+    lost_to_outer_fit: float
+    lost_to_temperatures: float
+    lost_to_speed: float
+    inner: InterferenceFit
+    outer: InterferenceFit
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
+        """Doubtful steps of temperature across interference fits: metals pressed together level them out."""
+        words = (
+            "The {ring} is {step:.3g} K {way} than the {seat} it is pressed together with: check the temperatures of "
+            "both."
+        )
+        parts = ("inner ring", "shaft", -self.inner.temperature_step), (
+            "outer ring", "housing", self.outer.temperature_step
+        )  # fmt: skip
+        return tuple(
+            finding(
+                "temperature-step",
+                words,
+                ring=ring,
+                seat=seat,
+                step=abs(step),
+                way="warmer" if step > 0.0 else "colder",
+            )
+            for (ring, seat, step), fit in zip(parts, (self.inner, self.outer), strict=True)
+            if fit.mounted_pressure > 0.0 and abs(step) > MOST_STEP
+        )
+
+    @property
+    def mounted(self) -> float:
+        """Radial clearance mounted, at 20 degC and at rest [mm]."""
+        return self.unmounted - (self.lost_to_inner_fit + self.lost_to_outer_fit)
+
+    @property
+    def clearance(self) -> float:
+        """Radial clearance in operation [mm]; negative: preload."""
+        return self.mounted - self.lost_to_temperatures - self.lost_to_speed
+
+    def axial(self, contact_angle: float) -> float:
+        """Return the axial clearance of one tapered row that has this radial clearance [mm].
+
+        Parameters
+        ----------
+        contact_angle : float
+            Of the row [rad].
+
+        Returns
+        -------
+        float
+            C / (2 tan alpha): that of a `TaperedRollerBearing`, up to contact on this row alone.
+        """
+        positive("contact_angle", contact_angle, "give that of the row in rad: 12 degrees are 0.21")
+        if contact_angle >= 0.5 * math.pi:
+            raise InputError("contact_angle", contact_angle, "be less than a right angle", "give it in rad")
+        return 0.5 * self.clearance / math.tan(contact_angle)
+
+    def __repr__(self) -> str:
+        said = [
+            f"radial clearance {um(self.clearance):4} of {um(self.unmounted):4} unmounted",
+            f"taken by the inner fit {um(self.lost_to_inner_fit):4}, by the outer fit {um(self.lost_to_outer_fit):4}",
+            f"taken by temperatures {um(self.lost_to_temperatures):4}, by speed {um(self.lost_to_speed):4}",
+            *(line for name, fit in (("inner", self.inner), ("outer", self.outer)) for line in _said(name, fit)),
+        ]
+        return plain_text("OperatingClearance", [*said, *self.warnings])
+
+
+def _said(name: str, fit: InterferenceFit) -> list[str]:
+    state = ", loosened" if fit.loosened else ""
+    if 0.0 < fit.loosening_speed < math.inf and not fit.loosened:
+        state = f", comes loose at {digits(fit.loosening_speed, 3)}/min"
+    return [
+        f"{name} fit: pressure {mpa(fit.mounted_pressure):4} mounted, {mpa(fit.pressure):4} in operation{state}",
+        f"{name} ring: hoop stress {mpa(fit.seat_stress):4} at the seat, {mpa(fit.raceway_stress):4} at the raceway",
+    ]

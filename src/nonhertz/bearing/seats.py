@@ -1,0 +1,216 @@
+"""The seats of both rings, on the shaft and in the housing."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, ClassVar
+
+from nonhertz.amounts import mm
+from nonhertz.bearing.bearings import RollerBearing
+from nonhertz.bearing.fits import HOUSINGS, SHAFTS, Range, ring_limits, seat_limits
+from nonhertz.errors import InputError
+from nonhertz.inputs.assumed import Assumed
+from nonhertz.inputs.checks import finite, not_negative, number_that, positive
+from nonhertz.inputs.fields import Input, Quantity, Word, described, together
+from nonhertz.model.material import STEEL
+from nonhertz.model.materials import NamedMaterial
+
+REFERENCE = 20.0  # degC, at which dimensions are given
+COLDEST, HOTTEST = -273.15, 1000.0  # degC
+MOST_EXPANSION = 1e-3  # 1/K
+MOST_INTERFERENCE = 0.01  # of the diameter: ten times what elastic steel bears
+IN_TONNES = "give it in t/mm^3, 7.85e-9 for steel"
+IN_MM = "give it on the diameter in mm: 20 um are 0.02"
+
+
+IN_OPERATION = "the clearance in operation"
+
+_expansion = number_that(lambda value: abs(value) <= MOST_EXPANSION, f"not exceed {MOST_EXPANSION:g} per kelvin")
+_temperature = number_that(lambda value: COLDEST <= value <= HOTTEST, f"lie between {COLDEST:g} and {HOTTEST:g} degC")
+
+
+def _outside(name: str, value: float, remedy: str) -> None:
+    if value != math.inf:
+        positive(name, value, remedy)
+
+
+_BORE = "give that of a hollow shaft in mm, 0 for a solid one"
+_OUTSIDE = "give that of the housing in mm, or leave it out for an endless one"
+
+
+def of_temperature(part: str, usual: str = "") -> Quantity:
+    """Return what the temperature of a part says of itself."""
+    meaning = f"temperature of the {part} in degrees Celsius, a plain number{usual and f'; {usual} if left out'}"
+    return Quantity("", meaning, _temperature, "give it in degC")
+
+
+def of_expansion(part: str) -> Quantity:
+    """Return what the thermal expansion of a part says of itself."""
+    meaning = f"thermal expansion of the {part} per kelvin, a plain number; that of its material if left out"
+    return Quantity("", meaning, _expansion, "give it in 1/K, 12.5e-6 for bearing steel")
+
+
+def of_density(part: str) -> Quantity:
+    """Return what the density of a part says of itself."""
+    return Quantity("t/mm^3", f"density of the {part}; that of its material if left out", positive, IN_TONNES)
+
+
+def _of_class(part: str, classes: tuple[str, ...], example: str) -> Word:
+    return Word(
+        f"tolerance class of the {part} by ISO 286, such as '{example}', which with that of the bearing leaves the "
+        "interference between limits",
+        f"give a class such as '{example}', or the interference in mm",
+        classes,
+        noun="tolerance class",
+    )
+
+
+@described(kw_only=True)
+class Seat(Input):
+    """What shaft and housing have in common."""
+
+    diameter: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "the diameter of the seat; the bearing's bore d, or its outside diameter D, if left out",
+            positive,
+            "give that of the seat in mm",
+        ),
+    ] = None
+    fit: Annotated[str | None, _of_class("seat", (*SHAFTS, *HOUSINGS), "k5")] = None
+    interference: Annotated[
+        float | None,
+        Quantity(
+            "mm",
+            "by how much the part that is inside is larger than the one around it, on the diameter, both at 20 degrees "
+            "Celsius and unmounted, in place of what the class leaves open; negative for a loose fit",
+            finite,
+            IN_MM,
+        ),
+        Assumed("no interference", IN_OPERATION, lambda seat: seat.fit is None),
+    ] = None
+    smoothing: Annotated[
+        float,
+        Quantity(
+            "mm",
+            "what pressing flattens of the roughness of both surfaces, and an interference so loses, on the diameter",
+            not_negative,
+            IN_MM,
+        ),
+    ] = 0.0
+    material: Annotated[
+        NamedMaterial,
+        Assumed("steel of no grade", IN_OPERATION, lambda seat: seat.may_press),
+    ] = STEEL
+    expansion: Annotated[float | None, of_expansion("part")] = None
+    temperature: Annotated[float | None, of_temperature("part", "that of its ring")] = None
+
+    ring: ClassVar[str]
+
+    @together("diameter", "interference")
+    def _check_interference(self) -> None:
+        diameter, interference = self.diameter or math.inf, self.interference or 0.0
+        if abs(interference) > MOST_INTERFERENCE * diameter:
+            condition = f"not exceed {100.0 * MOST_INTERFERENCE:g} % of the diameter of {mm(diameter):g}"
+            raise InputError("interference", interference, condition, IN_MM)
+
+    @property
+    def may_press(self) -> bool:
+        """Whether the parts may press on each other; not by a loose fit that is measured."""
+        return self.effective_interference > 0.0 or (self.interference is None and self.fit is not None)
+
+    @property
+    def effective_interference(self) -> float:
+        """What is left of the interference when the roughness is flattened; a loose fit flattens nothing."""
+        interference = self.interference or 0.0
+        return max(interference - self.smoothing, min(interference, 0.0))
+
+    def source_of(self, name: str) -> str:
+        """Return the field from which the interference comes, of a seat of a name."""
+        return f"{name}.{'interference' if self.fit is None or self.interference is not None else 'fit'}"
+
+    def diameter_on(self, bearing: RollerBearing) -> float:
+        """Return the diameter [mm]: that of the bearing, if it has none of its own."""
+        name = "bore" if self.ring == "inner" else "outside_diameter"
+        diameter: float | None = getattr(bearing, name) if self.diameter is None else self.diameter
+        if diameter is None:
+            raise InputError(
+                "diameter", None, f"be given where the bearing has no {name}", "give that of the seat in mm"
+            )
+        return diameter
+
+    def interferences(self, bearing: RollerBearing) -> Range:
+        """Return the interference that the class leaves, or the one that is measured [mm].
+
+        Raises
+        ------
+        InputError
+            If there is no such class for this size, or neither seat nor bearing has a diameter.
+        """
+        diameter = self.diameter_on(bearing)
+        if self.interference is not None or self.fit is None:
+            return Range.exactly(self.interference or 0.0)
+        tapered = bearing.is_tapered
+        try:
+            seat = seat_limits(self.fit, diameter)
+            ring = ring_limits(self.ring, diameter, bearing.tolerance_class, tapered=tapered)
+        except InputError as error:
+            raise error.about("diameter", error.value) from None
+        return seat - ring if self.ring == "inner" else ring - seat
+
+
+@described(kw_only=True)
+class Shaft(Seat):
+    """The seat of an inner ring.
+
+    Raises
+    ------
+    InputError
+        If the shaft cannot be.
+
+    Notes
+    -----
+    For smoothing DIN 7190 takes 0.8 (Rz_1 + Rz_2), and NSK leaves d / (d + 2) of the interference of a ground shaft, d
+    in mm; both are recalled.
+    """
+
+    ring: ClassVar[str] = "inner"
+
+    fit: Annotated[str | None, _of_class("shaft", SHAFTS, "k5")] = None
+    bore: Annotated[
+        float, Quantity("mm", "the diameter of the bore of a hollow shaft; 0: solid", not_negative, _BORE)
+    ] = 0.0
+    density: Annotated[float | None, of_density("shaft")] = None
+
+    @together("diameter", "bore")
+    def _check_bore(self) -> None:
+        if self.diameter is not None and self.bore >= self.diameter:
+            condition = f"be less than the diameter of the shaft of {mm(self.diameter):g}"
+            raise InputError("bore", self.bore, condition, _BORE)
+
+
+@described(kw_only=True)
+class Housing(Seat):
+    """The seat of an outer ring.
+
+    Raises
+    ------
+    InputError
+        If the housing cannot be.
+    """
+
+    ring: ClassVar[str] = "outer"
+
+    fit: Annotated[str | None, _of_class("housing", HOUSINGS, "H7")] = None
+    outside_diameter: Annotated[
+        float,
+        Quantity("mm", "the diameter of the housing as a ring; endless if left out", _outside, _OUTSIDE),
+        Assumed("endless housing", IN_OPERATION, lambda seat: seat.may_press),
+    ] = math.inf
+
+    @together("diameter", "outside_diameter")
+    def _check_outside(self) -> None:
+        if self.diameter is not None and self.outside_diameter <= self.diameter:
+            condition = f"exceed that of the seat of {mm(self.diameter):g}"
+            raise InputError("outside_diameter", self.outside_diameter, condition, _OUTSIDE)
