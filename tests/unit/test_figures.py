@@ -29,7 +29,8 @@ from nonhertz.figures.value import (
     Points,
     Words,
 )
-from nonhertz.plot.drawer import sheet_of, typeset
+from nonhertz.plot.drawer import sheet_of
+from nonhertz.plot.marks import typeset
 from nonhertz.subsurface import axial_plane, cross_section, extremes
 
 

@@ -19,7 +19,7 @@ from nonhertz.result.tables import csv_text
 
 Array = NDArray[np.float64]
 Colour = Literal["first", "second", "third", "fourth", "fifth", "ink", "faint", "paper"]
-Dash = Literal["solid", "dashed", "chain", "dotted", "long", "mixed", "ends"]
+Dash = Literal["solid", "dashed", "chain", "dotted", "long", "mixed", "ends", "none"]
 Side = Literal["left", "center", "right"]
 Symbol = Literal["circle", "diamond", "triangle", "dot"]
 Range = tuple[float, float]
@@ -41,8 +41,8 @@ class Mark:
         Entry in the legend; none if empty.
     colour : {"first", "second", "third", "fourth", "fifth", "ink", "faint", "paper"}
         Of the colours that any eye tells apart, of text, of thin lines, or of what is drawn on.
-    dash : {"solid", "dashed", "chain", "dotted", "long", "mixed", "ends"}
-        ``"ends"`` is the dash-dot line of engineering drawings.
+    dash : {"solid", "dashed", "chain", "dotted", "long", "mixed", "ends", "none"}
+        ``"ends"`` is the dash-dot line of engineering drawings; of ``"none"`` only points are seen.
     """
 
     name: str = ""
@@ -52,10 +52,11 @@ class Mark:
 
 @dataclass(frozen=True, eq=False)
 class Line(Mark):
-    """A line through points, shape (n,) each; interrupted at nan."""
+    """A line through points, shape (n,) each, which may be marked; interrupted at nan."""
 
     x: Array
     y: Array
+    marked: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,10 +126,11 @@ class Span(Mark):
 
 @dataclass(frozen=True, eq=False)
 class Across(Mark):
-    """A thin line at a place along, from bottom to top, with words beside it."""
+    """A thin line at a place along, from bottom to top, with words beside it, or above the panel."""
 
     x: float
     words: str = ""
+    above: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,11 +161,24 @@ class Dimension(Mark):
 
 @dataclass(frozen=True, eq=False)
 class Bars(Mark):
-    """Bars from zero up to values, shape (n,), around or beside places, shape (n,); hatched or pale if not solid."""
+    """Bars from zero up to values, shape (n,), around or beside places, shape (n,); hatched or pale if not solid.
+
+    Their width is one number, or shape (n,).
+    """
 
     x: Array
     y: Array
-    width: float
+    width: float | Array
+    aside: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Whiskers(Mark):
+    """Thin lines with caps from lower to higher values, shape (n,), beside places, shape (n,)."""
+
+    x: Array
+    low: Array
+    high: Array
     aside: float = 0.0
 
 
@@ -208,6 +223,8 @@ class Axis:
         Places with their words; chosen by who draws if left out.
     logarithmic : bool
         Whether equal lengths are equal ratios.
+    categories : tuple of str
+        Words in place of the numbers 0, 1, 2 and so on.
     """
 
     label: str
@@ -218,6 +235,7 @@ class Axis:
     cut: bool = False
     ticks: tuple[tuple[float, str], ...] = ()
     logarithmic: bool = False
+    categories: tuple[str, ...] = ()
 
     @property
     def scale(self) -> tuple[float, str]:
@@ -238,7 +256,7 @@ class Axis:
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """Marks over an axis along, which a figure's panels share, and an upright one.
+    """Marks over an axis along, which a figure's panels share if they have none of their own, and an upright one.
 
     Attributes
     ----------
@@ -264,6 +282,14 @@ class Panel:
     round : bool
         Whether places along are angles [rad] around a circle, from the bottom counter-clockwise, and values rise from
         that circle outwards.
+    along : Axis, optional
+        An axis along of its own.
+    key : str
+        Heading of the legend.
+    beside : bool
+        Whether it stands to the right of the panel before, not below it.
+    sideways : bool
+        Whether places run down and values to the right, as names beside bars do.
     """
 
     name: str
@@ -276,6 +302,10 @@ class Panel:
     colours: Axis | None = None
     proportional: bool = False
     round: bool = False
+    along: Axis | None = None
+    key: str = ""
+    beside: bool = False
+    sideways: bool = False
 
 
 @dataclass(frozen=True, eq=False)

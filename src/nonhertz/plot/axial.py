@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from nonhertz.amounts import Amount, given, mm
@@ -77,3 +79,16 @@ def alignment(ax: Axes, y: float, span: tuple[float, float], words: str) -> Alig
     if share < half:
         return "left"
     return "right" if share > 1.0 - half else "center"
+
+
+def write_above(marks: Iterable[tuple[float, str]], ax: Axes, height: float) -> int:
+    """Write words above the axes at places along, on lines [point] where they would overlap; return how many lines."""
+    ends: list[float] = []  # of the words on each line, in shares of the axes
+    letter = LETTER * ax.figure.dpi / ax.bbox.width
+    for place, words in sorted(marks):
+        at = float(ax.transAxes.inverted().transform(ax.transData.transform((place, ax.get_ylim()[1])))[0])
+        half = 0.5 * letter * (len(words) + 1)
+        line = next((number for number, end in enumerate(ends) if end <= at - half), len(ends))
+        ends[line : line + 1] = [at + half]
+        note(ax, words, (place, 1.0), "center", above=2.0 + height * line, across=True)
+    return len(ends)

@@ -24,21 +24,24 @@ def draw_contours(mark: Contours, x: Array, y: Array, colours: Axis, ax: Axes) -
     """Fill bands between levels, draw the lines between them and return these; places are as they are drawn."""
     from matplotlib.ticker import MaxNLocator
 
-    factor, limit = colours.scale[0], (colours.range or (0.0, 1.0))[1]
-    levels = MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, factor * limit)
+    factor, (low, high) = colours.scale[0], colours.range or (0.0, 1.0)
+    levels = MaxNLocator(BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(factor * low, factor * high)
     values = np.ma.masked_invalid(factor * mark.values.T)
     beyond = colours.cut and float(values.max()) > levels[-1]
     shown, extend = (values, "max") if beyond else (np.minimum(values, levels[-1]), "neither")
     ax.contourf(x, y, shown, levels, cmap=COLOUR_MAP, extend=extend, zorder=0.5)
     # The colour map goes from dark to bright.
-    ink = ["white" if level < 0.5 * levels[-1] else INK for level in levels[1:]]
+    ink = ["white" if level < 0.5 * (levels[0] + levels[-1]) else INK for level in levels[1:]]
     return ax.contour(x, y, values, levels[1:], colors=ink, linewidths=HAIR, zorder=0.8)
 
 
-def label_contours(
-    lines: ContourSet, mark: Contours, x: Array, y: Array, factor: float, panel: Panel, ax: Axes
-) -> None:
-    """Label contour lines where they cross a column below the largest values, far enough apart."""
+def label_contours(lines: ContourSet, mark: Contours, x: Array, y: Array, panel: Panel, ax: Axes) -> None:
+    """Label contour lines; in true proportions where they cross a column below the largest values, far enough apart."""
+    if not panel.proportional:
+        ax.clabel(lines, np.asarray(lines.levels)[::2], fmt="%.4g", fontsize=SMALL_SIZE - 1.0)
+        return
+    assert panel.colours is not None
+    factor = panel.colours.scale[0]
     ax.apply_aspect()
     column = _calm_column(mark, panel.marks)
     depths, values = mark.y, factor * mark.values[column]

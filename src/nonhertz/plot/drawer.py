@@ -2,64 +2,49 @@
 
 from __future__ import annotations
 
-import functools
-import re
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Final
-
-import numpy as np
-from numpy.typing import ArrayLike
+from typing import Any, Final
 
 from nonhertz.figures.value import (
     Across,
     Area,
     Axis,
-    Band,
-    Bar,
-    Cells,
-    Contours,
-    Dimension,
     Figure,
-    Level,
     Line,
-    Mark,
     Panel,
     Points,
-    Range,
-    Side,
-    Span,
-    Steps,
-    Words,
 )
 from nonhertz.plot import style
-from nonhertz.plot.axes import ROUND, Array, Axes, key_above, note
+from nonhertz.plot.axes import ROUND, Axes, key_above
 from nonhertz.plot.axes import Figure as Sheet
-from nonhertz.plot.axial import LETTER, alignment, number
-from nonhertz.plot.contours import draw_contours, label_contours
+from nonhertz.plot.axial import LETTER, number, write_above
+from nonhertz.plot.contours import label_contours
+from nonhertz.plot.marks import Pen, draw_mark, normalised, typeset
 from nonhertz.plot.round import round_sheet
-from nonhertz.plot.sheets import BAR_ROOM, HIGHEST_PANEL, LEFT, MARGIN, NUMBERS, WIDTH, bar_beside, stacked, stretch_of
+from nonhertz.plot.sheets import (
+    BAR_ROOM,
+    HIGHEST_PANEL,
+    LEFT,
+    MARGIN,
+    NUMBERS,
+    WIDTH,
+    bar_beside,
+    sheet,
+    stacked,
+    stretch_of,
+)
 from nonhertz.plot.style import COLOURS
 
-if TYPE_CHECKING:
-    from matplotlib.contour import ContourSet
-
-DASHES: Final[dict[str, Any]] = {
-    "solid": "-", "dashed": "--", "chain": (0, (6, 1.5, 1.2, 1.5)), "dotted": style.HINT_DASHES, "long": (0, (8, 2)),
-    "mixed": (0, (3, 1, 1, 1, 1, 1)), "ends": style.END_DASHES,
-}  # fmt: skip
 LOWEST: Final = 0.5  # inch, of a panel in true proportions
 HEADS: Final = 0.24, 0.6  # inch, above such a panel and the stretched one below it
-SYMBOLS: Final = {"circle": ("o", 4.0), "diamond": ("D", 5.0), "triangle": ("^", 4.0), "dot": (".", 4.0)}
 TITLE_ABOVE, ROW_OF_KEY, SAMPLE = 7.0, 11.5, 7  # points above a legend, and of a row of it; letters that a sample takes
 DOTS: Final = 100.0  # of a screen, in an inch
-ACROSS: Final = 65  # points across an area: equally spaced in the angle whose sine is the share of the way to its edge
 HEAD: Final = 0.36  # inch, above each panel, for its legend
+EDGE, AROUND = 0.1, 0.75  # inch: to the left of a title over rows of panels, and for what is around the panels of a row
+TICKS, TICKS_BESIDE = 10, 5  # at most, of a panel that is as wide as the page and of others
 LETTERS: Final = 96  # of the conditions, that fit in a line
 APART: Final = 1.7  # by which a second panel on the same axes is drawn lower
-ARROW: Final[dict[str, Any]] = {"arrowstyle": "<->,head_length=0.25,head_width=0.12", "shrinkA": 0.0, "shrinkB": 0.0}
-OVER_LINES: Final[dict[str, Any]] = {"va": "bottom", "color": style.INK, "bbox": style.BACKING}
-"""Of words above a point, on a background that hides thin lines."""
 
 
 def sheet_of(figure: Figure, title: str = "") -> Sheet:
@@ -74,6 +59,8 @@ def _laid_out(figure: Figure, title: str) -> Sheet:
     first = figure.panels[0]
     if first.round:
         return round_sheet(figure, title, _lines(figure.conditions))
+    if any(panel.beside or panel.along for panel in figure.panels):
+        return _sheet_of_rows(figure, title)
     if first.proportional:
         return _proportional_sheet(figure, title)
     words = "; ".join([figure.conditions, *(panel.remark for panel in figure.panels if panel.remark)])
@@ -106,6 +93,45 @@ def _lines(words: str) -> list[str]:
         joined = f"{lines[-1]}; {part}"
         lines[-1:] = [joined] if len(joined) <= LETTERS else [lines[-1], part]
     return lines
+
+
+def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
+    """Return a sheet of rows of panels beside each other; what is around them decides how large they are."""
+    rows: list[list[Panel]] = []
+    for panel in figure.panels:
+        if panel.beside:
+            rows[-1].append(panel)
+        else:
+            rows.append([panel])
+    heights = [max(panel.height for panel in row) / DOTS for row in rows]
+    height = sum(heights) + AROUND * len(rows)
+    drawn = sheet(height, title, _lines(figure.conditions), EDGE)
+    drawn.set_layout_engine("constrained", rect=(0.0, 0.0, 1.0, height / drawn.get_figheight()))
+    columns = math.lcm(*map(len, rows))
+    grid = drawn.add_gridspec(len(rows), columns, height_ratios=heights)
+    for place, row in enumerate(rows):
+        width = columns // len(row)
+        for column, panel in enumerate(row):
+            ax = drawn.add_subplot(grid[place, width * column : width * (column + 1)])
+            draw_framed(panel, figure, ax, most=TICKS if len(row) == 1 else TICKS_BESIDE)
+    return drawn
+
+
+def draw_framed(panel: Panel, figure: Figure, ax: Axes, *, most: int | None = None) -> Axes:
+    """Draw a panel with all that belongs to it around it: heading, legend, remark below and colour bar beside."""
+    draw_panel(panel, figure, ax, most=most)
+    # Ticks are laid out when the figure is drawn, by then perhaps under other settings.
+    ax.tick_params(labelsize=style.SIZE)
+    if panel.remark:
+        ax.set_xlabel(f"{ax.get_xlabel()}\n{typeset(panel.remark)}")
+    factor = (panel.along or figure.along).scale[0]
+    above = [(factor * mark.x, mark.words) for mark in panel.marks if isinstance(mark, Across) and mark.above]
+    rows = draw_key([panel], ax) + write_above(above, ax, ROW_OF_KEY)
+    if panel.heading:
+        ax.set_title(panel.heading, loc="left", pad=TITLE_ABOVE + ROW_OF_KEY * rows)
+    if panel.colours:
+        draw_colour_bar(panel, ax, ax=ax)
+    return ax
 
 
 def _proportional_sheet(figure: Figure, title: str) -> Sheet:
@@ -171,31 +197,45 @@ def draw_proportional(figure: Figure, ax: Axes, *, stretch: float = 1.0, bar: Ax
     return ax
 
 
-def draw_panel(panel: Panel, figure: Figure, ax: Axes, *, last: bool = True, stretch: float = 1.0) -> None:
-    """Draw a panel of a figure on axes; of a proportional one the upright axis is stretched."""
-    (across, _), (up, _) = figure.along.scale, panel.upright.scale
-    pen = _Pen(ax, across, up, figure.along.range, panel.colours)
+def draw_panel(
+    panel: Panel, figure: Figure, ax: Axes, *, last: bool = True, stretch: float = 1.0, most: int | None = None
+) -> None:
+    """Draw a panel of a figure on axes, with so many ticks; of a proportional one the upright axis is stretched."""
+    along, upright = panel.along or figure.along, panel.upright
+    pen = Pen(ax, along.scale[0], upright.scale[0], along.range, panel.colours, panel.sideways)
     for mark in panel.marks:
-        _draw(mark, pen)
-    ax.locator_params(axis="both" if panel.colours else "x", steps=ROUND)
-    for axis, set_scale in ((figure.along, ax.set_xscale), (panel.upright, ax.set_yscale)):
-        if axis.logarithmic:
-            set_scale("log")
-    for axis, factor, limit in ((figure.along, across, ax.set_xlim), (panel.upright, up, ax.set_ylim)):
-        if axis.range is not None:
-            # Automatic limits stay on where matplotlib is to widen them, or it would warn that it does.
-            limit(*(factor * end for end in axis.range), auto=panel.proportional or None)
+        draw_mark(mark, pen)
+    across, up = (upright, along) if panel.sideways else (along, upright)
+    ax.set_xlabel(across.title() if last else "")
+    ax.set_ylabel(up.title())
+    rounded: dict[str, Any] = {"steps": ROUND} | ({"nbins": most} if most else {})
+    ax.locator_params("both" if panel.colours or most else "x", **rounded)
+    _set_axis(across, "x", ax, auto=panel.proportional or None)
+    _set_axis(up, "y", ax, auto=panel.proportional or None)
     if panel.proportional:
-        ax.set_aspect(stretch, adjustable="box" if pen.contours else "datalim")
+        # Of an area limits are widened; all else fills its axes.
+        area = any(isinstance(mark, Area) for mark in panel.marks)
+        ax.set_aspect(stretch, adjustable="datalim" if area else "box")
     for mark, lines in pen.contours:
-        assert panel.colours is not None
-        label_contours(lines, mark, pen.along(mark.x), pen.upright(mark.y), panel.colours.scale[0], panel, ax)
-    if figure.along.ticks:
-        ax.set_xticks(*zip(*((across * place, words) for place, words in figure.along.ticks), strict=True))
-    ax.set_ylabel(panel.upright.title())
-    ax.set_xlabel(figure.along.title() if last else "")
+        label_contours(lines, mark, pen.along(mark.x), pen.upright(mark.y), panel, ax)
     ax.tick_params(labelbottom=last or panel.proportional)
     ax.spines[["top", "right"]].set_visible(panel.colours is not None)
+
+
+def _set_axis(axis: Axis, letter: str, ax: Axes, *, auto: bool | None) -> None:
+    """Set the scale, the limits and the ticks of the x or the y axis."""
+    factor, words = axis.scale[0], axis.categories
+    if axis.logarithmic:
+        ax.set(**{f"{letter}scale": "log"})
+    if words:
+        ends = -0.5, len(words) - 0.5
+        ax.set(**{f"{letter}ticks": range(len(words)), f"{letter}ticklabels": words})
+        ax.set(**{f"{letter}lim": ends if letter == "x" else ends[::-1]})
+    elif axis.range is not None:
+        # Automatic limits stay on where matplotlib is to widen them, or it would warn that it does.
+        getattr(ax, f"set_{letter}lim")(*(factor * end for end in axis.range), auto=auto)
+    if axis.ticks and letter == "x":
+        ax.set_xticks(*zip(*((factor * place, words) for place, words in axis.ticks), strict=True))
 
 
 def proportions(panel: Panel, stretch: float, heading: str = "") -> str:
@@ -217,41 +257,8 @@ def draw_colour_bar(panel: Panel, ax: Axes, /, **where: Any) -> None:
     if bands is not None:
         ax.figure.colorbar(bands, label=colours.title(), **where)
         return
-    bar = ScalarMappable(_normalised(colours), style.COLOUR_MAP)
+    bar = ScalarMappable(normalised(colours), style.COLOUR_MAP)
     ax.figure.colorbar(bar, label=colours.title(), extend="max" if colours.cut else "neither", **where)
-
-
-def typeset(words: str) -> str:
-    """Return words with a true minus sign, and powers and directions of stresses as matplotlib sets them.
-
-    Examples
-    --------
-    >>> typeset("from -8.3 to 2 mm, non-convex, s^0.226")
-    'from −8.3 to 2 mm, non-convex, s$^{0.226}$'
-    """
-    true_minus = re.sub(r"(?<![\w^])-(?=[\d.])", "−", words.replace("$", r"\$"))
-    return re.sub(r"(\^|(?<=τ)_)([\d.]+|xz)", r"$\1{\2}$", true_minus)
-
-
-@dataclass(frozen=True)
-class _Pen:
-    """Axes, and what turns numbers of a figure into those that are drawn."""
-
-    ax: Axes
-    across: float
-    up: float
-    span: Range | None
-    colours: Axis | None
-    contours: list[tuple[Contours, ContourSet]] = field(default_factory=list)
-
-    def along(self, values: ArrayLike) -> Array:
-        return self.across * np.asarray(values, dtype=float)
-
-    def upright(self, values: ArrayLike) -> Array:
-        return self.up * np.asarray(values, dtype=float)
-
-    def point(self, x: float, y: float) -> tuple[float, float]:
-        return self.across * x, self.up * y
 
 
 def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
@@ -289,128 +296,3 @@ def _columns_of_key(panels: Sequence[Panel], width: float) -> list[list[str]]:
 def _wide(columns: Sequence[Sequence[str]]) -> float:
     """Return the width [inch] of a legend of columns."""
     return LETTER * sum(max(len(words) + SAMPLE for words in column) for column in columns)
-
-
-def _normalised(colours: Axis) -> Any:
-    from matplotlib.colors import Normalize
-
-    low, high = colours.range or (0.0, 1.0)
-    return Normalize(colours.scale[0] * low, colours.scale[0] * high)
-
-
-def _look(mark: Mark) -> dict[str, Any]:
-    return {"color": COLOURS[mark.colour], "linestyle": DASHES[mark.dash], "label": typeset(mark.name) or None}
-
-
-@functools.singledispatch
-def _draw(mark: Mark, pen: _Pen) -> None:
-    raise TypeError(f"cannot draw {type(mark).__name__}")
-
-
-@_draw.register
-def _(mark: Line, pen: _Pen) -> None:
-    pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), linewidth=style.LINE, **_look(mark))
-
-
-@_draw.register
-def _(mark: Steps, pen: _Pen) -> None:
-    steps, colour = (pen.upright(mark.y), pen.along(mark.edges)), COLOURS[mark.colour]
-    pen.ax.stairs(*steps, fill=True, color=colour, alpha=0.10, linewidth=0.0)
-    pen.ax.stairs(*steps, color=colour, alpha=0.45, linewidth=style.HAIR)
-
-
-@_draw.register
-def _(mark: Band, pen: _Pen) -> None:
-    edges = pen.along(mark.x), pen.upright(mark.low), pen.upright(mark.high)
-    pen.ax.fill_between(*edges, facecolor=COLOURS[mark.colour], alpha=0.16, linewidth=0.0, label=_look(mark)["label"])
-
-
-@_draw.register
-def _(mark: Area, pen: _Pen) -> None:
-    assert pen.colours is not None
-    angle = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ACROSS)[:, None]
-    # At the sine of an angle the root of 1 - s^2 is its cosine; a semi-ellipse falls vertically at its edge.
-    values = pen.colours.scale[0] * np.cos(angle) ** (2.0 * mark.power) * mark.values
-    x, y = np.broadcast_to(pen.along(mark.x), values.shape), pen.upright(np.sin(angle) * mark.half_height)
-    # Thousands of small polygons in an SVG file would show seams, so that the values are rasterised.
-    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": _normalised(pen.colours), "rasterized": True}
-    pen.ax.pcolormesh(x, y, values, shading="gouraud", zorder=1.0, **look)
-    closed = [np.concatenate([row, back[::-1], row[:1]]) for row, back in ((x[0], x[0]), (y[-1], y[0]))]
-    pen.ax.plot(*closed, color=style.INK, linewidth=style.THIN, solid_joinstyle="round")
-
-
-@_draw.register
-def _(mark: Cells, pen: _Pen) -> None:
-    assert pen.colours is not None
-    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": _normalised(pen.colours), "rasterized": True}
-    values = np.ma.masked_invalid(pen.colours.scale[0] * mark.values.T)
-    pen.ax.pcolormesh(pen.along(mark.x), pen.upright(mark.y), values, zorder=1.0, **look)
-
-
-@_draw.register
-def _(mark: Contours, pen: _Pen) -> None:
-    assert pen.colours is not None
-    lines = draw_contours(mark, pen.along(mark.x), pen.upright(mark.y), pen.colours, pen.ax)
-    pen.contours.append((mark, lines))
-
-
-@_draw.register
-def _(mark: Bar, pen: _Pen) -> None:
-    look = _look(mark) | {"linewidth": 2.4, "solid_capstyle": "butt", "zorder": 2.5, "clip_on": False}
-    pen.ax.plot(pen.along([mark.low, mark.high]), pen.upright([mark.y, mark.y]), **look)
-
-
-@_draw.register
-def _(mark: Points, pen: _Pen) -> None:
-    (marker, size), colour = SYMBOLS[mark.symbol], COLOURS[mark.colour]
-    look: dict[str, Any] = {"color": colour, "markerfacecolor": colour if mark.symbol == "dot" else "white"}
-    if pen.colours:
-        # A small symbol may lie on a larger one.
-        look |= {"markeredgewidth": style.THIN, "clip_on": False, "zorder": 4.0 - 0.1 * size}
-    look |= {"linestyle": "none", "markersize": size, "label": typeset(mark.name) or None}
-    pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), marker, **look)
-
-
-@_draw.register
-def _(mark: Span, pen: _Pen) -> None:
-    ends = pen.along([mark.low, mark.high])
-    pen.ax.axvspan(*ends, facecolor=style.PALE, edgecolor="none", zorder=0.5, label=_look(mark)["label"])
-
-
-@_draw.register
-def _(mark: Across, pen: _Pen) -> None:
-    place = pen.across * mark.x
-    pen.ax.axvline(place, linewidth=style.THIN, zorder=1.5, **_look(mark))
-    if mark.words and pen.span:
-        # On the side away from what is drawn.
-        side: Side = "left" if mark.x > 0.5 * sum(pen.span) else "right"
-        note(
-            pen.ax, mark.words, (place, 0.5), side, 3.0, across=True, rotation=90.0, va="center", color=style.FAINT_INK
-        )
-
-
-@_draw.register
-def _(mark: Level, pen: _Pen) -> None:
-    pen.ax.axhline(pen.up * mark.y, linewidth=style.HAIR, zorder=1.0, **_look(mark))
-
-
-@_draw.register
-def _(mark: Dimension, pen: _Pen) -> None:
-    low, high = pen.point(mark.low, mark.y), pen.point(mark.high, mark.y)
-    arrow = ARROW | {"color": COLOURS[mark.colour], "linewidth": style.THIN}
-    pen.ax.annotate("", low, xytext=high, arrowprops=arrow)
-    _write(mark.words, 0.5 * (mark.low + mark.high), mark.y, "center", pen)
-
-
-@_draw.register
-def _(mark: Words, pen: _Pen) -> None:
-    _write(mark.words, mark.x, mark.y, mark.side, pen, color=COLOURS[mark.colour])
-
-
-def _write(words: str, x: float, y: float, side: Side, pen: _Pen, **look: Any) -> None:
-    """Write words above a point, inside the axes if they are to be in its middle."""
-    if not words:
-        return
-    if side == "center" and pen.span:
-        side = alignment(pen.ax, x, pen.span, words)
-    note(pen.ax, typeset(words), pen.point(x, y), side, 3.0, 4.0, **OVER_LINES | look)

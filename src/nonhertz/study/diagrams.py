@@ -153,7 +153,9 @@ class Diagram:
         marks: list[Mark] = [Line(self.values, numbers)]
         if self.class_limits is not None:
             group = str(self.sweep.plan.template.document["bearing"]["clearance"])
-            marks.insert(0, Span(self.class_limits.least, self.class_limits.greatest, name=group * first))
+            marks.insert(
+                0, Span(self.class_limits.least, self.class_limits.greatest, name=group * first, colour="faint")
+            )
         if self.present is not None and along.range is not None and along.range[0] <= self.present <= along.range[1]:
             marks.insert(0, Across(self.present, "in the file" * first, colour="faint", dash="dashed"))
         if quantity.name in LIFE and self.longest_life is not None:
